@@ -1,0 +1,114 @@
+#include "shared/blob.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "shared/hash64.h"
+
+namespace isotouch {
+
+static_assert(std::endian::native == std::endian::little, "the image is used in place and is little-endian");
+
+namespace {
+
+using namespace blob_layout;
+
+/// The inverse of SPEC's reciprocal, by the exact test: is `inverse` the integer nearest to 2^44 / edge?
+bool is_reciprocal(std::int64_t edge, std::int64_t inverse) {
+  const std::int64_t miss = edge * inverse - (std::int64_t{1} << 44);
+  return 2 * std::max(miss, -miss) <= edge;
+}
+
+bool all_equal(const std::uint32_t* values, std::uint32_t expected) {
+  return std::all_of(values, values + kBricksPerNode, [=](std::uint32_t v) { return v == expected; });
+}
+
+bool all_equal(const std::int16_t* values, std::int32_t expected) {
+  return std::all_of(values, values + kSamplesPerBrick, [=](std::int16_t v) { return v == expected; });
+}
+
+/// True when the two outermost layers on all sides are far outside: nothing is open towards the border.
+bool border_is_outside(const BlobView& view) {
+  const auto [nx, ny, nz] = view.size;
+  const auto outermost = [](std::int32_t index, std::int32_t size) { return index < 2 || index >= size - 2; };
+  for (std::int32_t k = 0; k < nz; ++k) {
+    for (std::int32_t j = 0; j < ny; ++j) {
+      const bool whole_row = outermost(k, nz) || outermost(j, ny);
+      for (std::int32_t i = 0; i < nx; i += (whole_row || i != 1) ? 1 : nx - 3) {
+        if (view.coefficient(i, j, k) != view.band.raw()) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
+  const std::uint8_t* at = image.data();
+  if (std::bit_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
+  if (image.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
+  if (image.size() < kHeaderBytes) return Error::kTruncated;
+  if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
+  if (load_le<std::uint32_t>(at + kHeaderBytesAt) != kHeaderBytes) return Error::kBadHeader;
+  const auto total = load_le<std::uint64_t>(at + kTotalBytesAt);
+  if (total > image.size()) return Error::kTruncated;
+  if (total != image.size() || total > 0xFFFFFFFFU) return Error::kBadSize;
+  if (crc32(at + kTotalBytesAt, image.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
+
+  BlobView view;
+  view.image = image;
+  const auto field = [at](std::size_t offset) { return load_le<std::int32_t>(at + offset); };
+  view.origin = {Mm::from_raw(field(kOriginAt)), Mm::from_raw(field(kOriginAt + 4)), Mm::from_raw(field(kOriginAt + 8))};
+  view.edge = MmPerVoxel::from_raw(field(kEdgeAt));
+  view.inverse_edge = VoxelPerMm::from_raw(field(kInverseEdgeAt));
+  view.band = Distance::from_raw(field(kBandAt));
+  view.stiffness = Stiffness::from_raw(field(kStiffnessAt));
+  view.node_count = load_le<std::uint32_t>(at + kNodeCountAt);
+  view.brick_count = load_le<std::uint32_t>(at + kBrickCountAt);
+
+  for (const Mm component : {view.origin.x, view.origin.y, view.origin.z}) {
+    if (component < Mm::of(-512) || component > Mm::of(512)) return Error::kBadHeader;
+  }
+  if (view.edge < MmPerVoxel::of(1.0 / 64) || view.edge > MmPerVoxel::of(16)) return Error::kBadHeader;
+  if (!is_reciprocal(view.edge.raw(), view.inverse_edge.raw())) return Error::kBadHeader;
+  if (view.band < Distance::of(1) || view.band > Distance::of(7.99)) return Error::kBadHeader;
+  if (view.stiffness <= Stiffness{} || view.stiffness > Stiffness::of(100)) return Error::kBadHeader;
+
+  std::uint64_t root_cells = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto size = load_le<std::uint32_t>(at + kSizeAt + 4 * axis);
+    const auto root_size = load_le<std::uint32_t>(at + kRootSizeAt + 4 * axis);
+    if (size < 8 || size > kMaxSize) return Error::kBadHeader;
+    if (root_size != (size + 15) >> kNodeShift) return Error::kBadSize;
+    view.size[axis] = static_cast<std::int32_t>(size);
+    view.root_size[axis] = static_cast<std::int32_t>(root_size);
+    root_cells *= root_size;
+  }
+  if (view.node_count < 2 || view.brick_count < 2) return Error::kBadHeader;
+  const std::uint64_t nodes_at = align64(kHeaderBytes + 4 * root_cells);
+  const std::uint64_t bricks_at = align64(nodes_at + std::uint64_t{view.node_count} * kBricksPerNode * 4);
+  if (load_le<std::uint32_t>(at + kRootOffsetAt) != kHeaderBytes || load_le<std::uint32_t>(at + kNodeOffsetAt) != nodes_at ||
+      load_le<std::uint32_t>(at + kBrickOffsetAt) != bricks_at ||
+      total != bricks_at + std::uint64_t{view.brick_count} * kSamplesPerBrick * 2) {
+    return Error::kBadSize;
+  }
+  view.root = reinterpret_cast<const std::uint32_t*>(at + kHeaderBytes);
+  view.nodes = reinterpret_cast<const std::uint32_t*>(at + nodes_at);
+  view.bricks = reinterpret_cast<const std::int16_t*>(at + bricks_at);
+
+  if (!std::all_of(view.root, view.root + root_cells, [&](std::uint32_t n) { return n < view.node_count; })) return Error::kBadIndex;
+  const std::uint32_t* nodes_end = view.nodes + std::size_t{view.node_count} * kBricksPerNode;
+  if (!std::all_of(view.nodes, nodes_end, [&](std::uint32_t b) { return b < view.brick_count; })) return Error::kBadIndex;
+  if (!all_equal(view.nodes, kOutside) || !all_equal(view.nodes + kBricksPerNode, kInside)) return Error::kBadIndex;
+  if (!all_equal(view.bricks, view.band.raw()) || !all_equal(view.bricks + kSamplesPerBrick, -view.band.raw())) return Error::kBadIndex;
+  if (!border_is_outside(view)) return Error::kBadIndex;
+  return view;
+}
+
+std::uint64_t BlobView::hash() const { return hash64(image.data(), image.size()); }
+
+}  // namespace isotouch

@@ -1,0 +1,104 @@
+/// The blob: a signed distance field as one memory image (SPEC.md, section 2). `BlobView::parse` checks everything once; after it nothing can
+/// go wrong: every look-up with sample indices inside `size` lands inside the image.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shared/result.h"
+#include "shared/units.h"
+#include "shared/vec3.h"
+
+namespace isotouch {
+
+/// Byte offsets of the header's fields, in the order of SPEC.md 2.3.
+namespace blob_layout {
+inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'B'};
+inline constexpr std::uint16_t kMajor = 1;
+inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::size_t kMajorAt = 4;
+inline constexpr std::size_t kMinorAt = 6;
+inline constexpr std::size_t kHeaderBytesAt = 8;
+inline constexpr std::size_t kChecksumAt = 12;
+inline constexpr std::size_t kTotalBytesAt = 16;
+inline constexpr std::size_t kSourceHashAt = 24;
+inline constexpr std::size_t kOriginAt = 32;
+inline constexpr std::size_t kEdgeAt = 44;
+inline constexpr std::size_t kInverseEdgeAt = 48;
+inline constexpr std::size_t kBandAt = 52;
+inline constexpr std::size_t kSizeAt = 56;
+inline constexpr std::size_t kRootSizeAt = 68;
+inline constexpr std::size_t kStiffnessAt = 80;
+inline constexpr std::size_t kNodeCountAt = 84;
+inline constexpr std::size_t kBrickCountAt = 88;
+inline constexpr std::size_t kRootOffsetAt = 92;
+inline constexpr std::size_t kNodeOffsetAt = 96;
+inline constexpr std::size_t kBrickOffsetAt = 100;
+inline constexpr std::size_t kMethodAt = 104;
+inline constexpr std::size_t kPointCountAt = 108;
+inline constexpr std::size_t kScaleAt = 112;
+inline constexpr std::size_t kOffsetAt = 120;
+inline constexpr std::size_t kReservedAt = 144;
+inline constexpr std::size_t kHeaderBytes = 256;
+
+inline constexpr int kBrickShift = 2;                        ///< 4 samples a side
+inline constexpr int kNodeShift = 4;                         ///< 16 samples a side
+inline constexpr std::size_t kSamplesPerBrick = 64;
+inline constexpr std::size_t kBricksPerNode = 64;
+inline constexpr std::uint32_t kMaxSize = 4096;
+inline constexpr std::uint32_t kOutside = 0;                 ///< number of the brick, and of the node, that is far outside throughout
+inline constexpr std::uint32_t kInside = 1;                  ///< the same, far inside
+
+constexpr std::size_t align64(std::size_t bytes) { return (bytes + 63) & ~std::size_t{63}; }
+}  // namespace blob_layout
+
+/// A coefficient or distance as the blob stores it.
+using Distance = Fixed<Unit<0, 0, 0, 1>, 12>;
+
+/// A checked image. Trivially copyable; borrows the bytes.
+///
+/// tick      every member but `parse` and `hash`
+struct BlobView {
+  Vec3<Mm> origin;                       ///< workspace position of sample (0, 0, 0)
+  MmPerVoxel edge;
+  VoxelPerMm inverse_edge;
+  Distance band;
+  Stiffness stiffness;
+  std::array<std::int32_t, 3> size{};        ///< samples along x, y, z
+  std::array<std::int32_t, 3> root_size{};   ///< nodes along x, y, z
+  std::uint32_t node_count = 0;
+  std::uint32_t brick_count = 0;
+  const std::uint32_t* root = nullptr;
+  const std::uint32_t* nodes = nullptr;
+  const std::int16_t* bricks = nullptr;
+  std::span<const std::uint8_t> image;
+
+  /// Checks `image` completely and returns the view on it.
+  ///
+  /// image     8-byte aligned, stays alive and unchanged as long as the view is used
+  /// fails     kMisaligned, kTruncated, kBadMagic, kBadVersion, kBadHeader (a field outside SPEC's range), kBadSize (layout not as SPEC computes
+  ///           it), kBadChecksum, kBadIndex (an entry outside its table; a constant node or brick that is not; a border that is not far outside)
+  /// tick      no: it reads the whole image
+  static Result<BlobView> parse(std::span<const std::uint8_t> image);
+
+  /// The 64 coefficients of the brick that holds sample (i, j, k), each index within [0, size).
+  const std::int16_t* brick(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    using namespace blob_layout;
+    const auto cell = (((k >> kNodeShift) * root_size[1]) + (j >> kNodeShift)) * root_size[0] + (i >> kNodeShift);
+    const auto slot = (((k >> kBrickShift) & 3) << 4) | (((j >> kBrickShift) & 3) << 2) | ((i >> kBrickShift) & 3);
+    const std::uint32_t node = root[cell];
+    return bricks + std::size_t{nodes[node * kBricksPerNode + static_cast<std::size_t>(slot)]} * kSamplesPerBrick;
+  }
+
+  /// The coefficient of one sample, each index within [0, size).
+  std::int16_t coefficient(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return brick(i, j, k)[((k & 3) << 4) | ((j & 3) << 2) | (i & 3)];
+  }
+
+  /// The hash that names this image (SPEC.md: XXH64 of all its bytes).
+  std::uint64_t hash() const;
+};
+
+}  // namespace isotouch

@@ -1,0 +1,97 @@
+/// Quantities: a 32-bit integer with a physical unit and a number of fraction bits, both in the type.
+///
+/// A `Fixed<U, F>` holds `raw / 2^F` in the unit U. Nothing converts to or from a plain number by itself; sums need the
+/// same unit and format; a product names its result (`mul<Newton>(k, x)`) and does not compile when the units disagree.
+/// Rounding is to nearest, ties towards plus infinity: add half, shift right arithmetically. It is written here, once.
+///
+/// tick      yes: every function is constant cost, without division and without failure
+#pragma once
+
+#include <cassert>
+#include <compare>
+#include <cstdint>
+#include <limits>
+
+namespace isotouch {
+
+/// Powers of the base units: millimetre, newton, second, voxel edge.
+template <int MmPower, int NewtonPower, int SecondPower, int VoxelPower>
+struct Unit {
+  static constexpr int kMm = MmPower;
+  static constexpr int kNewton = NewtonPower;
+  static constexpr int kSecond = SecondPower;
+  static constexpr int kVoxel = VoxelPower;
+};
+
+template <class R, class A, class B>
+inline constexpr bool is_product_of = R::kMm == A::kMm + B::kMm && R::kNewton == A::kNewton + B::kNewton &&
+                                      R::kSecond == A::kSecond + B::kSecond && R::kVoxel == A::kVoxel + B::kVoxel;
+
+/// `value / 2^bits` rounded to nearest, ties up; `bits` from 0 to 62, |value| + 2^(bits-1) below 2^63.
+constexpr std::int64_t round_shift(std::int64_t value, int bits) {
+  return bits == 0 ? value : (value + (std::int64_t{1} << (bits - 1))) >> bits;
+}
+
+/// The nearest value that fits 32 bits: saturates, never wraps.
+constexpr std::int32_t saturate32(std::int64_t value) {
+  constexpr std::int64_t low = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int64_t high = std::numeric_limits<std::int32_t>::max();
+  return static_cast<std::int32_t>(value < low ? low : value > high ? high : value);
+}
+
+template <class U, int F>
+class Fixed {
+ public:
+  using UnitType = U;
+  static constexpr int kFractionBits = F;
+  static_assert(F >= 0 && F < 32);
+
+  constexpr Fixed() = default;
+
+  /// The stored integer, as it is.
+  static constexpr Fixed from_raw(std::int32_t raw) { return Fixed(raw); }
+  /// A physical literal in the source, an integer in the program; does not compile out of range.
+  static consteval Fixed of(double value) {
+    const double scaled = value * static_cast<double>(std::int64_t{1} << F);
+    const double rounded = scaled < 0 ? scaled - 0.5 : scaled + 0.5;
+    return rounded > 2147483647.5 || rounded < -2147483648.5 ? throw "the value does not fit its format"
+                                                             : Fixed(static_cast<std::int32_t>(rounded));
+  }
+  static constexpr Fixed max() { return Fixed(std::numeric_limits<std::int32_t>::max()); }
+
+  constexpr std::int32_t raw() const { return raw_; }
+
+  /// Sums saturate: they are exact whenever the true sum fits.
+  constexpr Fixed operator+(Fixed other) const { return Fixed(saturate32(std::int64_t{raw_} + other.raw_)); }
+  constexpr Fixed operator-(Fixed other) const { return Fixed(saturate32(std::int64_t{raw_} - other.raw_)); }
+  constexpr Fixed operator-() const { return Fixed(saturate32(-std::int64_t{raw_})); }
+  constexpr auto operator<=>(const Fixed&) const = default;
+
+ private:
+  constexpr explicit Fixed(std::int32_t raw) : raw_(raw) {}
+  std::int32_t raw_ = 0;
+};
+
+/// The product in the format R, rounded once, saturated. Worst case 2^62 before the shift: fits.
+template <class R, class A, int FA, class B, int FB>
+constexpr R mul(Fixed<A, FA> a, Fixed<B, FB> b) {
+  static_assert(is_product_of<typename R::UnitType, A, B>, "the result's unit is not the product of the factors' units");
+  constexpr int shift = FA + FB - R::kFractionBits;
+  static_assert(shift >= 0, "the result has more fraction bits than the product");
+  return R::from_raw(saturate32(round_shift(std::int64_t{a.raw()} * b.raw(), shift)));
+}
+
+/// The same value with another number of fraction bits; saturates when it gains bits, rounds when it loses them.
+template <class R, class U, int F>
+constexpr R rescale(Fixed<U, F> value) {
+  static_assert(R::UnitType::kMm == U::kMm && R::UnitType::kNewton == U::kNewton && R::UnitType::kSecond == U::kSecond &&
+                    R::UnitType::kVoxel == U::kVoxel,
+                "only the format may change");
+  if constexpr (R::kFractionBits >= F) {
+    return R::from_raw(saturate32(std::int64_t{value.raw()} * (std::int64_t{1} << (R::kFractionBits - F))));
+  } else {
+    return R::from_raw(saturate32(round_shift(value.raw(), F - R::kFractionBits)));
+  }
+}
+
+}  // namespace isotouch

@@ -1,0 +1,63 @@
+/// A value, or the one reason why there is none. Member names as in C++23's std::expected, which will replace it.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <type_traits>
+
+namespace isotouch {
+
+/// Why data was refused. `describe` gives the sentence's core; the caller adds file and place.
+enum class Error : std::uint8_t {
+  kTruncated,        ///< fewer bytes than the header promises
+  kBadMagic,         ///< not a file of this kind
+  kBadVersion,       ///< a major version that this program does not know
+  kBadHeader,        ///< a header field outside its range
+  kBadSize,          ///< the sizes in the header contradict each other or the file
+  kBadChecksum,      ///< the bytes were changed after they were written
+  kBadIndex,         ///< a table entry points outside its table
+  kMisaligned,       ///< the memory image does not start on an 8-byte boundary
+  kBadRecord,        ///< a trace record with an undefined bit or value
+  kWrongBlob,        ///< the trace was recorded on another blob
+  kNoOutputs,        ///< the trace holds inputs only
+};
+
+constexpr const char* describe(Error error) {
+  switch (error) {
+    case Error::kTruncated: return "the file ends before the size that its header states";
+    case Error::kBadMagic: return "it is not a file of this kind";
+    case Error::kBadVersion: return "its format version is newer than this program";
+    case Error::kBadHeader: return "a header field is outside its range";
+    case Error::kBadSize: return "the sizes in its header contradict each other";
+    case Error::kBadChecksum: return "the checksum does not match: the bytes were changed after they were written";
+    case Error::kBadIndex: return "a table entry points outside its table";
+    case Error::kMisaligned: return "the memory image is not aligned to 8 bytes";
+    case Error::kBadRecord: return "a record holds an undefined value";
+    case Error::kWrongBlob: return "the trace was recorded on another blob";
+    case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
+  }
+  return "unknown error";
+}
+
+template <class T>
+class [[nodiscard]] Result {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  constexpr Result(const T& value) : value_(value), ok_(true) {}   // NOLINT(google-explicit-constructor): as std::expected
+  constexpr Result(Error error) : error_(error), ok_(false) {}     // NOLINT(google-explicit-constructor): as std::unexpected
+
+  constexpr bool has_value() const { return ok_; }
+  constexpr explicit operator bool() const { return ok_; }
+  constexpr const T& value() const { return assert(ok_), value_; }
+  constexpr const T& operator*() const { return value(); }
+  constexpr const T* operator->() const { return &value(); }
+  constexpr Error error() const { return assert(!ok_), error_; }
+
+ private:
+  T value_{};
+  Error error_{};
+  bool ok_;
+};
+
+}  // namespace isotouch
