@@ -1,0 +1,28 @@
+/// The sub-commands of `isotouch`, one file each. A command adds itself to the parser; its callback does the work.
+///
+/// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3); wrong usage is the parser's (exit 2).
+/// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace isotouch::commands {
+
+class ComparisonFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+void add_build(CLI::App& app);
+void add_info(CLI::App& app);
+void add_shape(CLI::App& app);
+void add_trace(CLI::App& app);
+void add_replay(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_evaluate(CLI::App& app);
+void add_bench(CLI::App& app);
+void add_render(CLI::App& app);
+
+}  // namespace isotouch::commands

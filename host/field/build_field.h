@@ -1,0 +1,17 @@
+/// The default method: oriented points → signed distance in a band, analytic, continuous and two-sided.
+#pragma once
+
+#include "host/cloud/oriented_points.h"
+#include "host/field/band_field.h"
+#include "host/field/progress.h"
+
+namespace isotouch::field {
+
+/// points    workspace, mm; unit outward normals; at least 8
+/// grid      covers the points with a margin of at least band + 3 voxels on every side
+/// band      half width, voxels, 1 to 7.99
+/// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside
+/// fails     InputError when the points do not bound a body
+BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress);
+
+}  // namespace isotouch::field

@@ -1,0 +1,48 @@
+/// isotouch: from oriented points to a field that can be touched. One sub-command per file in commands/.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "host/commands/commands.h"
+#include "host/error.h"
+
+namespace {
+
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3 };
+
+int complain(ExitCode code, const char* sentence) {
+  std::fprintf(stderr, "isotouch: %s\n", sentence);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace isotouch;
+  CLI::App app{"Turns oriented points into a distance field that a haptic controller can touch."};
+  app.require_subcommand(1);
+  commands::add_build(app);
+  commands::add_info(app);
+  commands::add_shape(app);
+  commands::add_trace(app);
+  commands::add_replay(app);
+  commands::add_compare(app);
+  commands::add_evaluate(app);
+  commands::add_bench(app);
+  commands::add_render(app);
+  try {
+    app.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongUsage;
+  } catch (const commands::ComparisonFailed& e) {
+    return complain(kComparisonFailed, e.what());
+  } catch (const InputError& e) {
+    return complain(kBadInput, e.what());
+  } catch (const std::bad_alloc&) {
+    return complain(kBadInput, "not enough memory for this input; use a larger --voxel or a smaller --grid");
+  } catch (const std::exception& e) {
+    return complain(kBadInput, e.what());
+  }
+}
