@@ -1,0 +1,50 @@
+/// Lines and discs with smooth edges on an image. Positions are in pixels, x to the right, y down, (0, 0) the top left corner of the
+/// picture.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host/view/image.h"
+
+namespace isotouch::view {
+
+struct Point {
+  float x = 0, y = 0;
+  Point operator+(Point o) const { return {x + o.x, y + o.y}; }
+  Point operator-(Point o) const { return {x - o.x, y - o.y}; }
+  Point operator*(float f) const { return {x * f, y * f}; }
+};
+
+struct Rect {
+  float left = 0, top = 0, right = 0, bottom = 0;
+  float width() const { return right - left; }
+  float height() const { return bottom - top; }
+};
+
+using Polyline = std::vector<Point>;
+
+/// Draws on an image that outlives it; what lies outside `clip` stays as it was.
+class Canvas {
+ public:
+  explicit Canvas(Image& image) : image_(image), clip_{0, 0, static_cast<float>(image.width()), static_cast<float>(image.height())} {}
+  /// The same image with drawing limited to whole pixels within `clip`.
+  Canvas within(Rect clip) const;
+
+  const Image& image() const { return image_; }
+  void fill(Rect area, Colour colour, float alpha = 1);
+  void disc(Point centre, float radius, Colour colour, float alpha = 1);
+  /// One stroke with round ends and joints through all lines at once: where they cross, the colour is laid on once.
+  void stroke(std::span<const Polyline> lines, float width, Colour colour, float alpha = 1);
+  void line(Point from, Point to, float width, Colour colour, float alpha = 1);
+  void frame(Rect area, float width, Colour colour, float alpha = 1);
+
+ private:
+  Image& image_;
+  Rect clip_;
+};
+
+/// The same lines cut into dashes.
+std::vector<Polyline> dashed(const Polyline& line, float dash, float gap);
+
+}  // namespace isotouch::view
