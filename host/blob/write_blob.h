@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "host/cloud/oriented_points.h"
@@ -12,6 +13,7 @@ namespace isotouch::blob {
 
 enum class Method : std::uint32_t { kDefault = 0, kPublished = 1 };
 
+/// What the image says beside the distances.
 struct BlobInfo {
   double stiffness_n_per_mm = 0.8;
   std::uint64_t source_hash = 0;
@@ -27,25 +29,26 @@ class Image {
   std::uint8_t* data() { return reinterpret_cast<std::uint8_t*>(words_.data()); }
   const std::uint8_t* data() const { return reinterpret_cast<const std::uint8_t*>(words_.data()); }
   std::size_t size() const { return bytes_; }
+  std::span<const std::uint8_t> bytes() const { return {data(), bytes_}; }
 
  private:
   std::vector<std::uint64_t> words_;
   std::size_t bytes_;
 };
 
-/// Turns distances into spline coefficients, rounds them and lays out the image.
+/// Turns distances into spline coefficients, rounds them and lays out the image. The same field gives the same bytes on every machine.
 ///
-/// fails     InputError when the field does not fit the format (size, band, origin)
+/// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
+/// its
+///           row, and that of the border, which is outside, where its row has none before it
+/// returns   an image that BlobView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
+///           has them (`field::make_grid`), and every sample stays where it was computed
+/// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
 Image write_blob(const field::BandField& field, const BlobInfo& info);
 
 /// Reads a file into an image. The caller parses it.
 ///
 /// fails     InputError naming the file when it cannot be read
 Image read_image(const std::filesystem::path& file);
-
-/// Writes to a temporary beside `file`, then renames: the old file or the new one, never half of one.
-///
-/// fails     InputError naming the file
-void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size);
 
 }  // namespace isotouch::blob

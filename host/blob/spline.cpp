@@ -1,0 +1,116 @@
+#include "host/blob/spline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/blob/brick_rows.h"
+
+namespace isotouch::blob {
+
+namespace {
+
+using Samples = std::array<float, 64>;
+using Apron = std::array<float, 216>;  ///< a brick and one ring around it, 6 samples a side
+using Neighbours = std::array<std::size_t, 27>;
+
+constexpr std::size_t sample_number(int x, int y, int z) { return static_cast<std::size_t>((z * 4 + y) * 4 + x); }
+
+/// The bricks around a brick, itself in the middle; absent ones are BrickRows::kAbsent.
+Neighbours neighbours(const BrickRows& rows, const Eigen::Vector3i& cell) {
+  Neighbours found{};
+  std::size_t n = 0;
+  for (int z = -1; z <= 1; ++z) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) found[n++] = rows.find(cell + Eigen::Vector3i(x, y, z));
+    }
+  }
+  return found;
+}
+
+/// Collects a brick with its ring from whatever `samples` holds; absent samples are NaN.
+Apron gather(const std::vector<Samples>& samples, const Neighbours& around) {
+  Apron apron{};
+  std::size_t n = 0;
+  for (int z = -1; z < 5; ++z) {
+    for (int y = -1; y < 5; ++y) {
+      for (int x = -1; x < 5; ++x) {
+        const int cell = ((z + 4) / 4 * 3 + (y + 4) / 4) * 3 + (x + 4) / 4;
+        const std::size_t brick = around[static_cast<std::size_t>(cell)];
+        apron[n++] = brick == BrickRows::kAbsent ? NAN : samples[brick][sample_number(x & 3, y & 3, z & 3)];
+      }
+    }
+  }
+  return apron;
+}
+
+/// B c at the brick's 64 samples: one axis after the other. NaN wherever one of the 27 coefficients is.
+Samples blur(Apron apron) {
+  const auto along = [](Apron& a, std::size_t stride) {
+    Apron out{};
+    for (std::size_t n = stride; n + stride < a.size(); ++n) out[n] = 0.75F * a[n] + 0.125F * (a[n - stride] + a[n + stride]);
+    a = out;
+  };
+  along(apron, 1);
+  along(apron, 6);
+  along(apron, 36);
+  Samples inner{};
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 4; ++x) inner[sample_number(x, y, z)] = apron[static_cast<std::size_t>(((z + 1) * 6 + y + 1) * 6 + x + 1)];
+    }
+  }
+  return inner;
+}
+
+/// Per brick one bit a sample: may it be corrected, are it and all its 26 neighbours within the band?
+std::vector<std::uint64_t> correctable(const field::BandField& field, const BrickRows& rows) {
+  const float band = rounded_band(field);
+  std::vector<Samples> known(field.bricks.size());  // NaN beyond the band; it travels through the blur
+  for (std::size_t b = 0; b < known.size(); ++b) {
+    for (std::size_t n = 0; n < 64; ++n) known[b][n] = std::abs(field.bricks[b].distance[n]) <= band ? 0.0F : NAN;
+  }
+  std::vector<std::uint64_t> masks(known.size(), 0);
+  for (std::size_t b = 0; b < known.size(); ++b) {
+    const Samples blurred = blur(gather(known, neighbours(rows, field.bricks[b].cell)));
+    for (std::size_t n = 0; n < 64; ++n) masks[b] |= std::uint64_t{!std::isnan(blurred[n])} << n;
+  }
+  return masks;
+}
+
+constexpr double kScale = 1 << 12;
+
+double rounded(double value) { return std::floor(value * kScale + 0.5); }
+
+/// The band as the blob will hold it: exact in a float, so that what is clamped to it is it.
+float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
+
+}  // namespace
+
+std::vector<Coefficients> spline_coefficients(const field::BandField& field, int steps) {
+  const float band = rounded_band(field);
+  const BrickRows rows(field);
+  const std::vector<std::uint64_t> masks = correctable(field, rows);
+
+  std::vector<Samples> now(field.bricks.size());
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    for (std::size_t n = 0; n < 64; ++n) now[b][n] = std::clamp(field.bricks[b].distance[n], -band, band);
+  }
+  std::vector<Samples> next = now;
+  for (int step = 0; step < steps; ++step) {
+    for (std::size_t b = 0; b < now.size(); ++b) {
+      const Samples blurred = blur(gather(now, neighbours(rows, field.bricks[b].cell)));
+      for (std::size_t n = 0; n < 64; ++n) {
+        if ((masks[b] >> n & 1U) != 0) next[b][n] = now[b][n] + (field.bricks[b].distance[n] - blurred[n]);
+      }
+    }
+    std::swap(now, next);
+  }
+
+  std::vector<Coefficients> coefficients(now.size());
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    for (std::size_t n = 0; n < 64; ++n) coefficients[b][n] = static_cast<std::int16_t>(rounded(std::clamp(now[b][n], -band, band)));
+  }
+  return coefficients;
+}
+
+}  // namespace isotouch::blob
