@@ -62,6 +62,13 @@ Samples blur(Apron apron) {
   return inner;
 }
 
+constexpr double kScale = 1 << 12;
+
+double rounded(double value) { return std::floor(value * kScale + 0.5); }
+
+/// The band as the blob will hold it: exact in a float, so that what is clamped to it is it.
+float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
+
 /// Per brick one bit a sample: may it be corrected, are it and all its 26 neighbours within the band?
 std::vector<std::uint64_t> correctable(const field::BandField& field, const BrickRows& rows) {
   const float band = rounded_band(field);
@@ -76,13 +83,6 @@ std::vector<std::uint64_t> correctable(const field::BandField& field, const Bric
   }
   return masks;
 }
-
-constexpr double kScale = 1 << 12;
-
-double rounded(double value) { return std::floor(value * kScale + 0.5); }
-
-/// The band as the blob will hold it: exact in a float, so that what is clamped to it is it.
-float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
 
 }  // namespace
 
@@ -108,7 +108,8 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, int
 
   std::vector<Coefficients> coefficients(now.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
-    for (std::size_t n = 0; n < 64; ++n) coefficients[b][n] = static_cast<std::int16_t>(rounded(std::clamp(now[b][n], -band, band)));
+    for (std::size_t n = 0; n < 64; ++n)
+      coefficients[b][n] = static_cast<std::int16_t>(rounded(double{std::clamp(now[b][n], -band, band)}));
   }
   return coefficients;
 }
