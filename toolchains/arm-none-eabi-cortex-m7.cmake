@@ -1,0 +1,6 @@
+# A bare Cortex-M7: no operating system, no start-up code yet, so only libraries are built. Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_SYSTEM_PROCESSOR arm)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_CXX_FLAGS_INIT "-mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16 -ffreestanding -ffunction-sections -fdata-sections")
