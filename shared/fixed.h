@@ -39,6 +39,9 @@ constexpr std::int32_t saturate32(std::int64_t value) {
   return static_cast<std::int32_t>(value < low ? low : value > high ? high : value);
 }
 
+/// Never defined: a literal out of range reaches it at compile time, and the compiler prints its name.
+void the_value_does_not_fit_its_format();
+
 template <class U, int F>
 class Fixed {
  public:
@@ -54,8 +57,8 @@ class Fixed {
   static consteval Fixed of(double value) {
     const double scaled = value * static_cast<double>(std::int64_t{1} << F);
     const double rounded = scaled < 0 ? scaled - 0.5 : scaled + 0.5;
-    return rounded > 2147483647.5 || rounded < -2147483648.5 ? throw "the value does not fit its format"
-                                                             : Fixed(static_cast<std::int32_t>(rounded));
+    if (rounded >= 2147483648.0 || rounded <= -2147483649.0) the_value_does_not_fit_its_format();
+    return Fixed(static_cast<std::int32_t>(rounded));
   }
   static constexpr Fixed max() { return Fixed(std::numeric_limits<std::int32_t>::max()); }
 

@@ -1,0 +1,55 @@
+#include "firmware/core/coupling.h"
+
+#include <algorithm>
+
+#include "shared/roots.h"
+
+namespace isotouch::core {
+
+namespace {
+
+/// Shortens a force to the limit, direction kept, to within two units of the last place. Components are clamped to ±8191 N first (2^29), so that
+/// three squares fit 63 bits.
+Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited) {
+  const auto bounded = [](Newton f) { return std::clamp(f, Newton::of(-8191), Newton::of(8191)); };
+  const Vec3<Newton> f = {bounded(force.x), bounded(force.y), bounded(force.z)};
+  const std::int64_t square = dot_raw(f, f);
+  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
+  // limit / length with 30 fraction bits: limit is below 2^23, the mantissa at most 2^31, the shift at least 31
+  const std::int64_t ratio = (std::int64_t{limit.raw()} * inverse_length.mantissa) >> (inverse_length.shift - Ratio::kFractionBits);
+  limited = square > std::int64_t{limit.raw()} * limit.raw();
+  return limited ? mul<Newton>(f, Ratio::from_raw(saturate32(ratio))) : force;
+}
+
+}  // namespace
+
+Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
+  Coupling coupling;
+  coupling.edge = field.edge;
+  coupling.stiffness = settings.stiffness > Stiffness{} ? settings.stiffness : field.stiffness;
+  coupling.damping = DampingPerTick::from_raw(saturate32(std::int64_t{settings.damping.raw()} * 1'000'000'000 / period_ns));
+  coupling.force_limit = settings.force_limit;
+  coupling.ramp_ticks = settings.ramp_ticks;
+  coupling.ramp_part = RampPart::from_raw(settings.ramp_ticks == 0 ? 0 : static_cast<std::int32_t>((1U << 30) / settings.ramp_ticks));
+  return coupling;
+}
+
+Force couple(const Contact& contact, const Coupling& coupling, CouplingState& state) {
+  const Vec3<Mm> stretch = mul<Mm>(contact.stretch, coupling.edge);
+  const Vec3<Mm> change = stretch - state.last_stretch;
+  state.last_stretch = stretch;
+
+  const bool arrived = !contact.following && !contact.held_inside;
+  const bool in_ramp = contact.touching && state.ramp < coupling.ramp_ticks;
+  state.ramp = !arrived ? 0 : in_ramp ? state.ramp + 1 : coupling.ramp_ticks;
+
+  Force force;
+  force.ramping = in_ramp;
+  if (!contact.touching) return force;
+  const Vec3<Newton> full = mul<Newton>(stretch, coupling.stiffness) + mul<Newton>(change, coupling.damping);
+  const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();   // at most 2^30: ramp <= ramp_ticks
+  force.newton = limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited);
+  return force;
+}
+
+}  // namespace isotouch::core

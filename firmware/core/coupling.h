@@ -1,0 +1,53 @@
+/// The virtual coupling between proxy and HIP: a spring, an optional damper, a force limit, and a ramp where contact did not begin at rest.
+///
+/// source    Colgate, Stanley and Brown 1995, Issues in the haptic display of tool use; DESIGN.md, "Coupling"
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/proxy.h"
+#include "shared/tick_io.h"
+#include "shared/units.h"
+#include "shared/vec3.h"
+
+namespace isotouch::core {
+
+/// Damping over one tick period: newton for a change of stretch of one millimetre a tick. Range ±127 N/mm.
+using DampingPerTick = Fixed<Unit<-1, 1, 0, 0>, 24>;
+/// One part of the ramp. Range ±1.99.
+using RampPart = Fixed<Unit<0, 0, 0, 0>, 30>;
+
+/// Prepared constants, see `make_coupling`.
+struct Coupling {
+  MmPerVoxel edge;
+  Stiffness stiffness;
+  DampingPerTick damping;
+  Newton force_limit;
+  std::uint32_t ramp_ticks = 0;
+  RampPart ramp_part;            ///< 1 / ramp_ticks
+};
+
+struct CouplingState {
+  Vec3<Mm> last_stretch;
+  std::uint32_t ramp = 0;        ///< ticks of the ramp done; ramp_ticks = full force
+};
+
+struct Force {
+  Vec3<Newton> newton;           ///< on the hand
+  bool limited = false;
+  bool ramping = false;
+};
+
+/// settings     damping is clamped to 127 N/mm · period
+/// stiffness    used when the settings name none
+/// tick         no: divides
+Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
+
+/// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
+/// or had not arrived.
+///
+/// fails     never: saturates, then shortens to the limit and keeps the direction
+/// tick      yes: constant cost, no division
+Force couple(const Contact& contact, const Coupling& coupling, CouplingState& state);
+
+}  // namespace isotouch::core

@@ -1,0 +1,53 @@
+/// The proxy (god-object): the point that follows the HIP and never passes the surface.
+///
+/// It looks for the point on or outside the surface closest to the HIP, near where it is: min |p - h|² subject to φ(p) >= 0, by a fixed number
+/// of steps of sequential quadratic programming on the sampled field, one sample each. The same steps carry it through free space.
+///
+/// source    god-object: Zilles and Salisbury 1995; virtual proxy: Ruspini, Kolarov and Khatib 1997; Newton step on the Lagrangian: Nocedal and
+///           Wright, Numerical Optimization, 2nd ed., section 18.1; DESIGN.md, "Proxy"
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/field_sampler.h"
+#include "shared/blob.h"
+#include "shared/units.h"
+#include "shared/vec3.h"
+
+namespace isotouch::core {
+
+/// Steps a tick; each samples the field once.
+inline constexpr int kProxySteps = 4;
+
+enum class ProxyMode : std::uint8_t {
+  kUnplaced,    ///< before the first tick
+  kHeldInside,  ///< the HIP began inside the object and has not left it: no surface to hold yet
+  kFree,        ///< in free space, at the HIP or on its way to it
+  kContact,     ///< held by the surface
+};
+
+struct ProxyState {
+  ProxyMode mode = ProxyMode::kUnplaced;
+  Vec3<Voxel> point;         ///< where the field was sampled last, index coordinates
+  FieldSample sample;        ///< the field there
+};
+
+struct Contact {
+  Vec3<Voxel> proxy;             ///< index coordinates; on the surface in contact, at the HIP in free space once arrived
+  Vec3<Voxel> stretch;           ///< proxy - HIP where there is contact, else zero
+  bool touching = false;         ///< held by the surface
+  bool following = false;        ///< on the way to the HIP, not arrived: no force
+  bool held_inside = false;      ///< the HIP began inside the object
+  bool outside_grid = false;     ///< the HIP is outside the sampled box
+};
+
+/// Moves the proxy towards the HIP without passing the surface.
+///
+/// hip       index coordinates, within ±8191 voxels
+/// field     the same view in every tick of a state's life
+/// returns   contact; φ(proxy) >= -0.05 voxel in contact, as sampled
+/// fails     never; a HIP that begins inside the object gives no contact until it has left
+/// tick      yes: kProxySteps samples, constant cost, no division
+Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state);
+
+}  // namespace isotouch::core

@@ -1,0 +1,132 @@
+#include "firmware/core/surface_step.h"
+
+#include <algorithm>
+
+#include "shared/roots.h"
+
+namespace isotouch::core {
+
+namespace {
+
+// Raw numbers of 16 fraction bits in 64-bit integers. A checked blob may hold any coefficients within ±8 voxels, so |g| <= 16 a component (2^20) and
+// |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17.
+constexpr std::int64_t kOne = 1 << 16;
+constexpr std::int64_t kSlideLimit = kOne;              // a step along the surface: the spline bends over about one voxel
+constexpr std::int64_t kMinSlopeSquare = kOne / 4;        // |g|² is taken as at least this: the field flattens in the middle of thin parts
+constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
+constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
+constexpr std::int64_t kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
+constexpr std::int64_t kDeterminantLimit = 16 * kOne;
+constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix that is trusted
+
+struct Raw3 {
+  std::int64_t x, y, z;
+};
+
+template <class Q>
+Raw3 raw(const Vec3<Q>& v) {
+  return {v.x.raw(), v.y.raw(), v.z.raw()};
+}
+Vec3<Voxel> to_voxel(const Raw3& v) { return {Voxel::from_raw(saturate32(v.x)), Voxel::from_raw(saturate32(v.y)), Voxel::from_raw(saturate32(v.z))}; }
+
+Raw3 operator+(const Raw3& a, const Raw3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Raw3 operator-(const Raw3& a, const Raw3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+std::int64_t dot(const Raw3& a, const Raw3& b) { return (a.x * b.x + a.y * b.y + a.z * b.z) >> 16; }
+Raw3 scale(const Raw3& v, std::int64_t factor) { return {(v.x * factor) >> 16, (v.y * factor) >> 16, (v.z * factor) >> 16}; }
+std::int64_t within(std::int64_t value, std::int64_t limit) { return std::clamp(value, -limit, limit); }
+Raw3 within(const Raw3& v, std::int64_t limit) { return {within(v.x, limit), within(v.y, limit), within(v.z, limit)}; }
+
+/// value / divisor, 16 fraction bits; |value| beyond 2^31 acts like 2^31.
+std::int64_t divide(std::int64_t value, const Reciprocal& divisor) {
+  return times(within(value, std::int64_t{1} << 31), {divisor.mantissa, divisor.shift - 16});
+}
+
+/// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components within 2^30, so that three squares fit 63 bits.
+Raw3 shorten(const Raw3& v, std::int64_t limit) {
+  const std::int64_t square = v.x * v.x + v.y * v.y + v.z * v.z;
+  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
+  const std::int64_t ratio = (limit * inverse_length.mantissa) >> (inverse_length.shift - 30);   // limit / length, 30 fraction bits
+  if (square <= limit * limit) return v;
+  return {(v.x * ratio) >> 30, (v.y * ratio) >> 30, (v.z * ratio) >> 30};
+}
+
+/// The field around the sampled point, φ(p + δ) ≈ φ + g·δ + ½ δᵀHδ.
+struct LocalField {
+  std::int64_t distance;
+  Raw3 gradient, second, mixed;
+  Reciprocal slope_square;   // 1 / |g|²
+
+  explicit LocalField(const FieldSample& s)
+      : distance(s.distance.raw()),
+        gradient(raw(s.gradient)),
+        second(raw(s.second)),
+        mixed(raw(s.mixed)),
+        slope_square(reciprocal(static_cast<std::uint64_t>(std::max(dot(gradient, gradient), kMinSlopeSquare)))) {}
+
+  /// H v. |v| components below 2^26: sums below 2^49.
+  Raw3 bend(const Raw3& v) const {
+    return {(second.x * v.x + mixed.z * v.y + mixed.y * v.z) >> 16, (mixed.z * v.x + second.y * v.y + mixed.x * v.z) >> 16,
+            (mixed.y * v.x + mixed.x * v.y + second.z * v.z) >> 16};
+  }
+  /// adj(H) v, the cofactors of H; entries below 2^27.
+  Raw3 cofactors(const Raw3& v) const {
+    const std::int64_t xx = (second.y * second.z - mixed.x * mixed.x) >> 16, yz = (mixed.y * mixed.z - mixed.x * second.x) >> 16;
+    const std::int64_t yy = (second.z * second.x - mixed.y * mixed.y) >> 16, zx = (mixed.z * mixed.x - mixed.y * second.y) >> 16;
+    const std::int64_t zz = (second.x * second.y - mixed.z * mixed.z) >> 16, xy = (mixed.x * mixed.y - mixed.z * second.z) >> 16;
+    return {(xx * v.x + xy * v.y + zx * v.z) >> 16, (xy * v.x + yy * v.y + yz * v.z) >> 16, (zx * v.x + yz * v.y + zz * v.z) >> 16};
+  }
+  /// The part of v along the surface.
+  Raw3 tangential(const Raw3& v) const { return v - scale(gradient, divide(dot(gradient, v), slope_square)); }
+  /// How far a point at `offset` lies above the plane that the sample predicts for the surface.
+  std::int64_t clearance(const Raw3& offset) const { return distance + dot(gradient, offset); }
+  /// -φ g / |g|²
+  Raw3 onto_surface() const { return scale(gradient, -divide(distance, slope_square)); }
+};
+
+/// The step along the surface towards the point closest to the HIP: Newton's on the Lagrangian, within the tangent plane.
+///
+/// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. In two dimensions the
+/// inverse needs no basis: (I - M)⁻¹ = ((1 - τ) I + M) / (1 - τ + D), with τ and D the trace and determinant of M within the plane, which are
+/// tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a centre of curvature I - M is not safely positive; there the
+/// pull is followed as it is, held back only as much as a concave direction may need.
+Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
+  const std::int64_t plane_trace = at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
+  const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
+  const std::int64_t trace = (depth * within(plane_trace, kTraceLimit)) >> 16;                                         // below 2^29
+  const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;   // below 2^40
+
+  const std::int64_t room = kOne - kMinBend;
+  const bool positive = room - trace + kOne > kMinBend && ((room * (room - trace)) >> 16) + determinant > 0;
+  const std::int64_t held = std::max(kMinBend, trace);
+  const Raw3 numerator = positive ? scale(pull, kOne - trace) + scale(at.tangential(at.bend(pull)), depth) : scale(pull, held);
+  const std::int64_t denominator = positive ? kOne - trace + determinant : held + std::max<std::int64_t>(0, -determinant);
+  const Reciprocal inverse = reciprocal(static_cast<std::uint64_t>(std::max(denominator, kOne / 8)));
+  return {divide(numerator.x, inverse), divide(numerator.y, inverse), divide(numerator.z, inverse)};
+}
+
+}  // namespace
+
+bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample) {
+  return LocalField(sample).clearance(raw(hip) - raw(point)) < 0;
+}
+
+Vec3<Voxel> step_onto_surface(const FieldSample& sample) { return to_voxel(LocalField(sample).onto_surface()); }
+
+Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample) {
+  const LocalField at(sample);
+  const Raw3 pull = raw(hip) - raw(point);
+  const std::int64_t free_way = std::max<std::int64_t>(at.distance, 0);
+  const std::int64_t buried = std::max<std::int64_t>(-at.distance, 0);
+  const std::int64_t clearance = at.clearance(pull);
+
+  if (clearance >= 0) {
+    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - 2 * buried));
+    return to_voxel(buried > 0 ? step + at.onto_surface() : step);
+  }
+  const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
+  const Raw3 along = slide(at, within(at.tangential(pull), kPullLimit), depth);
+  // Straight and along together stay within free_way + kSlideLimit: φ² + (1 + φ/2)² <= (φ + 1)² up to φ = 4, and 1.05 of it at 8.
+  return to_voxel(at.onto_surface() + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - 2 * buried)));
+}
+
+}  // namespace isotouch::core
