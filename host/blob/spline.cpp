@@ -109,7 +109,7 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, int
   std::vector<Coefficients> coefficients(now.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
     for (std::size_t n = 0; n < 64; ++n)
-      coefficients[b][n] = static_cast<std::int16_t>(rounded(double{std::clamp(now[b][n], -band, band)}));
+      coefficients[b][n] = static_cast<std::int16_t>(rounded(static_cast<double>(std::clamp(now[b][n], -band, band))));
   }
   return coefficients;
 }
