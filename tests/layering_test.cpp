@@ -1,0 +1,213 @@
+/// Who may include whom, and the words that do not belong into the core. The table is the one of DESIGN.md; the link lists of CMakeLists.txt
+/// say the same to the linker, this says it with file and line.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace isotouch {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+const fs::path kRoot = ISOTOUCH_ROOT;
+
+struct Rule {
+  Words project;          ///< folders and files of ours that this folder may include, beside itself
+  bool tick = false;      ///< runs in the tick: of the standard library only what neither allocates nor throws
+};
+
+/// The longest matching folder rules; what stands in no folder of this table may not exist.
+const std::map<std::string, Rule> kRules = {
+    {"shared", {{}, true}},
+    {"firmware/core", {{"shared"}, true}},
+    {"host/cloud", {{"host/error.h", "shared"}}},
+    {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
+    {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
+    {"host/blob", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
+    {"host/evaluate", {{"host", "firmware/core", "shared"}}},
+    {"host/view", {{"host", "firmware/core", "shared"}}},
+    {"host/commands", {{"host", "firmware/core", "shared"}}},
+    {"host", {{}}},
+    {"tests/support", {{"firmware/core", "shared"}}},
+    {"tests/across", {{"host", "firmware/core", "shared", "tests/support"}}},
+    {"tests", {{"tests/support"}}},
+};
+
+const std::set<std::string> kTickHeaders = {"algorithm", "array", "bit", "cassert", "compare", "concepts", "cstddef",
+                                            "cstdint", "cstring", "limits", "span", "type_traits", "utility"};
+
+/// A word of the language or the library with what it would bring into the tick.
+const std::vector<std::pair<std::regex, std::string>> kForbiddenInCore = {
+    {std::regex(R"(\b(double|float)\b)"), "floating point: another machine may round it otherwise"},
+    {std::regex(R"(\b\d+\.\d*f\b)"), "floating point: another machine may round it otherwise"},
+    {std::regex(R"(\b(new|delete|malloc|calloc|realloc|free)\b)"), "allocation"},
+    {std::regex(R"(\b(throw|try|catch)\b)"), "exceptions"},
+    {std::regex(R"(\bstd::(vector|string|map|set|deque|list|function|unique_ptr|shared_ptr|optional|any)\b)"), "a type that may allocate"},
+    {std::regex(R"(\bstd::(mutex|thread|atomic|chrono|condition_variable)\b)"), "threads or time"},
+    {std::regex(R"(\b(time|clock|rand|printf|getenv|errno)\s*\()"), "the outside world"},
+    {std::regex(R"(\b(virtual|dynamic_cast|typeid)\b)"), "a call whose target is not known here"},
+    {std::regex(R"(\bstatic\s+(?!constexpr|const\b|inline|_))"), "state that outlives a call"},
+    {std::regex(R"(\b(goto|asm|volatile)\b)"), "code that is not plain"},
+};
+
+/// Division costs a library call on small processors, unless it is by a power of two. Functions named make_... prepare the tick and may divide.
+const std::regex kDivision(R"([/%]=?\s*(?!(?:2|4|8|16|32|64|128|256)\b)[^=\s])");
+const std::regex kPreparation(R"(^\S.*\bmake_\w+\(.*\{$)");
+
+struct Line {
+  std::string place;   ///< file:line
+  std::string text;    ///< as written
+  std::string code;    ///< without comments and the content of literals
+};
+
+/// The lines of a file; comments and literals are blanked so that prose may use any word.
+std::vector<Line> read_lines(const fs::path& file) {
+  std::vector<Line> lines;
+  std::ifstream in(file);
+  bool in_block = false;
+  int number = 0;
+  for (std::string text; std::getline(in, text);) {
+    std::string code;
+    char quote = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const std::string two = text.substr(i, 2);
+      if (in_block) {
+        if (two == "*/") in_block = false, ++i;
+      } else if (quote != 0) {
+        if (text[i] == '\\') ++i;
+        else if (text[i] == quote) quote = 0, code += text[i];
+      } else if (two == "//") {
+        break;
+      } else if (two == "/*") {
+        in_block = true, ++i;
+      } else {
+        const bool separates_digits = text[i] == '\'' && i > 0 && std::isxdigit(static_cast<unsigned char>(text[i - 1])) != 0;
+        if (text[i] == '"' || (text[i] == '\'' && !separates_digits)) quote = text[i];
+        code += text[i];
+      }
+    }
+    lines.push_back({fs::relative(file, kRoot).string() + ":" + std::to_string(++number), text, code});
+  }
+  return lines;
+}
+
+/// Every source of ours, sorted.
+std::vector<fs::path> sources() {
+  std::vector<fs::path> files;
+  for (const char* top : {"shared", "firmware", "host", "tests", "hil"}) {
+    if (!fs::exists(kRoot / top)) continue;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / top)) {
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_below(const std::string& path, const std::string& folder) { return path == folder || path.rfind(folder + "/", 0) == 0; }
+
+/// The name of the rule for a file: its longest matching folder; empty when there is none.
+std::string rule_for(const std::string& file) {
+  std::string best;
+  for (const auto& [folder, rule] : kRules) {
+    if (is_below(file, folder) && folder.size() > best.size()) best = folder;
+  }
+  return best;
+}
+
+bool may_include(const std::string& file, const std::string& target) {
+  const std::string folder = rule_for(file);
+  const auto allowed_by = [&](const std::string& name) {
+    const Words& project = kRules.at(name).project;
+    return is_below(target, name) || std::any_of(project.begin(), project.end(), [&](const std::string& p) { return is_below(target, p); });
+  };
+  if (allowed_by(folder)) return true;
+  // A test may include what the module it mirrors may.
+  if (folder != "tests") return false;
+  const std::string mirrored = rule_for(file.substr(std::string("tests/").size()));
+  return !mirrored.empty() && allowed_by(mirrored);
+}
+
+/// What is wrong with the include on this line; empty when nothing is, or when it is none.
+std::string complaint_on_include(const std::string& file, const std::string& text) {
+  static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+  std::smatch match;
+  if (!std::regex_search(text, match, include)) return {};
+  const std::string target = match[2];
+  if (match[1] == "\"") {
+    if (!fs::exists(kRoot / target)) return "includes " + target + ", which is not a path from the root";
+    if (!may_include(file, target)) return rule_for(file) + " may not include " + target;
+  } else if (kRules.at(rule_for(file)).tick && kTickHeaders.count(target) == 0) {
+    return rule_for(file) + " may not include <" + target + ">: it runs in the tick";
+  }
+  return {};
+}
+
+TEST(Layering, EveryIncludeFollowsTheTable) {
+  int includes = 0;
+  for (const fs::path& path : sources()) {
+    const std::string file = fs::relative(path, kRoot).string();
+    ASSERT_FALSE(rule_for(file).empty()) << file << ":1: no rule for this folder";
+    for (const Line& line : read_lines(path)) {
+      if (line.text.find("#include") == std::string::npos) continue;
+      ++includes;
+      const std::string complaint = complaint_on_include(file, line.text);
+      EXPECT_TRUE(complaint.empty()) << line.place << ": " << complaint;
+    }
+  }
+  EXPECT_GT(includes, 100);
+}
+
+TEST(Layering, TheCoreHoldsNoForbiddenWord) {
+  int lines = 0;
+  for (const fs::path& path : sources()) {
+    if (rule_for(fs::relative(path, kRoot).string()) != "firmware/core") continue;
+    bool preparation = false;
+    for (const Line& line : read_lines(path)) {
+      ++lines;
+      if (std::regex_search(line.code, kPreparation)) preparation = true;
+      if (line.code == "}") preparation = false;
+      if (line.code.find("#include") != std::string::npos) continue;
+      for (const auto& [word, why] : kForbiddenInCore) {
+        EXPECT_FALSE(std::regex_search(line.code, word)) << line.place << ": " << why << ": " << line.text;
+      }
+      EXPECT_TRUE(preparation || !std::regex_search(line.code, kDivision)) << line.place << ": division in the tick: " << line.text;
+    }
+  }
+  EXPECT_GT(lines, 100);
+}
+
+TEST(Layering, TheTestItselfSeesWhatItForbids) {
+  EXPECT_FALSE(may_include("host/cloud/a.cpp", "firmware/core/tick.h"));
+  EXPECT_FALSE(may_include("host/cloud/a.cpp", "host/field/grid.h"));
+  EXPECT_FALSE(may_include("firmware/core/a.cpp", "host/error.h"));
+  EXPECT_FALSE(may_include("tests/host/cloud/a_test.cpp", "firmware/core/tick.h"));
+  EXPECT_TRUE(may_include("tests/host/cloud/a_test.cpp", "host/error.h"));
+  EXPECT_TRUE(may_include("tests/firmware/core/a_test.cpp", "shared/units.h"));
+  EXPECT_TRUE(may_include("host/view/a.cpp", "firmware/core/tick.h"));
+  EXPECT_FALSE(complaint_on_include("shared/a.h", "#include <vector>").empty());
+  EXPECT_FALSE(complaint_on_include("host/a.h", "#include \"error.h\"").empty());
+  EXPECT_TRUE(std::regex_search("x = a / b;", kDivision));
+  EXPECT_TRUE(std::regex_search("x %= 7;", kDivision));
+  EXPECT_FALSE(std::regex_search("x = a / 2;", kDivision));
+  EXPECT_TRUE(std::regex_search("Coupling make_coupling(int x) {", kPreparation));
+  EXPECT_FALSE(std::regex_search("  make_coupling(x);", kPreparation));
+  const auto forbidden = [](const std::string& code) {
+    return std::any_of(kForbiddenInCore.begin(), kForbiddenInCore.end(), [&](const auto& word) { return std::regex_search(code, word.first); });
+  };
+  for (const char* code : {"double x;", "auto* p = new int;", "throw 1;", "std::vector<int> v;", "static int calls = 0;", "y = 1.5f;"}) {
+    EXPECT_TRUE(forbidden(code)) << code;
+  }
+  for (const char* code : {"static constexpr int kSteps = 3;", "renew(x);", "const Newton force;"}) EXPECT_FALSE(forbidden(code)) << code;
+}
+
+}  // namespace
+}  // namespace isotouch
