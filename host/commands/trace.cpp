@@ -1,0 +1,210 @@
+/// isotouch trace: make a motion, import one, say where two recordings part.
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/commands/commands.h"
+#include "host/error.h"
+#include "host/evaluate/motion.h"
+#include "host/evaluate/motion_csv.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/real.h"
+#include "host/evaluate/resample.h"
+#include "host/evaluate/trace_diff.h"
+#include "host/evaluate/trace_file.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What every new trace has in its header.
+struct NewTrace {
+  fs::path out;
+  double period_ms = 1.0;
+  double stiffness = 0.0;
+  double damping = 0.0;
+  double force_limit = evaluate::real(TickSettings{}.force_limit);
+  std::uint32_t ramp_ticks = TickSettings{}.ramp_ticks;
+
+  void add_to(CLI::App& command) {
+    command.add_option("-o,--out", out, "the trace to write")->required();
+    command.add_option("--period", period_ms, "tick period, 0.1ms to 4ms")
+        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"us", 0.001}, {"ms", 1.0}, {"s", 1000.0}},
+                                          CLI::AsNumberWithUnit::CASE_SENSITIVE))
+        ->check(CLI::Range(0.1, 4.0))
+        ->capture_default_str();
+    command.add_option("--stiffness", stiffness, "N/mm; 0 takes the blob's")->check(CLI::Range(0.0, 100.0))->capture_default_str();
+    command.add_option("--damping", damping, "between proxy and hand, N·s/mm")->check(CLI::Range(0.0, 100.0))->capture_default_str();
+    command.add_option("--force-limit", force_limit, "N")->check(CLI::Range(0.001, 100.0))->capture_default_str();
+    command.add_option("--ramp", ramp_ticks, "ticks from no force to full where contact does not begin at rest")
+        ->check(CLI::Range(0, 100000))
+        ->capture_default_str();
+  }
+
+  TraceHeader header() const {
+    TraceHeader made;
+    made.period_ns = static_cast<std::uint32_t>(period_ms * 1e6 + 0.5);
+    made.settings = {evaluate::nearest<Stiffness>(stiffness), evaluate::nearest<Damping>(damping), evaluate::nearest<Newton>(force_limit),
+                     ramp_ticks};
+    return made;
+  }
+};
+
+/// Inputs as they come, one period apart.
+class InputWriter {
+ public:
+  explicit InputWriter(const NewTrace& trace) : header_(trace.header()), writer_(trace.out, header_) {}
+  void operator()(const TickInput& input) { writer_.append({input, {}, 0, header_.period_ns * tick_++}); }
+  void finish() { writer_.finish(); }
+
+ private:
+  TraceHeader header_;
+  evaluate::TraceWriter writer_;
+  std::uint64_t tick_ = 0;
+};
+
+void report(const fs::path& file, std::uint64_t ticks, const TraceHeader& header) {
+  std::fprintf(stderr, "%s: %llu ticks, %.3f s\n", file.string().c_str(), static_cast<unsigned long long>(ticks),
+               static_cast<double>(ticks) * header.period_ns * 1e-9);
+}
+
+struct MakeOptions {
+  NewTrace trace;
+  evaluate::MotionOptions motion;
+  double lost_percent = 0.0;
+  fs::path blob;
+};
+
+void make_trace(const MakeOptions& options) {
+  std::optional<evaluate::OpenBlob> blob;
+  if (!options.blob.empty()) blob.emplace(evaluate::open_blob(options.blob));
+  evaluate::MotionOptions motion = options.motion;
+  motion.period_ns = options.trace.header().period_ns;
+  motion.lost_share = options.lost_percent / 100;
+  InputWriter writer(options.trace);
+  const std::uint64_t ticks = evaluate::make_motion(blob ? &blob->view : nullptr, motion, [&](const TickInput& input) { writer(input); });
+  writer.finish();
+  report(options.trace.out, ticks, options.trace.header());
+}
+
+struct ImportOptions {
+  NewTrace trace;
+  fs::path csv;
+  std::string columns;
+  std::string time_unit;
+  std::string length_unit;
+  bool centre = false;
+  double scale = 1.0;
+  std::vector<double> offset = {0, 0, 0};
+};
+
+/// Centred first, then scaled, then moved.
+void place(std::vector<evaluate::TimedPoint>& points, const ImportOptions& options) {
+  Eigen::Vector3d low = points.front().position;
+  Eigen::Vector3d high = low;
+  for (const auto& point : points) {
+    low = low.cwiseMin(point.position);
+    high = high.cwiseMax(point.position);
+  }
+  const Eigen::Vector3d middle = options.centre ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
+  for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
+}
+
+void import_table(const ImportOptions& options) {
+  evaluate::MotionColumns columns = evaluate::parse_columns(options.columns);
+  columns.time_unit = options.time_unit;
+  columns.length_unit = options.length_unit;
+  std::vector<evaluate::TimedPoint> points = evaluate::read_motion_csv(options.csv, columns);
+  place(points, options);
+  InputWriter writer(options.trace);
+  std::uint64_t ticks = 0;
+  try {
+    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const TickInput& input) { writer(input); });
+  } catch (const InputError& e) {
+    throw InputError(options.csv.string() + ": " + e.what());
+  }
+  writer.finish();
+  report(options.trace.out, ticks, options.trace.header());
+}
+
+struct DiffOptions {
+  fs::path a;
+  fs::path b;
+  bool json = false;
+};
+
+void compare_traces(const DiffOptions& options) {
+  const auto a = evaluate::Trace::read(options.a);
+  const auto b = evaluate::Trace::read(options.b);
+  const std::optional<evaluate::Difference> difference = evaluate::first_difference(a, b);
+  if (options.json) {
+    nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};
+    if (difference) json["first_difference"] = {{"tick", difference->tick}, {"field", difference->field}};
+    std::printf("%s\n", json.dump(2).c_str());
+  } else if (!difference) {
+    std::printf("equal: %zu ticks, every bit\n", a.size());
+  }
+  if (difference) {
+    throw ComparisonFailed(options.a.string() + " and " + options.b.string() + " differ first at tick " + std::to_string(difference->tick) +
+                           " in " + difference->field);
+  }
+}
+
+void add_make(CLI::App& trace) {
+  auto options = std::make_shared<MakeOptions>();
+  CLI::App* command = trace.add_subcommand("make", "A motion: press slide tap corner graze stab leave, or tour (all of them)");
+  command->add_option("KIND", options->motion.kind, "which")->required()->check(CLI::IsMember(evaluate::motion_kinds()));
+  command->add_option("BLOB", options->blob, "the object it follows; without one it fills the workspace");
+  command->add_option("--ticks", options->motion.ticks, "exactly so many; 0: one round of the motion")->capture_default_str();
+  command->add_option("--seed", options->motion.seed, "other places, other speeds")->capture_default_str();
+  command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
+      ->check(CLI::Range(0.0, 50.0))
+      ->capture_default_str();
+  options->trace.add_to(*command);
+  command->callback([options] { make_trace(*options); });
+}
+
+void add_import(CLI::App& trace) {
+  auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = trace.add_subcommand("import", "A table of times and positions, resampled to the tick period by monotone cubics");
+  command->add_option("CSV", options->csv, "first line: the columns' names")->required();
+  command->add_option("--columns", options->columns, "t=NAME,x=NAME,y=NAME,z=NAME (default t=t_s,x=x_mm,y=y_mm,z=z_mm)");
+  command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
+  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
+  command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
+  command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
+  command->add_option("--offset", options->offset, "then move by x,y,z mm")->delimiter(',')->expected(3);
+  options->trace.add_to(*command);
+  command->callback([options] { import_table(*options); });
+}
+
+void add_diff(CLI::App& trace) {
+  auto options = std::make_shared<DiffOptions>();
+  CLI::App* command =
+      trace.add_subcommand("diff", "The first tick and field in which two recorded traces differ; exit code 3 when they do");
+  command->add_option("A", options->a)->required();
+  command->add_option("B", options->b)->required();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { compare_traces(*options); });
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app) {
+  CLI::App* trace = app.add_subcommand("trace", "Make, import and compare recorded hands");
+  trace->require_subcommand(1);
+  add_make(*trace);
+  add_import(*trace);
+  add_diff(*trace);
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,56 @@
+/// The core over a recorded hand: the same inputs on the same field give the same answers, to the bit, on every machine.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/core/tick.h"
+#include "host/evaluate/trace_diff.h"
+#include "host/evaluate/trace_file.h"
+#include "shared/blob.h"
+
+namespace isotouch::evaluate {
+
+/// One run of the core with its chain. After construction nothing is allocated.
+class Run {
+ public:
+  /// field     stays alive as long as the run
+  /// header    period and settings of the run
+  Run(const BlobView& field, const TraceHeader& header);
+
+  /// One tick: what a trace stores of it, arrival time apart.
+  TraceRecord step(const TickInput& input);
+
+  /// The replay hash: the chain after the last step.
+  std::uint64_t hash() const { return chain_.value(); }
+  /// The header of a trace of this run: with outputs, of this blob.
+  const TraceHeader& header() const { return header_; }
+
+ private:
+  const BlobView& field_;
+  TraceHeader header_;
+  core::TickModel model_;
+  core::TickState state_;
+  Chain chain_;
+};
+
+struct ReplayReport {
+  std::uint64_t ticks = 0;
+  double seconds = 0.0;  ///< wall clock of all ticks with their chain
+  std::uint64_t hash = 0;
+  std::optional<Difference> first_difference;  ///< only looked for with `check`
+};
+
+/// Runs a trace's inputs.
+///
+/// check     compares every tick with the recorded outputs and chain, and stops looking, not running, at the first that differs. Its field
+/// is an
+///           output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
+/// out       nullptr, or takes every record, with the input's arrival times
+/// fails     InputError: inputs are encoder counts; with `check`, no outputs or no records, or another blob
+ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
+
+/// The header that a trace of this replay has: for the writer.
+TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs);
+
+}  // namespace isotouch::evaluate
