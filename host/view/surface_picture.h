@@ -1,0 +1,26 @@
+/// The lit zero iso-surface of a blob as the core samples it, with the touch of one tick in it.
+///
+/// source    what the paper shows its user (its section 4): surface under a known light, green proxy, red HIP, red line for the penetration
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/view/camera.h"
+#include "host/view/image.h"
+#include "host/view/markers.h"
+#include "shared/blob.h"
+
+namespace isotouch::view {
+
+struct SurfaceOptions {
+  int width = 960, height = 720;
+  std::optional<Direction> direction;  ///< none: the default one, or with a touch one that shows it from the side
+  char up = 'y';                       ///< for the direction that is chosen
+  std::optional<Touch> touch;          ///< also draws a close-up, cut open through proxy and HIP
+  std::string title;
+};
+
+Image surface_picture(const BlobView& field, const SurfaceOptions& options);
+
+}  // namespace isotouch::view
