@@ -7,11 +7,16 @@
 
 namespace isotouch::field {
 
+/// Voxels by which the surface may bulge beyond the box of its samples, or go on where a scan is cut open; there it is closed.
+inline constexpr double kBulge = 3.0;
+/// The margin round the points, voxels, that leaves room for that: what `make_grid` should be asked for.
+constexpr double field_margin(double band) { return band + kBulge + 3.0; }
+
 /// points    workspace, mm; unit outward normals; at least 8
-/// grid      covers the points with a margin of at least band + 3 voxels on every side
+/// grid      covers the points with a margin of at least band + 3 voxels on every side; with less than `field_margin` bulges are cut short
 /// band      half width, voxels, 1 to 7.99
 /// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside
-/// fails     InputError when the points do not bound a body
+/// fails     InputError when there are too few points, when the grid is too small, or when the points do not bound a body
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress);
 
 }  // namespace isotouch::field

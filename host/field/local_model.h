@@ -1,0 +1,43 @@
+/// What the surface looks like round one sample: up to four smooth pieces, joined by "both" at convex edges and by "either" at creases.
+///
+/// No sample marks an edge, so the data decide: the neighbours are split into one to four pieces where their normals jump most, each piece
+/// becomes a patch, every way to join the patches is tried, and the model that explains the neighbours best for its number of free
+/// parameters wins. A flat face stays one piece, a box's edge becomes two planes with an exact edge between them, a thin plate two planes
+/// back to back; a round bar stays round, because two planes explain its normals worse than one cylinder.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+#include "host/field/nearest.h"
+#include "host/field/toroidal_patch.h"
+
+namespace isotouch::field {
+
+inline constexpr std::size_t kMaxPieces = 4;
+
+struct LocalModel {
+  std::array<ToroidalPatch, kMaxPieces> pieces;  ///< in the order in which they are joined
+  std::uint8_t count = 1;
+  std::uint8_t concave = 0;  ///< bit k: piece k is joined to those before it by union (min), else by intersection (max)
+
+  /// Signed distance, never larger than the true one to the joined pieces outside a convex edge and inside a concave one; slope at most
+  /// one.
+  double distance(const Eigen::Vector3d& x) const {
+    double joined = pieces[0].distance(x);
+    for (std::size_t k = 1; k < count; ++k) {
+      const double next = pieces[k].distance(x);
+      joined = (concave >> k & 1) != 0 ? (next < joined ? next : joined) : (next > joined ? next : joined);
+    }
+    return joined;
+  }
+};
+
+/// One model a sample, by looking at its 12 nearest neighbours.
+///
+/// points    any length unit; unit outward normals; at least 2
+std::vector<LocalModel> local_models(const cloud::OrientedPoints& points, const Nearest& tree);
+
+}  // namespace isotouch::field

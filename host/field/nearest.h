@@ -1,0 +1,40 @@
+/// The samples nearest to a point, by kd-tree.
+///
+/// Answers are totally ordered by (squared distance, index), so equal distances give the same answer on every machine.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace isotouch::field {
+
+struct Neighbour {
+  double squared_distance;
+  std::uint32_t index;
+
+  bool operator<(const Neighbour& o) const {
+    return squared_distance < o.squared_distance || (squared_distance == o.squared_distance && index < o.index);
+  }
+};
+
+class Nearest {
+ public:
+  /// positions   borrowed: they stay alive and unchanged as long as this is used; at least one
+  explicit Nearest(const std::vector<Eigen::Vector3d>& positions);
+  ~Nearest();
+  Nearest(const Nearest&) = delete;
+  Nearest& operator=(const Nearest&) = delete;
+
+  /// The `count` nearest samples in ascending order; fewer when the set is smaller. Replaces `found`.
+  void nearest(const Eigen::Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const;
+  /// Every sample within `radius`, ascending. Replaces `found`.
+  void within(const Eigen::Vector3d& point, double radius, std::vector<Neighbour>& found) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace isotouch::field

@@ -1,0 +1,38 @@
+/// The surface through oriented points: local models blended into one continuous signed distance.
+///
+/// The distance at x is the mean of the models of the 8 nearest samples, weighted (1 - d²/R²)^4 where R reaches the ninth, so that a sample
+/// enters and leaves with weight zero. Near an edge all of them know the same two pieces, so the blend keeps it sharp.
+///
+/// source    partition of unity with sharp features: Ohtake, Belyaev, Alexa, Turk, Seidel, Multi-level partition of unity implicits, 2003
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+#include "host/field/local_model.h"
+#include "host/field/nearest.h"
+
+namespace isotouch::field {
+
+class Surface {
+ public:
+  /// points    borrowed; any length unit; unit outward normals; at least 2
+  explicit Surface(const cloud::OrientedPoints& points);
+
+  /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
+  /// error.
+  double distance(const Eigen::Vector3d& x) const;
+
+  /// The same at the 4x4x4 points first + (i, j, k), x fastest, in one search.
+  std::array<double, 64> distances(const Eigen::Vector3d& first) const;
+
+ private:
+  double blend(const Eigen::Vector3d& x, const std::vector<Neighbour>& nearest) const;
+
+  Nearest tree_;
+  std::vector<Eigen::Vector3d> positions_;
+  std::vector<LocalModel> models_;
+};
+
+}  // namespace isotouch::field
