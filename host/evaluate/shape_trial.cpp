@@ -1,0 +1,66 @@
+#include "host/evaluate/shape_trial.h"
+
+#include <utility>
+
+#include "host/cloud/random.h"
+#include "host/evaluate/exact_field.h"
+#include "host/evaluate/real.h"
+#include "host/field/build_field.h"
+#include "host/field/make_grid.h"
+#include "host/published/build.h"
+
+namespace isotouch::evaluate {
+
+namespace {
+
+constexpr double kSphereRadius = 80;  // voxels
+constexpr double kSlideDepth = 4;     // voxels: 5 % of the radius
+
+cloud::OrientedPoints in_workspace(cloud::OrientedPoints points) {
+  for (Eigen::Vector3d& position : points.positions) position *= kTrialVoxel;
+  return points;
+}
+
+OpenBlob as_blob(const field::BandField& field, const ShapeTrial& trial, blob::Method method) {
+  blob::BlobInfo info;
+  info.method = method;
+  info.point_count = static_cast<std::uint32_t>(trial.points.size());
+  info.placement.scale = kTrialVoxel;
+  return open_blob(blob::write_blob(field, info), trial.shape.name);
+}
+
+}  // namespace
+
+ShapeTrial shape_trial(const std::string& name, std::uint64_t seed) {
+  ShapeTrial trial{cloud::shape(name), {}, {}, {}};
+  trial.points = in_workspace(cloud::sample_shape(trial.shape, trial.shape.default_points, seed));
+  trial.truth = in_workspace(cloud::scatter_on_shape(trial.shape, kTrialTruths, seed + 1'000'000));
+  trial.grid = field::make_grid(kTrialVoxel * trial.shape.low, kTrialVoxel * trial.shape.high, kTrialVoxel, kTrialBand + 4);
+  cloud::Random random(seed + 2'000'000);
+  for (double& at : trial.grid.origin) at = real(nearest<Mm>(at + kTrialVoxel * random.uniform(-0.5, 0.5)));
+  return trial;
+}
+
+OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method) {
+  field::Progress progress;
+  if (method == blob::Method::kPublished) {
+    return as_blob(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
+  }
+  return as_blob(field::build_field(trial.points, trial.grid, kTrialBand, progress), trial, method);
+}
+
+OpenBlob floor_blob(const ShapeTrial& trial) {
+  const auto distance = [&](const Eigen::Vector3d& point) { return trial.distance(point); };
+  return as_blob(exact_field(trial.grid, kTrialBand, distance), trial, blob::Method::kDefault);
+}
+
+SphereSlide trial_slide(const BlobView& field, double speed) {
+  SphereSlide slide;
+  slide.radius = kSphereRadius * kTrialVoxel;
+  slide.depth = kSlideDepth * kTrialVoxel;
+  slide.speed = speed;
+  slide.stiffness = real(field.stiffness);
+  return slide;
+}
+
+}  // namespace isotouch::evaluate

@@ -1,0 +1,45 @@
+/// The project's objects through the whole path, measured against what they really are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/blob/write_blob.h"
+#include "host/cloud/shapes.h"
+#include "host/evaluate/force_error.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/surface_error.h"
+#include "host/field/band_field.h"
+
+namespace isotouch::evaluate {
+
+inline constexpr double kTrialVoxel = 0.34;  ///< mm, the paper's 300³ over 4 inches; a shape's unit is one voxel
+inline constexpr double kTrialBand = 4;      ///< voxels
+inline constexpr std::size_t kTrialTruths = 10'000;
+
+/// A shape on the desk: its points, its true surface and its grid, in the workspace.
+struct ShapeTrial {
+  cloud::Shape shape;
+  cloud::OrientedPoints points;  ///< what a method is given
+  cloud::OrientedPoints truth;   ///< fresh points, what it is measured at
+  field::Grid grid;              ///< at a random place against the shape, so that nothing gains from symmetry
+
+  /// The surface's true place: distance in mm from a point of the workspace.
+  double distance(const Eigen::Vector3d& point) const { return kTrialVoxel * shape.distance(point / kTrialVoxel); }
+};
+
+/// fails     InputError: no such shape
+ShapeTrial shape_trial(const std::string& name, std::uint64_t seed = 1);
+
+/// The blob that a method makes of the trial's points. kDefault is the analytic field, kPublished the paper's levels.
+OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method);
+
+/// The blob of the exact distances, on the same grid.
+OpenBlob floor_blob(const ShapeTrial& trial);
+
+/// Fig. 9: 4 voxels deep over the sphere's trial. `speed` in mm/s.
+SphereSlide trial_slide(const BlobView& field, double speed);
+
+}  // namespace isotouch::evaluate
