@@ -100,7 +100,22 @@ Body cone_stump(const Vector3d& a, double radius_a, const Vector3d& b, double ra
   };
 }
 
-Body cylinder(const Vector3d& a, const Vector3d& b, double radius) { return cone_stump(a, radius, b, radius); }
+Body cylinder(const Vector3d& a, const Vector3d& b, double radius) {
+  const Vector3d centre = 0.5 * (a + b);
+  const double half_length = 0.5 * (b - a).norm();
+  const Vector3d axis = (b - a).normalized();
+  return [=](const Vector3d& p) {
+    const AxisView view = look_along(p, centre, axis);
+    const Vector3d cap_out = view.along < 0.0 ? Vector3d(-axis) : axis;
+    const double beyond_cap = std::abs(view.along) - half_length;
+    const double beyond_mantle = view.across - radius;
+    if (beyond_cap <= 0.0 || beyond_mantle <= 0.0) {
+      return beyond_cap > beyond_mantle ? Probe{beyond_cap, cap_out} : Probe{beyond_mantle, view.outward};
+    }
+    const double away = std::sqrt(beyond_cap * beyond_cap + beyond_mantle * beyond_mantle);
+    return Probe{away, (beyond_cap * cap_out + beyond_mantle * view.outward) / away};
+  };
+}
 
 Body torus(const Vector3d& centre, const Vector3d& axis, double ring, double tube) {
   const Vector3d unit_axis = direction(axis);

@@ -89,8 +89,8 @@ Object boy() {
       limb({{20, 22, -3}, {40, 8, 4}, {55, 10, 20}}, 8, 5.5),                   // arm
       ellipsoid({57.5, 11, 25}, {5, 7, 8}),                                     // hand
       limb({{55, 13, 24}, {50, 19, 27}}, 2.6, 2),                               // thumb
-      limb({{12, -28, 0}, {14, -58, 2}, {14, -84, 0}}, 13, 7.5),                // leg
-      cone_stump({12, -24, 0}, 14, {14, -54, 1}, 15.5),                         // leg of the shorts
+      limb({{12, -28, 0}, {14, -58, 2}, {14, -84, 0}}, 13, 9),                // leg
+      cone_stump({12, -24, 0}, 14, {14, -54, 1}, 16.5),                         // leg of the shorts
       intersect({ellipsoid({14, -85, 8}, {9.5, 11, 20}), half_space({0, -93, 0}, {0, -1, 0})}),   // shoe
   };
   return {"boy", "a cap, a head with ring ears, a rounded trunk in shorts, tapering arms and legs, thumbs, shoes, a satchel", 5153,
@@ -100,9 +100,9 @@ Object boy() {
               intersect({ellipsoid({0, 63, -1}, {28, 31, 29}), half_space({0, 72, 0}, {0, -1, -0.15})}),   // cap
               intersect({cylinder({0, 69, 4}, {0, 73, 5}, 34), half_space({0, 0, 8}, {0, 0, -1})}),        // its peak
               cylinder({0, 24, -1}, {0, 40, 0}, 9),                                               // neck
-              box({0, 6, -1}, {24, 27, 15}, 11),                                                  // trunk
-              box({0, -24, 0}, {24.5, 9, 16}, 6),                                                 // hips
-              box({0, 9, -22}, {16, 16, 10}, 3),                                                  // satchel
+              box({0, 6, -1}, {25, 28, 17}, 12),                                                  // trunk
+              box({0, -24, 0}, {26, 10, 18}, 6),                                                  // hips
+              box({0, 9, -22}, {17, 17, 10}, 3),                                                  // satchel
               mirror_x(unite(std::move(half))),
           }),
           {-64, -94, -33}, {64, 95, 40}};
@@ -113,7 +113,7 @@ Object bomberman() {
   std::vector<Body> half = {
       limb({{15, -50, 0}, {19, -72, 0}}, 13, 11),                               // leg
       intersect({ellipsoid({20, -80, 6}, {21, 18, 28}), half_space({0, -93, 0}, {0, -1, 0})}),   // boot
-      box({13, 24, 48}, {4.5, 13, 5}, 4),                                       // eye
+      box({13, 24, 42}, {4.5, 13, 5}, 4),                                       // eye
   };
   const Body helmet = ellipsoid({0, 26, 0}, {65, 51, 56});
   const Body window = box({0, 22, 60}, {40, 24, 18}, 12);
@@ -135,8 +135,8 @@ Object bomberman() {
 Object jaguar() {
   return {"jaguar", "a lean trunk, four tapering legs in stride with paws, a head with muzzle, jaw and round ears, a long thin tail", 4433,
           unite({
-              round_cone({-34, 8, 0}, 14, {24, 8, 0}, 17),                                        // trunk
-              ellipsoid({-38, 8, 0}, {17, 18, 14}), ellipsoid({24, 10, 0}, {18, 20, 15}),          // haunches, shoulders
+              round_cone({-34, 8, 0}, 15.5, {24, 8, 0}, 18.5),                                        // trunk
+              ellipsoid({-38, 8, 0}, {18, 20, 16}), ellipsoid({24, 10, 0}, {19, 21, 17}),          // haunches, shoulders
               limb({{34, 14, 0}, {58, 20, 0}}, 12, 10),                                           // neck
               ellipsoid({64, 21, 0}, {14, 12.5, 12}),                                             // head
               round_cone({72, 18, 0}, 7.5, {81, 16, 0}, 6),                                       // muzzle

@@ -1,0 +1,50 @@
+/// What a cloud must be before anything is built from it, and what is put right on the way.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/cloud/model.h"
+#include "host/cloud/oriented_points.h"
+
+namespace isotouch::cloud {
+
+/// What was found in a file and what was done to it.
+struct CloudReport {
+  std::string format;                 ///< "PLY, binary little-endian"
+  std::uint64_t source_hash = 0;      ///< of the file's bytes, as a blob stores it
+  std::size_t points_read = 0;
+  std::size_t points = 0;             ///< after merging
+  std::size_t renormalised = 0;       ///< normals whose length was more than 1 % off
+  std::size_t merged = 0;             ///< points at a place that another one already had
+  std::size_t contradictory = 0;      ///< points left out because the normals at their place contradict each other
+  double outward = 0.0;               ///< as read: 1 all normals point out, -1 all point in, near 0 nobody can tell
+  bool flipped = false;               ///< all normals were turned round
+  double median_spacing = 0.0;        ///< from a point to its nearest neighbour, cloud units
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();    ///< the points' box, cloud units
+  Eigen::Vector3d high = Eigen::Vector3d::Zero();
+
+  /// One sentence for each thing that was put right or looks doubtful.
+  std::vector<std::string> warnings() const;
+};
+
+/// Checks and mends, in this order:
+///
+/// normals      a length from 1/2 to 2 is brought to 1 (further off it is refused: it may not be a normal at all)
+/// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals; when that mean is
+///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out
+/// direction    outside is where the cloud ends: for 98 directions the outermost point is asked whether its normal points that way. On a closed
+///              surface it does, whatever the sampling, the cavities or the holes elsewhere. Where most say no, all normals are turned round
+///
+/// name      of the file, for the sentences
+/// fails     InputError: no points, no normals, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
+///           fewer than 8 points left
+OrientedPoints check(const std::string& name, const Model& model, CloudReport& report);
+
+/// The share of agreement between -1 (all inward) and 1 (all outward), as described above.
+double outwardness(const OrientedPoints& points);
+
+}  // namespace isotouch::cloud

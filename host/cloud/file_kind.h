@@ -1,0 +1,15 @@
+/// Which reader a file is for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace isotouch::cloud {
+
+enum class FileKind { kPly, kObj, kStl, kText, kUnknown };
+
+/// A file that begins as a PLY file is one, whatever its name; for all others the ending tells, in any case of letters.
+FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
+
+}  // namespace isotouch::cloud

@@ -1,0 +1,43 @@
+/// Closed triangle meshes: the true surfaces that blobs are compared with.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+
+namespace isotouch::cloud {
+
+struct TriangleMesh {
+  std::vector<Eigen::Vector3d> vertices;             ///< in the file's units; no two at one place
+  std::vector<std::array<std::uint32_t, 3>> faces;   ///< three different vertices each, counter-clockwise seen from outside
+};
+
+/// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into fans, faces that name one
+/// place twice dropped.
+///
+/// fails     InputError: as the readers; no faces left
+TriangleMesh read_mesh(const std::filesystem::path& file);
+
+/// Does the mesh bound a body: is every edge in exactly two faces that run it in opposite directions, and do the faces turn outward?
+///
+/// fails     InputError naming the file, how many edges are not closed, and where the first one is
+void require_closed(const TriangleMesh& mesh, const std::string& name);
+
+/// A sixth of the sum of the faces' determinants: positive when the faces of a closed mesh turn outward.
+double signed_volume(const TriangleMesh& mesh);
+
+/// The unit normal of a face; zero when its three corners lie on a line.
+Eigen::Vector3d face_normal(const TriangleMesh& mesh, std::size_t face);
+
+/// Area-uniform points, each with the normal of its face and independent of the others; the same for a seed on every machine.
+///
+/// fails     InputError when the mesh has no area
+OrientedPoints scatter_on_mesh(const TriangleMesh& mesh, std::size_t count, std::uint64_t seed);
+
+}  // namespace isotouch::cloud

@@ -1,0 +1,26 @@
+/// What a file of points or faces holds, as it stands there: the readers' common result, not yet checked beyond the file's own grammar.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace isotouch::cloud {
+
+struct Model {
+  std::string format;                                ///< for people: "PLY, binary little-endian"
+  std::vector<Eigen::Vector3d> positions;            ///< finite
+  std::vector<Eigen::Vector3d> normals;              ///< finite; one for each position, or none at all
+  std::vector<std::size_t> lines;                    ///< where each position stands in a text; empty for binary files
+  std::vector<std::array<std::uint32_t, 3>> faces;   ///< indices of positions; larger polygons are cut into fans
+
+  /// "line 12" or "point 12", counted from 1.
+  std::string place(std::size_t point) const {
+    return lines.empty() ? "point " + std::to_string(point + 1) : "line " + std::to_string(lines[point]);
+  }
+};
+
+}  // namespace isotouch::cloud

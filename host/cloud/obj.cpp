@@ -1,0 +1,143 @@
+#include "host/cloud/obj.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "host/cloud/text_lines.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+struct Corner {
+  std::uint32_t vertex = kNone;
+  std::uint32_t normal = kNone;
+
+  auto operator<=>(const Corner&) const = default;
+};
+
+struct Face {
+  std::vector<Corner> corners;
+  std::size_t line = 0;
+};
+
+/// The file as it stands.
+struct ObjFile {
+  std::vector<Vector3d> vertices, normals;
+  std::vector<std::size_t> vertex_lines;
+  std::vector<Face> faces;
+};
+
+Vector3d vector(TextLines& lines, const char* what) {
+  Vector3d v;
+  for (double& value : v) {
+    value = lines.number(what);
+    if (!std::isfinite(value)) throw lines.refusal(std::string(what) + " is not a finite number");
+  }
+  return v;
+}
+
+/// One index of a corner; kNone where the part is empty. OBJ counts from 1, or backwards from -1.
+std::uint32_t index(TextLines& lines, std::string_view part, std::size_t count, const char* of_what) {
+  if (part.empty()) return kNone;
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+  if (error != std::errc{} || end != part.data() + part.size()) throw lines.refusal(quote(part) + " is no index of a " + of_what);
+  const std::int64_t from_zero = value > 0 ? value - 1 : value + static_cast<std::int64_t>(count);
+  if (value == 0 || from_zero < 0 || from_zero >= static_cast<std::int64_t>(count)) {
+    throw lines.refusal("a corner refers to " + std::string(of_what) + ' ' + std::to_string(value) + ", but " + std::to_string(count) +
+                        " stand before it");
+  }
+  return static_cast<std::uint32_t>(from_zero);
+}
+
+/// v, v/vt, v//vn or v/vt/vn
+Corner corner(TextLines& lines, std::string_view field, const ObjFile& obj) {
+  const std::size_t first = std::min(field.find('/'), field.size());
+  const std::size_t second = std::min(field.find('/', std::min(first + 1, field.size())), field.size());
+  Corner corner;
+  corner.vertex = index(lines, field.substr(0, first), obj.vertices.size(), "vertex");
+  corner.normal = index(lines, field.substr(std::min(second + 1, field.size())), obj.normals.size(), "normal");
+  if (corner.vertex == kNone) throw lines.refusal(quote(field) + " names no vertex");
+  return corner;
+}
+
+ObjFile read(const std::string& name, std::span<const std::uint8_t> bytes) {
+  TextLines lines(name, bytes);
+  ObjFile obj;
+  while (lines.next()) {
+    const std::string_view keyword = lines.field().value_or("");
+    if (keyword == "v") {
+      obj.vertices.push_back(vector(lines, "a coordinate"));
+      obj.vertex_lines.push_back(lines.line());
+    } else if (keyword == "vn") {
+      obj.normals.push_back(vector(lines, "a normal's component"));
+    } else if (keyword == "f") {
+      Face face{{}, lines.line()};
+      while (const auto field = lines.field()) face.corners.push_back(corner(lines, *field, obj));
+      if (face.corners.size() < 3) throw lines.refusal("a face needs three corners or more, this one has " + std::to_string(face.corners.size()));
+      obj.faces.push_back(std::move(face));
+    }
+  }
+  return obj;
+}
+
+}  // namespace
+
+Model read_obj_faces(const std::string& name, std::span<const std::uint8_t> bytes) {
+  ObjFile obj = read(name, bytes);
+  Model model;
+  model.format = "OBJ";
+  model.positions = std::move(obj.vertices);
+  model.lines = std::move(obj.vertex_lines);
+  for (const auto& [corners, line] : obj.faces) {
+    for (std::size_t i = 2; i < corners.size(); ++i) model.faces.push_back({corners[0].vertex, corners[i - 1].vertex, corners[i].vertex});
+  }
+  return model;
+}
+
+Model read_obj_points(const std::string& name, std::span<const std::uint8_t> bytes) {
+  const ObjFile obj = read(name, bytes);
+  Model model;
+  model.format = "OBJ";
+  std::vector<Corner> points;
+  if (obj.faces.empty()) {
+    if (!obj.normals.empty() && obj.normals.size() != obj.vertices.size()) {
+      throw InputError(name + ": " + std::to_string(obj.vertices.size()) + " vertices and " + std::to_string(obj.normals.size()) +
+                       " normals without faces: nothing tells which belong together");
+    }
+    for (std::uint32_t i = 0; i < obj.normals.size(); ++i) points.push_back({i, i});
+  } else if (!obj.normals.empty()) {
+    std::vector<std::pair<Corner, std::size_t>> uses;   // with its place in the file
+    for (const Face& face : obj.faces) {
+      for (const Corner& corner : face.corners) {
+        if (corner.normal == kNone) throw InputError(name + ": line " + std::to_string(face.line) + ": a corner has no normal, others have; export normals for all");
+        uses.emplace_back(corner, uses.size());
+      }
+    }
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.first == b.first; }), uses.end());
+    std::sort(uses.begin(), uses.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const auto& [corner, place] : uses) points.push_back(corner);
+  }
+  for (const Corner& point : points) {
+    model.positions.push_back(obj.vertices[point.vertex]);
+    model.normals.push_back(obj.normals[point.normal]);
+    model.lines.push_back(obj.vertex_lines[point.vertex]);
+  }
+  if (points.empty()) {   // vertices without normals: the caller says so
+    model.positions = obj.vertices;
+    model.lines = obj.vertex_lines;
+  }
+  return model;
+}
+
+}  // namespace isotouch::cloud

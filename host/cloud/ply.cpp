@@ -1,0 +1,232 @@
+#include "host/cloud/ply.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "host/cloud/files.h"
+#include "host/cloud/ply_header.h"
+#include "host/cloud/text_lines.h"
+#include "host/error.h"
+#include "shared/bytes.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Rows of numbers, one line each.
+class TextRows {
+ public:
+  TextRows(const std::string& name, std::span<const std::uint8_t> file, std::size_t header_bytes) : lines_(name, file) {
+    while (lines_.bytes_read() < header_bytes) lines_.next();
+  }
+
+  std::size_t most_rows(const PlyElement& element) const { return lines_.bytes_left() / (2 * element.properties.size()) + 1; }
+  void begin_row(const PlyElement& element, std::size_t row) {
+    do {
+      if (!lines_.next()) {
+        throw refusal("the file ends after " + std::to_string(row) + " of the " + std::to_string(element.count) + " rows of element " +
+                      quote(element.name));
+      }
+    } while (lines_.rest().find_first_not_of(" \t") == std::string_view::npos);
+  }
+  double number(PlyType, std::string_view what) { return lines_.number(what); }
+  void end_row() {
+    if (const auto extra = lines_.field()) throw refusal(quote(*extra) + " stands after the last property of the row");
+  }
+  void end() {
+    while (lines_.next()) {
+      if (lines_.field()) throw refusal("more rows than the header declares");
+    }
+  }
+  std::optional<std::size_t> line() const { return lines_.line(); }
+  InputError refusal(const std::string& what) const { return lines_.refusal(what); }
+
+ private:
+  TextLines lines_;
+};
+
+/// Rows of numbers, packed without gaps.
+class BinaryRows {
+ public:
+  BinaryRows(const std::string& name, std::span<const std::uint8_t> body, bool big_endian) : name_(name), body_(body), big_endian_(big_endian) {}
+
+  std::size_t most_rows(const PlyElement& element) const {
+    std::size_t least = 0;
+    for (const PlyProperty& property : element.properties) least += bytes_of(property.count_type.value_or(property.type));
+    return (body_.size() - at_) / least;
+  }
+  void begin_row(const PlyElement& element, std::size_t row) {
+    element_ = &element;
+    row_ = row;
+  }
+  double number(PlyType type, std::string_view) {
+    const std::size_t size = bytes_of(type);
+    if (body_.size() - at_ < size) throw refusal("the file ends in the middle of it");
+    std::array<std::uint8_t, 8> raw{};
+    std::copy_n(body_.begin() + static_cast<std::ptrdiff_t>(at_), size, raw.begin());
+    if (big_endian_) std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
+    at_ += size;
+    switch (type) {
+      case PlyType::kInt8: return load_le<std::int8_t>(raw.data());
+      case PlyType::kUint8: return load_le<std::uint8_t>(raw.data());
+      case PlyType::kInt16: return load_le<std::int16_t>(raw.data());
+      case PlyType::kUint16: return load_le<std::uint16_t>(raw.data());
+      case PlyType::kInt32: return load_le<std::int32_t>(raw.data());
+      case PlyType::kUint32: return load_le<std::uint32_t>(raw.data());
+      case PlyType::kFloat32: return static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(raw.data())));
+      case PlyType::kFloat64: return std::bit_cast<double>(load_le<std::uint64_t>(raw.data()));
+    }
+    return 0.0;
+  }
+  void end_row() {}
+  void end() {
+    const auto blank = [](std::uint8_t c) { return c == '\n' || c == '\r' || c == ' ' || c == 0; };
+    if (!std::all_of(body_.begin() + static_cast<std::ptrdiff_t>(at_), body_.end(), blank)) {
+      throw InputError(name_ + ": " + std::to_string(body_.size() - at_) + " bytes follow the last row that the header declares; the header's counts are wrong");
+    }
+  }
+  std::optional<std::size_t> line() const { return std::nullopt; }
+  InputError refusal(const std::string& what) const {
+    return InputError(name_ + ": " + element_->name + ' ' + std::to_string(row_ + 1) + " of " + std::to_string(element_->count) + ": " + what);
+  }
+
+ private:
+  std::string name_;
+  std::span<const std::uint8_t> body_;
+  bool big_endian_;
+  std::size_t at_ = 0;
+  const PlyElement* element_ = nullptr;
+  std::size_t row_ = 0;
+};
+
+/// What becomes of a property.
+enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kCorners };
+
+Use use_of(const PlyElement& element, const PlyProperty& property) {
+  if (element.name == "face" && property.count_type) {
+    return property.name == "vertex_indices" || property.name == "vertex_index" ? Use::kCorners : Use::kSkip;
+  }
+  if (element.name != "vertex") return Use::kSkip;
+  constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
+  constexpr std::array<std::string_view, 6> kLongNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (property.name == kNames[i] || property.name == kLongNames[i]) return static_cast<Use>(1 + i);
+  }
+  return Use::kSkip;
+}
+
+/// Cuts one polygon into a fan.
+void add_polygon(Model& model, const std::vector<std::uint32_t>& corners) {
+  for (std::size_t i = 2; i < corners.size(); ++i) model.faces.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+template <class Rows>
+void read_row(Rows& rows, const PlyElement& element, const std::vector<Use>& uses, std::size_t vertex_count, Model& model, bool has_normals) {
+  std::array<double, 6> vertex{};
+  std::vector<std::uint32_t> corners;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    if (!property.count_type) {
+      const double value = rows.number(property.type, property.name);
+      if (uses[i] == Use::kSkip) continue;
+      if (!std::isfinite(value)) throw rows.refusal(property.name + " is not a finite number");
+      vertex[static_cast<std::size_t>(uses[i]) - 1] = value;
+      continue;
+    }
+    const double length = rows.number(*property.count_type, "the length of list " + property.name);
+    if (!(length >= 0.0) || length != std::floor(length)) throw rows.refusal("list " + property.name + " has an impossible length");
+    for (double left = length; left > 0.0; --left) {
+      const double value = rows.number(property.type, property.name);
+      if (uses[i] != Use::kCorners) continue;
+      if (!(value >= 0.0) || value != std::floor(value) || value >= static_cast<double>(vertex_count)) {
+        throw rows.refusal("a corner refers to a vertex that is not there; there are " + std::to_string(vertex_count) + ", counted from 0");
+      }
+      corners.push_back(static_cast<std::uint32_t>(value));
+    }
+  }
+  if (element.name == "vertex") {
+    model.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
+    if (has_normals) model.normals.emplace_back(vertex[3], vertex[4], vertex[5]);
+    if (const auto line = rows.line()) model.lines.push_back(*line);
+  }
+  add_polygon(model, corners);
+}
+
+template <class Rows>
+void read_body(const std::string& name, Rows rows, const PlyHeader& header, Model& model) {
+  std::size_t vertex_count = 0;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") vertex_count = element.count;
+  }
+  for (const PlyElement& element : header.elements) {
+    if (element.count > rows.most_rows(element)) {
+      throw InputError(name + ": the header declares " + std::to_string(element.count) + " rows of element " + quote(element.name) +
+                       ", more than the file has room for; it was cut short, or the count is wrong");
+    }
+    std::vector<Use> uses;
+    for (const PlyProperty& property : element.properties) uses.push_back(use_of(element, property));
+    const auto uses_it = [&](Use use) { return std::find(uses.begin(), uses.end(), use) != uses.end(); };
+    const bool has_normals = uses_it(Use::kNormalX) && uses_it(Use::kNormalY) && uses_it(Use::kNormalZ);
+    if (element.name == "vertex") {
+      model.positions.reserve(element.count);
+      if (has_normals) model.normals.reserve(element.count);
+    }
+    for (std::size_t row = 0; row < element.count; ++row) {
+      rows.begin_row(element, row);
+      read_row(rows, element, uses, vertex_count, model, has_normals);
+      rows.end_row();
+    }
+  }
+  rows.end();
+}
+
+}  // namespace
+
+Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
+  const PlyHeader header = read_ply_header(name, bytes);
+  const auto body = bytes.subspan(header.bytes);
+  Model model;
+  switch (header.encoding) {
+    case PlyEncoding::kAscii:
+      model.format = "PLY, ascii";
+      read_body(name, TextRows(name, bytes, header.bytes), header, model);
+      break;
+    case PlyEncoding::kLittleEndian:
+      model.format = "PLY, binary little-endian";
+      read_body(name, BinaryRows(name, body, false), header, model);
+      break;
+    case PlyEncoding::kBigEndian:
+      model.format = "PLY, binary big-endian";
+      read_body(name, BinaryRows(name, body, true), header, model);
+      break;
+  }
+  return model;
+}
+
+void write_ply(const std::filesystem::path& file, const OrientedPoints& points, const std::string& comment) {
+  std::string header = "ply\nformat binary_little_endian 1.0\n";
+  if (!comment.empty()) header += "comment " + comment + '\n';
+  header += "element vertex " + std::to_string(points.size()) + '\n';
+  for (const char* property : {"x", "y", "z", "nx", "ny", "nz"}) header += std::string("property double ") + property + '\n';
+  header += "end_header\n";
+  std::vector<std::uint8_t> bytes(header.begin(), header.end());
+  bytes.resize(header.size() + points.size() * 48);
+  std::uint8_t* at = bytes.data() + header.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const Vector3d* v : {&points.positions[i], &points.normals[i]}) {
+      for (const double value : *v) {
+        store_le(at, std::bit_cast<std::uint64_t>(value));
+        at += 8;
+      }
+    }
+  }
+  write_file(file, bytes.data(), bytes.size());
+}
+
+}  // namespace isotouch::cloud

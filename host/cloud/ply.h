@@ -1,0 +1,29 @@
+/// PLY files: ascii and both byte orders, any number type, properties and elements in any order, lists and unknown elements skipped.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "host/cloud/model.h"
+#include "host/cloud/oriented_points.h"
+
+namespace isotouch::cloud {
+
+/// Takes `x y z`, `nx ny nz` (or `normal_x ...`) of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
+///
+/// name      of the file, for the sentences
+/// returns   a model; without normals or faces where the file has none
+/// fails     InputError with the line, or for binary files the element's number: bad grammar, unknown types, counts that the file cannot hold,
+///           a body that is too short or too long, numbers that are not finite, faces that refer to no vertex
+/// source    G. Turk, "The PLY Polygon File Format", 1994
+Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes);
+
+/// Writes binary little-endian PLY with double coordinates, so that nothing is lost. The file is replaced as a whole.
+///
+/// comment   one line, may be empty
+/// fails     InputError naming the file
+void write_ply(const std::filesystem::path& file, const OrientedPoints& points, const std::string& comment = {});
+
+}  // namespace isotouch::cloud

@@ -1,0 +1,132 @@
+#include "host/cloud/ply_header.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "host/cloud/text_lines.h"
+
+namespace isotouch::cloud {
+namespace {
+
+std::string_view word(TextLines& lines, const std::string& what) {
+  const auto field = lines.field();
+  if (!field) throw lines.refusal("the line ends where " + what + " should stand");
+  return *field;
+}
+
+PlyEncoding encoding(TextLines& lines) {
+  const std::string_view name = word(lines, "the format");
+  const std::string_view version = word(lines, "the format's version");
+  if (version != "1.0") throw lines.refusal("PLY version " + quote(version) + " is unknown; save the file as PLY 1.0");
+  if (name == "ascii") return PlyEncoding::kAscii;
+  if (name == "binary_little_endian") return PlyEncoding::kLittleEndian;
+  if (name == "binary_big_endian") return PlyEncoding::kBigEndian;
+  throw lines.refusal("PLY format " + quote(name) + " is unknown; it may be ascii, binary_little_endian or binary_big_endian");
+}
+
+PlyType type(TextLines& lines) {
+  constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
+      {"char", PlyType::kInt8},   {"uchar", PlyType::kUint8},   {"short", PlyType::kInt16},   {"ushort", PlyType::kUint16},
+      {"int", PlyType::kInt32},   {"uint", PlyType::kUint32},   {"float", PlyType::kFloat32}, {"double", PlyType::kFloat64},
+      {"int8", PlyType::kInt8},   {"uint8", PlyType::kUint8},   {"int16", PlyType::kInt16},   {"uint16", PlyType::kUint16},
+      {"int32", PlyType::kInt32}, {"uint32", PlyType::kUint32}, {"float32", PlyType::kFloat32}, {"float64", PlyType::kFloat64},
+  }};
+  const std::string_view name = word(lines, "a number type");
+  for (const auto& [known, value] : kTypes) {
+    if (name == known) return value;
+  }
+  throw lines.refusal("number type " + quote(name) + " is unknown to PLY");
+}
+
+PlyElement element(TextLines& lines, const PlyHeader& header) {
+  PlyElement element;
+  element.name = word(lines, "the element's name");
+  const std::string_view count = word(lines, "the element's count");
+  const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
+  if (error != std::errc{} || end != count.data() + count.size()) {
+    throw lines.refusal("the count of element " + quote(element.name) + " is " + quote(count) + ", not a whole number from 0 up");
+  }
+  for (const PlyElement& other : header.elements) {
+    if (other.name == element.name) throw lines.refusal("element " + quote(element.name) + " is declared twice");
+  }
+  return element;
+}
+
+PlyProperty property(TextLines& lines, const PlyElement& element) {
+  PlyProperty property;
+  TextLines ahead = lines;
+  if (word(ahead, "a number type") == "list") {
+    lines = ahead;
+    property.count_type = type(lines);
+    if (*property.count_type == PlyType::kFloat32 || *property.count_type == PlyType::kFloat64) {
+      throw lines.refusal("a list's length must be a whole number type");
+    }
+  }
+  property.type = type(lines);
+  property.name = word(lines, "the property's name");
+  for (const PlyProperty& other : element.properties) {
+    if (other.name == property.name) throw lines.refusal("property " + quote(property.name) + " is declared twice");
+  }
+  return property;
+}
+
+/// What the readers rely on: positions, and normals either whole or not at all.
+void check_vertex(const std::string& name, const PlyHeader& header) {
+  const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
+  if (vertex == header.elements.end()) throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
+  const auto has = [&](std::string_view wanted) {
+    const auto& all = vertex->properties;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const PlyProperty& p) { return p.name == wanted; });
+    if (found != all.end() && found->count_type) {
+      throw InputError(name + ": property " + quote(wanted) + " of element 'vertex' is a list; it must be a single number");
+    }
+    return found != all.end();
+  };
+  for (const char* axis : {"x", "y", "z"}) {
+    if (!has(axis)) throw InputError(name + ": element 'vertex' has no property '" + axis + "'; points need x, y and z");
+  }
+  for (const auto& normal : {std::array{"nx", "ny", "nz"}, std::array{"normal_x", "normal_y", "normal_z"}}) {
+    const auto present = std::count_if(normal.begin(), normal.end(), has);
+    if (present != 0 && present != 3) {
+      throw InputError(name + ": element 'vertex' has only a part of " + normal[0] + ", " + normal[1] + ", " + normal[2] + "; a normal needs all three");
+    }
+  }
+}
+
+}  // namespace
+
+PlyHeader read_ply_header(const std::string& name, std::span<const std::uint8_t> bytes) {
+  TextLines lines(name, bytes);
+  if (!lines.next() || lines.rest() != "ply") throw InputError(name + ": line 1: a PLY file begins with a line 'ply', this one does not");
+  PlyHeader header;
+  bool has_format = false;
+  while (lines.next()) {
+    const std::string_view keyword = lines.field().value_or("");
+    if (keyword == "format") {
+      if (std::exchange(has_format, true)) throw lines.refusal("the format is declared twice");
+      header.encoding = encoding(lines);
+    } else if (keyword == "element") {
+      header.elements.push_back(element(lines, header));
+    } else if (keyword == "property") {
+      if (header.elements.empty()) throw lines.refusal("a property before the first element");
+      header.elements.back().properties.push_back(property(lines, header.elements.back()));
+    } else if (keyword == "end_header") {
+      if (!has_format) throw lines.refusal("the header ends without a 'format' line");
+      for (const PlyElement& element : header.elements) {
+        if (element.properties.empty()) throw lines.refusal("element " + quote(element.name) + " has no properties");
+      }
+      header.bytes = lines.bytes_read();
+      check_vertex(name, header);
+      return header;
+    } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+      throw lines.refusal(quote(keyword) + " is no keyword of a PLY header");
+    }
+  }
+  throw InputError(name + ": the file ends within its PLY header; there is no 'end_header'");
+}
+
+}  // namespace isotouch::cloud

@@ -1,0 +1,18 @@
+/// A file → oriented points that everything after may trust.
+#pragma once
+
+#include <filesystem>
+
+#include "host/cloud/check.h"
+#include "host/cloud/oriented_points.h"
+
+namespace isotouch::cloud {
+
+/// Reads PLY (ply.h), OBJ (obj.h) or text (xyz.h: .xyz .xyzn .pwn .npts .pts .asc .txt .csv), by the file's first line or its ending, and checks
+/// the cloud (check.h).
+///
+/// returns   points in the file's order and units, unit outward normals, no two at one place
+/// fails     InputError, one sentence: file, place, what is wrong, what to do
+OrientedPoints read_cloud(const std::filesystem::path& file, CloudReport& report);
+
+}  // namespace isotouch::cloud

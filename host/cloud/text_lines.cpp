@@ -1,0 +1,70 @@
+#include "host/cloud/text_lines.h"
+
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <system_error>
+#include <utility>
+
+namespace isotouch::cloud {
+namespace {
+
+constexpr std::string_view kSeparators = " \t,;";
+
+}  // namespace
+
+TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes) : name_(std::move(name)), bytes_(bytes) {}
+
+bool TextLines::next() {
+  if (next_ >= bytes_.size()) return false;
+  const char* begin = reinterpret_cast<const char*>(bytes_.data()) + next_;
+  const void* found = std::memchr(begin, '\n', bytes_left());
+  const std::size_t length = found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - begin) : bytes_left();
+  next_ += length + (found != nullptr ? 1 : 0);
+  ++line_;
+  rest_ = std::string_view(begin, length);
+  if (rest_.ends_with('\r')) rest_.remove_suffix(1);
+  return true;
+}
+
+std::optional<std::string_view> TextLines::field() {
+  const std::size_t begin = rest_.find_first_not_of(kSeparators);
+  if (begin == std::string_view::npos) return std::nullopt;
+  rest_.remove_prefix(begin);
+  const std::string_view found = rest_.substr(0, rest_.find_first_of(kSeparators));
+  rest_.remove_prefix(found.size());
+  return found;
+}
+
+double TextLines::number(std::string_view what) {
+  const std::optional<std::string_view> found = field();
+  if (!found) throw refusal("the line ends where " + std::string(what) + " should stand");
+  const std::optional<double> value = as_number(*found);
+  if (!value) throw refusal(quote(*found) + " is no number; " + std::string(what) + " should stand there");
+  return *value;
+}
+
+InputError TextLines::refusal(const std::string& what) const { return InputError(name_ + ": line " + std::to_string(line_) + ": " + what); }
+
+std::optional<double> as_number(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (end != field.data() + field.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {   // too large, or too small to matter: from_chars leaves `value` as it was
+    const std::size_t exponent = field.find_first_of("eE");
+    const bool tiny = exponent != std::string_view::npos && field.substr(exponent + 1).starts_with('-');
+    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  if (error != std::errc{}) return std::nullopt;
+  return value;
+}
+
+std::string quote(std::string_view field) {
+  constexpr std::size_t kShown = 24;
+  std::string text = "'";
+  for (const char c : field.substr(0, kShown)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (field.size() > kShown ? "...'" : "'");
+}
+
+}  // namespace isotouch::cloud

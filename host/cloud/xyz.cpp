@@ -1,0 +1,79 @@
+#include "host/cloud/xyz.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include "host/cloud/text_lines.h"
+
+namespace isotouch::cloud {
+namespace {
+
+/// A whole number in a line of its own.
+std::optional<std::size_t> stated_count(TextLines line) {
+  const auto field = line.field();
+  if (!field || line.field() || field->find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
+  std::size_t count = 0;
+  const auto [end, error] = std::from_chars(field->data(), field->data() + field->size(), count);
+  return error == std::errc{} ? count : std::numeric_limits<std::size_t>::max();
+}
+
+bool is_remark(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  return begin == std::string_view::npos || line[begin] == '#' || line.substr(begin).starts_with("//");
+}
+
+/// The file as a table of three or six columns.
+struct Table {
+  std::vector<Eigen::Vector3d> first, second;   ///< columns 1 to 3, columns 4 to 6
+  std::vector<std::size_t> lines;
+  std::optional<std::size_t> count;
+};
+
+Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
+  TextLines lines(name, bytes);
+  Table table;
+  std::size_t columns = 0;
+  while (lines.next()) {
+    if (is_remark(lines.rest())) continue;
+    if (table.lines.empty() && !table.count && (table.count = stated_count(lines))) continue;
+    std::vector<double> row;
+    TextLines rest = lines;
+    while (rest.field() && row.size() < 7) {
+      row.push_back(lines.number("a coordinate"));
+      if (!std::isfinite(row.back())) throw lines.refusal("number " + std::to_string(row.size()) + " is not a finite number");
+    }
+    if (columns == 0) columns = row.size();
+    if ((columns != 3 && columns != 6) || row.size() != columns) {
+      const std::string wanted = columns == 3 && !table.lines.empty() ? "x y z like the lines before" : "x y z nx ny nz";
+      throw lines.refusal((row.size() > 6 ? "more than 6" : std::to_string(row.size())) + " numbers; a line must hold " + wanted);
+    }
+    table.first.emplace_back(row[0], row[1], row[2]);
+    if (columns == 6) table.second.emplace_back(row[3], row[4], row[5]);
+    table.lines.push_back(lines.line());
+  }
+  return table;
+}
+
+}  // namespace
+
+Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
+  Table table = read_table(name, bytes);
+  if (table.count && table.second.empty() && table.first.size() % 2 == 0 && table.first.size() / 2 == *table.count) {   // a block of positions, a block of normals
+    const auto half = static_cast<std::ptrdiff_t>(*table.count);
+    table.second.assign(table.first.begin() + half, table.first.end());
+    table.first.resize(*table.count);
+    table.lines.resize(*table.count);
+  }
+  if (table.count && *table.count != table.first.size()) {
+    throw InputError(name + ": its first line states " + std::to_string(*table.count) + " points, but " + std::to_string(table.first.size()) +
+                     " follow");
+  }
+  return {"text", std::move(table.first), std::move(table.second), std::move(table.lines), {}};
+}
+
+}  // namespace isotouch::cloud
