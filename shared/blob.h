@@ -51,7 +51,10 @@ inline constexpr std::uint32_t kMaxSize = 4096;
 inline constexpr std::uint32_t kOutside = 0;                 ///< number of the brick, and of the node, that is far outside throughout
 inline constexpr std::uint32_t kInside = 1;                  ///< the same, far inside
 
-constexpr std::size_t align64(std::size_t bytes) { return (bytes + 63) & ~std::size_t{63}; }
+template <class T>
+constexpr T align64(T bytes) {   // in the caller's width: a hostile size must not wrap where std::size_t has 32 bits
+  return (bytes + 63) & ~T{63};
+}
 }  // namespace blob_layout
 
 /// A coefficient or distance as the blob stores it.
