@@ -15,10 +15,13 @@ void mark(Indicator& inside, const Eigen::Vector3d& centre, double radius) {
     return static_cast<int>(std::floor(std::min(centre[axis] + radius, static_cast<double>(end))));
   };
   const double limit = radius * radius;
+  const auto square = [](double value) { return value * value; };
   for (int k = first(2); k <= last(2); ++k) {
     for (int j = first(1); j <= last(1); ++j) {
-      for (int i = first(0); i <= last(0); ++i) {
-        if ((Eigen::Vector3d(i, j, k) - centre).squaredNorm() <= limit) inside.at(i, j, k) = 1;
+      const double beside = square(k - centre.z()) + square(j - centre.y());
+      std::uint8_t* row = &inside.at(0, j, k);
+      for (int i = first(0), end = last(0); i <= end; ++i) {
+        if (square(i - centre.x()) + beside <= limit) row[i] = 1;
       }
     }
   }
