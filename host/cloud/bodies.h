@@ -1,7 +1,7 @@
 /// Solid bodies as implicit functions: primitives, and how they are put together.
 ///
 /// A body gives, for any point, a distance (negative inside, zero exactly on the surface) and its gradient. Every body here keeps two promises:
-/// the distance never changes faster than the point moves, so a step of |distance| cannot cross the surface; and on the surface the gradient
+/// |distance| is at most the Euclidean distance to the surface, so a step of that length cannot cross it; and on the surface the gradient
 /// points along the outward normal. Only square roots are used, so a body is the same to the last bit on every machine.
 ///
 /// source    distances to boxes, tori, capsules, round cones and cone stumps are elementary geometry, collected by I. Quilez,
@@ -20,7 +20,14 @@ struct Probe {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();   ///< the way in which the distance grows, unit length
 };
 
-using Body = std::function<Probe(const Eigen::Vector3d&)>;
+/// A body, and a ball that holds all of it, so that a union need not ask parts that are too far away to matter.
+struct Body {
+  std::function<Probe(const Eigen::Vector3d&)> probe;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;   ///< infinite for a half space
+
+  Probe operator()(const Eigen::Vector3d& p) const { return probe(p); }
+};
 
 // Primitives. Their distances are Euclidean on both sides, but for the ellipsoid's, which is too small.
 
@@ -46,8 +53,8 @@ Body half_space(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
 
 Body unite(std::vector<Body> parts);
 Body intersect(std::vector<Body> parts);
-Body subtract(Body from, Body what);
+Body subtract(const Body& from, const Body& what);
 /// The part of the body with x >= 0, and its mirror image.
-Body mirror_x(Body half);
+Body mirror_x(const Body& half);
 
 }  // namespace isotouch::cloud

@@ -1,0 +1,52 @@
+/// isotouch shape: a cloud of one of the project's own objects, whose surface is known exactly.
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/cloud/ply.h"
+#include "host/cloud/shapes.h"
+#include "host/commands/commands.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct ShapeOptions {
+  std::string name;
+  std::filesystem::path out;
+  std::size_t points = 0;   ///< 0 = the object's own number
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+void make_shape(const ShapeOptions& options) {
+  const cloud::Shape shape = cloud::shape(options.name);
+  const cloud::OrientedPoints points = sample_shape(shape, options.points > 0 ? options.points : shape.default_points, options.seed);
+  const std::string origin = "isotouch shape " + shape.name + " --points " + std::to_string(points.size()) + " --seed " + std::to_string(options.seed);
+  cloud::write_ply(options.out, points, origin);
+  if (options.json) {
+    const nlohmann::ordered_json report = {{"shape", shape.name},       {"made_of", shape.sentence},         {"points", points.size()},
+                                           {"seed", options.seed},      {"file", options.out.string()}};
+    std::printf("%s\n", report.dump().c_str());
+  } else {
+    std::fprintf(stderr, "%s: %zu points on %s\n", options.out.string().c_str(), points.size(), shape.sentence.c_str());
+  }
+}
+
+}  // namespace
+
+void add_shape(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("shape", "Draw evenly spread points with exact normals from one of the project's own objects");
+  auto options = std::make_shared<ShapeOptions>();
+  command->add_option("name", options->name, "the object")->required()->check(CLI::IsMember(cloud::shape_names()));
+  command->add_option("-o,--out", options->out, "the cloud to write, as PLY")->required();
+  command->add_option("--points", options->points, "how many; the object's own number if not given")->check(CLI::Range(8, 1000000));
+  command->add_option("--seed", options->seed, "another seed draws other points")->capture_default_str();
+  command->add_flag("--json", options->json, "print one object on standard output");
+  command->callback([options] { make_shape(*options); });
+}
+
+}  // namespace isotouch::commands
