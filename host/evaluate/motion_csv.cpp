@@ -25,6 +25,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+std::string in_quotes(std::string_view text) {
+  std::string sentence = "'";
+  return sentence.append(text).append("'");
+}
+
 std::vector<std::string_view> split(std::string_view line, char separator) {
   std::vector<std::string_view> fields;
   for (;;) {
@@ -44,8 +49,8 @@ double unit_factor(const Factors& factors, const std::string& stated, std::strin
     const auto found = find(stated);
     if (found != factors.end()) return found->second;
     std::string known;
-    for (const auto& [name, factor] : factors) known += " " + std::string(name);
-    throw InputError("unknown unit '" + stated + "'; choose one of:" + known);
+    for (const auto& [name, factor] : factors) known.append(" ").append(name);
+    throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
   }
   const std::size_t ending = column.rfind('_');
   const auto found = ending == std::string_view::npos ? factors.end() : find(column.substr(ending + 1));
@@ -83,15 +88,15 @@ std::size_t find_column(const Table& table, const std::vector<std::string_view>&
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string present;
-  for (const std::string_view name : names) present += (present.empty() ? "" : " ") + std::string(name);
-  table.refuse("no column is called '" + wanted + "', there are: " + present + "; name them with --columns t=…,x=…,y=…,z=…");
+  for (const std::string_view name : names) present.append(" ").append(name);
+  table.refuse("no column is called " + in_quotes(wanted) + ", there are:" + present + "; name them with --columns t=…,x=…,y=…,z=…");
 }
 
 double number(const Table& table, std::string_view field, std::string_view column) {
   double value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
-    table.refuse("'" + std::string(field) + "' in column " + std::string(column) + " is not a finite number; correct or remove the row");
+    table.refuse(in_quotes(field) + " in column " + in_quotes(column) + " is not a finite number; correct or remove the row");
   }
   return value;
 }
@@ -106,7 +111,7 @@ MotionColumns parse_columns(const std::string& text) {
     const std::string_view key = part.substr(0, equals);
     std::string* name = key == "t" ? &columns.time : key == "x" ? &columns.x : key == "y" ? &columns.y : key == "z" ? &columns.z : nullptr;
     if (equals == std::string_view::npos || name == nullptr || equals + 1 == part.size()) {
-      throw InputError("'" + std::string(part) + "' does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME");
+      throw InputError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME");
     }
     *name = part.substr(equals + 1);
   }

@@ -1,0 +1,167 @@
+/// isotouch evaluate: accuracy of surface, normals and force on the objects whose answer is known, each beside its floor.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/commands/commands.h"
+#include "host/evaluate/force_error.h"
+#include "host/evaluate/published_table.h"
+#include "host/evaluate/real.h"
+#include "host/evaluate/shape_trial.h"
+#include "host/evaluate/surface_error.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+using evaluate::ForceError;
+using evaluate::SurfaceError;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kShapes[] = {"sphere", "torus", "box", "plate", "capsules"};
+constexpr double kSpeeds[] = {100, 300, 1000};  // mm/s; the last one is shown and not judged
+constexpr std::size_t kJudged = 2;
+
+struct ShapeRow {
+  std::string name;
+  SurfaceError error;
+  SurfaceError floor;
+};
+
+struct MethodResult {
+  std::vector<ShapeRow> shapes;
+  std::vector<ForceError> forces;  ///< at kSpeeds
+};
+
+/// One method on all shapes; the published one feels the sphere with its own tick.
+MethodResult measure(blob::Method method) {
+  MethodResult result;
+  for (const char* name : kShapes) {
+    std::fprintf(stderr, "%s %s\n", method == blob::Method::kPublished ? "published" : "default", name);
+    const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
+    const evaluate::OpenBlob built = evaluate::trial_blob(trial, method);
+    const evaluate::OpenBlob floor = evaluate::floor_blob(trial);
+    result.shapes.push_back({name, evaluate::surface_error(built.view, trial.truth), evaluate::surface_error(floor.view, trial.truth)});
+    if (trial.shape.name != "sphere") continue;
+    for (const double speed : kSpeeds) {
+      const evaluate::SphereSlide slide = evaluate::trial_slide(built.view, speed);
+      const evaluate::ForceTick tick = method == blob::Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
+                                                                          : evaluate::core_force(built.view, slide.period_s);
+      result.forces.push_back(evaluate::force_error(evaluate::slide_on_sphere(slide, tick)));
+    }
+  }
+  return result;
+}
+
+ForceError judged(const std::vector<ForceError>& forces) {
+  ForceError worst = forces[0];
+  for (std::size_t i = 1; i < kJudged; ++i) {
+    worst.magnitude_rms_pct = std::max(worst.magnitude_rms_pct, forces[i].magnitude_rms_pct);
+    worst.direction_max_deg = std::max(worst.direction_max_deg, forces[i].direction_max_deg);
+  }
+  return worst;
+}
+
+Json to_json(const MethodResult& result) {
+  Json json;
+  json["shapes"] = Json::array();
+  for (const ShapeRow& row : result.shapes) {
+    json["shapes"].push_back({{"name", row.name},
+                              {"rms_voxel", row.error.rms_voxel},
+                              {"p99_voxel", row.error.p99_voxel},
+                              {"max_voxel", row.error.max_voxel},
+                              {"normal_rms_deg", row.error.normal_rms_deg},
+                              {"lost", row.error.lost},
+                              {"floor_rms_voxel", row.floor.rms_voxel},
+                              {"floor_normal_rms_deg", row.floor.normal_rms_deg}});
+  }
+  const ForceError force = judged(result.forces);
+  json["force"] = {{"magnitude_rms_pct", force.magnitude_rms_pct}, {"direction_max_deg", force.direction_max_deg}};
+  json["force_at"] = Json::array();
+  for (std::size_t i = 0; i < result.forces.size(); ++i) {
+    json["force_at"].push_back({{"mm_per_s", kSpeeds[i]},
+                                {"magnitude_rms_pct", result.forces[i].magnitude_rms_pct},
+                                {"direction_max_deg", result.forces[i].direction_max_deg}});
+  }
+  return json;
+}
+
+void print(const MethodResult& result, const char* title) {
+  std::printf("%s\n", title);
+  std::printf("  %-10s %9s %9s %9s %11s %6s %11s %13s\n", "shape", "rms vox", "p99 vox", "max vox", "normal rms", "lost", "floor rms",
+              "floor normal");
+  for (const ShapeRow& row : result.shapes) {
+    std::printf("  %-10s %9.4f %9.4f %9.3f %10.3f° %6zu %11.4f %12.3f°\n", row.name.c_str(), row.error.rms_voxel, row.error.p99_voxel,
+                row.error.max_voxel, row.error.normal_rms_deg, row.error.lost, row.floor.rms_voxel, row.floor.normal_rms_deg);
+  }
+  for (std::size_t i = 0; i < result.forces.size(); ++i) {
+    std::printf("  sphere, 4 voxels deep at %4.0f mm/s: force magnitude rms %.4f %%, direction max %.4f° over %zu ticks\n", kSpeeds[i],
+                result.forces[i].magnitude_rms_pct, result.forces[i].direction_max_deg, result.forces[i].ticks);
+  }
+}
+
+Json to_json(const std::vector<evaluate::PublishedRow>& table) {
+  Json json = Json::array();
+  for (const evaluate::PublishedRow& row : table) {
+    json.push_back({{"name", row.name},
+                    {"points", row.points},
+                    {"inside_nodes", row.inside_nodes},
+                    {"seconds", row.seconds},
+                    {"grid", {row.grid.x(), row.grid.y(), row.grid.z()}}});
+  }
+  return json;
+}
+
+void print(const std::vector<evaluate::PublishedRow>& table) {
+  std::printf("the paper's Table 1 on our objects of its point counts\n");
+  std::printf("  %-10s %8s %14s %17s   %s\n", "object", "points", "inside nodes", "field time (s)", "grid");
+  for (const evaluate::PublishedRow& row : table) {
+    std::printf("  %-10s %8zu %14zu %17.2f   %d × %d × %d\n", row.name.c_str(), row.points, row.inside_nodes, row.seconds, row.grid.x(),
+                row.grid.y(), row.grid.z());
+  }
+}
+
+void run(bool json, bool published) {
+  const MethodResult ours = measure(blob::Method::kDefault);
+  std::optional<MethodResult> theirs;
+  std::vector<evaluate::PublishedRow> table;
+  if (published) {
+    theirs = measure(blob::Method::kPublished);
+    table = evaluate::published_table();
+  }
+  if (json) {
+    Json all = to_json(ours);
+    if (theirs) {
+      all["published"] = to_json(*theirs);
+      all["published"]["table1"] = to_json(table);
+    }
+    std::printf("%s\n", all.dump(2).c_str());
+    return;
+  }
+  print(ours, "default method, 3,756 points, one voxel = one unit of the shape");
+  if (theirs) {
+    print(*theirs, "published method, surface through the core's sampler, force by the published tick in single precision");
+    print(table);
+  }
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app) {
+  struct Options {
+    bool json = false;
+    bool published = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("evaluate", "Accuracy of surface, normals and force on objects whose answer is known");
+  command->add_flag("--published", options->published, "the published method beside it, and the paper's Table 1");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(options->json, options->published); });
+}
+
+}  // namespace isotouch::commands

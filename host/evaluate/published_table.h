@@ -1,0 +1,30 @@
+/// The published method's own figures: its force on the sphere, and the columns of its Table 1.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host/evaluate/force_error.h"
+#include "host/evaluate/shape_trial.h"
+
+namespace isotouch::evaluate {
+
+/// The published single-precision tick on the levels of a trial's points.
+///
+/// stiffness   N/mm
+ForceTick published_force(const ShapeTrial& trial, double stiffness);
+
+struct PublishedRow {
+  std::string name;
+  std::size_t points = 0;
+  std::size_t inside_nodes = 0;
+  double seconds = 0;                              ///< radii, indicator and levels
+  Eigen::Vector3i grid = Eigen::Vector3i::Zero();  ///< nodes along the cloud's box; the paper states it for two of its objects
+};
+
+/// Hydrant, owl, boy, bomberman, jaguar, at the paper's point counts and sizes in voxels.
+std::vector<PublishedRow> published_table();
+
+}  // namespace isotouch::evaluate
