@@ -1,0 +1,143 @@
+#include "host/blob/write_blob.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+
+#include "host/cloud/files.h"
+#include "host/error.h"
+#include "shared/blob.h"
+#include "shared/bytes.h"
+#include "tests/host/blob/blob_bodies.h"
+
+namespace isotouch::blob {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Every sample of the grid, stored or not, has the sign of the distance, and far ones are ±band.
+void expect_signs(const test::Distance3& distance, const Eigen::Vector3d& half) {
+  const Eigen::Vector3d shift(0.31, -0.17, 0.44);
+  const field::BandField field = test::field_of(distance, half, 3.0, shift);
+  const Image image = write_blob(field, {});
+  const auto parsed = BlobView::parse(image.bytes());
+  ASSERT_TRUE(parsed.has_value());
+  const BlobView& view = *parsed;
+  std::size_t inside = 0;
+  for (int k = 0; k < view.size[2]; ++k) {
+    for (int j = 0; j < view.size[1]; ++j) {
+      for (int i = 0; i < view.size[0]; ++i) {
+        const double truth = distance(field.grid.position({i, j, k}) - shift);
+        const int stored = view.coefficient(i, j, k);
+        if (std::abs(truth) > 0.6) {
+          ASSERT_EQ(stored < 0, truth < 0) << i << ' ' << j << ' ' << k;
+        }
+        if (std::abs(truth) > 3.0) {
+          ASSERT_EQ(std::abs(stored), view.band.raw()) << i << ' ' << j << ' ' << k;
+        }
+        inside += truth < 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(inside, 5000U);
+}
+
+TEST(WriteBlob, every_sample_has_the_right_sign_in_a_ball) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
+
+TEST(WriteBlob, every_sample_has_the_right_sign_around_a_cavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
+
+TEST(WriteBlob, every_sample_has_the_right_sign_around_a_thin_plate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
+
+TEST(WriteBlob, the_header_says_what_it_was_told) {
+  field::BandField field = test::field_of(test::ball(9), {9, 9, 9});
+  field.grid.edge = 0.375;
+  field.grid.origin = {-1.5, 2.25, 17.0};
+  BlobInfo info;
+  info.stiffness_n_per_mm = 1.25;
+  info.source_hash = 0x0123456789abcdefULL;
+  info.method = Method::kPublished;
+  info.point_count = 77;
+  info.placement = {2.5, {1.0, -2.0, 3.5}};
+  const Image image = write_blob(field, info);
+  const auto view = BlobView::parse(image.bytes());
+  ASSERT_TRUE(view.has_value());
+  EXPECT_EQ(view->edge, MmPerVoxel::of(0.375));
+  EXPECT_EQ(view->inverse_edge, VoxelPerMm::of(1 / 0.375));
+  EXPECT_EQ(view->origin, (Vec3<Mm>{Mm::of(-1.5), Mm::of(2.25), Mm::of(17.0)}));
+  EXPECT_EQ(view->band, Distance::of(4.0));
+  EXPECT_EQ(view->stiffness, Stiffness::of(1.25));
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(view->size[axis], field.grid.size[static_cast<int>(axis)]);
+  const std::uint8_t* at = image.data();
+  EXPECT_EQ(load_le<std::uint64_t>(at + blob_layout::kSourceHashAt), info.source_hash);
+  EXPECT_EQ(load_le<std::uint32_t>(at + blob_layout::kMethodAt), 1U);
+  EXPECT_EQ(load_le<std::uint32_t>(at + blob_layout::kPointCountAt), 77U);
+  EXPECT_EQ(std::bit_cast<double>(load_le<std::uint64_t>(at + blob_layout::kScaleAt)), 2.5);
+  EXPECT_EQ(std::bit_cast<double>(load_le<std::uint64_t>(at + blob_layout::kOffsetAt + 16)), 3.5);
+}
+
+TEST(WriteBlob, a_listed_brick_of_one_constant_is_not_stored) {
+  const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25));
+  field::BandField more = field;
+  ASSERT_NE(more.bricks.front().cell, Eigen::Vector3i::Zero());
+  field::Brick far{Eigen::Vector3i::Zero(), {}};
+  far.distance.fill(50.0F);
+  more.bricks.insert(more.bricks.begin(), far);
+  const Image a = write_blob(field, {});
+  const Image b = write_blob(more, {});
+  EXPECT_TRUE(std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()));
+}
+
+TEST(WriteBlob, any_band_in_the_format_is_accepted) {
+  for (const double band : {1.0, 1.7001, 2.50012207, 4.00012207, 7.99}) {
+    const Image image = write_blob(test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), band), {});
+    EXPECT_TRUE(BlobView::parse(image.bytes()).has_value()) << band;
+  }
+}
+
+std::string refusal(const field::BandField& field, const BlobInfo& info = {}) {
+  try {
+    write_blob(field, info);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
+  const field::BandField good = test::field_of(test::ball(9), {9, 9, 9});
+  field::BandField bad = good;
+  bad.grid.edge = 0.01;
+  EXPECT_THAT(refusal(bad), HasSubstr("voxel edge"));
+  bad = good;
+  bad.grid.origin.y() = 512.1;
+  EXPECT_THAT(refusal(bad), HasSubstr("corner"));
+  bad = good;
+  bad.band = 8.0;
+  EXPECT_THAT(refusal(bad), HasSubstr("band"));
+  bad = good;
+  bad.grid.size.z() = 5000;
+  EXPECT_THAT(refusal(bad), HasSubstr("5000 samples"));
+  BlobInfo info;
+  info.stiffness_n_per_mm = NAN;
+  EXPECT_THAT(refusal(good, info), HasSubstr("stiffness"));
+  EXPECT_EQ(refusal(good), "accepted");
+}
+
+TEST(WriteBlob, a_body_that_reaches_the_border_is_refused) {
+  const field::Grid grid = field::make_grid({-9, -9, -9}, {9, 9, 9}, 1.0, 2.0);
+  EXPECT_THAT(refusal(field::sample_distance(test::ball(9), grid, 4.0)), HasSubstr("border"));
+}
+
+TEST(WriteBlob, an_image_comes_back_from_its_file) {
+  const Image image = write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
+  const auto file = std::filesystem::path(::testing::TempDir()) / "write_blob_test.itf";
+  cloud::write_file(file, image.data(), image.size());
+  const Image read = read_image(file);
+  std::filesystem::remove(file);
+  EXPECT_TRUE(std::equal(image.bytes().begin(), image.bytes().end(), read.bytes().begin(), read.bytes().end()));
+  EXPECT_THROW(read_image(file), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::blob
