@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "host/field/pieces.h"
@@ -15,8 +14,8 @@ namespace {
 // Trials of 2026-11 on five shapes and eight scanned objects, 3,700 to 5,200 samples: 12 neighbours gave the least error (16: 3 % more, 20:
 // 8 %).
 constexpr std::size_t kNeighbours = 12;
-constexpr double kLeastJump = 0.1;   ///< radians: a smaller one is no edge
-constexpr double kExplained = 0.02;  ///< radians: a model that is as good as this is good enough, whatever its number of pieces
+constexpr double kLeastJump = 0.1;  ///< radians: a smaller one is no edge
+constexpr double kExplained = 0.1;  ///< radians: a model that is as good as this is good enough, whatever its number of pieces
 
 using Samples = std::vector<WeightedSample>;  ///< the sample itself first, then its neighbours by distance
 
@@ -36,12 +35,9 @@ struct Joining {
 /// Every joining of `count` pieces that differs as an expression; a fourth piece is always joined last.
 std::vector<Joining> joinings(std::size_t count) {
   switch (count) {
-    case 1:
-      return {{{0}, 0b0}};
-    case 2:
-      return {{{0, 1}, 0b00}, {{0, 1}, 0b10}};
-    default:
-      break;
+    case 1: return {{{0}, 0b0}};
+    case 2: return {{{0, 1}, 0b00}, {{0, 1}, 0b10}};
+    default: break;
   }
   std::vector<Joining> three = {{{0, 1, 2}, 0b000}, {{0, 1, 2}, 0b110}};
   for (const auto& order : {std::array<std::uint8_t, kMaxPieces>{1, 2, 0, 3}, {0, 2, 1, 3}, {0, 1, 2, 3}}) {
@@ -88,25 +84,24 @@ double squared_error(const Samples& samples, const Predictions& predicted, const
 
 /// Every piece becomes the patch at its member nearest to the sample; returns the number of parameters taken from the data.
 std::size_t fit_pieces(const Samples& samples, const std::vector<std::size_t>& piece_of, std::size_t count, LocalModel& model) {
-  const double reach = (samples.back().position - samples[0].position).squaredNorm();
+  const double reach = (samples.back().position - samples[0].position).norm();
   std::size_t parameters = 0;
   Samples members;
   for (std::size_t piece = 0; piece < count; ++piece) {
     members.clear();
-    std::optional<std::size_t> anchor;
     for (std::size_t j = 0; j < samples.size(); ++j) {
       if (piece_of[j] != piece) continue;
-      if (!anchor) {
-        anchor = j;
-        continue;
-      }
       auto member = samples[j];
-      const double away = (member.position - samples[*anchor].position).squaredNorm();
-      member.weight *= std::max(1e-3, 1.0 - away / (4.0 * reach));
+      if (members.empty()) {
+        member.weight = 1.0;
+      } else {
+        const double away = (member.position - members[0].position).norm() / (2.0 * reach);
+        member.weight *= std::max(1e-3, 1.0 - away * away);
+      }
       members.push_back(member);
     }
-    model.pieces[piece] = fit_patch(samples[*anchor].position, samples[*anchor].normal, members);
-    parameters += 3 + (members.empty() ? 0U : 2U) + (members.size() > 1 ? 1U : 0U);
+    model.pieces[piece] = fit_patch(members, reach);
+    parameters += members.size() > 2 ? 6U : members.size() > 1 ? 5U : 3U;
   }
   model.count = static_cast<std::uint8_t>(count);
   return parameters;
@@ -143,6 +138,7 @@ LocalModel best_model(const Samples& samples) {
       if (error < least) {
         least = error;
         best = joined(model, joining);
+        best.trust = 1.0 / std::sqrt(error + kExplained * kExplained);
       }
     }
   }

@@ -21,6 +21,7 @@ inline constexpr std::size_t kMaxPieces = 4;
 struct LocalModel {
   std::array<ToroidalPatch, kMaxPieces> pieces;  ///< in the order in which they are joined
   std::uint8_t count = 1;
+  double trust = 1.0;        ///< weight in a blend: the inverse of the error with which it explains its neighbours
   std::uint8_t concave = 0;  ///< bit k: piece k is joined to those before it by union (min), else by intersection (max)
 
   /// Signed distance, never larger than the true one to the joined pieces outside a convex edge and inside a concave one; slope at most

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "host/field/toroidal_patch.h"
+#include "host/field/patch_fit.h"
 
 namespace isotouch::field {
 

@@ -25,9 +25,10 @@ double Surface::blend(const Eigen::Vector3d& x, const std::vector<Neighbour>& ne
   const double border = nearest.size() > count ? nearest[count].squared_distance : 2.0 * nearest.back().squared_distance;
   double sum = 0.0, weights = 0.0;
   for (std::size_t k = 0; k < count; ++k) {
-    const double weight = border > 0.0 ? squared(squared(1.0 - nearest[k].squared_distance / border)) : 1.0;
+    const auto& model = models_[nearest[k].index];
+    const double weight = border > 0.0 ? model.trust * squared(squared(1.0 - nearest[k].squared_distance / border)) : 1.0;
     if (!(weight > 0.0)) continue;
-    sum += weight * models_[nearest[k].index].distance(x);
+    sum += weight * model.distance(x);
     weights += weight;
   }
   // All at one distance: x is the centre of a ball through the samples.

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 
 namespace isotouch::field {
 
@@ -28,15 +27,5 @@ struct ToroidalPatch {
   };
   Value value(const Eigen::Vector3d& x) const;
 };
-
-/// A sample as seen by a fit.
-struct WeightedSample {
-  Eigen::Vector3d position, normal;
-  double weight;
-};
-
-/// The patch through `position` with `normal` whose curvatures explain best how the normals of the others turn: least squares of n_j - n =
-/// H (P_j - P) in the tangent plane, exact on spheres and cylinders. Directions in which no sample lies stay straight.
-ToroidalPatch fit_patch(const Eigen::Vector3d& position, const Eigen::Vector3d& normal, std::span<const WeightedSample> others);
 
 }  // namespace isotouch::field
