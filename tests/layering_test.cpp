@@ -20,8 +20,8 @@ using Words = std::vector<std::string>;
 const fs::path kRoot = ISOTOUCH_ROOT;
 
 struct Rule {
-  Words project;          ///< folders and files of ours that this folder may include, beside itself
-  bool tick = false;      ///< runs in the tick: of the standard library only what neither allocates nor throws
+  Words project;      ///< folders and files of ours that this folder may include, beside itself
+  bool tick = false;  ///< runs in the tick: of the standard library only what neither allocates nor throws
 };
 
 /// The longest matching folder rules; what stands in no folder of this table may not exist.
@@ -41,8 +41,8 @@ const std::map<std::string, Rule> kRules = {
     {"tests", {{"tests/support"}}},
 };
 
-const std::set<std::string> kTickHeaders = {"algorithm", "array", "bit", "cassert", "compare", "concepts", "cstddef",
-                                            "cstdint", "cstring", "limits", "span", "type_traits", "utility"};
+const std::set<std::string> kTickHeaders = {"algorithm", "array",   "bit",    "cassert", "compare",     "concepts", "cstddef",
+                                            "cstdint",   "cstring", "limits", "span",    "type_traits", "utility"};
 
 /// A word of the language or the library with what it would bring into the tick.
 const std::vector<std::pair<std::regex, std::string>> kForbiddenInCore = {
@@ -63,9 +63,9 @@ const std::regex kDivision(R"([/%]=?\s*(?!(?:2|4|8|16|32|64|128|256)\b)[^=\s])")
 const std::regex kPreparation(R"(^\S.*\bmake_\w+\(.*\{$)");
 
 struct Line {
-  std::string place;   ///< file:line
-  std::string text;    ///< as written
-  std::string code;    ///< without comments and the content of literals
+  std::string place;  ///< file:line
+  std::string text;   ///< as written
+  std::string code;   ///< without comments and the content of literals
 };
 
 /// The lines of a file; comments and literals are blanked so that prose may use any word.
@@ -82,8 +82,10 @@ std::vector<Line> read_lines(const fs::path& file) {
       if (in_block) {
         if (two == "*/") in_block = false, ++i;
       } else if (quote != 0) {
-        if (text[i] == '\\') ++i;
-        else if (text[i] == quote) quote = 0, code += text[i];
+        if (text[i] == '\\')
+          ++i;
+        else if (text[i] == quote)
+          quote = 0, code += text[i];
       } else if (two == "//") {
         break;
       } else if (two == "/*") {
@@ -201,7 +203,8 @@ TEST(Layering, TheTestItselfSeesWhatItForbids) {
   EXPECT_TRUE(std::regex_search("Coupling make_coupling(int x) {", kPreparation));
   EXPECT_FALSE(std::regex_search("  make_coupling(x);", kPreparation));
   const auto forbidden = [](const std::string& code) {
-    return std::any_of(kForbiddenInCore.begin(), kForbiddenInCore.end(), [&](const auto& word) { return std::regex_search(code, word.first); });
+    return std::any_of(kForbiddenInCore.begin(), kForbiddenInCore.end(),
+                       [&](const auto& word) { return std::regex_search(code, word.first); });
   };
   for (const char* code : {"double x;", "auto* p = new int;", "throw 1;", "std::vector<int> v;", "static int calls = 0;", "y = 1.5f;"}) {
     EXPECT_TRUE(forbidden(code)) << code;

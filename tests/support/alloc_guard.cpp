@@ -20,11 +20,12 @@ std::atomic<std::uint64_t> allocations{0};
 #if defined(ISOTOUCH_ADDRESS_SANITIZER)
 
 // The sanitizer owns malloc; it offers a hook instead.
-extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
-[[maybe_unused]] const int installed = __sanitizer_install_malloc_and_free_hooks(
-    [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
+[[maybe_unused]] const int installed =
+    __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
 }  // namespace
 
 #else
@@ -61,9 +62,9 @@ int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
 
 #endif
 
-namespace isotouch::tests {
+namespace isotouch::test {
 
 AllocGuard::AllocGuard() : start_(allocations) {}
 std::uint64_t AllocGuard::count() const { return allocations - start_; }
 
-}  // namespace isotouch::tests
+}  // namespace isotouch::test

@@ -9,7 +9,7 @@
 
 #include <cstdint>
 
-namespace isotouch::tests {
+namespace isotouch::test {
 
 class AllocGuard {
  public:
@@ -21,4 +21,4 @@ class AllocGuard {
   std::uint64_t start_;
 };
 
-}  // namespace isotouch::tests
+}  // namespace isotouch::test

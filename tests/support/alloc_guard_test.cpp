@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace isotouch::tests {
+namespace isotouch::test {
 namespace {
 
 /// Keeps the compiler from removing an allocation that nobody reads.
@@ -51,4 +51,4 @@ TEST(AllocGuard, ArithmeticAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace isotouch::tests
+}  // namespace isotouch::test
