@@ -1,0 +1,53 @@
+#include "host/evaluate/compare_mesh.h"
+
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "host/error.h"
+#include "host/evaluate/exact_field.h"
+#include "host/evaluate/mesh_distance.h"
+#include "host/evaluate/real.h"
+#include "shared/blob.h"
+#include "shared/bytes.h"
+
+namespace isotouch::evaluate {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 20'000;
+
+double load_double(const OpenBlob& blob, std::size_t at) { return std::bit_cast<double>(load_le<std::uint64_t>(blob.image.data() + at)); }
+
+}  // namespace
+
+cloud::Placement placement_of(const OpenBlob& blob) {
+  using namespace blob_layout;
+  cloud::Placement placement;
+  placement.scale = load_double(blob, kScaleAt);
+  placement.offset = {load_double(blob, kOffsetAt), load_double(blob, kOffsetAt + 8), load_double(blob, kOffsetAt + 16)};
+  if (!(placement.scale > 0) || !std::isfinite(placement.scale) || !placement.offset.allFinite()) {
+    throw InputError("the blob does not say how its cloud was placed in the workspace; build it again");
+  }
+  return placement;
+}
+
+cloud::TriangleMesh placed(cloud::TriangleMesh mesh, const cloud::Placement& placement) {
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = placement.to_workspace(vertex);
+  return mesh;
+}
+
+SurfaceError compare_with_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
+  return surface_error(field, cloud::scatter_on_mesh(mesh, kComparePoints, kSeed));
+}
+
+OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
+  field::Grid grid;
+  grid.origin = real(field.origin);
+  grid.edge = real(field.edge);
+  grid.size = Eigen::Vector3i(field.size[0], field.size[1], field.size[2]);
+  const MeshDistance distance(mesh);
+  return open_blob(blob::write_blob(exact_field(grid, real(field.band), distance), {}), "the mesh's exact distances");
+}
+
+}  // namespace isotouch::evaluate
