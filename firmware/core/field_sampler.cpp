@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace isotouch::core {
 
@@ -28,51 +29,65 @@ Along along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32
   return {at + (bend >> 3) + tilt, (rise >> 1) + turn, bend};
 }
 
-std::int32_t value_along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32_t t) { return along(before, at, after, t).value; }
-
-/// One axis of the point: its nearest sample, the offset from it, and where its three neighbours lie in the tree.
+/// One axis of the point: its nearest sample, the offset from it, and where the brick of the sample before and the brick of the sample after lie.
 struct AxisPlace {
-  std::int32_t t;                           // 16 fraction bits, within ±1/2
-  std::array<std::int32_t, 2> root, slot;     // of the brick before and the brick after; equal where the three share one brick
-  std::array<std::int32_t, 3> in_brick;       // sample within its brick
-  std::array<std::int32_t, 3> which;          // brick before or after
+  std::int32_t t;                           // offset from the nearest sample, 16 fraction bits, within ±1/2
+  std::int32_t first;                       // index of the sample before the nearest one
+  std::array<std::int32_t, 2> root, slot;   // of the brick before and the brick after; equal where the three samples share one brick
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
-  const std::int32_t low = 1 << 16;
-  const std::int32_t high = (size - 2) << 16;
-  outside |= coordinate < low || coordinate > high;
-  const std::int32_t inside = std::clamp(coordinate, low, high);
-  const std::int32_t nearest = (inside + 0x8000) >> 16;   // in [1, size - 2]
-  AxisPlace axis;
-  axis.t = inside - (nearest << 16);
-  const std::int32_t first_brick = (nearest - 1) >> kBrickShift;
-  const std::array<std::int32_t, 2> brick = {first_brick, (nearest + 1) >> kBrickShift};
-  for (std::size_t side = 0; side < 2; ++side) {
-    axis.root[side] = brick[side] >> (kNodeShift - kBrickShift);
-    axis.slot[side] = brick[side] & 3;
-  }
-  for (std::size_t tap = 0; tap < 3; ++tap) {
-    const std::int32_t index = nearest - 1 + static_cast<std::int32_t>(tap);
-    axis.in_brick[tap] = index & 3;
-    axis.which[tap] = (index >> kBrickShift) - first_brick;
-  }
-  return axis;
+  const std::int32_t inside = std::clamp(coordinate, 1 << 16, (size - 2) << 16);
+  outside |= inside != coordinate;
+  const std::int32_t first = ((inside + 0x8000) >> 16) - 1;   // in [0, size - 3]
+  const std::int32_t before = first >> kBrickShift, after = (first + 2) >> kBrickShift;
+  return {inside - ((first + 1) << 16), first, {before >> 2, after >> 2}, {before & 3, after & 3}};
 }
 
-/// The eight bricks around the point, equal ones repeated: [z][y][x], each index 0 = before, 1 = after.
-using BrickCorner = std::array<const std::int16_t*, 8>;
-
-BrickCorner bricks_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
-  BrickCorner bricks;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const std::size_t sx = corner & 1, sy = (corner >> 1) & 1, sz = corner >> 2;
-    const std::int32_t cell = (z.root[sz] * field.root_size[1] + y.root[sy]) * field.root_size[0] + x.root[sx];
-    const std::int32_t slot = (z.slot[sz] << 4) | (y.slot[sy] << 2) | x.slot[sx];
-    const std::size_t node = field.root[cell];
-    bricks[corner] = field.bricks + std::size_t{field.nodes[node * kBricksPerNode + static_cast<std::size_t>(slot)]} * kSamplesPerBrick;
+/// The eight bricks around the point, equal ones repeated; index bit 0 is x, bit 1 y, bit 2 z: 0 before, 1 after.
+std::array<const std::int16_t*, 8> bricks_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
+  std::array<const std::int16_t*, 8> bricks;
+  for (std::size_t sz = 0; sz < 2; ++sz) {
+    for (std::size_t sy = 0; sy < 2; ++sy) {
+      const std::uint32_t* cells = field.root + (z.root[sz] * field.root_size[1] + y.root[sy]) * field.root_size[0];
+      const std::uint32_t* slots = field.nodes + ((z.slot[sz] << 4) | (y.slot[sy] << 2));
+      for (std::size_t sx = 0; sx < 2; ++sx) {
+        const std::uint32_t brick = slots[cells[x.root[sx]] * kBricksPerNode + static_cast<std::uint32_t>(x.slot[sx])];
+        bricks[(sz << 2) | (sy << 1) | sx] = field.bricks + brick * kSamplesPerBrick;
+      }
+    }
   }
   return bricks;
+}
+
+/// Three samples in a row along x, contracted: from the brick row that holds the first (four samples, first in the low bits) and the next one.
+Along contract_row(const std::int16_t* brick_before, const std::int16_t* brick_after, int shift, std::int32_t t) {
+  std::uint64_t low, high;
+  std::memcpy(&low, brick_before, sizeof low);
+  std::memcpy(&high, brick_after, sizeof high);
+  const std::uint64_t row = (low >> shift) | ((high << 1) << (63 - shift));
+  const auto sample = [row](int place) { return std::int32_t{static_cast<std::int16_t>(row >> place)} * (1 << kCoefficientBits); };
+  return along(sample(0), sample(16), sample(32), t);
+}
+
+/// Nine samples of constant z, contracted along x and y: the value and its derivatives within the plane.
+struct Plane {
+  std::int32_t value, dx, dy, dxx, dyy, dxy;
+};
+
+Plane contract_plane(const std::int16_t* const* bricks, const AxisPlace& x, const AxisPlace& y, std::int32_t in_brick_z) {
+  const int shift = 16 * (x.first & 3);
+  const auto row = [&](std::int32_t j) {
+    const std::int32_t in_column = (y.first & 3) + j;
+    const std::int16_t* const* pair = bricks + ((in_column >> kBrickShift) << 1);
+    const std::int32_t offset = in_brick_z | ((in_column & 3) << 2);
+    return contract_row(pair[0] + offset, pair[1] + offset, shift, x.t);
+  };
+  const Along row0 = row(0), row1 = row(1), row2 = row(2);
+  const Along value = along(row0.value, row1.value, row2.value, y.t);
+  const Along slope = along(row0.slope, row1.slope, row2.slope, y.t);
+  const std::int32_t dxx = along(row0.bend, row1.bend, row2.bend, y.t).value;
+  return {value.value, slope.value, value.slope, dxx, value.bend, slope.slope};
 }
 
 constexpr std::int32_t outer(std::int32_t inner) { return (inner + (1 << (kOuterBits - 1))) >> kOuterBits; }
@@ -84,29 +99,19 @@ FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point) {
   const AxisPlace x = place(point.x.raw(), field.size[0], outside);
   const AxisPlace y = place(point.y.raw(), field.size[1], outside);
   const AxisPlace z = place(point.z.raw(), field.size[2], outside);
-  const BrickCorner bricks = bricks_around(field, x, y, z);
+  const std::array<const std::int16_t*, 8> bricks = bricks_around(field, x, y, z);
 
-  std::array<Along, 3> by_value, by_slope, by_bend;   // planes of constant z, after x and y are contracted
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::array<Along, 3> row;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::int32_t corner = (z.which[k] << 2) | (y.which[j] << 1);
-      const std::int32_t in_brick = (z.in_brick[k] << 4) | (y.in_brick[j] << 2);
-      const auto coefficient = [&](std::size_t i) {
-        return std::int32_t{bricks[static_cast<std::size_t>(corner | x.which[i])][in_brick | x.in_brick[i]]} * (1 << kCoefficientBits);
-      };
-      row[j] = along(coefficient(0), coefficient(1), coefficient(2), x.t);
-    }
-    by_value[k] = along(row[0].value, row[1].value, row[2].value, y.t);
-    by_slope[k] = along(row[0].slope, row[1].slope, row[2].slope, y.t);
-    by_bend[k].value = value_along(row[0].bend, row[1].bend, row[2].bend, y.t);
-  }
-  const Along value = along(by_value[0].value, by_value[1].value, by_value[2].value, z.t);
-  const Along dx = along(by_slope[0].value, by_slope[1].value, by_slope[2].value, z.t);
-  const Along dy = along(by_value[0].slope, by_value[1].slope, by_value[2].slope, z.t);
-  const std::int32_t dxx = value_along(by_bend[0].value, by_bend[1].value, by_bend[2].value, z.t);
-  const std::int32_t dyy = value_along(by_value[0].bend, by_value[1].bend, by_value[2].bend, z.t);
-  const std::int32_t dxy = value_along(by_slope[0].slope, by_slope[1].slope, by_slope[2].slope, z.t);
+  const auto plane = [&](std::int32_t k) {
+    const std::int32_t in_column = (z.first & 3) + k;
+    return contract_plane(bricks.data() + ((in_column >> kBrickShift) << 2), x, y, (in_column & 3) << 4);
+  };
+  const Plane p0 = plane(0), p1 = plane(1), p2 = plane(2);
+  const Along value = along(p0.value, p1.value, p2.value, z.t);
+  const Along dx = along(p0.dx, p1.dx, p2.dx, z.t);
+  const Along dy = along(p0.dy, p1.dy, p2.dy, z.t);
+  const std::int32_t dxx = along(p0.dxx, p1.dxx, p2.dxx, z.t).value;
+  const std::int32_t dyy = along(p0.dyy, p1.dyy, p2.dyy, z.t).value;
+  const std::int32_t dxy = along(p0.dxy, p1.dxy, p2.dxy, z.t).value;
 
   FieldSample sample;
   sample.distance = Voxel::from_raw(outer(value.value));

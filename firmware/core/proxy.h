@@ -17,7 +17,7 @@
 namespace isotouch::core {
 
 /// Steps a tick; each samples the field once.
-inline constexpr int kProxySteps = 4;
+inline constexpr int kProxySteps = 3;
 
 enum class ProxyMode : std::uint8_t {
   kUnplaced,    ///< before the first tick

@@ -1,6 +1,7 @@
 #include "firmware/core/surface_step.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "shared/roots.h"
 
@@ -11,12 +12,13 @@ namespace {
 // Raw numbers of 16 fraction bits in 64-bit integers. A checked blob may hold any coefficients within ±8 voxels, so |g| <= 16 a component (2^20) and
 // |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17.
 constexpr std::int64_t kOne = 1 << 16;
-constexpr std::int64_t kSlideLimit = kOne;              // a step along the surface: the spline bends over about one voxel
-constexpr std::int64_t kMinSlopeSquare = kOne / 4;        // |g|² is taken as at least this: the field flattens in the middle of thin parts
+constexpr std::int64_t kSlideLimit = kOne * 5 / 4;              // a step along the surface: the spline bends over about one voxel
+constexpr std::int64_t kMinSlopeSquare = kOne / 64;       // |g|² is taken as at least this: the field flattens in the middle of thin parts
 constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
 constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
 constexpr std::int64_t kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr std::int64_t kDeterminantLimit = 16 * kOne;
+constexpr std::int64_t kSumLimit = std::int64_t{1} << 31;   // bound of an intermediate, 32,768 voxels
 constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix that is trusted
 
 struct Raw3 {
@@ -39,6 +41,16 @@ Raw3 within(const Raw3& v, std::int64_t limit) { return {within(v.x, limit), wit
 /// value / divisor, 16 fraction bits; |value| beyond 2^31 acts like 2^31.
 std::int64_t divide(std::int64_t value, const Reciprocal& divisor) {
   return times(within(value, std::int64_t{1} << 31), {divisor.mantissa, divisor.shift - 16});
+}
+
+/// The square root of a value with 32 fraction bits, with 16; negative values have root 0. value below 2^62.
+std::int64_t root(std::int64_t value) {
+  const auto positive = static_cast<std::uint64_t>(std::max<std::int64_t>(value, 0));
+  const Reciprocal inverse = inverse_root(positive);
+  // x / sqrt(x): the leading 31 bits of x times the mantissa
+  const int spare = std::max(0, 33 - std::countl_zero(positive | 1U));
+  const std::int64_t product = static_cast<std::int64_t>(positive >> spare) * inverse.mantissa;
+  return product >> (inverse.shift - spare);
 }
 
 /// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components within 2^30, so that three squares fit 63 bits.
@@ -85,23 +97,31 @@ struct LocalField {
 
 /// The step along the surface towards the point closest to the HIP: Newton's on the Lagrangian, within the tangent plane.
 ///
-/// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. In two dimensions the
-/// inverse needs no basis: (I - M)⁻¹ = ((1 - τ) I + M) / (1 - τ + D), with τ and D the trace and determinant of M within the plane, which are
-/// tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a centre of curvature I - M is not safely positive; there the
-/// pull is followed as it is, held back only as much as a concave direction may need.
+/// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. M's eigenvalues
+/// μ₁ <= μ₂ come from its trace and determinant within the plane, tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a
+/// centre of curvature 1 - μ₂ is not safely positive and counts as kMinBend; the other direction keeps its own. With b = 1 - μ and both kept,
+///   (I - M)⁻¹ pull = pull/b₁ + (M pull - μ₁ pull) / (b₁ b₂),
+/// and with b₂ replaced, the last factor is (b₁ - kMinBend) / (b₁ kMinBend (μ₂ - μ₁)).
 Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t plane_trace = at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
   const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
-  const std::int64_t trace = (depth * within(plane_trace, kTraceLimit)) >> 16;                                         // below 2^29
+  const std::int64_t half_trace = (depth * within(plane_trace, kTraceLimit)) >> 17;                                    // below 2^28
   const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;   // below 2^40
+  const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                     // half of μ₂ - μ₁
 
-  const std::int64_t room = kOne - kMinBend;
-  const bool positive = room - trace + kOne > kMinBend && ((room * (room - trace)) >> 16) + determinant > 0;
-  const std::int64_t held = std::max(kMinBend, trace);
-  const Raw3 numerator = positive ? scale(pull, kOne - trace) + scale(at.tangential(at.bend(pull)), depth) : scale(pull, held);
-  const std::int64_t denominator = positive ? kOne - trace + determinant : held + std::max<std::int64_t>(0, -determinant);
-  const Reciprocal inverse = reciprocal(static_cast<std::uint64_t>(std::max(denominator, kOne / 8)));
-  return {divide(numerator.x, inverse), divide(numerator.y, inverse), divide(numerator.z, inverse)};
+  const std::int64_t b1 = std::max(kOne - half_trace + spread, kMinBend);
+  const std::int64_t b2 = kOne - half_trace - spread;
+  const bool kept = b2 >= kMinBend;
+  const Reciprocal over_b1 = reciprocal(static_cast<std::uint64_t>(b1));
+  const Reciprocal over_rest = reciprocal(static_cast<std::uint64_t>(kept ? b2 : std::max(b1 - b2, kMinBend)));
+  const std::int64_t factor = divide(kept ? kOne : 2 * (b1 - kMinBend), over_rest);   // at most 2
+
+  const Raw3 bent = scale(at.tangential(at.bend(pull)), depth);
+  const Raw3 beyond = bent - scale(pull, kOne - b1);
+  const Raw3 sum = within(pull + scale(beyond, factor), kSumLimit);
+  const std::int64_t inverse = over_b1.mantissa;
+  const int shift = over_b1.shift - 16;
+  return {(sum.x * inverse) >> shift, (sum.y * inverse) >> shift, (sum.z * inverse) >> shift};
 }
 
 }  // namespace
@@ -120,13 +140,14 @@ Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const
   const std::int64_t clearance = at.clearance(pull);
 
   if (clearance >= 0) {
-    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - 2 * buried));
+    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - 4 * buried));
     return to_voxel(buried > 0 ? step + at.onto_surface() : step);
   }
   const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
   const Raw3 along = slide(at, within(at.tangential(pull), kPullLimit), depth);
   // Straight and along together stay within free_way + kSlideLimit: φ² + (1 + φ/2)² <= (φ + 1)² up to φ = 4, and 1.05 of it at 8.
-  return to_voxel(at.onto_surface() + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - 2 * buried)));
+  const Raw3 onto=shorten(at.onto_surface(), free_way + kSlideLimit);
+  return to_voxel(onto + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - 4 * buried)));
 }
 
 }  // namespace isotouch::core

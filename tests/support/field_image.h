@@ -1,0 +1,38 @@
+/// Ready blobs from a distance function, made without the host: what core tests feel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "shared/blob.h"
+
+namespace isotouch::test {
+
+using Point = std::array<double, 3>;
+/// Index coordinates → distance in voxels, negative inside.
+using DistanceFunction = std::function<double(const Point&)>;
+
+struct FieldOptions {
+  double edge_mm = 0.34;
+  double band = 4.0;
+  double stiffness = 0.8;
+  Point origin_mm = {-20.0, -20.0, -20.0};
+  bool prefilter = true;   ///< coefficients whose spline passes near the samples, φ - (sum of second differences) / 8
+};
+
+/// An image and the checked view on it.
+class FieldImage {
+ public:
+  /// size      samples along each axis; the body must stay away from the border by more than the band
+  FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction& distance, const FieldOptions& options = {});
+  const BlobView& view() const { return view_; }
+  std::vector<std::uint8_t> bytes() const;
+
+ private:
+  std::vector<std::uint64_t> words_;
+  BlobView view_;
+};
+
+}  // namespace isotouch::test
