@@ -25,6 +25,12 @@ std::string number(double value, int decimals) {
   return text;
 }
 
+std::string significant(double value, int digits) {
+  const double size = std::fabs(value);
+  const int before_point = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return number(value, std::clamp(digits - before_point, 0, 12));
+}
+
 double round_length(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double step : {5.0, 2.0}) {

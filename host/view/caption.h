@@ -17,6 +17,9 @@ float drawing_scale(const Image& image);
 /// "12.5", never with more digits than `decimals`, and none behind the point that are zero.
 std::string number(double value, int decimals);
 
+/// "0.00231": as many digits as asked for, counted from the first that is not zero.
+std::string significant(double value, int digits);
+
 /// 1, 2 or 5 times a power of ten: the largest that is not above `value`.
 double round_length(double value);
 

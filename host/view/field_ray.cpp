@@ -29,29 +29,29 @@ struct Span {
   double enter, leave;
 };
 
-Span clip(const Ray& ray, const Box& box, Span span) {
-  const auto& [from, direction] = ray;
+Span clip(const Eigen::Vector3d& from, const Eigen::Vector3d& inverse, const Box& box, Span span) {
   for (int a = 0; a < 3; ++a) {
-    if (direction[a] == 0) {
-      if (from[a] < box.min()[a] || from[a] > box.max()[a]) return {1, 0};
-      continue;
-    }
-    const double t0 = (box.min()[a] - from[a]) / direction[a], t1 = (box.max()[a] - from[a]) / direction[a];
+    const double t0 = (box.min()[a] - from[a]) * inverse[a], t1 = (box.max()[a] - from[a]) * inverse[a];
     span = {std::max(span.enter, std::min(t0, t1)), std::min(span.leave, std::max(t0, t1))};
   }
   return span;
 }
 
-/// Index coordinates of the middle of every brick through which the surface runs.
-std::vector<Eigen::Vector3d> surface_bricks(const BlobView& field) {
+/// One over each component; one that is zero counts as tiny, so that nothing becomes infinite.
+Eigen::Vector3d inverse_of(const Eigen::Vector3d& direction) {
+  return direction.unaryExpr([](double d) { return 1.0 / (std::fabs(d) > 1e-12 ? d : 1e-12); });
+}
+
+/// Index coordinates of the middle of every brick that is not wholly outside. A sum of positive coefficients is positive, so the surface lies
+/// within 1 1/2 voxels of such a brick's samples.
+std::vector<Eigen::Vector3d> object_bricks(const BlobView& field) {
   std::vector<Eigen::Vector3d> middles;
   constexpr int kBrickSide = 1 << blob_layout::kBrickShift;
   for (int k = 0; k < field.size[2]; k += kBrickSide) {
     for (int j = 0; j < field.size[1]; j += kBrickSide) {
       for (int i = 0; i < field.size[0]; i += kBrickSide) {
         const std::span<const std::int16_t> brick(field.brick(i, j, k), blob_layout::kSamplesPerBrick);
-        const auto [low, high] = std::minmax_element(brick.begin(), brick.end());
-        if (*low <= 0 && *high >= 0) middles.emplace_back(i + 1.5, j + 1.5, k + 1.5);
+        if (*std::min_element(brick.begin(), brick.end()) <= 0) middles.emplace_back(i + 1.5, j + 1.5, k + 1.5);
       }
     }
   }
@@ -65,9 +65,14 @@ FieldRays::FieldRays(const BlobView& field)
       origin_(real(field.origin.x), real(field.origin.y), real(field.origin.z)),
       edge_(real(field.edge)),
       band_(real(field.band)) {
-  samples_ = {Eigen::Vector3d::Ones(), Eigen::Vector3d(field.size[0] - 2, field.size[1] - 2, field.size[2] - 2)};
-  for (const Eigen::Vector3d& index : surface_bricks(field)) outline_.emplace_back(origin_ + edge_ * index);
-  if (outline_.empty()) outline_ = {origin_ + edge_ * samples_.min(), origin_ + edge_ * samples_.max()};  // nothing to see: then all of it
+  for (const Eigen::Vector3d& index : object_bricks(field)) {
+    outline_.emplace_back(origin_ + edge_ * index);
+    object_.extend(index);
+  }
+  const Eigen::Vector3d last(field.size[0] - 2, field.size[1] - 2, field.size[2] - 2);
+  if (outline_.empty()) outline_ = {origin_, origin_ + edge_ * last};  // nothing to see: then all of it
+  constexpr double kReach = 1.5 + 1.5 + 0.01;                          // from a brick's middle to its samples, from there to the surface
+  object_ = {(object_.min().array() - kReach).max(1).matrix(), (object_.max().array() + kReach).min(last.array()).matrix()};
 }
 
 FieldRays::Value FieldRays::value(const Eigen::Vector3d& point) const {
@@ -77,7 +82,7 @@ FieldRays::Value FieldRays::value(const Eigen::Vector3d& point) const {
 
 double FieldRays::distance_at(const Eigen::Vector3d& index) const { return real(core::sample_field(field_, to_core(index)).distance); }
 
-double FieldRays::empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d& direction) const {
+double FieldRays::empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d& inverse) const {
   const Eigen::Array3i sample =
       (index.array() + 0.5).floor().cast<int>().max(0).min(Eigen::Array3i(field_.size[0] - 1, field_.size[1] - 1, field_.size[2] - 1));
   if (field_.brick(sample[0], sample[1], sample[2]) != field_.bricks) return 0;  // brick 0 is the one that is far outside
@@ -86,8 +91,8 @@ double FieldRays::empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d&
   const int side = 1 << (whole_node ? blob_layout::kNodeShift : blob_layout::kBrickShift);
   double way = std::numeric_limits<double>::max();
   for (int a = 0; a < 3; ++a) {
-    const double low = sample[a] / side * side - 0.5;
-    if (direction[a] != 0) way = std::min(way, ((direction[a] > 0 ? low + side : low) - index[a]) / direction[a]);
+    const double low = (sample[a] & -side) - 0.5;
+    way = std::min(way, ((inverse[a] > 0 ? low + side : low) - index[a]) * inverse[a]);
   }
   return std::max(way, 0.0) + 1e-3;
 }
@@ -114,11 +119,12 @@ double FieldRays::crossing(const Ray& ray, Place outside, Place inside) const {
 
 std::optional<double> FieldRays::hit(const Ray& ray, double from, double to) const {
   const Ray in_samples{to_index(ray.from), ray.direction};
-  const Span span = clip(in_samples, samples_, {from / edge_, to / edge_});
+  const Eigen::Vector3d inverse = inverse_of(ray.direction);
+  const Span span = clip(in_samples.from, inverse, object_, {from / edge_, to / edge_});
   Place outside{span.enter, 0};  // the last place known to be outside
   for (double t = span.enter; t < span.leave;) {
     const Eigen::Vector3d here = in_samples.at(t);
-    if (const double way = empty_way(here, ray.direction); way > 0) {
+    if (const double way = empty_way(here, inverse); way > 0) {
       outside = {t, band_};
       t += way;
       continue;

@@ -28,7 +28,7 @@ class FieldRays {
   /// returns   mm along the ray, or nothing
   std::optional<double> hit(const Ray& ray, double from, double to) const;
 
-  /// The surface in dots, a brick apart: enough to place a camera by.
+  /// The object in dots, a brick apart: enough to place a camera by.
   const std::vector<Eigen::Vector3d>& outline() const { return outline_; }
   double edge() const { return edge_; }
   const BlobView& field() const { return field_; }
@@ -36,8 +36,10 @@ class FieldRays {
  private:
   Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin_) / edge_; }
   double distance_at(const Eigen::Vector3d& index) const;
-  /// Voxels along the ray to the far side of the constant block around a point; 0 where distances are stored.
-  double empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d& direction) const;
+  /// Voxels along the ray to the far side of the block around a point that is far outside throughout; 0 where distances are stored.
+  ///
+  /// inverse   of each component of the ray's direction
+  double empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d& inverse) const;
 
   /// A place on a ray in index coordinates, voxels.
   struct Place {
@@ -49,7 +51,7 @@ class FieldRays {
   Eigen::Vector3d origin_;
   double edge_;
   double band_;
-  Box samples_;  ///< index coordinates within which the core does not move a point
+  Box object_;  ///< index coordinates; contains the surface, within the grid
   std::vector<Eigen::Vector3d> outline_;
 };
 

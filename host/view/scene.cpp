@@ -10,7 +10,7 @@
 namespace isotouch::view {
 namespace {
 
-const Colour kMaterial = srgb(0xCBD8E4);
+const Colour kMaterial = srgb(0xD4DEE8);
 const Colour kCutFace = srgb(0xEFDDBB);
 const Colour kCutLine = srgb(0x8C6A34);
 constexpr double kFar = 1e5;           // mm: beyond everything

@@ -1,0 +1,121 @@
+#include "host/view/points_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "host/field/nearest.h"
+#include "host/view/caption.h"
+#include "host/view/light.h"
+
+namespace isotouch::view {
+namespace {
+
+constexpr int kFine = 2;  // fine pixels along a pixel's side
+
+/// The distance from a point to its nearest neighbour: the median of up to 2,000 points.
+double spacing(const std::vector<Eigen::Vector3d>& points) {
+  const field::Nearest nearest(points);
+  std::vector<field::Neighbour> found;
+  std::vector<double> squares;
+  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 2000) {
+    nearest.nearest(points[i], 2, found);
+    if (found.size() == 2) squares.push_back(found[1].squared_distance);
+  }
+  if (squares.empty()) return 0;
+  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+  std::nth_element(squares.begin(), middle, squares.end());
+  return std::sqrt(*middle);
+}
+
+/// Discs with a depth buffer, in fine pixels.
+class Discs {
+ public:
+  Discs(int width, int height, const Camera& camera)
+      : camera_(camera), light_(camera), colours_(width * kFine, height * kFine), depths_(count(colours_), kEmpty) {}
+
+  void draw(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius) {
+    const Camera::Projected middle = camera_.project(centre);
+    const Eigen::Vector3d to_eye = (camera_.eye() - centre).normalized();
+    const bool behind = normal.dot(to_eye) < 0;
+    const Eigen::Vector3d seen = behind ? Eigen::Vector3d(-normal) : normal;
+    const Colour lit = light_.shade(behind ? kBehind : kFront, seen, to_eye);
+    const Colour colour = behind ? mix(lit, backdrop(0.5F), 0.72F) : lit;
+    const double reach = radius * middle.pixel_per_mm;
+    const auto fine = [](double pixels) { return static_cast<int>(std::floor(pixels * kFine)); };
+    const int x1 = std::min(fine(middle.x + reach) + 1, colours_.width()), y1 = std::min(fine(middle.y + reach) + 1, colours_.height());
+    for (int y = std::max(0, fine(middle.y - reach)); y < y1; ++y) {
+      for (int x = std::max(0, fine(middle.x - reach)); x < x1; ++x) {
+        const Ray ray = camera_.ray((x + 0.5) / kFine, (y + 0.5) / kFine);
+        const double slope = ray.direction.dot(normal);
+        if (std::fabs(slope) < 1e-6) continue;
+        const double t = (centre - ray.from).dot(normal) / slope;
+        const double off = (ray.at(t) - centre).norm() / radius;
+        double& depth = depths_[static_cast<std::size_t>(y) * static_cast<std::size_t>(colours_.width()) + static_cast<std::size_t>(x)];
+        if (off > 1 || t >= depth) continue;
+        depth = t;
+        colours_.at(x, y) = colour * (off > 0.82 ? 0.72F : 1.0F);  // a darker rim tells neighbours apart
+      }
+    }
+  }
+
+  /// Averages the fine pixels, over the backdrop where no disc is.
+  void lay_on(Image& image) const {
+    for (int y = 0; y < image.height(); ++y) {
+      const Colour behind = backdrop(static_cast<float>(y) / static_cast<float>(image.height()));
+      for (int x = 0; x < image.width(); ++x) {
+        Colour sum{0, 0, 0};
+        for (int part = 0; part < kFine * kFine; ++part) {
+          const int fx = x * kFine + part % kFine, fy = y * kFine + part / kFine;
+          const double depth =
+              depths_[static_cast<std::size_t>(fy) * static_cast<std::size_t>(colours_.width()) + static_cast<std::size_t>(fx)];
+          sum = sum + (depth < kEmpty ? colours_.at(fx, fy) : behind);
+        }
+        image.at(x, y) = sum * (1.0F / (kFine * kFine));
+      }
+    }
+  }
+
+ private:
+  static constexpr double kEmpty = std::numeric_limits<double>::max();
+  static std::size_t count(const Image& image) {
+    return static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height());
+  }
+  inline static const Colour kFront = srgb(0x84B4E6);
+  inline static const Colour kBehind = srgb(0xB9A58F);
+
+  const Camera& camera_;
+  Light light_;
+  Image colours_;
+  std::vector<double> depths_;  // mm along the ray
+};
+
+}  // namespace
+
+Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& options) {
+  Image image(options.width, options.height);
+  Canvas canvas(image);
+  const float scale = drawing_scale(image);
+  const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
+  const Camera camera(options.direction.towards_eye(), options.direction.up_axis(), points.positions,
+                      {20 * scale, 20 * scale, width - 20 * scale, height - 64 * scale});
+  const double gap = spacing(points.positions);
+  const double pixel = 1 / camera.project(points.positions.front()).pixel_per_mm;
+  const double radius = std::max(0.5 * gap, 0.8 * pixel);  // below a pixel and a half a disc would flicker
+  Discs discs(options.width, options.height, camera);
+  for (std::size_t i = 0; i < points.size(); ++i) discs.draw(points.positions[i], points.normals[i], radius);
+  discs.lay_on(image);
+
+  const bool known = options.mm_per_unit > 0;
+  const std::string distance = known ? number(gap * options.mm_per_unit, 3) + " mm" : significant(gap, 3);
+  if (known) {
+    draw_scale_bar(canvas, {width - 24 * scale, height - 26 * scale},
+                   camera.project(points.positions.front()).pixel_per_mm / options.mm_per_unit, double{width} / 8);
+  }
+  draw_caption(canvas, options.title,
+               {std::to_string(points.size()) + " oriented points, " + distance + " apart" + (known ? "" : " in the units of their file")});
+  return image;
+}
+
+}  // namespace isotouch::view

@@ -1,0 +1,24 @@
+/// Oriented points as small lit discs that face along their normals.
+#pragma once
+
+#include <string>
+
+#include "host/cloud/oriented_points.h"
+#include "host/view/camera.h"
+#include "host/view/image.h"
+
+namespace isotouch::view {
+
+struct PointsOptions {
+  int width = 960, height = 720;
+  Direction direction;
+  std::string title;
+  double mm_per_unit = 1;  ///< 0: the unit is not known; no scale bar then
+};
+
+/// Discs that are seen from behind are pale: they lie on the far side of the object, or their normals are the wrong way round.
+///
+/// points    at least one
+Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& options);
+
+}  // namespace isotouch::view
