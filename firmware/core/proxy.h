@@ -30,6 +30,7 @@ struct ProxyState {
   ProxyMode mode = ProxyMode::kUnplaced;
   Vec3<Voxel> point;         ///< where the field was sampled last, index coordinates
   FieldSample sample;        ///< the field there
+  Vec3<Voxel> proxy;         ///< the last proxy in contact
 };
 
 struct Contact {

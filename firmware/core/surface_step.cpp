@@ -13,6 +13,7 @@ namespace {
 // |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17.
 constexpr std::int64_t kOne = 1 << 16;
 constexpr std::int64_t kSlideLimit = kOne * 5 / 4;              // a step along the surface: the spline bends over about one voxel
+constexpr std::int64_t kRestoreFirst = 32;               // a step along the surface gets shorter by this many times the depth: out first
 constexpr std::int64_t kMinSlopeSquare = kOne / 64;       // |g|² is taken as at least this: the field flattens in the middle of thin parts
 constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
 constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
@@ -140,14 +141,14 @@ Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const
   const std::int64_t clearance = at.clearance(pull);
 
   if (clearance >= 0) {
-    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - 4 * buried));
+    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - kRestoreFirst * buried));
     return to_voxel(buried > 0 ? step + at.onto_surface() : step);
   }
   const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
   const Raw3 along = slide(at, within(at.tangential(pull), kPullLimit), depth);
   // Straight and along together stay within free_way + kSlideLimit: φ² + (1 + φ/2)² <= (φ + 1)² up to φ = 4, and 1.05 of it at 8.
   const Raw3 onto=shorten(at.onto_surface(), free_way + kSlideLimit);
-  return to_voxel(onto + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - 4 * buried)));
+  return to_voxel(onto + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - kRestoreFirst * buried)));
 }
 
 }  // namespace isotouch::core
