@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kTravelSpeed = 600;    // mm/s, between touches
-constexpr double kApproachSpeed = 120;  // mm/s, to a place
+constexpr double kTravelSpeed = 1000;   // mm/s, between touches
+constexpr double kApproachSpeed = 250;  // mm/s, to a place
 constexpr double kPressSpeed = 25;      // mm/s
 constexpr double kFastestHand = 1000;   // mm/s, while it follows a surface
 constexpr int kLooks = 400;             // places from which the bent and the thin ones are chosen
@@ -65,9 +65,16 @@ Gestures::Gestures(const FeltSurface& surface, Hand& hand, cloud::Random random)
   hand_.step(places.front().from);
 }
 
+/// A point of the cube [-1, 1]³. Each draw is a statement of its own: arguments and operands are evaluated in no certain order.
+Vector3d Gestures::draw() {
+  Vector3d v;
+  for (double& coordinate : v) coordinate = random_.uniform(-1, 1);
+  return v;
+}
+
 Vector3d Gestures::direction() {
   for (;;) {  // the share of the cube that the ball fills, 52 %, ends this soon
-    const Vector3d v(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
+    const Vector3d v = draw();
     const double square = v.squaredNorm();
     if (square > 0.01 && square <= 1) return v / std::sqrt(square);
   }
@@ -75,7 +82,7 @@ Vector3d Gestures::direction() {
 
 std::optional<Gestures::Place> Gestures::look() {
   const Vector3d from = surface_.centre() + radius_ * direction();
-  const Vector3d towards = surface_.centre() + 0.6 * radius_ * random_.uniform() * direction();
+  const Vector3d towards = surface_.centre() + 0.6 * radius_ * draw();
   const auto hit = surface_.first_hit(from, (towards - from).normalized(), 2 * radius_);
   if (!hit) return std::nullopt;
   return Place{from, *hit};
@@ -127,7 +134,7 @@ void Gestures::retreat(const SurfacePoint& from) {
   const Vector3d out = start - surface_.centre();  // |start + s way - centre| = radius
   const double half = out.dot(way);
   const double s = -half + std::sqrt(std::max(0.0, half * half + radius_ * radius_ - out.squaredNorm()));
-  hand_.move(start + s * way, kApproachSpeed * 2);
+  hand_.move(start + s * way, kApproachSpeed);
 }
 
 void Gestures::press() {
@@ -135,16 +142,17 @@ void Gestures::press() {
   approach(place, 3);
   const double depth = random_.uniform(1, 6) * voxel_;
   hand_.move(place.at.position - depth * place.at.normal, kPressSpeed);
-  hand_.hold(0.15);
+  hand_.hold(0.3);
   retreat(place.at);
 }
 
 void Gestures::slide() {
   constexpr double kSpeeds[] = {100, 300, 1000};
-  glide(any_place(), kSpeeds[random_.bits() % 3], 1.0, 4, 0);
+  const Place place = any_place();
+  glide(place, kSpeeds[random_.bits() % 3], 1.5, 4, 0);
 }
 
-void Gestures::graze() { glide(any_place(), 30, 1.0, 0, 0.1); }
+void Gestures::graze() { glide(any_place(), 30, 1.5, 0, 0.1); }
 
 /// Follows the surface with the hand `depth` voxels below it, plus a ripple of 10 a second.
 void Gestures::glide(const Place& place, double speed, double seconds, double depth, double ripple) {
@@ -152,8 +160,9 @@ void Gestures::glide(const Place& place, double speed, double seconds, double de
   hand_.move(place.at.position, kPressSpeed);
   SurfacePoint foot = place.at;
   Vector3d heading = any_tangent(foot.normal);
-  heading = (random_.uniform(-1, 1) * heading + random_.uniform(-1, 1) * foot.normal.cross(heading)).normalized();
-  const double turn = random_.uniform(-1, 1);  // radians a second, nearly
+  const Vector3d drawn = draw();
+  heading = (drawn.x() * heading + drawn.y() * foot.normal.cross(heading)).normalized();
+  const double turn = drawn.z();  // radians a second, nearly
   const double tick_s = hand_.period_s();
   for (double time = 0; time < seconds && !hand_.done(); time += tick_s) {
     const double ends = minimum_jerk(time / 0.15) * minimum_jerk((seconds - time) / 0.15);
@@ -174,7 +183,7 @@ void Gestures::tap() {
   const Place place = any_place();
   approach(place, 2);
   const Vector3d above = place.at.position + 1.0 * place.at.normal;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 8; ++i) {
     const double peak = random_.uniform(200, 500);
     hand_.move(above, peak);
     hand_.move(place.at.position - random_.uniform(1, 3) * voxel_ * place.at.normal, peak);
@@ -189,9 +198,9 @@ void Gestures::corner() {
   approach(place, 3);
   const Vector3d inner = place.at.position - random_.uniform(1, 5) * voxel_ * place.at.normal;
   hand_.move(inner, kPressSpeed);
-  hand_.hold(0.15);
+  hand_.hold(0.3);
   for (int i = 0; i < 4; ++i) hand_.move(inner + 2 * voxel_ * direction(), kPressSpeed);
-  hand_.hold(0.1);
+  hand_.hold(0.2);
   retreat(place.at);
 }
 
@@ -201,10 +210,10 @@ void Gestures::stab() {
   const double beyond = std::max(20 * voxel_, 8.0) + random_.uniform(1, 3) * voxel_;
   const Vector3d before = at.position + beyond * at.normal;
   const Vector3d behind = at.position - (thickness_[chosen] + beyond) * at.normal;
-  const double peak = random_.uniform(300, 1000);
+  const double peak = std::min(1000.0, random_.uniform(300, 1300));
   const Vector3d out = before - surface_.centre();
   travel(surface_.centre() + radius_ * (out + radius_ * at.normal).normalized());
-  hand_.move(before, kApproachSpeed * 2);
+  hand_.move(before, kApproachSpeed);
   hand_.move(behind, peak);
   hand_.hold(0.05);
   hand_.move(before, peak);

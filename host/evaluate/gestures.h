@@ -22,9 +22,9 @@ class Gestures {
 
   /// Along the normal 1 to 6 voxels in, a rest, and out, slowly.
   void press();
-  /// 4 voxels deep over the surface for about a second, turning a little, at 100, 300 or 1000 mm/s.
+  /// 4 voxels deep over the surface for 1.5 s, turning a little, at 100, 300 or 1000 mm/s.
   void slide();
-  /// Five quick taps, 1 to 3 voxels deep, at 200 to 500 mm/s.
+  /// Eight quick taps, 1 to 3 voxels deep, at 200 to 500 mm/s.
   void tap();
   /// A press with a small stir where the field is bent most: at edges, corners and creases.
   void corner();
@@ -41,6 +41,7 @@ class Gestures {
     SurfacePoint at;
   };
 
+  Eigen::Vector3d draw();
   Eigen::Vector3d direction();
   std::optional<Place> look();
   Place any_place();

@@ -84,7 +84,8 @@ std::uint64_t make_motion(const BlobView* field, const MotionOptions& options, H
   Hand hand({options.ticks, period_s, options.lost_share, ~options.seed}, std::move(emit));
   cloud::Random random(options.seed);
   if (field == nullptr) {
-    const Vector3d phase(random.uniform(), random.uniform(), random.uniform());
+    Vector3d phase;
+    for (double& turns : phase) turns = random.uniform();
     double turns = 0;
     do {
       for (const Kind& kind : kinds) roam(hand, kind, phase, turns);
