@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 #include "shared/roots.h"
 
@@ -20,7 +21,8 @@ constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the dept
 constexpr std::int64_t kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr std::int64_t kDeterminantLimit = 16 * kOne;
 constexpr std::int64_t kSumLimit = std::int64_t{1} << 31;   // bound of an intermediate, 32,768 voxels
-constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix that is trusted
+constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
+constexpr std::int64_t kMinSpread = kOne / 256;         // eigenvalues closer than this count as one
 
 struct Raw3 {
   std::int64_t x, y, z;
@@ -100,9 +102,9 @@ struct LocalField {
 ///
 /// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. M's eigenvalues
 /// μ₁ <= μ₂ come from its trace and determinant within the plane, tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a
-/// centre of curvature 1 - μ₂ is not safely positive and counts as kMinBend; the other direction keeps its own. With b = 1 - μ and both kept,
-///   (I - M)⁻¹ pull = pull/b₁ + (M pull - μ₁ pull) / (b₁ b₂),
-/// and with b₂ replaced, the last factor is (b₁ - kMinBend) / (b₁ kMinBend (μ₂ - μ₁)).
+/// centre of curvature b₂ = 1 - μ₂ is small or negative; it counts by its size, and as kMinBend at least, so that the step goes down the distance
+/// there too and its length stays bounded (saddle-free Newton). With b₁ = 1 - μ₁ and the projection on the second eigenvector written through M,
+///   step = pull/b₁ + (1/b₂ - 1/b₁) (M pull - μ₁ pull) / (μ₂ - μ₁).
 Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t plane_trace = at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
   const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
@@ -111,11 +113,11 @@ Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                     // half of μ₂ - μ₁
 
   const std::int64_t b1 = std::max(kOne - half_trace + spread, kMinBend);
-  const std::int64_t b2 = kOne - half_trace - spread;
-  const bool kept = b2 >= kMinBend;
+  const std::int64_t b2 = std::max(std::abs(kOne - half_trace - spread), kMinBend);
   const Reciprocal over_b1 = reciprocal(static_cast<std::uint64_t>(b1));
-  const Reciprocal over_rest = reciprocal(static_cast<std::uint64_t>(kept ? b2 : std::max(b1 - b2, kMinBend)));
-  const std::int64_t factor = divide(kept ? kOne : 2 * (b1 - kMinBend), over_rest);   // at most 2
+  const Reciprocal over_b2 = reciprocal(static_cast<std::uint64_t>(b2));
+  const Reciprocal over_spread = reciprocal(static_cast<std::uint64_t>(std::max(2 * spread, kMinSpread)));
+  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);   // at most 2, and at least -1 / b1
 
   const Raw3 bent = scale(at.tangential(at.bend(pull)), depth);
   const Raw3 beyond = bent - scale(pull, kOne - b1);
