@@ -9,67 +9,191 @@ namespace isotouch::field {
 
 namespace {
 
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
 /// Brick coordinates as one number that sorts by z, then y, then x.
 using Key = std::uint64_t;
 
-Key key_of(const Eigen::Vector3i& cell) {
-  return static_cast<Key>(cell.z()) << 42 | static_cast<Key>(cell.y()) << 21 | static_cast<Key>(cell.x());
+constexpr Key kSteps[3] = {1, Key{1} << 21, Key{1} << 42};
+
+Key key_of(const Vector3i& cell) {
+  return static_cast<Key>(cell.x()) * kSteps[0] + static_cast<Key>(cell.y()) * kSteps[1] + static_cast<Key>(cell.z()) * kSteps[2];
 }
 
-Eigen::Vector3i cell_of(Key key) {
-  constexpr Key kMask = (Key{1} << 21) - 1;
+Vector3i cell_of(Key key) {
+  constexpr Key kMask = kSteps[1] - 1;
   return {static_cast<int>(key & kMask), static_cast<int>(key >> 21 & kMask), static_cast<int>(key >> 42)};
 }
 
-bool within(const Eigen::Vector3i& cell, const Eigen::Vector3i& cells) {
-  return (cell.array() >= 0).all() && (cell.array() < cells.array()).all();
-}
-
-void sort_unique(std::vector<Key>& keys) {
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-}
+Vector3d centre_of(const Vector3i& cell) { return 4.0 * cell.cast<double>() + Vector3d::Constant(1.5); }
 
 /// Half a brick's diagonal, and as much again for slopes above one where models are blended.
 const double kFar = 2.0 * 1.5 * std::sqrt(3.0);
 
+/// A brick that was looked at.
+struct Visited {
+  Key key;
+  bool listed;
+  std::uint64_t inside;  ///< bit s: sample s is negative; all alike when it is not listed
+
+  bool operator<(const Visited& o) const { return key < o.key; }
+};
+
+/// The signs on the face at the low (0) or high (1) end of an axis, as bits at the places of the low face.
+std::uint64_t face(std::uint64_t inside, int axis, int end) {
+  constexpr std::uint64_t kLow[3] = {0x1111111111111111, 0x000F000F000F000F, 0x000000000000FFFF};
+  constexpr int kShift[3] = {3, 12, 48};
+  return (end == 0 ? inside : inside >> kShift[axis]) & kLow[axis];
+}
+
+class Walk {
+ public:
+  Walk(const SampledDistance& distance, const Vector3i& cells, double band) : distance_(distance), cells_(cells), band_(band) {}
+
+  void from(std::vector<Key> front) {
+    while (!front.empty()) {
+      std::sort(front.begin(), front.end());
+      front.erase(std::unique(front.begin(), front.end()), front.end());
+      std::vector<Visited> seen;
+      std::vector<Key> next;
+      auto known = visited_.begin();
+      for (const Key key : front) {
+        known = std::lower_bound(known, visited_.end(), Visited{key, false, 0});
+        if (known != visited_.end() && known->key == key) continue;
+        seen.push_back(look_at(key));
+        if (seen.back().listed) push_neighbours(key, next);
+      }
+      merge(seen);
+      front = std::move(next);
+    }
+  }
+
+  /// Lists bricks on both sides of every change of sign that the list does not hold yet; their neighbours are where the walk goes on.
+  std::vector<Key> mend() {
+    std::vector<Key> forced;
+    for (int axis = 0; axis < 3; ++axis) check_faces(axis, forced);
+    check_rows(forced);
+    std::sort(forced.begin(), forced.end());
+    forced.erase(std::unique(forced.begin(), forced.end()), forced.end());
+    std::vector<Key> front;
+    std::vector<Visited> seen;
+    for (const Key key : forced) {
+      const auto known = std::lower_bound(visited_.begin(), visited_.end(), Visited{key, false, 0});
+      const auto listed = list(key);
+      if (known != visited_.end() && known->key == key)
+        *known = listed;
+      else
+        seen.push_back(listed);
+      push_neighbours(key, front);
+    }
+    merge(seen);
+    return front;
+  }
+
+  std::vector<Brick> bricks() {
+    std::sort(bricks_.begin(), bricks_.end(), [](const Brick& a, const Brick& b) { return key_of(a.cell) < key_of(b.cell); });
+    return std::move(bricks_);
+  }
+
+ private:
+  Visited look_at(Key key) {
+    const Vector3i cell = cell_of(key);
+    const double centre = distance_.at(centre_of(cell));
+    if (std::abs(centre) > band_ + kFar) return {key, false, centre < 0.0 ? ~std::uint64_t{0} : 0};
+    const auto d = distance_.brick(cell);
+    const auto [least, most] = std::minmax_element(d.begin(), d.end());
+    if (*least > band_) return {key, false, 0};
+    if (*most < -band_) return {key, false, ~std::uint64_t{0}};
+    return keep(key, d);
+  }
+
+  Visited list(Key key) { return keep(key, distance_.brick(cell_of(key))); }
+
+  Visited keep(Key key, const std::array<double, 64>& d) {
+    Brick brick{cell_of(key), {}};
+    std::uint64_t inside = 0;
+    for (std::size_t s = 0; s < d.size(); ++s) {
+      brick.distance[s] = static_cast<float>(d[s]);
+      inside |= std::uint64_t{brick.distance[s] < 0.0F} << s;
+    }
+    bricks_.push_back(brick);
+    return {key, true, inside};
+  }
+
+  void push_neighbours(Key key, std::vector<Key>& keys) const {
+    const Vector3i cell = cell_of(key);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (cell[axis] > 0) keys.push_back(key - kSteps[axis]);
+      if (cell[axis] + 1 < cells_[axis]) keys.push_back(key + kSteps[axis]);
+    }
+  }
+
+  void merge(const std::vector<Visited>& seen) {
+    std::vector<Visited> all;
+    all.reserve(visited_.size() + seen.size());
+    std::merge(visited_.begin(), visited_.end(), seen.begin(), seen.end(), std::back_inserter(all));
+    visited_.swap(all);
+  }
+
+  /// Neighbours that were both looked at must agree across their common face, unless both are listed.
+  void check_faces(int axis, std::vector<Key>& forced) const {
+    auto high = visited_.begin();
+    for (const auto& low : visited_) {
+      while (high != visited_.end() && high->key < low.key + kSteps[axis]) ++high;
+      if (high == visited_.end()) break;
+      if (high->key != low.key + kSteps[axis] || (low.listed && high->listed) || face(low.inside, axis, 1) == face(high->inside, axis, 0))
+        continue;
+      if (!low.listed) forced.push_back(low.key);
+      if (!high->listed) forced.push_back(high->key);
+    }
+  }
+
+  /// The sign must not change along the unknown bricks of a row; beyond its ends is outside.
+  void check_rows(std::vector<Key>& forced) const {
+    const auto width = static_cast<Key>(cells_.x());
+    for (auto brick = visited_.begin(); brick != visited_.end();) {
+      const Key row = brick->key >> 21 << 21;
+      Key next = row;
+      bool inside = false;
+      for (; brick != visited_.end() && brick->key < row + kSteps[1]; ++brick) {
+        find_change(next, brick->key, inside, brick->inside != 0, forced);
+        next = brick->key + 1;
+        inside = brick->inside != 0;
+      }
+      find_change(next, row + width, inside, false, forced);
+    }
+  }
+
+  /// [first, last): unknown bricks of a row; `left` and `right`: are the bricks beside them inside?
+  void find_change(Key first, Key last, bool left, bool right, std::vector<Key>& forced) const {
+    if (first == last || left == right) return;
+    Key change = first;
+    while (change < last && (distance_.at(centre_of(cell_of(change))) < 0.0) == left) ++change;
+    if (change < last) forced.push_back(change);
+    if (change > first) forced.push_back(change - 1);
+  }
+
+  const SampledDistance& distance_;
+  Vector3i cells_;
+  double band_;
+  std::vector<Visited> visited_;  ///< sorted by key
+  std::vector<Brick> bricks_;     ///< in the order of finding
+};
+
 }  // namespace
 
-std::vector<Brick> band_bricks(const std::vector<Eigen::Vector3i>& seeds, const Eigen::Vector3i& cells, double band,
-                               const BrickDistances& distances, const PointDistance& at) {
-  std::vector<Key> front, visited, next;
+std::vector<Brick> band_bricks(const SampledDistance& distance, const Vector3i& cells, double band, const std::vector<Vector3i>& seeds) {
+  std::vector<Key> front;
   for (const auto& seed : seeds) {
-    if (within(seed, cells)) front.push_back(key_of(seed));
+    if ((seed.array() >= 0).all() && (seed.array() < cells.array()).all()) front.push_back(key_of(seed));
   }
-  sort_unique(front);
-  std::vector<Brick> bricks;
-  while (!front.empty()) {
-    next.clear();
-    for (const Key key : front) {
-      Brick brick{cell_of(key), {}};
-      if (std::abs(at(4.0 * brick.cell.cast<double>() + Eigen::Vector3d::Constant(1.5))) > band + kFar) continue;
-      const auto exact = distances(brick.cell);
-      const auto [least, most] = std::minmax_element(exact.begin(), exact.end());
-      if (*least > band || *most < -band) continue;
-      std::transform(exact.begin(), exact.end(), brick.distance.begin(), [](double d) { return static_cast<float>(d); });
-      bricks.push_back(brick);
-      for (int axis = 0; axis < 3; ++axis) {
-        for (const int step : {-1, 1}) {
-          Eigen::Vector3i cell = brick.cell;
-          cell[axis] += step;
-          if (within(cell, cells)) next.push_back(key_of(cell));
-        }
-      }
-    }
-    std::vector<Key> all;
-    std::merge(visited.begin(), visited.end(), front.begin(), front.end(), std::back_inserter(all));
-    visited.swap(all);
-    sort_unique(next);
-    front.clear();
-    std::set_difference(next.begin(), next.end(), visited.begin(), visited.end(), std::back_inserter(front));
-  }
-  std::sort(bricks.begin(), bricks.end(), [](const Brick& a, const Brick& b) { return key_of(a.cell) < key_of(b.cell); });
-  return bricks;
+  Walk walk(distance, cells, band);
+  do {
+    walk.from(front);
+    front = walk.mend();
+  } while (!front.empty());
+  return walk.bricks();
 }
 
 }  // namespace isotouch::field

@@ -10,19 +10,23 @@
 
 namespace isotouch::field {
 
-/// The 64 signed distances (voxels, x fastest) of the brick with these brick coordinates.
-using BrickDistances = std::function<std::array<double, 64>(const Eigen::Vector3i& cell)>;
-/// The signed distance at a point in index coordinates.
-using PointDistance = std::function<double(const Eigen::Vector3d& index)>;
+/// A signed distance on a grid, voxels.
+struct SampledDistance {
+  std::function<double(const Eigen::Vector3d& index)> at;                    ///< at a point in index coordinates
+  std::function<std::array<double, 64>(const Eigen::Vector3i& cell)> brick;  ///< at the 64 samples of a brick, x fastest
+};
 
-/// seeds     brick coordinates from which the walk starts, any order, repeats allowed; outside [0, cells) they are ignored
-/// cells     bricks along each axis
-/// band      half width, voxels
-/// at        used to pass over bricks far from the surface by one look at their centre: its slope must not exceed one by much
-/// returns   every brick with a sample within the band that neighbours, face to face, lead to from a seed; also those across whose face the
-/// sign
-///           changes. Sorted by z, then y, then x.
-std::vector<Brick> band_bricks(const std::vector<Eigen::Vector3i>& seeds, const Eigen::Vector3i& cells, double band,
-                               const BrickDistances& distances, const PointDistance& at);
+/// Every brick with a sample within the band that neighbours, face to face, lead to from a seed, and what it takes to make the answer closed:
+/// a brick that is not listed has one sign, the same as every neighbour has on the face towards it, and along each row of bricks that are not
+/// listed the sign does not change. Where the distance jumps over the band between two bricks, both are listed; where a sheet of the surface
+/// was not reached by a seed but shows by its sign, the walk goes on from there.
+///
+/// distance   its slope must not exceed one by much; positive on the border of the grid
+/// cells      bricks along each axis, below 2^21
+/// band       half width, voxels
+/// seeds      brick coordinates in any order, repeats allowed; outside [0, cells) they are ignored
+/// returns    sorted by z, then y, then x
+std::vector<Brick> band_bricks(const SampledDistance& distance, const Eigen::Vector3i& cells, double band,
+                               const std::vector<Eigen::Vector3i>& seeds);
 
 }  // namespace isotouch::field

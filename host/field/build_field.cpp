@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/error.h"
+#include "host/field/agreement.h"
 #include "host/field/bricks.h"
 #include "host/field/surface.h"
 
@@ -38,10 +39,13 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
 
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
-  const auto samples = in_voxels(points, grid);
+  auto samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
   const double margin = std::min(tight.low.minCoeff(), (grid.size.cast<double>() - Eigen::Vector3d::Ones() - tight.high).minCoeff());
   if (margin < band + 3.0 - 1e-9) throw InputError("the grid leaves less than band + 3 voxels round the points; choose a larger grid");
+
+  progress.begin("normals");
+  turn_contradicted(samples, Nearest(samples.positions));
 
   progress.begin("local models");
   const Surface surface(samples);
@@ -50,22 +54,23 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
-  const auto at = [&](const Eigen::Vector3d& x) { return std::max(surface.distance(x), closing.distance(x)); };
-  const auto distances = [&](const Eigen::Vector3i& cell) {
-    const Eigen::Vector3d first = 4.0 * cell.cast<double>();
-    auto d = surface.distances(first);
-    for (std::size_t s = 0; s < d.size(); ++s) {
-      const Eigen::Vector3d x =
-          first + Eigen::Vector3d(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3), static_cast<double>(s >> 4));
-      d[s] = std::max(d[s], closing.distance(x));
-    }
-    return d;
-  };
+  const SampledDistance distance{[&](const Eigen::Vector3d& x) { return std::max(surface.distance(x), closing.distance(x)); },
+                                 [&](const Eigen::Vector3i& cell) {
+                                   const Eigen::Vector3d first = 4.0 * cell.cast<double>();
+                                   auto d = surface.distances(first);
+                                   for (std::size_t s = 0; s < d.size(); ++s) {
+                                     const Eigen::Vector3d x =
+                                         first + Eigen::Vector3d(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3),
+                                                                 static_cast<double>(s >> 4));
+                                     d[s] = std::max(d[s], closing.distance(x));
+                                   }
+                                   return d;
+                                 }};
   std::vector<Eigen::Vector3i> seeds;
   seeds.reserve(samples.size());
   for (const auto& p : samples.positions) seeds.emplace_back((p * 0.25).array().floor().cast<int>());
   BandField field{grid, band, {}};
-  field.bricks = band_bricks(seeds, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, distances, at);
+  field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   progress.end();
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
   return field;

@@ -19,6 +19,12 @@ struct Neighbour {
   }
 };
 
+/// Summed as the kd-tree sums it, so that both round alike.
+inline double squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const Eigen::Vector3d d = a - b;
+  return (d.x() * d.x() + d.y() * d.y()) + d.z() * d.z();
+}
+
 class Nearest {
  public:
   /// positions   borrowed: they stay alive and unchanged as long as this is used; at least one

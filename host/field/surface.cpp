@@ -17,7 +17,7 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 }  // namespace
 
 Surface::Surface(const cloud::OrientedPoints& points)
-    : tree_(points.positions), positions_(points.positions), models_(local_models(points, tree_)) {}
+    : positions_(points.positions), tree_(positions_), models_(local_models(points, tree_)) {}
 
 double Surface::blend(const Eigen::Vector3d& x, const std::vector<Neighbour>& nearest) const {
   const std::size_t count = std::min(kBlended, nearest.size());
@@ -52,7 +52,7 @@ std::array<double, 64> Surface::distances(const Eigen::Vector3d& first) const {
         first + Eigen::Vector3d(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3), static_cast<double>(s >> 4));
     nearest.clear();
     for (const auto& candidate : candidates) {
-      const Neighbour n{(positions_[candidate.index] - x).squaredNorm(), candidate.index};
+      const Neighbour n{squared_distance(positions_[candidate.index], x), candidate.index};
       if (nearest.size() == kBlended + 1) {
         if (!(n < nearest.back())) continue;
         nearest.pop_back();

@@ -17,7 +17,7 @@ namespace isotouch::field {
 
 class Surface {
  public:
-  /// points    borrowed; any length unit; unit outward normals; at least 2
+  /// points    any length unit; unit outward normals; at least 2
   explicit Surface(const cloud::OrientedPoints& points);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
@@ -30,8 +30,8 @@ class Surface {
  private:
   double blend(const Eigen::Vector3d& x, const std::vector<Neighbour>& nearest) const;
 
-  Nearest tree_;
   std::vector<Eigen::Vector3d> positions_;
+  Nearest tree_;
   std::vector<LocalModel> models_;
 };
 
