@@ -17,14 +17,14 @@ namespace isotouch::cloud {
 /// What a body knows about one point.
 struct Probe {
   double distance = 0.0;
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();   ///< the way in which the distance grows, unit length
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< the way in which the distance grows, unit length
 };
 
 /// A body, and a ball that holds all of it, so that a union need not ask parts that are too far away to matter.
 struct Body {
   std::function<Probe(const Eigen::Vector3d&)> probe;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0;   ///< infinite for a half space
+  double radius = 0.0;  ///< infinite for a half space
 
   Probe operator()(const Eigen::Vector3d& p) const { return probe(p); }
 };

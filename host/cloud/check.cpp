@@ -30,9 +30,11 @@ OrientedPoints with_unit_normals(const std::string& name, const Model& model, Cl
       throw InputError(name + ": " + model.place(i) + ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
     const double length = model.normals[i].norm();
-    if (length < 1e-6) throw InputError(name + ": " + model.place(i) + ": the normal is zero; estimate the normals again or remove the point");
+    if (length < 1e-6)
+      throw InputError(name + ": " + model.place(i) + ": the normal is zero; estimate the normals again or remove the point");
     if (!(length >= kShortestNormal && length <= kLongestNormal)) {
-      throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) + " instead of 1; normalise the normals");
+      throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
+                       " instead of 1; normalise the normals");
     }
     if (std::abs(length - 1.0) > kUnitTolerance) ++report.renormalised;
     points.normals.emplace_back(model.normals[i] / length);
@@ -53,10 +55,11 @@ OrientedPoints merge_duplicates(const OrientedPoints& points, CloudReport& repor
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), before);
 
-  std::vector<std::pair<std::size_t, Vector3d>> kept;   // the first point of each place, and its normal
+  std::vector<std::pair<std::size_t, Vector3d>> kept;  // the first point of each place, and its normal
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     Vector3d sum = Vector3d::Zero();
-    for (end = begin; end < order.size() && points.positions[order[end]] == points.positions[order[begin]]; ++end) sum += points.normals[order[end]];
+    for (end = begin; end < order.size() && points.positions[order[end]] == points.positions[order[begin]]; ++end)
+      sum += points.normals[order[end]];
     const std::size_t together = end - begin;
     if (together == 1) {
       kept.emplace_back(order[begin], points.normals[order[begin]]);
@@ -98,7 +101,7 @@ double median_spacing(const std::vector<Vector3d>& positions) {
     std::array<std::size_t, 2> indices{};
     std::array<double, 2> distances{};
     tree.knnSearch(p.data(), 2, indices.data(), distances.data());
-    squared.push_back(distances[1]);   // the nearest is the point itself: no two share a place any more
+    squared.push_back(distances[1]);  // the nearest is the point itself: no two share a place any more
   }
   const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
   std::nth_element(squared.begin(), middle, squared.end());
@@ -135,7 +138,8 @@ double outwardness(const OrientedPoints& points) {
         outermost = i;
       }
     }
-    const double answer = points.normals[outermost].dot(direction);   // near 1 or -1; near 0 at the rim of an open scan, which so counts little
+    const double answer =
+        points.normals[outermost].dot(direction);  // near 1 or -1; near 0 at the rim of an open scan, which so counts little
     agreement += answer;
     most += std::abs(answer);
   }
@@ -152,7 +156,8 @@ OrientedPoints check(const std::string& name, const Model& model, CloudReport& r
   }
   OrientedPoints points = merge_duplicates(with_unit_normals(name, model, report), report);
   if (points.size() < kFewestPoints) {
-    throw InputError(name + ": only " + times(points.size(), "usable point", "usable points") + " at different places; a body needs 8 or more");
+    throw InputError(name + ": only " + times(points.size(), "usable point", "usable points") +
+                     " at different places; a body needs 8 or more");
   }
   report.points = points.size();
   report.outward = outwardness(points);

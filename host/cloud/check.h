@@ -14,17 +14,17 @@ namespace isotouch::cloud {
 
 /// What was found in a file and what was done to it.
 struct CloudReport {
-  std::string format;                 ///< "PLY, binary little-endian"
-  std::uint64_t source_hash = 0;      ///< of the file's bytes, as a blob stores it
+  std::string format;             ///< "PLY, binary little-endian"
+  std::uint64_t source_hash = 0;  ///< of the file's bytes, as a blob stores it
   std::size_t points_read = 0;
-  std::size_t points = 0;             ///< after merging
-  std::size_t renormalised = 0;       ///< normals whose length was more than 1 % off
-  std::size_t merged = 0;             ///< points at a place that another one already had
-  std::size_t contradictory = 0;      ///< points left out because the normals at their place contradict each other
-  double outward = 0.0;               ///< as read: 1 all normals point out, -1 all point in, near 0 nobody can tell
-  bool flipped = false;               ///< all normals were turned round
-  double median_spacing = 0.0;        ///< from a point to its nearest neighbour, cloud units
-  Eigen::Vector3d low = Eigen::Vector3d::Zero();    ///< the points' box, cloud units
+  std::size_t points = 0;                         ///< after merging
+  std::size_t renormalised = 0;                   ///< normals whose length was more than 1 % off
+  std::size_t merged = 0;                         ///< points at a place that another one already had
+  std::size_t contradictory = 0;                  ///< points left out because the normals at their place contradict each other
+  double outward = 0.0;                           ///< as read: 1 all normals point out, -1 all point in, near 0 nobody can tell
+  bool flipped = false;                           ///< all normals were turned round
+  double median_spacing = 0.0;                    ///< from a point to its nearest neighbour, cloud units
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< the points' box, cloud units
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
   /// One sentence for each thing that was put right or looks doubtful.

@@ -10,8 +10,8 @@
 namespace isotouch::cloud {
 
 struct Crossings {
-  OrientedPoints points;   ///< in the order in which they were found; the order along one line carries its direction
-  double area = 0.0;       ///< of the whole surface, estimated from the share of crossings; relative error about 1 / sqrt(count)
+  OrientedPoints points;  ///< in the order in which they were found; the order along one line carries its direction
+  double area = 0.0;      ///< of the whole surface, estimated from the share of crossings; relative error about 1 / sqrt(count)
 };
 
 /// Shoots lines from everywhere in every direction through the ball round the box until `count` crossings are found. By the Cauchy-Crofton

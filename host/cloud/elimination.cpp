@@ -12,7 +12,7 @@ namespace isotouch::cloud {
 namespace {
 
 using Eigen::Vector3d;
-using Cell = std::array<std::int64_t, 3>;   // z, y, x: the order of the sort below
+using Cell = std::array<std::int64_t, 3>;  // z, y, x: the order of the sort below
 
 /// Points sorted into cubic cells, so that all within one cell's edge of a point are found in 27 cells, always in the same order.
 class Cells {
@@ -63,8 +63,8 @@ std::vector<std::size_t> spread_out(const OrientedPoints& candidates, double are
   if (candidates.size() <= count) return kept;
 
   const double share = static_cast<double>(count) / static_cast<double>(candidates.size());
-  const double widest = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));   // half the spacing of the densest packing
-  const double closest = 2.0 * widest * (1.0 - share * std::sqrt(share)) * 0.65;                  // nearer pairs are all equally bad
+  const double widest = std::sqrt(area / (2.0 * std::sqrt(3.0) * static_cast<double>(count)));  // half the spacing of the densest packing
+  const double closest = 2.0 * widest * (1.0 - share * std::sqrt(share)) * 0.65;                // nearer pairs are all equally bad
   const Cells cells(candidates.positions, 2.0 * widest);
   const auto each_rival = [&](std::size_t i, const auto& visit) {
     cells.each_near(i, [&](std::size_t j, double squared) {

@@ -16,16 +16,16 @@ FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8
   std::string ending = file.extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   constexpr std::array<std::pair<std::string_view, FileKind>, 11> kEndings = {{{".ply", FileKind::kPly},
-                                                                              {".obj", FileKind::kObj},
-                                                                              {".stl", FileKind::kStl},
-                                                                              {".xyz", FileKind::kText},
-                                                                              {".xyzn", FileKind::kText},
-                                                                              {".pwn", FileKind::kText},
-                                                                              {".npts", FileKind::kText},
-                                                                              {".pts", FileKind::kText},
-                                                                              {".asc", FileKind::kText},
-                                                                              {".txt", FileKind::kText},
-                                                                              {".csv", FileKind::kText}}};
+                                                                               {".obj", FileKind::kObj},
+                                                                               {".stl", FileKind::kStl},
+                                                                               {".xyz", FileKind::kText},
+                                                                               {".xyzn", FileKind::kText},
+                                                                               {".pwn", FileKind::kText},
+                                                                               {".npts", FileKind::kText},
+                                                                               {".pts", FileKind::kText},
+                                                                               {".asc", FileKind::kText},
+                                                                               {".txt", FileKind::kText},
+                                                                               {".csv", FileKind::kText}}};
   for (const auto& [known, kind] : kEndings) {
     if (ending == known) return kind;
   }

@@ -30,7 +30,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
   if (!stream) throw refusal(file, "cannot be read: " + reason(errno));
   std::vector<std::uint8_t> bytes;
   std::size_t filled = 0;
-  for (;;) {   // in growing pieces: the size that a file system states is not to be trusted for pipes and devices
+  for (;;) {  // in growing pieces: the size that a file system states is not to be trusted for pipes and devices
     bytes.resize(filled + filled / 2 + (std::size_t{1} << 16));
     const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, stream.get());
     filled += got;
@@ -44,7 +44,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size) {
   std::error_code failed;
   if (std::filesystem::is_directory(file, failed)) throw refusal(file, "cannot be written: it is a folder, name a file");
-  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed)) {   // /dev/stdout, a pipe: nothing to replace
+  if (std::filesystem::exists(file, failed) &&
+      !std::filesystem::is_regular_file(file, failed)) {  // /dev/stdout, a pipe: nothing to replace
     const Stream stream(std::fopen(file.c_str(), "wb"));
     if (!stream || std::fwrite(data, 1, size, stream.get()) != size || std::fflush(stream.get()) != 0) {
       throw refusal(file, "cannot be written: " + reason(errno));

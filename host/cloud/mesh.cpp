@@ -45,7 +45,7 @@ TriangleMesh joined(const Model& model) {
     return ka != kb ? ka < kb : a < b;
   };
   std::sort(order.begin(), order.end(), before);
-  std::vector<std::uint32_t> first_at(positions.size());   // the first vertex at the same place
+  std::vector<std::uint32_t> first_at(positions.size());  // the first vertex at the same place
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
     first_at[order[i]] = same ? first_at[order[i - 1]] : order[i];
@@ -85,7 +85,7 @@ TriangleMesh read_mesh(const std::filesystem::path& file) {
 
 void require_closed(const TriangleMesh& mesh, const std::string& name) {
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Edge> edges;   // as the faces run them
+  std::vector<Edge> edges;  // as the faces run them
   edges.reserve(3 * mesh.faces.size());
   for (const auto& [a, b, c] : mesh.faces) {
     edges.emplace_back(a, b);
@@ -111,7 +111,7 @@ void require_closed(const TriangleMesh& mesh, const std::string& name) {
 
 double signed_volume(const TriangleMesh& mesh) {
   if (mesh.vertices.empty()) return 0.0;
-  const Vector3d& origin = mesh.vertices[0];   // near the mesh, so that little cancels
+  const Vector3d& origin = mesh.vertices[0];  // near the mesh, so that little cancels
   double six_volumes = 0.0;
   for (const auto& [a, b, c] : mesh.faces) {
     six_volumes += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
@@ -136,10 +136,11 @@ OrientedPoints scatter_on_mesh(const TriangleMesh& mesh, std::size_t count, std:
     const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end(), random.uniform() * area);
     const double spread = std::sqrt(random.uniform());
     const double along = random.uniform();
-    if (found == area_up_to.end()) continue;   // by rounding only
+    if (found == area_up_to.end()) continue;  // by rounding only
     const auto face = static_cast<std::size_t>(found - area_up_to.begin());
     const auto& [a, b, c] = mesh.faces[face];
-    points.positions.emplace_back((1.0 - spread) * mesh.vertices[a] + spread * (1.0 - along) * mesh.vertices[b] + spread * along * mesh.vertices[c]);
+    points.positions.emplace_back((1.0 - spread) * mesh.vertices[a] + spread * (1.0 - along) * mesh.vertices[b] +
+                                  spread * along * mesh.vertices[c]);
     points.normals.push_back(face_normal(mesh, face));
   }
   return points;

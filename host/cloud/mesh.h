@@ -14,8 +14,8 @@
 namespace isotouch::cloud {
 
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;             ///< in the file's units; no two at one place
-  std::vector<std::array<std::uint32_t, 3>> faces;   ///< three different vertices each, counter-clockwise seen from outside
+  std::vector<Eigen::Vector3d> vertices;            ///< in the file's units; no two at one place
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< three different vertices each, counter-clockwise seen from outside
 };
 
 /// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into fans, faces that name one

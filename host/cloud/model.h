@@ -11,11 +11,11 @@
 namespace isotouch::cloud {
 
 struct Model {
-  std::string format;                                ///< for people: "PLY, binary little-endian"
-  std::vector<Eigen::Vector3d> positions;            ///< finite
-  std::vector<Eigen::Vector3d> normals;              ///< finite; one for each position, or none at all
-  std::vector<std::size_t> lines;                    ///< where each position stands in a text; empty for binary files
-  std::vector<std::array<std::uint32_t, 3>> faces;   ///< indices of positions; larger polygons are cut into fans
+  std::string format;                               ///< for people: "PLY, binary little-endian"
+  std::vector<Eigen::Vector3d> positions;           ///< finite
+  std::vector<Eigen::Vector3d> normals;             ///< finite; one for each position, or none at all
+  std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are cut into fans
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

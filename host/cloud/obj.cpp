@@ -83,7 +83,8 @@ ObjFile read(const std::string& name, std::span<const std::uint8_t> bytes) {
     } else if (keyword == "f") {
       Face face{{}, lines.line()};
       while (const auto field = lines.field()) face.corners.push_back(corner(lines, *field, obj));
-      if (face.corners.size() < 3) throw lines.refusal("a face needs three corners or more, this one has " + std::to_string(face.corners.size()));
+      if (face.corners.size() < 3)
+        throw lines.refusal("a face needs three corners or more, this one has " + std::to_string(face.corners.size()));
       obj.faces.push_back(std::move(face));
     }
   }
@@ -116,10 +117,11 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
     }
     for (std::uint32_t i = 0; i < obj.normals.size(); ++i) points.push_back({i, i});
   } else if (!obj.normals.empty()) {
-    std::vector<std::pair<Corner, std::size_t>> uses;   // with its place in the file
+    std::vector<std::pair<Corner, std::size_t>> uses;  // with its place in the file
     for (const Face& face : obj.faces) {
       for (const Corner& corner : face.corners) {
-        if (corner.normal == kNone) throw InputError(name + ": line " + std::to_string(face.line) + ": a corner has no normal, others have; export normals for all");
+        if (corner.normal == kNone)
+          throw InputError(name + ": line " + std::to_string(face.line) + ": a corner has no normal, others have; export normals for all");
         uses.emplace_back(corner, uses.size());
       }
     }
@@ -133,7 +135,7 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
     model.normals.push_back(obj.normals[point.normal]);
     model.lines.push_back(obj.vertex_lines[point.vertex]);
   }
-  if (points.empty()) {   // vertices without normals: the caller says so
+  if (points.empty()) {  // vertices without normals: the caller says so
     model.positions = obj.vertices;
     model.lines = obj.vertex_lines;
   }

@@ -12,10 +12,10 @@ namespace isotouch::cloud {
 
 struct Object {
   std::string name;
-  std::string sentence;         ///< how it is made, for people
-  std::size_t points;           ///< as many as the published figures were made with
+  std::string sentence;  ///< how it is made, for people
+  std::size_t points;    ///< as many as the published figures were made with
   Body body;
-  Eigen::Vector3d low, high;    ///< a box that contains the surface
+  Eigen::Vector3d low, high;  ///< a box that contains the surface
 };
 
 /// Hydrant, owl, boy, bomberman, jaguar: x to their left, y up, z where they look (the jaguar: x is ahead). Each is one closed piece with thin

@@ -7,16 +7,16 @@
 namespace isotouch::cloud {
 
 struct OrientedPoints {
-  std::vector<Eigen::Vector3d> positions;   ///< in the file's units, or mm in the workspace after `Placement`
-  std::vector<Eigen::Vector3d> normals;     ///< unit length, outward
+  std::vector<Eigen::Vector3d> positions;  ///< in the file's units, or mm in the workspace after `Placement`
+  std::vector<Eigen::Vector3d> normals;    ///< unit length, outward
 
   std::size_t size() const { return positions.size(); }
 };
 
 /// From the cloud's frame to the workspace: `workspace = scale * cloud + offset`. No rotation.
 struct Placement {
-  double scale = 1.0;                                    ///< mm a cloud unit
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();      ///< mm
+  double scale = 1.0;                                ///< mm a cloud unit
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< mm
 
   Eigen::Vector3d to_workspace(const Eigen::Vector3d& p) const { return scale * p + offset; }
   Eigen::Vector3d to_cloud(const Eigen::Vector3d& p) const { return (p - offset) / scale; }

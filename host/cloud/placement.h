@@ -9,8 +9,8 @@
 namespace isotouch::cloud {
 
 struct PlacementOptions {
-  std::optional<double> mm_per_unit;   ///< the cloud's units are known: keep the true size
-  double fit_mm = 70.0;                ///< otherwise: the longest side of the box. A Falcon reaches a ball of about 50 mm radius
+  std::optional<double> mm_per_unit;  ///< the cloud's units are known: keep the true size
+  double fit_mm = 70.0;               ///< otherwise: the longest side of the box. A Falcon reaches a ball of about 50 mm radius
 };
 
 /// fails     InputError unless `units` is mm, cm, m or in

@@ -54,7 +54,8 @@ class TextRows {
 /// Rows of numbers, packed without gaps.
 class BinaryRows {
  public:
-  BinaryRows(const std::string& name, std::span<const std::uint8_t> body, bool big_endian) : name_(name), body_(body), big_endian_(big_endian) {}
+  BinaryRows(const std::string& name, std::span<const std::uint8_t> body, bool big_endian)
+      : name_(name), body_(body), big_endian_(big_endian) {}
 
   std::size_t most_rows(const PlyElement& element) const {
     std::size_t least = 0;
@@ -88,12 +89,14 @@ class BinaryRows {
   void end() {
     const auto blank = [](std::uint8_t c) { return c == '\n' || c == '\r' || c == ' ' || c == 0; };
     if (!std::all_of(body_.begin() + static_cast<std::ptrdiff_t>(at_), body_.end(), blank)) {
-      throw InputError(name_ + ": " + std::to_string(body_.size() - at_) + " bytes follow the last row that the header declares; the header's counts are wrong");
+      throw InputError(name_ + ": " + std::to_string(body_.size() - at_) +
+                       " bytes follow the last row that the header declares; the header's counts are wrong");
     }
   }
   std::optional<std::size_t> line() const { return std::nullopt; }
   InputError refusal(const std::string& what) const {
-    return InputError(name_ + ": " + element_->name + ' ' + std::to_string(row_ + 1) + " of " + std::to_string(element_->count) + ": " + what);
+    return InputError(name_ + ": " + element_->name + ' ' + std::to_string(row_ + 1) + " of " + std::to_string(element_->count) + ": " +
+                      what);
   }
 
  private:
@@ -127,7 +130,8 @@ void add_polygon(Model& model, const std::vector<std::uint32_t>& corners) {
 }
 
 template <class Rows>
-void read_row(Rows& rows, const PlyElement& element, const std::vector<Use>& uses, std::size_t vertex_count, Model& model, bool has_normals) {
+void read_row(Rows& rows, const PlyElement& element, const std::vector<Use>& uses, std::size_t vertex_count, Model& model,
+              bool has_normals) {
   std::array<double, 6> vertex{};
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < uses.size(); ++i) {

@@ -30,10 +30,22 @@ PlyEncoding encoding(TextLines& lines) {
 
 PlyType type(TextLines& lines) {
   constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypes = {{
-      {"char", PlyType::kInt8},   {"uchar", PlyType::kUint8},   {"short", PlyType::kInt16},   {"ushort", PlyType::kUint16},
-      {"int", PlyType::kInt32},   {"uint", PlyType::kUint32},   {"float", PlyType::kFloat32}, {"double", PlyType::kFloat64},
-      {"int8", PlyType::kInt8},   {"uint8", PlyType::kUint8},   {"int16", PlyType::kInt16},   {"uint16", PlyType::kUint16},
-      {"int32", PlyType::kInt32}, {"uint32", PlyType::kUint32}, {"float32", PlyType::kFloat32}, {"float64", PlyType::kFloat64},
+      {"char", PlyType::kInt8},
+      {"uchar", PlyType::kUint8},
+      {"short", PlyType::kInt16},
+      {"ushort", PlyType::kUint16},
+      {"int", PlyType::kInt32},
+      {"uint", PlyType::kUint32},
+      {"float", PlyType::kFloat32},
+      {"double", PlyType::kFloat64},
+      {"int8", PlyType::kInt8},
+      {"uint8", PlyType::kUint8},
+      {"int16", PlyType::kInt16},
+      {"uint16", PlyType::kUint16},
+      {"int32", PlyType::kInt32},
+      {"uint32", PlyType::kUint32},
+      {"float32", PlyType::kFloat32},
+      {"float64", PlyType::kFloat64},
   }};
   const std::string_view name = word(lines, "a number type");
   for (const auto& [known, value] : kTypes) {
@@ -77,7 +89,8 @@ PlyProperty property(TextLines& lines, const PlyElement& element) {
 /// What the readers rely on: positions, and normals either whole or not at all.
 void check_vertex(const std::string& name, const PlyHeader& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
-  if (vertex == header.elements.end()) throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
+  if (vertex == header.elements.end())
+    throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
   const auto has = [&](std::string_view wanted) {
     const auto& all = vertex->properties;
     const auto found = std::find_if(all.begin(), all.end(), [&](const PlyProperty& p) { return p.name == wanted; });
@@ -92,7 +105,8 @@ void check_vertex(const std::string& name, const PlyHeader& header) {
   for (const auto& normal : {std::array{"nx", "ny", "nz"}, std::array{"normal_x", "normal_y", "normal_z"}}) {
     const auto present = std::count_if(normal.begin(), normal.end(), has);
     if (present != 0 && present != 3) {
-      throw InputError(name + ": element 'vertex' has only a part of " + normal[0] + ", " + normal[1] + ", " + normal[2] + "; a normal needs all three");
+      throw InputError(name + ": element 'vertex' has only a part of " + normal[0] + ", " + normal[1] + ", " + normal[2] +
+                       "; a normal needs all three");
     }
   }
 }

@@ -29,20 +29,20 @@ constexpr std::size_t bytes_of(PlyType type) {
 
 struct PlyProperty {
   std::string name;
-  PlyType type = PlyType::kFloat32;          ///< of the value, or of a list's items
-  std::optional<PlyType> count_type;         ///< a list, its length in this type
+  PlyType type = PlyType::kFloat32;   ///< of the value, or of a list's items
+  std::optional<PlyType> count_type;  ///< a list, its length in this type
 };
 
 struct PlyElement {
   std::string name;
-  std::size_t count = 0;                     ///< as declared; nothing is promised about the body
-  std::vector<PlyProperty> properties;       ///< at least one
+  std::size_t count = 0;                ///< as declared; nothing is promised about the body
+  std::vector<PlyProperty> properties;  ///< at least one
 };
 
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
-  std::size_t bytes = 0;                     ///< the body begins here
+  std::size_t bytes = 0;  ///< the body begins here
 };
 
 /// fails     InputError naming the line: bad grammar, unknown format, version or type, something declared twice, no `vertex` with scalar x y z,

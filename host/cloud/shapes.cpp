@@ -18,11 +18,20 @@ using Eigen::Vector3d;
 std::vector<Object> all_objects() {
   std::vector<Object> objects = {
       {"sphere", "a sphere of radius 80", 3756, sphere({0, 0, 0}, 80), {-80, -80, -80}, {80, 80, 80}},
-      {"torus", "a torus round z, ring of radius 70, tube of radius 25", 3756, torus({0, 0, 0}, {0, 0, 1}, 70, 25), {-95, -95, -25}, {95, 95, 25}},
+      {"torus",
+       "a torus round z, ring of radius 70, tube of radius 25",
+       3756,
+       torus({0, 0, 0}, {0, 0, 1}, 70, 25),
+       {-95, -95, -25},
+       {95, 95, 25}},
       {"box", "a box of half extents 80, 60, 40", 3756, box({0, 0, 0}, {80, 60, 40}), {-80, -60, -40}, {80, 60, 40}},
       {"plate", "a plate of half extents 80, 60, 2", 3756, box({0, 0, 0}, {80, 60, 2}), {-80, -60, -2}, {80, 60, 2}},
-      {"capsules", "two capsules, each 160 long, crossed at right angles: radius 20 along x, radius 12 along y", 3756,
-       unite({capsule({-60, 0, 0}, {60, 0, 0}, 20), capsule({0, -68, 0}, {0, 68, 0}, 12)}), {-80, -80, -20}, {80, 80, 20}},
+      {"capsules",
+       "two capsules, each 160 long, crossed at right angles: radius 20 along x, radius 12 along y",
+       3756,
+       unite({capsule({-60, 0, 0}, {60, 0, 0}, 20), capsule({0, -68, 0}, {0, 68, 0}, 12)}),
+       {-80, -80, -20},
+       {80, 80, 20}},
   };
   for (Object& character : characters()) objects.push_back(std::move(character));
   return objects;
@@ -72,8 +81,6 @@ OrientedPoints sample_shape(const Shape& shape, std::size_t count, std::uint64_t
   return points;
 }
 
-OrientedPoints scatter_on_shape(const Shape& shape, std::size_t count, std::uint64_t seed) {
-  return crossings(shape, count, seed).points;
-}
+OrientedPoints scatter_on_shape(const Shape& shape, std::size_t count, std::uint64_t seed) { return crossings(shape, count, seed).points; }
 
 }  // namespace isotouch::cloud

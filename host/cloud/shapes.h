@@ -19,12 +19,13 @@ namespace isotouch::cloud {
 /// capsule does not lie in the other one. `normal` is exact on every smooth piece; on a crease it is that of one of the pieces that meet there.
 struct Shape {
   std::string name;
-  std::string sentence;                                         ///< how it is made, for people
+  std::string sentence;  ///< how it is made, for people
   std::size_t default_points = 3756;
-  bool exact_distance = false;                                  ///< true for the five shapes of the sentence above
-  std::function<double(const Eigen::Vector3d&)> distance;       ///< negative inside
-  std::function<Eigen::Vector3d(const Eigen::Vector3d&)> normal;///< outward unit normal of the surface piece nearest to a point near the surface
-  Eigen::Vector3d low, high;                                    ///< a box that contains the surface
+  bool exact_distance = false;                             ///< true for the five shapes of the sentence above
+  std::function<double(const Eigen::Vector3d&)> distance;  ///< negative inside
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&)>
+      normal;                 ///< outward unit normal of the surface piece nearest to a point near the surface
+  Eigen::Vector3d low, high;  ///< a box that contains the surface
 };
 
 /// The names that `shape` accepts: sphere torus box plate capsules, then hydrant owl boy bomberman jaguar.

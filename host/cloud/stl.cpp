@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kHeaderBytes = 84;
-constexpr std::size_t kTriangleBytes = 50;   // a normal and three corners, four bytes a number, and two spare bytes
+constexpr std::size_t kTriangleBytes = 50;  // a normal and three corners, four bytes a number, and two spare bytes
 
 void add_face(Model& model) {
   const auto next = static_cast<std::uint32_t>(model.positions.size());
@@ -34,7 +34,8 @@ Model read_binary(const std::string& name, std::span<const std::uint8_t> bytes) 
       Vector3d p;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const double value = static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(bytes.data() + at + 12 * corner + 4 * axis)));
-        if (!std::isfinite(value)) throw InputError(name + ": triangle " + std::to_string(model.faces.size() + 1) + ": a coordinate is not a finite number");
+        if (!std::isfinite(value))
+          throw InputError(name + ": triangle " + std::to_string(model.faces.size() + 1) + ": a coordinate is not a finite number");
         p[static_cast<Eigen::Index>(axis)] = value;
       }
       model.positions.push_back(p);
@@ -47,7 +48,9 @@ Model read_binary(const std::string& name, std::span<const std::uint8_t> bytes) 
 Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
   TextLines lines(name, bytes);
   if (!lines.next() || lines.field() != "solid") {
-    throw InputError(name + ": this is neither a binary STL file (its size does not fit its triangle count) nor an ascii one (it does not begin with 'solid')");
+    throw InputError(
+        name +
+        ": this is neither a binary STL file (its size does not fit its triangle count) nor an ascii one (it does not begin with 'solid')");
   }
   Model model;
   model.format = "STL, ascii";
@@ -67,7 +70,7 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
       add_face(model);
     } else if (keyword == "endsolid") {
       if (model.positions.size() != 3 * model.faces.size()) throw lines.refusal("the solid ends within a facet");
-      ended = true;   // another solid may follow
+      ended = true;  // another solid may follow
     } else if (keyword == "solid") {
       ended = false;
     }
@@ -78,6 +81,8 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Model read_stl(const std::string& name, std::span<const std::uint8_t> bytes) { return is_binary(bytes) ? read_binary(name, bytes) : read_ascii(name, bytes); }
+Model read_stl(const std::string& name, std::span<const std::uint8_t> bytes) {
+  return is_binary(bytes) ? read_binary(name, bytes) : read_ascii(name, bytes);
+}
 
 }  // namespace isotouch::cloud

@@ -47,11 +47,11 @@ double TextLines::number(std::string_view what) {
 InputError TextLines::refusal(const std::string& what) const { return InputError(name_ + ": line " + std::to_string(line_) + ": " + what); }
 
 std::optional<double> as_number(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (end != field.data() + field.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range) {   // too large, or too small to matter: from_chars leaves `value` as it was
+  if (error == std::errc::result_out_of_range) {  // too large, or too small to matter: from_chars leaves `value` as it was
     const std::size_t exponent = field.find_first_of("eE");
     const bool tiny = exponent != std::string_view::npos && field.substr(exponent + 1).starts_with('-');
     return tiny ? 0.0 : std::numeric_limits<double>::infinity();

@@ -30,8 +30,8 @@ class TextLines {
   /// fails     InputError: the line ends here, or the field is no number; `what` names what was looked for
   double number(std::string_view what);
 
-  std::size_t line() const { return line_; }              ///< of the present line, from 1
-  std::size_t bytes_read() const { return next_; }        ///< up to the end of the present line
+  std::size_t line() const { return line_; }        ///< of the present line, from 1
+  std::size_t bytes_read() const { return next_; }  ///< up to the end of the present line
   std::size_t bytes_left() const { return bytes_.size() - next_; }
 
   /// "NAME: line N: WHAT"

@@ -29,7 +29,7 @@ bool is_remark(std::string_view line) {
 
 /// The file as a table of three or six columns.
 struct Table {
-  std::vector<Eigen::Vector3d> first, second;   ///< columns 1 to 3, columns 4 to 6
+  std::vector<Eigen::Vector3d> first, second;  ///< columns 1 to 3, columns 4 to 6
   std::vector<std::size_t> lines;
   std::optional<std::size_t> count;
 };
@@ -63,15 +63,16 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
 
 Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
   Table table = read_table(name, bytes);
-  if (table.count && table.second.empty() && table.first.size() % 2 == 0 && table.first.size() / 2 == *table.count) {   // a block of positions, a block of normals
+  if (table.count && table.second.empty() && table.first.size() % 2 == 0 &&
+      table.first.size() / 2 == *table.count) {  // a block of positions, a block of normals
     const auto half = static_cast<std::ptrdiff_t>(*table.count);
     table.second.assign(table.first.begin() + half, table.first.end());
     table.first.resize(*table.count);
     table.lines.resize(*table.count);
   }
   if (table.count && *table.count != table.first.size()) {
-    throw InputError(name + ": its first line states " + std::to_string(*table.count) + " points, but " + std::to_string(table.first.size()) +
-                     " follow");
+    throw InputError(name + ": its first line states " + std::to_string(*table.count) + " points, but " +
+                     std::to_string(table.first.size()) + " follow");
   }
   return {"text", std::move(table.first), std::move(table.second), std::move(table.lines), {}};
 }

@@ -17,7 +17,7 @@ namespace {
 struct ShapeOptions {
   std::string name;
   std::filesystem::path out;
-  std::size_t points = 0;   ///< 0 = the object's own number
+  std::size_t points = 0;  ///< 0 = the object's own number
   std::uint64_t seed = 1;
   bool json = false;
 };
@@ -25,11 +25,15 @@ struct ShapeOptions {
 void make_shape(const ShapeOptions& options) {
   const cloud::Shape shape = cloud::shape(options.name);
   const cloud::OrientedPoints points = sample_shape(shape, options.points > 0 ? options.points : shape.default_points, options.seed);
-  const std::string origin = "isotouch shape " + shape.name + " --points " + std::to_string(points.size()) + " --seed " + std::to_string(options.seed);
+  const std::string origin =
+      "isotouch shape " + shape.name + " --points " + std::to_string(points.size()) + " --seed " + std::to_string(options.seed);
   cloud::write_ply(options.out, points, origin);
   if (options.json) {
-    const nlohmann::ordered_json report = {{"shape", shape.name},       {"made_of", shape.sentence},         {"points", points.size()},
-                                           {"seed", options.seed},      {"file", options.out.string()}};
+    const nlohmann::ordered_json report = {{"shape", shape.name},
+                                           {"made_of", shape.sentence},
+                                           {"points", points.size()},
+                                           {"seed", options.seed},
+                                           {"file", options.out.string()}};
     std::printf("%s\n", report.dump().c_str());
   } else {
     std::fprintf(stderr, "%s: %zu points on %s\n", options.out.string().c_str(), points.size(), shape.sentence.c_str());

@@ -1,0 +1,121 @@
+#include "host/cloud/check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstdlib>
+#include <string>
+
+#include "host/cloud/random.h"
+#include "host/cloud/read_cloud.h"
+#include "host/cloud/shapes.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+Model model_of(const OrientedPoints& points) { return {"test", points.positions, points.normals, {}, {}}; }
+
+OrientedPoints turned(OrientedPoints points) {
+  for (Vector3d& n : points.normals) n = -n;
+  return points;
+}
+
+TEST(Check, a_good_cloud_passes_untouched) {
+  const OrientedPoints cloud = sample_shape(shape("torus"), 500, 1);
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model_of(cloud), report);
+  EXPECT_EQ(checked.positions, cloud.positions);
+  EXPECT_THAT(report.warnings(), ::testing::IsEmpty());
+  EXPECT_EQ(report.points_read, 500U);
+  EXPECT_EQ(report.points, 500U);
+  EXPECT_GT(report.outward, 0.99);
+  EXPECT_NEAR(report.median_spacing, 9.9, 1.0);  // hexagonal packing: 11.1
+  EXPECT_NEAR(report.high.x(), 95.0, 1.0);
+}
+
+TEST(Check, inward_normals_are_turned_round_and_said_so) {
+  for (const std::string& name : shape_names()) {
+    const OrientedPoints cloud = scatter_on_shape(shape(name), 1000, 2);
+    CloudReport report;
+    const OrientedPoints checked = check("cloud", model_of(turned(cloud)), report);
+    EXPECT_TRUE(report.flipped) << name;
+    EXPECT_LT(report.outward, -0.9) << name;
+    EXPECT_LT((checked.normals[7] - cloud.normals[7]).norm(), 1e-15) << name;
+    EXPECT_THAT(report.warnings(), ::testing::ElementsAre(::testing::HasSubstr("pointed inward")));
+  }
+}
+
+TEST(Check, the_direction_is_found_on_an_uneven_open_bowl_where_the_flux_is_misled) {
+  Random random(3);  // a bowl 1 thick, open above, sampled ten times as densely within as without
+  OrientedPoints bowl;
+  while (bowl.size() < 3000) {
+    Vector3d p;
+    for (double& value : p) value = random.uniform(-1, 1);
+    if (p.norm() > 1.0 || p.norm() < 0.1 || p.z() > 0.0) continue;
+    const bool within = bowl.size() % 11 != 0;
+    bowl.positions.emplace_back((within ? 29.0 : 30.0) * p.normalized());
+    bowl.normals.emplace_back(within ? -p.normalized() : p.normalized());
+  }
+  double flux = 0.0;
+  for (std::size_t i = 0; i < bowl.size(); ++i) flux += bowl.positions[i].dot(bowl.normals[i]);
+  EXPECT_LT(flux, 0.0);
+  EXPECT_GT(outwardness(bowl), 0.8);
+  EXPECT_LT(outwardness(turned(bowl)), -0.8);
+}
+
+TEST(Check, a_twentieth_of_turned_normals_does_not_mislead_it) {
+  OrientedPoints cloud = sample_shape(shape("owl"), 1000, 1);
+  Random random(5);
+  for (Vector3d& n : cloud.normals) n = random.uniform() < 0.05 ? Vector3d(-n) : n;
+  EXPECT_GT(outwardness(cloud), 0.6);
+}
+
+TEST(Check, normals_without_agreement_are_warned_of) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 1000, 1);
+  Random random(6);
+  for (Vector3d& n : cloud.normals) n = random.uniform() < 0.5 ? Vector3d(-n) : n;
+  CloudReport report;
+  check("cloud", model_of(cloud), report);
+  EXPECT_THAT(report.warnings(), ::testing::Contains(::testing::HasSubstr("do not agree")));
+}
+
+TEST(Check, points_at_one_place_are_merged_in_the_place_of_the_first) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  const Vector3d tangent = cloud.normals[40].unitOrthogonal();
+  cloud.positions.push_back(cloud.positions[40]);
+  cloud.normals.push_back((cloud.normals[40] + 0.5 * tangent).normalized());
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model_of(cloud), report);
+  EXPECT_EQ(checked.size(), 100U);
+  EXPECT_EQ(report.merged, 1U);
+  EXPECT_EQ(checked.positions[40], cloud.positions[40]);
+  EXPECT_LT((checked.normals[40] - (cloud.normals[40] + cloud.normals[100]).normalized()).norm(), 1e-12);
+  EXPECT_THAT(report.warnings(), ::testing::ElementsAre("1 point was merged with others at the same place"));
+}
+
+TEST(Check, points_that_contradict_each_other_are_left_out) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  cloud.positions.push_back(cloud.positions[40]);
+  cloud.normals.emplace_back(-cloud.normals[40]);
+  CloudReport report;
+  EXPECT_EQ(check("cloud", model_of(cloud), report).size(), 99U);
+  EXPECT_EQ(report.contradictory, 2U);
+  EXPECT_THAT(report.warnings(), ::testing::ElementsAre(::testing::HasSubstr("2 points were left out")));
+}
+
+TEST(Check, normals_nearly_of_unit_length_are_brought_to_it) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  cloud.normals[3] *= 1.5;
+  cloud.normals[4] *= 1.005;  // rounding in a text: not worth a word
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model_of(cloud), report);
+  EXPECT_EQ(report.renormalised, 1U);
+  EXPECT_NEAR(checked.normals[3].norm(), 1.0, 1e-15);
+  EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

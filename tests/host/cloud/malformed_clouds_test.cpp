@@ -1,0 +1,191 @@
+/// Clouds that are damaged or meant to do harm: each gets one sentence that names the file, the place and the fault.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "host/cloud/read_cloud.h"
+#include "host/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::cloud {
+namespace {
+
+struct Malformed {
+  std::string name;  ///< of the case
+  std::string file;
+  std::string content;
+  std::string sentence;  ///< expected after "PATH: "
+};
+
+void PrintTo(const Malformed& malformed, std::ostream* stream) { *stream << malformed.name; }
+
+std::string header(const std::string& format, const std::string& count, const std::string& type = "float") {
+  std::string text = "ply\nformat " + format + " 1.0\nelement vertex " + count + "\n";
+  for (const char* property : {"x", "y", "z", "nx", "ny", "nz"}) text += "property " + type + " " + property + "\n";
+  return text + "end_header\n";
+}
+
+/// The corners of a cube with diagonal normals, rounded to three digits: a good cloud of eight lines.
+std::string cube() {
+  std::string text;
+  for (const char* x : {"", "-"}) {
+    for (const char* y : {"", "-"}) {
+      for (const char* z : {"", "-"}) {
+        text += std::string(x) + "1 " + y + "1 " + z + "1 " + x + "0.577 " + y + "0.577 " + z + "0.577\n";
+      }
+    }
+  }
+  return text;
+}
+
+std::string without_last_line(const std::string& text) { return text.substr(0, text.rfind('\n', text.size() - 2) + 1); }
+
+std::string with(std::string text, const std::string& what, const std::string& instead) {
+  return text.replace(text.find(what), what.size(), instead);
+}
+
+std::vector<Malformed> all() {
+  const std::string ascii = header("ascii", "8");
+  const std::string little = header("binary_little_endian", "8");
+  const std::string zeros(8 * 24, '\0');
+  std::string infinite = zeros;
+  infinite.replace(2 * 24 + 4, 4, std::string("\x00\x00\x80\x7f", 4));
+  const std::string mesh_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
+  return {
+      {"empty", "a.ply", "", "the file is empty"},
+      {"unknown kind", "a.dat", "1 2 3 0 0 1\n", "nothing tells what kind of file this is"},
+      {"stl", "a.stl", "solid\nendsolid\n", "an STL file holds triangles, not points"},
+      {"no magic", "a.ply", "plain text\n", "line 1: a PLY file begins with a line 'ply'"},
+      {"header cut short", "a.ply", "ply\nformat ascii 1.0\nelement vertex 8\nprop", "line 4: 'prop' is no keyword of a PLY header"},
+      {"header without end", "a.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\n", "the file ends within its PLY header"},
+      {"unknown version", "a.ply", with(ascii, "1.0", "2.0") + cube(), "line 2: PLY version '2.0' is unknown"},
+      {"unknown format", "a.ply", with(ascii, "ascii", "base64") + cube(), "line 2: PLY format 'base64' is unknown"},
+      {"unknown type", "a.ply", with(ascii, "float x", "real x") + cube(), "line 4: number type 'real' is unknown"},
+      {"no format", "a.ply", with(ascii, "format ascii 1.0\n", "") + cube(), "the header ends without a 'format' line"},
+      {"no vertices", "a.ply", "ply\nformat ascii 1.0\nelement face 0\nproperty float a\nend_header\n", "declares no element 'vertex'"},
+      {"negative count", "a.ply", header("ascii", "-8") + cube(), "line 3: the count of element 'vertex' is '-8', not a whole number"},
+      {"fractional count", "a.ply", header("ascii", "8.5") + cube(), "line 3: the count of element 'vertex' is '8.5', not a whole number"},
+      {"count beyond 64 bits", "a.ply", header("ascii", "99999999999999999999999") + cube(), "line 3: the count of element 'vertex' is"},
+      {"hostile count, ascii", "a.ply", header("ascii", "4000000000") + cube(),
+       "declares 4000000000 rows of element 'vertex', more than the file has room"},
+      {"hostile count, binary", "a.ply", header("binary_little_endian", "18446744073709551615") + zeros,
+       "declares 18446744073709551615 rows"},
+      {"property twice", "a.ply", with(ascii, "float y", "float x") + cube(), "line 5: property 'x' is declared twice"},
+      {"element twice", "a.ply", with(ascii, "end_header", "element vertex 8\nend_header") + cube(),
+       "line 10: element 'vertex' is declared twice"},
+      {"property without element", "a.ply", "ply\nformat ascii 1.0\nproperty float x\n", "line 3: a property before the first element"},
+      {"element without property", "a.ply", with(ascii, "end_header", "element edge 4000000000\nend_header") + cube(),
+       "line 11: element 'edge' has no properties"},
+      {"list as coordinate", "a.ply", with(ascii, "float y", "list uchar float y") + cube(), "property 'y' of element 'vertex' is a list"},
+      {"missing coordinate", "a.ply", with(ascii, "property float z\n", "") + cube(), "element 'vertex' has no property 'z'"},
+      {"part of a normal", "a.ply", with(ascii, "property float nz\n", "") + cube(), "element 'vertex' has only a part of nx, ny, nz"},
+      {"no normals", "a.ply",
+       with(ascii, "property float nx\nproperty float ny\nproperty float nz\n", "") +
+           "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n",
+       "its 8 points have no normals"},
+      {"binary body cut short", "a.ply", little + zeros.substr(0, 100), "declares 8 rows of element 'vertex', more than the file has room"},
+      {"binary body too long", "a.ply", little + std::string(8 * 24, '\x3f') + "abcdef", "6 bytes follow the last row"},
+      {"binary list cut short", "a.ply",
+       with(little, "end_header", "element face 1\nproperty list uchar int vertex_indices\nend_header") + zeros + "\x03",
+       "face 1 of 1: the file ends in the middle of it"},
+      {"binary list of negative length", "a.ply",
+       with(little, "end_header", "element face 1\nproperty list char int vertex_indices\nend_header") + zeros + "\xff",
+       "face 1 of 1: list vertex_indices has an impossible length"},
+      {"binary infinity", "a.ply", little + infinite, "vertex 3 of 8: y is not a finite number"},
+      {"binary zero normals", "a.ply", little + zeros, "point 1: the normal is zero"},
+      {"face without vertex", "a.ply",
+       with(ascii, "end_header", "element face 1\nproperty list uchar int vertex_indices\nend_header") + cube() + "3 0 1 8\n",
+       "line 21: a corner refers to a vertex that is not there; there are 8"},
+      {"one line short", "a.ply", ascii + without_last_line(cube()), "line 17: the file ends after 7 of the 8 rows of element 'vertex'"},
+      {"one line too many", "a.ply", ascii + cube() + "1 2 3 0 0 1\n", "line 19: more rows than the header declares"},
+      {"nan", "a.ply", ascii + with(cube(), "1 1 -1", "1 nan -1"), "line 12: y is not a finite number"},
+      {"text in a row", "a.ply", ascii + with(cube(), "1 1 -1", "1 one -1"), "line 12: 'one' is no number; y should stand there"},
+      {"number too many", "a.ply", ascii + with(cube(), "0.577\n", "0.577 9\n"), "line 11: '9' stands after the last property"},
+      {"zero normal", "a.xyz", with(cube(), "0.577 0.577 -0.577", "0 0 0"), "line 2: the normal is zero"},
+      {"normal far from unit", "a.xyz", with(cube(), "0.577 0.577 -0.577", "57 57 -57"), "line 2: the normal has length 98.7"},
+      {"overflowing normal", "a.xyz", with(cube(), "0.577 0.577 -0.577", "1e200 1e200 1"), "line 2: the normal has length inf"},
+      {"infinite coordinate", "a.xyz", with(cube(), "1 1 -1", "1 1e999 -1"), "line 2: number 2 is not a finite number"},
+      {"huge coordinate", "a.xyz", with(cube(), "1 1 -1", "1 1e300 -1"), "line 2: a coordinate is larger than 1e12"},
+      {"five columns", "a.xyz", "1 2 3 0 0\n", "line 1: 5 numbers; a line must hold x y z nx ny nz"},
+      {"nine columns", "a.txt", "1 2 3 255 255 255 0 0 1\n", "line 1: more than 6 numbers"},
+      {"columns change", "a.pwn", cube() + "1 2 3\n", "line 9: 3 numbers; a line must hold x y z nx ny nz"},
+      {"three columns", "a.xyz", "1 2 3\n4 5 6\n", "its 2 points have no normals"},
+      {"stated count too large", "a.npts", "9\n" + cube(), "its first line states 9 points, but 8 follow"},
+      {"stated count hostile", "a.npts", "99999999999999999999999\n" + cube(), "points, but 8 follow"},
+      {"garbage", "a.xyz", "\x01\x02\xff\xfe garbage\n", "line 1: '\?\?\?\?' is no number"},
+      {"a huge line", "a.xyz", std::string(1 << 20, 'x'), "line 1: 'xxxxxxxxxxxxxxxxxxxxxxxx...' is no number"},
+      {"a huge line of numbers", "a.xyz",
+       [] {
+         std::string s;
+         for (int i = 0; i < 100000; ++i) s += "1 ";
+         return s;
+       }(),
+       "line 1: more than 6 numbers"},
+      {"remarks only", "a.xyz", "# nothing\n\n", "there are no points in it"},
+      {"seven points", "a.xyz", without_last_line(cube()), "only 7 usable points at different places; a body needs 8 or more"},
+      {"one place", "a.xyz", "1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n",
+       "only 1 usable point"},
+      {"obj without normals", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "its 3 points have no normals"},
+      {"obj index beyond", "a.obj", mesh_obj + "f 1//1 2//1 4//1\n", "line 5: a corner refers to vertex 4, but 3 stand before it"},
+      {"obj index zero", "a.obj", mesh_obj + "f 0//1 2//1 3//1\n", "line 5: a corner refers to vertex 0"},
+      {"obj index before the first", "a.obj", mesh_obj + "f -4//1 2//1 3//1\n", "line 5: a corner refers to vertex -4"},
+      {"obj normal beyond", "a.obj", mesh_obj + "f 1//1 2//2 3//1\n", "line 5: a corner refers to normal 2, but 1 stand before it"},
+      {"obj index of text", "a.obj", mesh_obj + "f 1//1 b//1 3//1\n", "line 5: 'b' is no index of a vertex"},
+      {"obj corner without normal", "a.obj", mesh_obj + "f 1//1 2//1 3\n", "line 5: a corner has no normal"},
+      {"obj face of two", "a.obj", mesh_obj + "f 1//1 2//1\n", "line 5: a face needs three corners or more, this one has 2"},
+      {"obj counts disagree", "a.obj", mesh_obj, "3 vertices and 1 normals without faces"},
+      {"obj coordinate missing", "a.obj", "v 0 0\n", "line 1: the line ends where a coordinate should stand"},
+      {"obj nan", "a.obj", "v 0 nan 0\n", "line 1: a coordinate is not a finite number"},
+  };
+}
+
+class MalformedClouds : public ::testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedClouds, get_one_clear_sentence) {
+  const ScratchFolder folder;
+  const auto file = folder.write(GetParam().file, GetParam().content);
+  CloudReport report;
+  try {
+    read_cloud(file, report);
+    FAIL() << "was accepted";
+  } catch (const InputError& e) {
+    const std::string sentence = e.what();
+    EXPECT_THAT(sentence, ::testing::StartsWith(file.string() + ": "));
+    EXPECT_THAT(sentence, ::testing::HasSubstr(GetParam().sentence));
+    EXPECT_THAT(sentence, ::testing::Not(::testing::HasSubstr("\n")));
+    EXPECT_LT(sentence.size() - file.string().size(), 200U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, MalformedClouds, ::testing::ValuesIn(all()), [](const auto& parameter) {
+  std::string name = parameter.param.name;
+  for (char& c : name) c = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ? c : '_';
+  return name;
+});
+
+TEST(SoundClouds, the_cube_that_they_are_made_from_is_accepted_in_any_dress) {
+  const ScratchFolder folder;
+  std::string windows = header("ascii", "8") + cube();
+  for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2) windows.replace(at, 1, "\r\n");
+  for (const auto& [name, content] : {std::pair<std::string, std::string>{"a.ply", header("ascii", "8") + cube()},
+                                      {"b.xyz", cube()},
+                                      {"c.PWN", "8\n" + cube()},
+                                      {"crlf.ply", windows},
+                                      {"no-end.xyz", cube().substr(0, cube().size() - 1)}}) {
+    CloudReport report;
+    EXPECT_EQ(read_cloud(folder.write(name, content), report).size(), 8U) << name;
+    EXPECT_THAT(report.warnings(), ::testing::IsEmpty()) << name;
+  }
+}
+
+TEST(MissingClouds, and_folders_are_refused) {
+  const ScratchFolder folder;
+  CloudReport report;
+  EXPECT_THROW(read_cloud(folder.path() / "missing.ply", report), InputError);
+  EXPECT_THROW(read_cloud(folder.path(), report), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

@@ -1,0 +1,52 @@
+#include "host/cloud/obj.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+std::span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+const std::string kSquare =
+    "# a remark\nmtllib away.mtl\no square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nvn 0 1 0\nusemtl none\ns off\n";
+
+TEST(Obj, normals_are_found_through_the_faces) {
+  const std::string text = kSquare + "f 1/1/1 2/1/1 -2/1/-2\nf 1//1 3//1 4//2\n";
+  const Model model = read_obj_points("f.obj", bytes_of(text));
+  const std::vector<Vector3d> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_EQ(model.positions, positions);
+  const std::vector<Vector3d> normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0, 1, 0}};
+  EXPECT_EQ(model.normals, normals);
+}
+
+TEST(Obj, a_vertex_with_two_normals_gives_two_points) {
+  const std::string text = kSquare + "f 1//1 2//1 3//1\nf 1//2 3//1 4//1\n";
+  const Model model = read_obj_points("f.obj", bytes_of(text));
+  EXPECT_EQ(model.positions.size(), 5U);
+  EXPECT_EQ(model.positions[3], Vector3d(0, 0, 0));
+  EXPECT_EQ(model.normals[3], Vector3d(0, 1, 0));
+}
+
+TEST(Obj, without_faces_normals_belong_to_vertices_in_order) {
+  const std::string text = "v 1 2 3\nvn 0 0 1\nv 4 5 6\nvn 0 1 0\n";
+  const Model model = read_obj_points("f.obj", bytes_of(text));
+  ASSERT_EQ(model.positions.size(), 2U);
+  EXPECT_EQ(model.normals[1], Vector3d(0, 1, 0));
+}
+
+TEST(Obj, without_normals_there_are_none) {
+  const std::string text = kSquare + "f 1 2 3 4\n";
+  EXPECT_TRUE(read_obj_points("f.obj", bytes_of("v 1 2 3\n")).normals.empty());
+  const Model faces = read_obj_faces("f.obj", bytes_of(text));
+  EXPECT_EQ(faces.faces.size(), 2U);
+  EXPECT_EQ(faces.positions.size(), 4U);
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

@@ -1,0 +1,97 @@
+#include "host/cloud/ply.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <string>
+
+#include "host/cloud/files.h"
+#include "shared/bytes.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+Model read(const std::string& text) { return read_ply("f.ply", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
+
+/// The value's bytes in either order.
+template <class T>
+std::string raw(T value, bool big_endian) {
+  std::uint8_t bytes[sizeof(T)];
+  if constexpr (std::is_same_v<T, float>) {
+    store_le(bytes, std::bit_cast<std::uint32_t>(value));
+  } else if constexpr (std::is_same_v<T, double>) {
+    store_le(bytes, std::bit_cast<std::uint64_t>(value));
+  } else {
+    store_le(bytes, value);
+  }
+  if (big_endian) std::reverse(bytes, bytes + sizeof(T));
+  return {reinterpret_cast<const char*>(bytes), sizeof(T)};
+}
+
+void expect_the_two_points(const Model& model) {
+  ASSERT_EQ(model.positions.size(), 2U);
+  ASSERT_EQ(model.normals.size(), 2U);
+  EXPECT_EQ(model.positions[0], Vector3d(1, 2, 3));
+  EXPECT_EQ(model.positions[1], Vector3d(-4.5, 5, 6));
+  EXPECT_EQ(model.normals[0], Vector3d(0, 0, 1));
+  EXPECT_EQ(model.normals[1], Vector3d(0, -1, 0));
+}
+
+TEST(Ply, ascii_with_properties_and_elements_in_any_order_and_lists_to_skip) {
+  const Model model = read(
+      "ply\nformat ascii 1.0\ncomment any\nobj_info any\n"
+      "element face 2\nproperty uchar flag\nproperty list uchar int vertex_indices\n"
+      "element vertex 2\nproperty float nz\nproperty float x\nproperty list uchar int neighbours\nproperty double y\nproperty float nx\n"
+      "property uchar red\nproperty float z\nproperty float ny\n"
+      "element material 1\nproperty int a\nend_header\n"
+      "7 3 0 1 0\n7 4 0 1 1 0\n"
+      "1 1 2 8 9 2 0 255 3 0\n\n0 -4.5 0 5 0 255 6 -1\n"
+      "3\n");
+  expect_the_two_points(model);
+  EXPECT_EQ(model.faces.size(), 3U);  // a triangle, and a square cut in two
+  EXPECT_EQ(model.lines, (std::vector<std::size_t>{22, 24}));
+}
+
+TEST(Ply, both_byte_orders_and_every_number_type) {
+  for (const bool big : {false, true}) {
+    std::string text = "ply\r\nformat binary_";
+    text += big ? "big" : "little";
+    text +=
+        "_endian 1.0\r\nelement vertex 2\r\nproperty double x\r\nproperty float32 y\r\nproperty short z\r\nproperty list uint16 int8 "
+        "skipped\r\n"
+        "property int nx\r\nproperty int8 ny\r\nproperty uchar nz\r\nproperty uint32 label\r\nend_header\r\n";
+    text += raw(1.0, big) + raw(2.0F, big) + raw(std::int16_t{3}, big) + raw(std::uint16_t{3}, big) + "abc" + raw(std::int32_t{0}, big) +
+            raw(std::int8_t{0}, big) + raw(std::uint8_t{1}, big) + raw(std::uint32_t{77}, big);
+    text += raw(-4.5, big) + raw(5.0F, big) + raw(std::int16_t{6}, big) + raw(std::uint16_t{0}, big) + raw(std::int32_t{0}, big) +
+            raw(std::int8_t{-1}, big) + raw(std::uint8_t{0}, big) + raw(std::uint32_t{77}, big);
+    const Model model = read(text);
+    expect_the_two_points(model);
+    EXPECT_EQ(model.format, big ? "PLY, binary big-endian" : "PLY, binary little-endian");
+  }
+}
+
+TEST(Ply, numbers_that_are_not_used_may_be_anything) {
+  const Model model = read(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+      "quality\nend_header\n1 2 3 nan\n");
+  EXPECT_EQ(model.positions.size(), 1U);
+  EXPECT_TRUE(model.normals.empty());
+}
+
+TEST(Ply, what_is_written_is_read_to_the_last_bit) {
+  const ScratchFolder folder;
+  const OrientedPoints points{{Vector3d(0.1, -1e-300, 1e10), Vector3d(1.0 / 3, 2, 3)}, {Vector3d(0.6, 0.8, 0), Vector3d(0, 0, 1)}};
+  const auto file = folder.path() / "cloud.ply";
+  write_ply(file, points, "a remark");
+  const auto bytes = read_file(file);
+  const Model model = read_ply(file.string(), bytes);
+  EXPECT_EQ(model.positions, points.positions);
+  EXPECT_EQ(model.normals, points.normals);
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

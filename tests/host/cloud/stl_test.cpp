@@ -1,0 +1,46 @@
+#include "host/cloud/stl.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "host/error.h"
+#include "shared/bytes.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+const std::vector<Vector3d> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 2.5, 0}};
+
+TEST(Stl, ascii_facets_become_faces) {
+  const std::string text =
+      "solid a thing\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 2.5 0\n endloop\nendfacet\nendsolid a "
+      "thing\n";
+  const Model model = read_stl("f.stl", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  EXPECT_EQ(model.positions, kCorners);
+  EXPECT_EQ(model.faces.size(), 1U);
+}
+
+TEST(Stl, a_binary_file_may_begin_like_an_ascii_one) {
+  std::vector<std::uint8_t> bytes(84 + 50);
+  const std::string title = "solid but binary";
+  std::copy(title.begin(), title.end(), bytes.begin());
+  store_le(bytes.data() + 80, std::uint32_t{1});
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto value = static_cast<float>(kCorners[corner][static_cast<Eigen::Index>(axis)]);
+      store_le(bytes.data() + 84 + 12 * (corner + 1) + 4 * axis, std::bit_cast<std::uint32_t>(value));
+    }
+  }
+  const Model model = read_stl("f.stl", bytes);
+  EXPECT_EQ(model.positions, kCorners);
+  bytes.pop_back();
+  EXPECT_THROW(read_stl("f.stl", bytes), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

@@ -1,0 +1,52 @@
+#include "host/cloud/text_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace isotouch::cloud {
+namespace {
+
+std::span<const std::uint8_t> bytes_of(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+
+TEST(TextLines, takes_any_line_end_and_any_separator) {
+  constexpr std::string_view kText = "1 2\r\n3,\t4;5\n\nlast";
+  TextLines lines("f", bytes_of(kText));
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.field(), "1");
+  EXPECT_EQ(lines.field(), "2");
+  EXPECT_EQ(lines.field(), std::nullopt);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.number("a"), 3.0);
+  EXPECT_EQ(lines.number("a"), 4.0);
+  EXPECT_EQ(lines.number("a"), 5.0);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.field(), std::nullopt);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.rest(), "last");
+  EXPECT_EQ(lines.line(), 4U);
+  EXPECT_FALSE(lines.next());
+  EXPECT_EQ(lines.bytes_read(), kText.size());
+}
+
+TEST(TextLines, numbers_are_whole_fields) {
+  EXPECT_EQ(as_number("-1.5e3"), -1500.0);
+  EXPECT_EQ(as_number("+2"), 2.0);
+  EXPECT_EQ(as_number("1e-400"), 0.0);
+  EXPECT_TRUE(std::isinf(*as_number("1e400")));
+  EXPECT_TRUE(std::isnan(*as_number("nan")));
+  EXPECT_EQ(as_number("1.5x"), std::nullopt);
+  EXPECT_EQ(as_number("0x10"), std::nullopt);
+  EXPECT_EQ(as_number("1,5"), std::nullopt);
+  EXPECT_EQ(as_number(""), std::nullopt);
+  EXPECT_EQ(as_number("+-1"), std::nullopt);
+}
+
+TEST(TextLines, quotes_are_short_and_printable) {
+  EXPECT_EQ(quote("abc"), "'abc'");
+  EXPECT_EQ(quote(std::string_view("a\0\x1b\n", 4)), "'a\?\?\?'");
+  EXPECT_EQ(quote(std::string(1000, 'x')), "'" + std::string(24, 'x') + "...'");
+}
+
+}  // namespace
+}  // namespace isotouch::cloud
