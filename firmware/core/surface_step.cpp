@@ -20,7 +20,7 @@ constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surf
 constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
 constexpr std::int64_t kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr std::int64_t kDeterminantLimit = 16 * kOne;
-constexpr std::int64_t kSumLimit = std::int64_t{1} << 31;   // bound of an intermediate, 32,768 voxels
+constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;   // what a reciprocal may be multiplied with
 constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
 constexpr std::int64_t kMinSpread = kOne / 256;         // eigenvalues closer than this count as one
 
@@ -43,7 +43,7 @@ Raw3 within(const Raw3& v, std::int64_t limit) { return {within(v.x, limit), wit
 
 /// value / divisor, 16 fraction bits; |value| beyond 2^31 acts like 2^31.
 std::int64_t divide(std::int64_t value, const Reciprocal& divisor) {
-  return times(within(value, std::int64_t{1} << 31), {divisor.mantissa, divisor.shift - 16});
+  return times(within(value, kDividendLimit), {divisor.mantissa, divisor.shift - 16});
 }
 
 /// The square root of a value with 32 fraction bits, with 16; negative values have root 0. value below 2^62.
@@ -56,8 +56,9 @@ std::int64_t root(std::int64_t value) {
   return product >> (inverse.shift - spare);
 }
 
-/// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components within 2^30, so that three squares fit 63 bits.
-Raw3 shorten(const Raw3& v, std::int64_t limit) {
+/// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components beyond 2^30 act like 2^30: three squares fit 63 bits.
+Raw3 shorten(const Raw3& any, std::int64_t limit) {
+  const Raw3 v = within(any, std::int64_t{1} << 30);
   const std::int64_t square = v.x * v.x + v.y * v.y + v.z * v.z;
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
   const std::int64_t ratio = (limit * inverse_length.mantissa) >> (inverse_length.shift - 30);   // limit / length, 30 fraction bits
@@ -102,9 +103,9 @@ struct LocalField {
 ///
 /// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. M's eigenvalues
 /// μ₁ <= μ₂ come from its trace and determinant within the plane, tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a
-/// centre of curvature b₂ = 1 - μ₂ is small or negative; it counts by its size, and as kMinBend at least, so that the step goes down the distance
-/// there too and its length stays bounded (saddle-free Newton). With b₁ = 1 - μ₁ and the projection on the second eigenvector written through M,
-///   step = pull/b₁ + (1/b₂ - 1/b₁) (M pull - μ₁ pull) / (μ₂ - μ₁).
+/// centre of curvature 1 - μ is small or negative; it counts by its size, and as kMinBend at least, so that the step goes down the distance there
+/// too and its length stays bounded (saddle-free Newton). With b = max(|1 - μ|, kMinBend) and the second eigenvector's projection written through M,
+///   step = ( pull + (b₁ - b₂) / ((μ₂ - μ₁) b₂) · (M pull - μ₁ pull) ) / b₁.
 Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t plane_trace = at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
   const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
@@ -112,16 +113,16 @@ Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;   // below 2^40
   const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                     // half of μ₂ - μ₁
 
-  const std::int64_t b1 = std::max(kOne - half_trace + spread, kMinBend);
-  const std::int64_t b2 = std::max(std::abs(kOne - half_trace - spread), kMinBend);
+  const std::int64_t mu1 = half_trace - spread, mu2 = half_trace + spread;
+  const std::int64_t b1 = std::max(std::abs(kOne - mu1), kMinBend), b2 = std::max(std::abs(kOne - mu2), kMinBend);
   const Reciprocal over_b1 = reciprocal(static_cast<std::uint64_t>(b1));
   const Reciprocal over_b2 = reciprocal(static_cast<std::uint64_t>(b2));
   const Reciprocal over_spread = reciprocal(static_cast<std::uint64_t>(std::max(2 * spread, kMinSpread)));
-  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);   // at most 2, and at least -1 / b1
+  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);   // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
 
   const Raw3 bent = scale(at.tangential(at.bend(pull)), depth);
-  const Raw3 beyond = bent - scale(pull, kOne - b1);
-  const Raw3 sum = within(pull + scale(beyond, factor), kSumLimit);
+  const Raw3 beyond = bent - scale(pull, mu1);
+  const Raw3 sum = within(pull + scale(beyond, factor), kDividendLimit);
   const std::int64_t inverse = over_b1.mantissa;
   const int shift = over_b1.shift - 16;
   return {(sum.x * inverse) >> shift, (sum.y * inverse) >> shift, (sum.z * inverse) >> shift};
@@ -142,15 +143,16 @@ Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const
   const std::int64_t buried = std::max<std::int64_t>(-at.distance, 0);
   const std::int64_t clearance = at.clearance(pull);
 
+  const std::int64_t safe = free_way + kSlideLimit;   // a surface may be this far away, and one step may end that deep
+
   if (clearance >= 0) {
-    const Raw3 step = shorten(pull, std::max<std::int64_t>(0, free_way + kSlideLimit - kRestoreFirst * buried));
-    return to_voxel(buried > 0 ? step + at.onto_surface() : step);
+    const Raw3 way = shorten(pull, std::max<std::int64_t>(0, safe - kRestoreFirst * buried));
+    return to_voxel(buried > 0 ? way + shorten(at.onto_surface(), safe) : way);
   }
   const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
   const Raw3 along = slide(at, within(at.tangential(pull), kPullLimit), depth);
-  // Straight and along together stay within free_way + kSlideLimit: φ² + (1 + φ/2)² <= (φ + 1)² up to φ = 4, and 1.05 of it at 8.
-  const Raw3 onto=shorten(at.onto_surface(), free_way + kSlideLimit);
-  return to_voxel(onto + shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - kRestoreFirst * buried)));
+  const Raw3 way = shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - kRestoreFirst * buried));
+  return to_voxel(shorten(at.onto_surface() + way, safe));
 }
 
 }  // namespace isotouch::core

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "shared/blob.h"
+#include "tests/support/random.h"
 
 namespace isotouch::test {
 
-using Point = std::array<double, 3>;
 /// Index coordinates → distance in voxels, negative inside.
 using DistanceFunction = std::function<double(const Point&)>;
 

@@ -1,0 +1,65 @@
+#include "shared/roots.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random.h"
+
+namespace isotouch {
+namespace {
+
+double value(const Reciprocal& r) { return std::ldexp(static_cast<double>(r.mantissa), -r.shift); }
+
+template <class Check>
+void over_whole_range(Check check) {
+  test::Random random(11);
+  for (int bit = 0; bit < 64; ++bit) {
+    const std::uint64_t power = std::uint64_t{1} << bit;
+    for (const std::uint64_t corner : {power, power + 1, power - 1}) check(corner == 0 ? 1 : corner);
+    for (int i = 0; i < 500; ++i) check(power | (random.bits() & (power - 1)));
+  }
+  check(~std::uint64_t{0});
+}
+
+TEST(Reciprocal, IsWithinItsBoundOverTheWholeRange) {
+  double worst = 0;
+  over_whole_range([&](std::uint64_t x) {
+    const Reciprocal r = reciprocal(x);
+    EXPECT_GE(r.mantissa, std::int64_t{1} << 30);
+    EXPECT_LE(r.mantissa, std::int64_t{1} << 31);
+    worst = std::max(worst, std::abs(value(r) * static_cast<double>(x) - 1));
+  });
+  EXPECT_LT(worst, std::ldexp(1.0, -29));
+  EXPECT_GT(worst, std::ldexp(1.0, -32));   // twice as good: tighten the header
+}
+
+TEST(InverseRoot, IsWithinItsBoundOverTheWholeRange) {
+  double worst = 0;
+  over_whole_range([&](std::uint64_t x) {
+    const Reciprocal r = inverse_root(x);
+    EXPECT_GE(r.mantissa, std::int64_t{1} << 30);
+    EXPECT_LE(r.mantissa, std::int64_t{1} << 31);
+    worst = std::max(worst, std::abs(value(r) * std::sqrt(static_cast<double>(x)) - 1));
+  });
+  EXPECT_LT(worst, std::ldexp(1.0, -28));
+  EXPECT_GT(worst, std::ldexp(1.0, -31));
+}
+
+TEST(Reciprocal, OfZeroIsThatOfOne) {
+  EXPECT_EQ(reciprocal(0).mantissa, reciprocal(1).mantissa);
+  EXPECT_EQ(inverse_root(0).shift, inverse_root(1).shift);
+}
+
+TEST(Times, DividesWithinOneUnit) {
+  test::Random random(12);
+  for (int i = 0; i < 20000; ++i) {
+    const auto a = static_cast<std::int64_t>(random.bits() >> 32) - (std::int64_t{1} << 31);
+    const std::uint64_t x = (random.bits() >> (random.bits() % 60)) | 1U;
+    const double exact = static_cast<double>(a) / static_cast<double>(x);
+    EXPECT_NEAR(static_cast<double>(times(a, reciprocal(x))), exact, 1.0 + std::abs(exact) * std::ldexp(1.0, -29));
+  }
+}
+
+}  // namespace
+}  // namespace isotouch

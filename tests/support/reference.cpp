@@ -1,0 +1,71 @@
+#include "tests/support/reference.h"
+
+#include <algorithm>
+
+namespace isotouch::test {
+
+namespace {
+
+/// The centred quadratic B-spline and its first two derivatives; a border belongs to the piece on its right.
+std::array<double, 3> spline(double t) {
+  const double a = std::abs(t), sign = t < 0 ? -1.0 : 1.0;
+  if (t >= -0.5 && t < 0.5) return {0.75 - t * t, -2 * t, -2};
+  if (t >= -1.5 && t < 1.5) return {(1.5 - a) * (1.5 - a) / 2, -sign * (1.5 - a), 1};
+  return {0, 0, 0};
+}
+
+}  // namespace
+
+ReferenceSample reference_sample(const BlobView& field, const Point& index) {
+  ReferenceSample sample{};
+  std::array<std::int32_t, 3> nearest{};
+  for (std::size_t axis = 0; axis < 3; ++axis) nearest[axis] = static_cast<std::int32_t>(std::floor(index[axis] + 0.5));
+  for (std::int32_t dk = -1; dk <= 1; ++dk) {
+    for (std::int32_t dj = -1; dj <= 1; ++dj) {
+      for (std::int32_t di = -1; di <= 1; ++di) {
+        const std::int32_t i = nearest[0] + di, j = nearest[1] + dj, k = nearest[2] + dk;
+        const double c = field.coefficient(i, j, k) / 4096.0;
+        const auto x = spline(index[0] - i), y = spline(index[1] - j), z = spline(index[2] - k);
+        sample.distance += c * x[0] * y[0] * z[0];
+        sample.gradient = sample.gradient + Point{x[1] * y[0] * z[0], x[0] * y[1] * z[0], x[0] * y[0] * z[1]} * c;
+        sample.second = sample.second + Point{x[2] * y[0] * z[0], x[0] * y[2] * z[0], x[0] * y[0] * z[2]} * c;
+        sample.mixed = sample.mixed + Point{x[0] * y[1] * z[1], x[1] * y[0] * z[1], x[1] * y[1] * z[0]} * c;
+      }
+    }
+  }
+  return sample;
+}
+
+Point reference_step(const Point& pull, const ReferenceSample& s) {
+  const auto shortened = [](const Point& v, double limit) { return length(v) > limit ? v * (limit / length(v)) : v; };
+  constexpr double slide_limit = 1.25, restore_first = 32, min_bend = 0.5;
+  const double slope_square = std::max(dot(s.gradient, s.gradient), 1.0 / 64);
+  const double free_way = std::max(s.distance, 0.0), buried = std::max(-s.distance, 0.0);
+  const double clearance = s.distance + dot(s.gradient, pull);
+  const Point onto = s.gradient * (-s.distance / slope_square);
+  if (clearance >= 0) {
+    const Point step = shortened(pull, std::max(0.0, free_way + slide_limit - restore_first * buried));
+    return buried > 0 ? step + shortened(onto, free_way + slide_limit) : step;
+  }
+  const double depth = -clearance / slope_square;
+  const Point along = pull - s.gradient * (dot(s.gradient, pull) / slope_square);
+
+  // H restricted to the tangent plane, in an orthonormal basis of it, and its eigenvectors there
+  const Frame frame(s.gradient);
+  const auto bend = [&](const Point& v) {
+    return Point{s.second[0] * v[0] + s.mixed[2] * v[1] + s.mixed[1] * v[2], s.mixed[2] * v[0] + s.second[1] * v[1] + s.mixed[0] * v[2],
+                 s.mixed[1] * v[0] + s.mixed[0] * v[1] + s.second[2] * v[2]};
+  };
+  const double a = dot(frame.y, bend(frame.y)), b = dot(frame.y, bend(frame.z)), c = dot(frame.z, bend(frame.z));
+  const double spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
+  const double low = (a + c) / 2 - spread, high = (a + c) / 2 + spread;
+  const double turn = std::atan2(2 * b, a - c) / 2;   // of the eigenvector of the higher eigenvalue against frame.y
+  const Point e_high = frame.y * std::cos(turn) + frame.z * std::sin(turn), e_low = frame.z * std::cos(turn) - frame.y * std::sin(turn);
+  const double b_low = std::max(std::abs(1 - depth * low), min_bend);
+  const double b_high = std::max(std::abs(1 - depth * high), min_bend);
+  const Point slide = e_low * (dot(along, e_low) / b_low) + e_high * (dot(along, e_high) / b_high);
+  const Point way = shortened(slide, std::max(0.0, slide_limit + free_way / 2 - restore_first * buried));
+  return shortened(onto + way, free_way + slide_limit);
+}
+
+}  // namespace isotouch::test
