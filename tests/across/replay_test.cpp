@@ -1,0 +1,139 @@
+/// One hand on one object: recorded, replayed to the bit, and every changed bit found. A tour of all motions over a built blob.
+#include "host/evaluate/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host/blob/write_blob.h"
+#include "host/error.h"
+#include "host/evaluate/motion.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/shape_trial.h"
+#include "host/evaluate/trace_file.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "tests/support/alloc_guard.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch {
+namespace {
+
+using evaluate::OpenBlob;
+using evaluate::Trace;
+using evaluate::TraceWriter;
+
+constexpr std::uint64_t kTicks = 20'000;
+
+const OpenBlob& capsules() {
+  static const OpenBlob blob = evaluate::trial_blob(evaluate::shape_trial("capsules"), blob::Method::kDefault);
+  return blob;
+}
+
+const std::vector<TickInput>& tour() {
+  static const std::vector<TickInput> inputs = [] {
+    std::vector<TickInput> made;
+    evaluate::make_motion(&capsules().view, {.kind = "tour", .ticks = kTicks, .lost_share = 0.01},
+                          [&](const TickInput& in) { made.push_back(in); });
+    return made;
+  }();
+  return inputs;
+}
+
+Trace recording(const ScratchFolder& folder) {
+  TraceHeader header;
+  header.settings.damping = Damping::of(0.001);
+  evaluate::Run run(capsules().view, header);
+  TraceWriter writer(folder.path() / "tour.trace", run.header());
+  for (const TickInput& input : tour()) writer.append(run.step(input));
+  writer.finish();
+  return Trace::read(folder.path() / "tour.trace");
+}
+
+TEST(AcrossReplay, TheTourReplaysToTheBit) {
+  const ScratchFolder folder;
+  const Trace trace = recording(folder);
+  const auto report = evaluate::replay(capsules().view, trace, true);
+  EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_EQ(report.ticks, kTicks);
+  EXPECT_EQ(report.hash, trace.chain(kTicks - 1));
+}
+
+TEST(AcrossReplay, TheTourFeelsTheObject) {
+  const ScratchFolder folder;
+  const Trace trace = recording(folder);
+  std::uint64_t contact = 0;
+  std::uint64_t force_without_contact = 0;
+  std::uint32_t seen = 0;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TickOutput out = trace.record(tick).output;
+    seen |= out.status;
+    contact += (out.status & kContact) != 0 ? 1U : 0U;
+    force_without_contact += (out.status & kContact) == 0 && out.force != Vec3<Newton>{} ? 1U : 0U;
+  }
+  EXPECT_GT(contact, kTicks / 5);
+  EXPECT_EQ(force_without_contact, 0U);
+  EXPECT_EQ(seen & (kContact | kOutsideGrid | kForceLimited | kStale | kInputClamped),
+            kContact | kOutsideGrid | kForceLimited | kStale | kInputClamped);
+}
+
+TEST(AcrossReplay, NothingIsAllocatedAfterTheStart) {
+  evaluate::Run run(capsules().view, {});
+  const std::vector<TickInput>& inputs = tour();
+  const tests::AllocGuard guard;
+  for (const TickInput& input : inputs) run.step(input);
+  EXPECT_EQ(guard.count(), 0U);
+  EXPECT_NE(run.hash(), 0U);
+}
+
+/// A blob in which one stored distance near the surface is one unit larger, with a checksum that agrees.
+OpenBlob changed_blob() {
+  const OpenBlob& original = capsules();
+  blob::Image image(original.image.size());
+  std::copy(original.image.data(), original.image.data() + original.image.size(), image.data());
+  const std::size_t at = static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(original.view.bricks) - original.image.data()) +
+                         2 * blob_layout::kSamplesPerBrick * (original.view.brick_count / 2);
+  image.data()[at] ^= 1;
+  store_le(image.data() + blob_layout::kChecksumAt, crc32(image.data() + 16, image.size() - 16));
+  return evaluate::open_blob(std::move(image), "changed");
+}
+
+TEST(AcrossReplay, OneBitOfTheBlobIsSeen) {
+  const ScratchFolder folder;
+  const Trace trace = recording(folder);
+
+  blob::Image torn(capsules().image.size());
+  std::copy(capsules().image.data(), capsules().image.data() + torn.size(), torn.data());
+  torn.data()[torn.size() / 2] ^= 16;
+  EXPECT_THROW(evaluate::open_blob(std::move(torn), "torn"), InputError) << "a bit that the checksum does not know";
+
+  const OpenBlob other = changed_blob();
+  EXPECT_THROW(evaluate::replay(other.view, trace, true), InputError) << "another blob, whatever it holds";
+  EXPECT_NE(evaluate::replay(other.view, trace, false).hash, trace.chain(kTicks - 1));
+}
+
+TEST(AcrossReplay, OneBitOfOneInputChangesEveryChainFromThere) {
+  const ScratchFolder folder;
+  const Trace before = recording(folder);
+  TraceHeader header = before.header();
+  evaluate::Run run(capsules().view, header);
+  TraceWriter writer(folder.path() / "other.trace", run.header());
+  constexpr std::size_t kWhere = 12'345;
+  for (std::size_t tick = 0; tick < tour().size(); ++tick) {
+    TickInput input = tour()[tick];
+    if (tick == kWhere) input.hip.y = Mm::from_raw(input.hip.y.raw() ^ 1);
+    writer.append(run.step(input));
+  }
+  writer.finish();
+  const Trace after = Trace::read(folder.path() / "other.trace");
+  const auto difference = evaluate::first_difference(before, after);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(difference->tick, kWhere);
+  EXPECT_EQ(difference->field, "hip.y");
+  for (std::size_t tick = 0; tick < kTicks; ++tick) ASSERT_EQ(before.chain(tick) == after.chain(tick), tick < kWhere) << tick;
+}
+
+}  // namespace
+}  // namespace isotouch

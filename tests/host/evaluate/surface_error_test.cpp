@@ -1,0 +1,77 @@
+#include "host/evaluate/surface_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/cloud/random.h"
+#include "host/error.h"
+#include "tests/support/field_image.h"
+
+namespace isotouch::evaluate {
+namespace {
+
+constexpr double kVoxel = 0.34;
+
+/// Points around a ball of `radius` voxels, centre (40.2, 39.7, 40.4).
+cloud::OrientedPoints around(double radius, std::size_t count) {
+  cloud::OrientedPoints points;
+  cloud::Random random(3);
+  while (points.size() < count) {
+    Eigen::Vector3d way;
+    for (double& coordinate : way) coordinate = random.uniform(-1, 1);
+    if (way.norm() < 0.1) continue;
+    way.normalize();
+    points.normals.push_back(way);
+    points.positions.push_back(kVoxel * (Eigen::Vector3d(40.2, 39.7, 40.4) + radius * way) - Eigen::Vector3d::Constant(20));
+  }
+  return points;
+}
+
+const BlobView& ball() {
+  static const test::FieldImage image({81, 81, 81}, [](const test::Point& p) {
+    return std::sqrt((p[0] - 40.2) * (p[0] - 40.2) + (p[1] - 39.7) * (p[1] - 39.7) + (p[2] - 40.4) * (p[2] - 40.4)) - 30;
+  });
+  return image.view();
+}
+
+TEST(SurfaceError, IsTheFloorOnTheSurfaceItself) {
+  const SurfaceError error = surface_error(ball(), around(30, 2000));
+  EXPECT_EQ(error.points, 2000U);
+  EXPECT_EQ(error.lost, 0U);
+  EXPECT_LT(error.rms_voxel, 0.001);
+  EXPECT_GT(error.rms_voxel, 0);
+  EXPECT_LT(error.normal_rms_deg, 0.05);
+}
+
+TEST(SurfaceError, AKnownOffsetIsMeasuredOnBothSides) {
+  for (const double offset : {-1.9, -0.5, 0.25, 1.9}) {
+    const SurfaceError error = surface_error(ball(), around(30 + offset, 500));
+    EXPECT_NEAR(error.rms_voxel, std::abs(offset), 0.001);
+    EXPECT_NEAR(error.max_voxel, std::abs(offset), 0.002);
+    EXPECT_NEAR(error.p99_voxel, std::abs(offset), 0.002);
+    EXPECT_NEAR(error.rms_mm, std::abs(offset) * kVoxel, 0.001);
+  }
+}
+
+TEST(SurfaceError, PointsWithoutACrossingAreLostAndEnterNothingElse) {
+  cloud::OrientedPoints points = around(30, 300);
+  const cloud::OrientedPoints far = around(32.2, 100);
+  points.positions.insert(points.positions.end(), far.positions.begin(), far.positions.end());
+  points.normals.insert(points.normals.end(), far.normals.begin(), far.normals.end());
+  const SurfaceError error = surface_error(ball(), points);
+  EXPECT_EQ(error.lost, 100U);
+  EXPECT_EQ(error.points, 300U);
+  EXPECT_LT(error.max_voxel, 0.01);
+}
+
+TEST(SurfaceError, ACrossingInTheWrongDirectionIsNone) {
+  cloud::OrientedPoints turned = around(30, 100);
+  for (Eigen::Vector3d& normal : turned.normals) normal = -normal;
+  EXPECT_THROW((void)surface_error(ball(), turned), InputError);
+}
+
+TEST(SurfaceError, NothingComparedIsAFailure) { EXPECT_THROW((void)surface_error(ball(), {}), InputError); }
+
+}  // namespace
+}  // namespace isotouch::evaluate
