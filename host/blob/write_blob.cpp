@@ -13,7 +13,6 @@
 #include "host/blob/spline.h"
 #include "host/cloud/files.h"
 #include "host/error.h"
-#include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 
@@ -118,6 +117,19 @@ Image write_blob(const field::BandField& field, const BlobInfo& info) {
     throw InputError("the surface reaches the border of the grid: the points do not bound a body, check their normals");
   }
   return image;
+}
+
+BlobInfo info_of(const BlobView& view) {
+  const std::uint8_t* at = view.image.data();
+  const auto real = [at](std::size_t offset) { return std::bit_cast<double>(load_le<std::uint64_t>(at + offset)); };
+  BlobInfo info;
+  info.stiffness_n_per_mm = static_cast<double>(view.stiffness.raw()) / (1 << Stiffness::kFractionBits);
+  info.source_hash = load_le<std::uint64_t>(at + kSourceHashAt);
+  info.method =
+      load_le<std::uint32_t>(at + kMethodAt) == static_cast<std::uint32_t>(Method::kPublished) ? Method::kPublished : Method::kDefault;
+  info.point_count = load_le<std::uint32_t>(at + kPointCountAt);
+  info.placement = {real(kScaleAt), {real(kOffsetAt), real(kOffsetAt + 8), real(kOffsetAt + 16)}};
+  return info;
 }
 
 Image read_image(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
+#include "shared/blob.h"
 
 namespace isotouch::blob {
 
@@ -45,6 +46,9 @@ class Image {
 ///           has them (`field::make_grid`), and every sample stays where it was computed
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
 Image write_blob(const field::BandField& field, const BlobInfo& info);
+
+/// What `write_blob` was told, read back from a checked image; stiffness as rounded.
+BlobInfo info_of(const BlobView& view);
 
 /// Reads a file into an image. The caller parses it.
 ///

@@ -153,7 +153,7 @@ TEST(Published, stages_are_timed_and_inside_nodes_counted_before_the_peeling) {
   field::Progress progress;
   const Built built = build(flattened_octahedron(), unit_grid(7), progress);
   std::size_t drawn_inside = 0;
-  for (const char c : drawn(kInside)) drawn_inside += c == '#' ? 1 : 0;
+  for (const char c : drawn(kInside)) drawn_inside += c == '#' ? 1U : 0U;
   EXPECT_EQ(built.inside_nodes, drawn_inside);
   ASSERT_EQ(progress.seconds().size(), 3U);
   EXPECT_EQ(progress.seconds()[0].first, "radii");

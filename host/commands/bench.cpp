@@ -1,0 +1,131 @@
+/// isotouch bench: what one tick costs.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/blob/write_blob.h"
+#include "host/commands/commands.h"
+#include "host/commands/tick_bench.h"
+#include "host/evaluate/force_error.h"
+#include "host/evaluate/motion.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/real.h"
+#include "host/field/make_grid.h"
+#include "host/field/sample_distance.h"
+#include "host/published/levels.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+constexpr double kEdge = 0.34;  // mm a voxel, as in the paper
+constexpr double kBand = 4;     // voxels
+constexpr double kMargin = 4;   // voxels beside the band
+
+/// A sphere that fills a grid with so many samples along each axis.
+struct Sphere {
+  field::Grid grid;
+  double radius;  // mm
+
+  explicit Sphere(int samples) : radius(kEdge * ((samples - 1) / 2.0 - kBand - kMargin)) {
+    grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, kBand + kMargin);
+  }
+  evaluate::OpenBlob blob() const {
+    const auto distance = [this](const Eigen::Vector3d& p) { return p.norm() - radius; };
+    return evaluate::open_blob(blob::write_blob(field::sample_distance(distance, grid, kBand), {}), "sphere");
+  }
+  published::LevelField levels() const {
+    published::Indicator inside(grid, 0);
+    for (int k = 0; k < grid.size.z(); ++k) {
+      for (int j = 0; j < grid.size.y(); ++j) {
+        for (int i = 0; i < grid.size.x(); ++i) inside.at(i, j, k) = grid.position({i, j, k}).norm() <= radius ? 1 : 0;
+      }
+    }
+    field::Progress quiet;
+    return published::peel(inside, quiet);
+  }
+  /// Round the sphere four voxels deep: 8 s at each of 100, 200 and 300 mm/s.
+  Motion slide() const {
+    Motion motion;
+    for (const double speed : {100.0, 200.0, 300.0}) {
+      evaluate::SphereSlide way;
+      way.radius = radius;
+      way.depth = 4 * kEdge;
+      way.speed = speed;
+      way.turns = 8 * speed / (2 * M_PI * radius);
+      evaluate::slide_on_sphere(
+          way, [&](const Eigen::Vector3d& hip) -> Eigen::Vector3d { return motion.emplace_back(hip), Eigen::Vector3d::Zero(); });
+    }
+    return motion;
+  }
+};
+
+/// The same hand that `isotouch trace make slide` writes.
+Motion slide_on(const BlobView& field) {
+  Motion motion;
+  evaluate::MotionOptions options;
+  options.kind = "slide";
+  options.ticks = 24'000;
+  evaluate::make_motion(&field, options, [&](const TickInput& input) { motion.push_back(evaluate::real(input.hip)); });
+  return motion;
+}
+
+void print(const std::string& what, const TickTimes& times) {
+  std::printf("%-28s median %7.0f ns   p99 %7.0f ns   p99.9 %7.0f ns   (%zu ticks)\n", what.c_str(), times.median_ns, times.p99_ns,
+              times.p999_ns, times.ticks);
+}
+
+void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
+  const Sphere small(186);
+  const Sphere large(1024);
+  const Motion motion = small.slide();
+  const evaluate::OpenBlob blob = small.blob();
+  const TickTimes core = time_core(blob.view, motion);
+  const TickTimes published = time_published(small.levels(), evaluate::real(blob.view.stiffness), motion);
+  const TickTimes wide = time_core(large.blob().view, large.slide());
+
+  nlohmann::ordered_json json = {{"median_ns", core.median_ns},
+                                 {"p99_ns", core.p99_ns},
+                                 {"p999_ns", core.p999_ns},
+                                 {"published_median_ns", published.median_ns},
+                                 {"grid_1024_median_ns", wide.median_ns},
+                                 {"published_ratio", published.median_ns / core.median_ns}};
+  if (!as_json) {
+    print("core, 186 grid", core);
+    print("core, 1024 grid", wide);
+    print("published float, 186 grid", published);
+    std::printf("published / core             %.1f\n1024 / 186 grid              %.2f\n", published.median_ns / core.median_ns,
+                wide.median_ns / core.median_ns);
+  }
+  for (const std::filesystem::path& file : blobs) {
+    const evaluate::OpenBlob given = evaluate::open_blob(file);
+    const TickTimes times = time_core(given.view, slide_on(given.view));
+    json["blobs"].push_back(
+        {{"file", file.string()}, {"median_ns", times.median_ns}, {"p99_ns", times.p99_ns}, {"p999_ns", times.p999_ns}});
+    if (!as_json) print(file.filename().string(), times);
+  }
+  if (as_json) std::printf("%s\n", json.dump(2).c_str());
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app) {
+  struct Options {
+    std::vector<std::filesystem::path> blobs;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("bench", "Measure what the tool's parts cost on this machine");
+  command->require_subcommand(1);
+  CLI::App* tick = command->add_subcommand("tick", "One tick, HIP to force, warm, sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
+  tick->add_option("BLOB", options->blobs, "time these fields too, sliding on each");
+  tick->add_flag("--json", options->json, "print one JSON object");
+  tick->callback([options] { bench_tick(options->blobs, options->json); });
+}
+
+}  // namespace isotouch::commands

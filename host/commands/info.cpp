@@ -1,0 +1,73 @@
+/// isotouch info: what a blob says of itself.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/blob/write_blob.h"
+#include "host/commands/commands.h"
+#include "host/evaluate/hash_text.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/real.h"
+#include "shared/bytes.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+using evaluate::real;
+
+std::string version(const BlobView& view) {
+  const std::uint8_t* at = view.image.data();
+  return std::to_string(load_le<std::uint16_t>(at + blob_layout::kMajorAt)) + "." +
+         std::to_string(load_le<std::uint16_t>(at + blob_layout::kMinorAt));
+}
+
+void print_json(const BlobView& view) {
+  const nlohmann::ordered_json json = {{"bytes", view.image.size()}, {"voxel_mm", real(view.edge)},
+                                       {"grid", view.size},          {"band_voxels", real(view.band)},
+                                       {"bricks", view.brick_count}, {"hash", evaluate::hash_text(view.hash())},
+                                       {"version", version(view)}};
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_text(const BlobView& view) {
+  const blob::BlobInfo info = blob::info_of(view);
+  const Eigen::Vector3d origin = real(view.origin);
+  const Eigen::Vector3d far =
+      origin + real(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
+  const auto& [scale, offset] = info.placement;
+  std::printf("version      %s\n", version(view).c_str());
+  std::printf("bytes        %zu\n", view.image.size());
+  std::printf("hash         %s\n", evaluate::hash_text(view.hash()).c_str());
+  std::printf("source hash  %s\n", evaluate::hash_text(info.source_hash).c_str());
+  std::printf("method       %s, from %u points\n", info.method == blob::Method::kPublished ? "published" : "default", info.point_count);
+  std::printf("grid         %d × %d × %d samples\n", view.size[0], view.size[1], view.size[2]);
+  std::printf("voxel        %.6f mm\n", real(view.edge));
+  std::printf("workspace    (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f) mm\n", origin.x(), origin.y(), origin.z(), far.x(), far.y(), far.z());
+  std::printf("band         ±%g voxels = ±%.3f mm\n", real(view.band), real(view.band) * real(view.edge));
+  std::printf("stiffness    %g N/mm\n", real(view.stiffness));
+  std::printf("transform    workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  std::printf("bricks       %u of 4 × 4 × 4 samples, in %u nodes\n", view.brick_count, view.node_count);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  struct Options {
+    std::filesystem::path blob;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "Tell what a blob holds");
+  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] {
+    const evaluate::OpenBlob blob = evaluate::open_blob(options->blob);
+    options->json ? print_json(blob.view) : print_text(blob.view);
+  });
+}
+
+}  // namespace isotouch::commands

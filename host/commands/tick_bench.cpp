@@ -1,0 +1,78 @@
+#include "host/commands/tick_bench.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "firmware/core/tick.h"
+#include "host/error.h"
+#include "host/evaluate/real.h"
+#include "host/published/float_tick.h"
+#include "shared/tick_io.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double nanoseconds(Clock::duration d) { return std::chrono::duration<double, std::nano>(d).count(); }
+
+/// The value below which `share` of the times lie.
+double quantile(std::vector<double>& times, double share) {
+  const auto at = times.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
+  std::nth_element(times.begin(), at, times.end());
+  return *at;
+}
+
+double clock_cost() {
+  std::vector<double> times(10'000);
+  for (double& time : times) {
+    const auto start = Clock::now();
+    time = nanoseconds(Clock::now() - start);
+  }
+  return quantile(times, 0.5);
+}
+
+/// walk(report)   goes through the whole motion from its start; report(time, touching) for each tick
+template <class Walk>
+TickTimes measure(const Walk& walk) {
+  walk([](Clock::duration, bool) {});
+  const double empty = clock_cost();
+  std::vector<double> times;
+  walk([&](Clock::duration time, bool touching) {
+    if (touching) times.push_back(std::max(nanoseconds(time) - empty, 0.0));
+  });
+  if (times.empty()) throw InputError("the motion never touches the object: there is nothing to time");
+  return {quantile(times, 0.5), quantile(times, 0.99), quantile(times, 0.999), times.size()};
+}
+
+}  // namespace
+
+TickTimes time_core(const BlobView& field, const Motion& motion) {
+  std::vector<TickInput> inputs(motion.size());
+  std::transform(motion.begin(), motion.end(), inputs.begin(),
+                 [](const Eigen::Vector3d& hip) { return TickInput{evaluate::nearest<Mm>(hip)}; });
+  const core::TickModel model = core::make_model({}, 1'000'000, field);
+  return measure([&](const auto& report) {
+    core::TickState state;
+    for (const TickInput& input : inputs) {
+      const auto start = Clock::now();
+      const TickOutput out = core::tick(input, field, model, state);
+      report(Clock::now() - start, (out.status & kContact) != 0);
+    }
+  });
+}
+
+TickTimes time_published(const published::LevelField& levels, double stiffness, const Motion& motion) {
+  return measure([&](const auto& report) {
+    published::FloatTick tick(levels, static_cast<float>(stiffness));
+    for (const Eigen::Vector3d& hip : motion) {
+      const Eigen::Vector3f point = hip.cast<float>();
+      const auto start = Clock::now();
+      const Eigen::Vector3f force = tick.force(point);
+      report(Clock::now() - start, force != Eigen::Vector3f::Zero());
+    }
+  });
+}
+
+}  // namespace isotouch::commands
