@@ -20,9 +20,8 @@ std::string number(double value, int decimals) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
   }
-  if (text == "-0") text = "0";
-  if (text.front() == '-') text.replace(0, 1, "−");
-  return text;
+  if (text == "-0") return "0";
+  return text.front() == '-' ? std::string("−").append(text, 1) : text;
 }
 
 std::string significant(double value, int digits) {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "host/field/nearest.h"
 #include "host/view/caption.h"
 #include "host/view/light.h"
 
@@ -13,21 +12,6 @@ namespace isotouch::view {
 namespace {
 
 constexpr int kFine = 2;  // fine pixels along a pixel's side
-
-/// The distance from a point to its nearest neighbour: the median of up to 2,000 points.
-double spacing(const std::vector<Eigen::Vector3d>& points) {
-  const field::Nearest nearest(points);
-  std::vector<field::Neighbour> found;
-  std::vector<double> squares;
-  for (std::size_t i = 0; i < points.size(); i += 1 + points.size() / 2000) {
-    nearest.nearest(points[i], 2, found);
-    if (found.size() == 2) squares.push_back(found[1].squared_distance);
-  }
-  if (squares.empty()) return 0;
-  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
-  std::nth_element(squares.begin(), middle, squares.end());
-  return std::sqrt(*middle);
-}
 
 /// Discs with a depth buffer, in fine pixels.
 class Discs {
@@ -100,15 +84,14 @@ Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& o
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
   const Camera camera(options.direction.towards_eye(), options.direction.up_axis(), points.positions,
                       {20 * scale, 20 * scale, width - 20 * scale, height - 64 * scale});
-  const double gap = spacing(points.positions);
   const double pixel = 1 / camera.project(points.positions.front()).pixel_per_mm;
-  const double radius = std::max(0.5 * gap, 0.8 * pixel);  // below a pixel and a half a disc would flicker
+  const double radius = std::max(0.5 * options.spacing, 0.8 * pixel);  // below a pixel and a half a disc would flicker
   Discs discs(options.width, options.height, camera);
   for (std::size_t i = 0; i < points.size(); ++i) discs.draw(points.positions[i], points.normals[i], radius);
   discs.lay_on(image);
 
   const bool known = options.mm_per_unit > 0;
-  const std::string distance = known ? number(gap * options.mm_per_unit, 3) + " mm" : significant(gap, 3);
+  const std::string distance = known ? number(options.spacing * options.mm_per_unit, 3) + " mm" : significant(options.spacing, 3);
   if (known) {
     draw_scale_bar(canvas, {width - 24 * scale, height - 26 * scale},
                    camera.project(points.positions.front()).pixel_per_mm / options.mm_per_unit, double{width} / 8);

@@ -11,8 +11,9 @@ namespace isotouch::view {
 
 struct PointsOptions {
   int width = 960, height = 720;
-  Direction direction;
-  std::string title;
+  Direction direction = {};
+  std::string title = {};
+  double spacing = 1;      ///< from a point to its nearest neighbour, the points' units: the discs' diameter
   double mm_per_unit = 1;  ///< 0: the unit is not known; no scale bar then
 };
 

@@ -11,9 +11,9 @@ namespace isotouch::view {
 
 struct SliceOptions {
   int width = 960, height = 720;
-  char axis = 'z';              ///< across the slice: 'x' shows z and y, 'y' shows x and z, 'z' shows x and y
-  std::optional<double> at_mm;  ///< where on that axis, workspace; none: where the object is widest
-  std::string title;
+  char axis = 'z';                   ///< across the slice: 'x' shows z and y, 'y' shows x and z, 'z' shows x and y
+  std::optional<double> at_mm = {};  ///< where on that axis, workspace; none: where the object is widest
+  std::string title = {};
 };
 
 Image slice_picture(const BlobView& field, const SliceOptions& options);

@@ -15,10 +15,10 @@ namespace isotouch::view {
 
 struct SurfaceOptions {
   int width = 960, height = 720;
-  std::optional<Direction> direction;  ///< none: the default one, or with a touch one that shows it from the side
-  char up = 'y';                       ///< for the direction that is chosen
-  std::optional<Touch> touch;          ///< also draws a close-up, cut open through proxy and HIP
-  std::string title;
+  std::optional<Direction> direction = {};  ///< none: the default one, or with a touch one that shows it from the side
+  char up = 'y';                            ///< for the direction that is chosen
+  std::optional<Touch> touch = {};          ///< also draws a close-up, cut open through proxy and HIP
+  std::string title = {};
 };
 
 Image surface_picture(const BlobView& field, const SurfaceOptions& options);

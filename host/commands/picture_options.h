@@ -1,0 +1,49 @@
+/// Options that every picture has: its file, its size, where the eye is.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/view/camera.h"
+
+namespace isotouch::commands {
+
+struct PictureOptions {
+  std::filesystem::path out;
+  std::array<int, 2> size = {960, 720};  ///< width, height
+  std::vector<double> view;              ///< azimuth, elevation; empty: chosen
+  char up = 'y';
+
+  void add_to(CLI::App& command) {
+    command.add_option("-o,--out", out, "the picture to write (.png)")->required();
+    command.add_option_function<std::string>(
+        "--size", [this](const std::string& text) { size = parse_size(text); }, "WxH, pixels (960x720)");
+  }
+  /// For pictures in perspective.
+  void add_view_to(CLI::App& command) {
+    command.add_option("--view", view, "azimuth,elevation of the eye, degrees; 0,0 is in front (35,20)")->delimiter(',')->expected(2);
+    command.add_option("--up", up, "the axis that points upwards: x, y or z")->check(CLI::IsMember({"x", "y", "z"}))->capture_default_str();
+  }
+  std::optional<view::Direction> direction() const {
+    if (view.empty()) return std::nullopt;
+    return view::Direction{view[0], view[1], up};
+  }
+
+ private:
+  static std::array<int, 2> parse_size(const std::string& text) {
+    std::array<int, 2> parsed{};
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &parsed[0], &parsed[1], &rest) != 2)
+      throw CLI::ValidationError("--size", "wants WxH, as 960x720");
+    for (const int side : parsed) {
+      if (side < 320 || side > 8192) throw CLI::ValidationError("--size", "each side is 320 to 8192 pixels");
+    }
+    return parsed;
+  }
+};
+
+}  // namespace isotouch::commands

@@ -1,0 +1,132 @@
+/// The finished pictures, each as a whole: what must be in them, at sizes other than the usual one too.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/view/caption.h"
+#include "host/view/colour_map.h"
+#include "host/view/force_picture.h"
+#include "host/view/points_picture.h"
+#include "host/view/slice_picture.h"
+#include "host/view/surface_picture.h"
+#include "tests/host/view/sphere_blob.h"
+
+namespace isotouch::view {
+namespace {
+
+template <class Test>
+int count(const Image& image, const Test& test) {
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) found += test(image.at(x, y)) ? 1 : 0;
+  }
+  return found;
+}
+
+const auto is_green = [](const Colour& c) { return c.g > 2.5F * c.r && c.g > 2 * c.b && c.g > 0.05F; };
+const auto is_red = [](const Colour& c) { return c.r > 2.5F * c.g && c.r > 2.5F * c.b && c.r > 0.05F; };
+
+TEST(SurfacePicture, shows_the_touch_wherever_it_is) {
+  const SphereBlob blob;
+  for (const Eigen::Vector3d& out :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(-0.6, 0, -0.8), Eigen::Vector3d(0, 1, 0)}) {
+    SurfaceOptions options{
+        .width = 480, .height = 360, .direction = {}, .touch = Touch{.proxy = kTestRadius * out, .hip = (kTestRadius - 2) * out}};
+    const Image image = surface_picture(blob.view, options);
+    ASSERT_EQ(image.width(), 480);
+    ASSERT_EQ(image.height(), 360);
+    EXPECT_GT(count(image, is_green), 60) << out.transpose();
+    EXPECT_GT(count(image, is_red), 60) << out.transpose();
+  }
+}
+
+TEST(SurfacePicture, without_a_touch_has_no_markers) {
+  const SphereBlob blob;
+  const Image image = surface_picture(blob.view, {.width = 480, .height = 360, .direction = Direction{10, 80}, .title = "sphere"});
+  EXPECT_EQ(count(image, is_green), 0);
+  EXPECT_EQ(count(image, is_red), 0);
+}
+
+TEST(SlicePicture, draws_the_surface_where_the_slice_meets_it) {
+  const SphereBlob blob;
+  // Half the width of the dark line's circle, pixels, in the row through the middle.
+  const auto radius = [&](char axis, double at) {
+    const Image image = slice_picture(blob.view, {.axis = axis, .at_mm = at});
+    int first = -1, last = -1;
+    for (int x = 80; x < 780; ++x) {
+      const Colour c = image.at(x, (24 + 720 - 112) / 2);
+      if (c.r + c.g + c.b > 0.08F) continue;
+      if (first < 0) first = x;
+      last = x;
+    }
+    EXPECT_NEAR(first - 78, 781 - last, 3) << "the sphere is in the middle";
+    return (last - first) / 2.0;
+  };
+  for (const char axis : {'x', 'y', 'z'}) {
+    const double whole = radius(axis, 0);
+    EXPECT_GT(whole, 100);
+    EXPECT_NEAR(radius(axis, 0.6 * kTestRadius) / whole, 0.8, 0.01) << axis;
+    EXPECT_NEAR(radius(axis, -0.8 * kTestRadius) / whole, 0.6, 0.01) << axis;
+  }
+}
+
+TEST(SlicePicture, beside_the_object_is_empty_but_drawn) {
+  const SphereBlob blob;
+  const Image image = slice_picture(blob.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500});
+  EXPECT_EQ(image.width(), 400);
+}
+
+TEST(DistanceColours, are_warm_inside_and_grow_darker_both_ways) {
+  const auto sum = [](Colour c) { return c.r + c.g + c.b; };
+  for (double v = 0.05; v < 1; v += 0.05) {
+    EXPECT_GT(distance_colour(-v).r, distance_colour(-v).b);
+    EXPECT_LT(distance_colour(v).r, distance_colour(v).b);
+    EXPECT_LT(sum(distance_colour(v)), sum(distance_colour(v - 0.05)));
+    EXPECT_LT(sum(distance_colour(-v)), sum(distance_colour(-v + 0.05)));
+  }
+  EXPECT_EQ(sum(distance_colour(7)), sum(distance_colour(1)));
+}
+
+TEST(PointsPicture, front_discs_are_blue_and_those_from_behind_pale) {
+  cloud::OrientedPoints points;
+  for (int i = 0; i < 25; ++i) {
+    points.positions.emplace_back(i % 5, i / 5, 0);
+    points.normals.emplace_back(0, 0, 1);
+  }
+  const auto blue = [&] {
+    const Image image = points_picture(points, {.width = 480, .height = 360, .direction = {0, 0, 'y'}, .spacing = 1, .mm_per_unit = 0});
+    return count(image, [](const Colour& c) { return c.b > 1.6F * c.r && c.b > 0.1F; });
+  };
+  EXPECT_GT(blue(), 20'000);
+  for (Eigen::Vector3d& normal : points.normals) normal = -normal;
+  EXPECT_LT(blue(), 200);
+}
+
+TEST(ForcePicture, with_and_without_an_exact_answer) {
+  ForceCurve curve;
+  for (int i = 0; i < 1000; ++i) {
+    curve.time_s.push_back(i * 0.001);
+    curve.felt_n.push_back(std::max(0.0, std::sin(i * 0.01)));
+  }
+  EXPECT_EQ(force_picture(curve, {.width = 640, .height = 400}).width(), 640);
+  curve.exact_n = curve.felt_n;
+  EXPECT_EQ(force_picture(curve, {}).height(), 720);
+}
+
+TEST(Numbers, are_short_and_have_no_negative_zero) {
+  EXPECT_EQ(number(12.5, 3), "12.5");
+  EXPECT_EQ(number(12, 0), "12");
+  EXPECT_EQ(number(120, 2), "120");
+  EXPECT_EQ(number(-0.0001, 2), "0");
+  EXPECT_EQ(number(-1.25, 2), "−1.25");
+  EXPECT_EQ(significant(0.0023149, 3), "0.00231");
+  EXPECT_EQ(significant(7.176, 3), "7.18");
+  EXPECT_EQ(significant(0, 3), "0");
+  EXPECT_EQ(round_length(7.3), 5);
+  EXPECT_EQ(round_length(0.29), 0.2);
+  EXPECT_EQ(round_length(1), 1);
+}
+
+}  // namespace
+}  // namespace isotouch::view
