@@ -1,7 +1,5 @@
 #include "firmware/core/proxy.h"
 
-#include "firmware/core/surface_step.h"
-
 namespace isotouch::core {
 
 namespace {
@@ -17,7 +15,7 @@ bool is_short(const Vec3<Voxel>& step) {
 
 /// Begins, or goes on, without a surface to hold: the proxy is the HIP, and contact is possible once the HIP is outside.
 Contact rest_at(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state) {
-  state.point = hip;
+  state.hip = state.point = hip;
   state.sample = sample_field(field, hip);
   state.mode = state.sample.distance < Voxel{} ? ProxyMode::kHeldInside : ProxyMode::kFree;
   Contact contact;
@@ -32,8 +30,10 @@ Contact rest_at(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state
 Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state) {
   if (state.mode == ProxyMode::kUnplaced || state.mode == ProxyMode::kHeldInside) return rest_at(hip, field, state);
 
+  renew_reach(hip - state.hip, state.steps);
+  state.hip = hip;
   for (int step = 0; step < kProxySteps; ++step) {
-    state.point = state.point + step_towards(hip, state.point, state.sample);
+    state.point = state.point + step_towards(hip, state.point, state.sample, state.steps);
     state.sample = sample_field(field, state.point);
   }
 

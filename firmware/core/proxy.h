@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "firmware/core/field_sampler.h"
+#include "firmware/core/surface_step.h"
 #include "shared/blob.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
@@ -31,6 +32,8 @@ struct ProxyState {
   Vec3<Voxel> point;         ///< where the field was sampled last, index coordinates
   FieldSample sample;        ///< the field there
   Vec3<Voxel> proxy;         ///< the last proxy in contact
+  Vec3<Voxel> hip;           ///< the last HIP
+  StepMemory steps;
 };
 
 struct Contact {

@@ -15,6 +15,7 @@ namespace {
 constexpr std::int64_t kOne = 1 << 16;
 constexpr std::int64_t kSlideLimit = kOne * 5 / 4;              // a step along the surface: the spline bends over about one voxel
 constexpr std::int64_t kRestoreFirst = 32;               // a step along the surface gets shorter by this many times the depth: out first
+constexpr std::int64_t kStill = kOne / 256;               // shorter steps are rounding, not motion
 constexpr std::int64_t kMinSlopeSquare = kOne / 64;       // |g|² is taken as at least this: the field flattens in the middle of thin parts
 constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
 constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
@@ -128,6 +129,18 @@ Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   return {(sum.x * inverse) >> shift, (sum.y * inverse) >> shift, (sum.z * inverse) >> shift};
 }
 
+/// The largest component: a length that needs no root.
+std::int64_t size_of(const Raw3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// Halves a step that turns back against the one before it, and trusts none longer beyond the free way until the hand moves or steps agree again.
+Raw3 without_turning_back(const Raw3& way, StepMemory& memory) {
+  const bool turns_back = dot(way, raw(memory.last)) < 0 && size_of(way) > kStill;
+  const Raw3 taken = turns_back ? Raw3{way.x >> 1, way.y >> 1, way.z >> 1} : way;
+  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(turns_back ? size_of(taken) : std::min((std::int64_t{memory.reach.raw()} * 17 + 15) >> 4, kSlideLimit)));
+  memory.last = to_voxel(taken);
+  return taken;
+}
+
 }  // namespace
 
 bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample) {
@@ -136,22 +149,28 @@ bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const F
 
 Vec3<Voxel> step_onto_surface(const FieldSample& sample) { return to_voxel(LocalField(sample).onto_surface()); }
 
-Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample) {
+void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
+  if (size_of(raw(motion)) > kStill) memory.last = {};   // turning with the hand is no cycle
+  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(std::clamp(2 * size_of(raw(motion)), std::int64_t{memory.reach.raw()}, kSlideLimit)));
+}
+
+Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, StepMemory& memory) {
   const LocalField at(sample);
   const Raw3 pull = raw(hip) - raw(point);
   const std::int64_t free_way = std::max<std::int64_t>(at.distance, 0);
   const std::int64_t buried = std::max<std::int64_t>(-at.distance, 0);
+  const std::int64_t safe = free_way + kSlideLimit;   // a surface may be this far away, and one step may end that deep
   const std::int64_t clearance = at.clearance(pull);
 
-  const std::int64_t safe = free_way + kSlideLimit;   // a surface may be this far away, and one step may end that deep
-
   if (clearance >= 0) {
-    const Raw3 way = shorten(pull, std::max<std::int64_t>(0, safe - kRestoreFirst * buried));
+    const std::int64_t allowed = free_way + memory.reach.raw() - kRestoreFirst * buried;
+    const Raw3 way = without_turning_back(shorten(pull, std::max<std::int64_t>(0, allowed)), memory);
     return to_voxel(buried > 0 ? way + shorten(at.onto_surface(), safe) : way);
   }
   const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
-  const Raw3 along = slide(at, within(at.tangential(pull), kPullLimit), depth);
-  const Raw3 way = shorten(along, std::max<std::int64_t>(0, kSlideLimit + free_way / 2 - kRestoreFirst * buried));
+  const Raw3 wanted = slide(at, within(at.tangential(pull), kPullLimit), depth);
+  const std::int64_t allowed = memory.reach.raw() + free_way / 2 - kRestoreFirst * buried;
+  const Raw3 way = without_turning_back(shorten(wanted, std::max<std::int64_t>(0, allowed)), memory);
   return to_voxel(shorten(at.onto_surface() + way, safe));
 }
 

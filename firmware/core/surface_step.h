@@ -15,11 +15,20 @@ bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const F
 /// From the sampled point straight to the surface, -φ g / |g|²: one Newton step along the gradient.
 Vec3<Voxel> step_onto_surface(const FieldSample& sample);
 
+/// What the steps remember of each other, so that a cycle dies out where Newton's step alone would keep circling in a rough crease.
+struct StepMemory {
+  Vec3<Voxel> last;                ///< the last step, without its part straight onto the surface
+  Voxel reach = Voxel::of(1.25);   ///< how far beyond the free way a step is trusted
+};
+
+/// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.
+void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory);
+
 /// The step from `point` towards the point of the surface, or of free space, closest to the HIP.
 ///
 /// In free space: to the HIP. Where the HIP is behind the surface: onto the surface and along it, by one step of sequential quadratic programming
-/// with the field's second derivatives. Never longer than is safe: the distance to the surface and one voxel more; less by twice the depth where the
-/// point is inside, so that steps in an acute crease cannot add up to a passage.
-Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample);
+/// with the field's second derivatives. Never longer than is safe, the distance to the surface and 1.25 voxels more; the part along the surface
+/// gets shorter the deeper the point is inside, so that steps in an acute crease cannot add up to a passage, and it is halved where it turns back.
+Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, StepMemory& memory);
 
 }  // namespace isotouch::core

@@ -41,7 +41,8 @@ TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
     if (test::length(exact.gradient) < 0.2) continue;   // the twin has no tangent plane there
     const Point pull = test::to_point(hip) - test::to_point(point);
     if (std::abs(exact.distance + test::dot(exact.gradient, pull)) < 0.001) continue;   // on the border between free and held
-    const Point step = test::to_point(step_towards(hip, point, sample));
+    StepMemory fresh;
+    const Point step = test::to_point(step_towards(hip, point, sample, fresh));
     const Point twin = test::reference_step(pull, exact);
     worst = std::max(worst, test::length(step - twin));
     behind += is_behind_surface(hip, point, sample) ? 1 : 0;
@@ -58,7 +59,8 @@ TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
 TEST(SurfaceStep, InFreeSpaceReachesTheHipExactly) {
   const FieldImage image = torus_and_box();
   const Vec3<Voxel> point = test::to_voxel({5.0, 5.0, 5.0}), hip = test::to_voxel({6.123, 4.517, 5.902});
-  EXPECT_EQ(point + step_towards(hip, point, sample_field(image.view(), point)), hip);
+  StepMemory memory;
+  EXPECT_EQ(point + step_towards(hip, point, sample_field(image.view(), point), memory), hip);
 }
 
 TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
@@ -69,7 +71,8 @@ TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
     const FieldSample sample = sample_field(image.view(), point);
     if (sample.distance < Voxel{}) continue;
     const Vec3<Voxel> hip = point + test::to_voxel(random.in_ball(300.0));
-    EXPECT_LT(test::length(test::to_point(step_towards(hip, point, sample))), test::to_double(sample.distance) + 1.2501);
+    StepMemory memory;
+    EXPECT_LT(test::length(test::to_point(step_towards(hip, point, sample, memory))), test::to_double(sample.distance) + 1.2501);
   }
 }
 
@@ -79,7 +82,8 @@ TEST(SurfaceStep, SurvivesTheWildestField) {
   for (int i = 0; i < 50000; ++i) {   // the undefined-behaviour sanitizer judges the arithmetic
     const Vec3<Voxel> point = test::to_voxel({random.uniform(1, 30), random.uniform(1, 30), random.uniform(1, 30)});
     const Vec3<Voxel> hip = test::to_voxel(random.in_box(i % 2 == 0 ? 8191.0 : 30.0));
-    const Point step = test::to_point(step_towards(hip, point, sample_field(image.view(), point)));
+    StepMemory memory;
+    const Point step = test::to_point(step_towards(hip, point, sample_field(image.view(), point), memory));
     EXPECT_LT(test::length(step), 20.0);
   }
 }

@@ -1,0 +1,355 @@
+#include "firmware/core/proxy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/field_image.h"
+#include "tests/support/reference.h"
+
+namespace isotouch::core {
+namespace {
+
+using test::FieldImage;
+using test::Frame;
+using test::Point;
+using test::Random;
+
+constexpr double kMetreASecond = 1.0 / 0.34;   // voxels a tick at 1 kHz and 0.34 mm a voxel
+
+/// A hand on a field: its proxy and what the properties below ask of it.
+class Hand {
+ public:
+  explicit Hand(const BlobView& field) : field_(field) {}
+  Contact move_to(const Point& hip) {
+    const Contact contact = step_proxy(test::to_voxel(hip), field_, state_);
+    if (contact.touching) deepest_ = std::min(deepest_, test::to_double(sample_field(field_, contact.proxy).distance));
+    return contact;
+  }
+  /// Ticks until `to` is reached at `speed` voxels a tick; calls `see` after each.
+  template <class See>
+  void move(const Point& from, const Point& to, double speed, See see) {
+    const int ticks = std::max(1, static_cast<int>(std::ceil(test::length(to - from) / speed)));
+    for (int t = 1; t <= ticks; ++t) {
+      const Point hip = from + (to - from) * (static_cast<double>(t) / ticks);
+      see(hip, move_to(hip));
+    }
+  }
+  /// The state after many more ticks at one place, this hand untouched.
+  Contact converged(const Point& hip, int ticks) const {
+    Hand other = *this;
+    Contact contact;
+    for (int t = 0; t < ticks; ++t) contact = other.move_to(hip);
+    return contact;
+  }
+  double deepest() const { return deepest_; }   // smallest φ(proxy) seen in contact
+
+ private:
+  const BlobView& field_;
+  ProxyState state_;
+  double deepest_ = 1.0;
+};
+
+TEST(Proxy, OnASphereFollowsTheClosestPoint) {
+  const Point centre = {90.3, 90.1, 89.7};
+  const double radius = 80.0, depth = 4.0;
+  const FieldImage image({180, 180, 180}, [&](const Point& p) { return test::length(p - centre) - radius; });
+  const Frame frame({0.3, 0.5, 0.8});
+  for (const auto& [speed, bound] : {std::pair{0.1, 0.05}, {0.3, 0.05}, {1.0, 0.1}}) {   // m/s, degrees
+    Hand hand(image.view());
+    const auto on_arc = [&](double angle, double deep) { return centre + (frame.y * std::cos(angle) + frame.z * std::sin(angle)) * (radius - deep); };
+    hand.move(on_arc(0, -4), on_arc(0, depth), 0.1, [](const Point&, const Contact&) {});
+    double worst = 0, square = 0;
+    const int ticks = 3000;
+    for (int t = 0; t < ticks; ++t) {
+      const Point hip = on_arc(t * speed * kMetreASecond / (radius - depth), depth);
+      const Contact contact = hand.move_to(hip);
+      ASSERT_TRUE(contact.touching);
+      const Point stretch = test::to_point(contact.stretch);
+      worst = std::max(worst, test::angle_degrees(stretch, hip - centre));
+      square += std::pow(test::length(stretch) / depth - 1, 2);
+    }
+    EXPECT_LT(worst, bound) << speed << " m/s";
+    EXPECT_LT(100 * std::sqrt(square / ticks), 0.01) << speed << " m/s";   // percent
+    EXPECT_GT(hand.deepest(), -0.05);
+  }
+}
+
+TEST(Proxy, InFreeSpaceIsTheHip) {
+  const FieldImage image({64, 64, 64}, [](const Point& p) { return test::length(p - Point{32, 32, 32}) - 10.0; });
+  Hand hand(image.view());
+  Random random(31);
+  Point at = {5, 5, 5};
+  int ticks = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Point to = random.in_box(26.0) + Point{32, 32, 32};
+    const Point middle = at + (to - at) * std::clamp(test::dot(Point{32, 32, 32} - at, to - at) / test::dot(to - at, to - at), 0.0, 1.0);
+    if (test::length(middle - Point{32, 32, 32}) < 10.5) continue;   // the way leads through the body
+    hand.move(at, to, 1.0 * kMetreASecond, [&](const Point& hip, const Contact& contact) {
+      EXPECT_FALSE(contact.touching);
+      EXPECT_FALSE(contact.following);
+      EXPECT_EQ(contact.proxy, test::to_voxel(hip));
+      EXPECT_EQ(contact.stretch, Vec3<Voxel>{});
+      ++ticks;
+    });
+    at = to;
+  }
+  EXPECT_GT(ticks, 500);
+}
+
+TEST(Proxy, ThatBeginsInsideGivesNoContactUntilTheHandHasLeft) {
+  const FieldImage image({64, 64, 64}, [](const Point& p) { return test::length(p - Point{32, 32, 32}) - 10.0; });
+  Hand hand(image.view());
+  hand.move({32, 32, 32}, {32, 32, 41.9}, 0.2, [](const Point&, const Contact& contact) {
+    EXPECT_FALSE(contact.touching);
+    EXPECT_TRUE(contact.held_inside);
+    EXPECT_EQ(contact.stretch, Vec3<Voxel>{});
+  });
+  EXPECT_FALSE(hand.move_to({32, 32, 42.5}).held_inside);
+  EXPECT_TRUE(hand.move_to({32, 32, 41.5}).touching);
+}
+
+TEST(Proxy, ThatCannotArriveInOneTickFollowsWithoutContact) {
+  const FieldImage image({64, 64, 64}, [](const Point& p) { return test::length(p - Point{32, 32, 32}) - 6.0; });
+  Hand hand(image.view());
+  hand.move_to({4, 4, 4});
+  const Contact jump = hand.move_to({60, 60, 4});
+  EXPECT_TRUE(jump.following);
+  EXPECT_FALSE(jump.touching);
+  EXPECT_EQ(jump.stretch, Vec3<Voxel>{});
+  EXPECT_FALSE(hand.converged({60, 60, 4}, 20).following);
+}
+
+/// A plate of the given thickness through `centre`, cut to a disc so that the object is closed.
+FieldImage plate(const Point& normal, const Point& centre, double thickness) {
+  return FieldImage({128, 128, 128}, [=](const Point& p) {
+    return std::max(std::abs(test::dot(p - centre, normal)) - thickness / 2, test::length(p - centre) - 58.0);
+  });
+}
+
+TEST(ProxyHeavy, TenThousandStabsThroughAPlateNeverReachItsOtherSide) {
+  Random random(32);
+  int stabs = 0, wrong = 0;
+  double deepest = 1.0;
+  for (int body = 0; body < 20; ++body) {
+    const Point normal = body < 3 ? Point{body == 0 ? 1.0 : 0.0, body == 1 ? 1.0 : 0.0, body == 2 ? 1.0 : 0.0} : random.direction();
+    const Point centre = random.in_box(0.5) + Point{64, 64, 64};
+    const FieldImage image = plate(normal, centre, 4.0);
+    for (int stab = 0; stab < 500; ++stab) {
+      Point direction;   // at least 27 degrees to the plate, so that the way ends inside its rim
+      do {
+        direction = random.direction();
+      } while (test::dot(direction, normal) > -0.45);
+      const double steep = -test::dot(direction, normal), height = 6.0 / steep, depth = 24.0 / steep;
+      const Point hit = centre + random.in_ball(4.0);
+      const Point surface = hit - normal * test::dot(hit - centre, normal);
+      Hand hand(image.view());
+      bool passed = false;
+      const auto see = [&](const Point&, const Contact& contact) {
+        passed = passed || test::dot(test::to_point(contact.proxy) - centre, normal) < 0;
+      };
+      const double speed = random.uniform(0.05, 1.0) * kMetreASecond;
+      const Point above = surface - direction * height, beyond = surface + direction * depth;
+      hand.move_to(above);
+      hand.move(above, beyond, speed, see);
+      hand.move(beyond, above, speed, see);
+      wrong += passed ? 1 : 0;
+      deepest = std::min(deepest, hand.deepest());
+      ++stabs;
+    }
+  }
+  EXPECT_EQ(stabs, 10000);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(deepest, -0.05);
+}
+
+/// Three plates of 4 voxels through one centre, their normals at `degrees` to each other.
+struct CrossedPlates {
+  Point centre;
+  std::array<Point, 3> normals;
+  FieldImage image;
+
+  CrossedPlates(Random& random, double degrees)
+      : centre(random.in_box(0.5) + Point{48, 48, 48}), normals(directions(random, degrees)), image(make(centre, normals)) {}
+
+ private:
+  static std::array<Point, 3> directions(Random& random, double degrees) {
+    const Frame frame(random.direction());
+    const double cosine = std::cos(degrees / 57.295779513);
+    const double along = std::sqrt((1 + 2 * cosine) / 3), across = std::sqrt(1 - along * along);
+    std::array<Point, 3> normals;
+    for (int i = 0; i < 3; ++i) {
+      const double angle = i * 2.0943951023932;
+      normals[static_cast<std::size_t>(i)] = frame.x * along + frame.y * (across * std::cos(angle)) + frame.z * (across * std::sin(angle));
+    }
+    return normals;
+  }
+  static FieldImage make(const Point& centre, const std::array<Point, 3>& normals) {
+    return FieldImage({96, 96, 96}, [&](const Point& p) {
+      double nearest = 1e9;
+      for (const Point& n : normals) nearest = std::min(nearest, std::abs(test::dot(p - centre, n)) - 2.0);
+      return std::max(nearest, test::length(p - centre) - 42.0);
+    });
+  }
+};
+
+TEST(ProxyHeavy, AmongThreeCrossedPlatesItStaysInItsChamber) {
+  for (const double degrees : {90.0, 40.0}) {
+    Random random(33);
+    int runs = 0, wrong = 0;
+    std::int64_t in_contact = 0;
+    double deepest = 1.0;
+    for (int body = 0; body < 20; ++body) {
+      const CrossedPlates plates(random, degrees);
+      for (int run = 0; run < 100; ++run) {
+        Point at;
+        const auto height = [&](const Point& p, std::size_t i) { return test::dot(p, plates.normals[i]); };
+        do {
+          at = random.in_ball(28.0);
+        } while (std::abs(height(at, 0)) < 3 || std::abs(height(at, 1)) < 3 || std::abs(height(at, 2)) < 3);
+        const std::array<bool, 3> above = {height(at, 0) > 0, height(at, 1) > 0, height(at, 2) > 0};
+        Hand hand(plates.image.view());
+        hand.move_to(plates.centre + at);
+        bool left = false;
+        for (int segment = 0; segment < 12; ++segment) {
+          const Point to = random.in_ball(28.0);
+          hand.move(plates.centre + at, plates.centre + to, random.uniform(0.05, 1.0) * kMetreASecond, [&](const Point&, const Contact& contact) {
+            const Point proxy = test::to_point(contact.proxy) - plates.centre;
+            for (std::size_t i = 0; i < 3; ++i) left = left || (height(proxy, i) > 0) != above[i];
+            in_contact += contact.touching ? 1 : 0;
+          });
+          at = to;
+        }
+        wrong += left ? 1 : 0;
+        deepest = std::min(deepest, hand.deepest());
+        ++runs;
+      }
+    }
+    EXPECT_EQ(runs, 2000);
+    EXPECT_EQ(wrong, 0) << degrees << " degrees";
+    EXPECT_GT(in_contact, 100000);
+    EXPECT_GT(deepest, -0.05) << degrees << " degrees";
+  }
+}
+
+enum class Corner { kConcaveCrease, kConvexEdge, kConvexCorner, kConcaveCorner };
+
+/// The smaller of two distances, with a fillet of `radius` where they meet: what the host does with a crease that the grid cannot hold.
+double filleted_min(double a, double b, double radius) {
+  const double near = std::max(radius - std::abs(a - b), 0.0);
+  return std::min(a, b) - (radius > 0 ? near * near / (4 * radius) : 0.0);
+}
+
+/// Two or three planes that meet at `centre`: solid where any of them (concave) or all of them (convex) say so, inside a ball.
+FieldImage corner_field(Corner kind, const std::vector<Point>& normals, const Point& centre, bool walls, double fillet) {
+  const bool convex = kind == Corner::kConvexEdge || kind == Corner::kConvexCorner;
+  return FieldImage({64, 64, 64}, [=](const Point& p) {
+    double value = convex ? -1e9 : 1e9;
+    for (const Point& n : normals) {
+      const double height = test::dot(p - centre, n);
+      const double one = walls ? std::abs(height + 2) - 2 : height;   // a wall of 4 voxels behind the plane
+      value = convex ? std::max(value, one) : filleted_min(value, one, fillet);
+    }
+    return std::max(value, test::length(p - centre) - 25.0);
+  });
+}
+
+/// Presses into the corner, then holds still; the largest movement of the stretch in ticks 100 to 200 of stillness.
+double dwell(Corner kind, double degrees, bool walls, double fillet, int bodies, std::uint64_t seed, int& touching) {
+  Random random(seed);
+  double worst = 0;
+  for (int body = 0; body < bodies; ++body) {
+    const Frame frame(random.direction());   // x out of the corner
+    const Point centre = random.in_box(0.5) + Point{32, 32, 32};
+    const bool convex = kind == Corner::kConvexEdge || kind == Corner::kConvexCorner;
+    const double half = degrees / 57.295779513 / 2;   // opening of the free space, or of the solid where it is convex
+    const double out = std::sin(half), side = std::cos(half);
+    std::vector<Point> normals = {frame.x * out + frame.y * side, frame.x * out - frame.y * side};
+    if (kind == Corner::kConvexCorner || kind == Corner::kConcaveCorner) normals.push_back(frame.x * out + frame.z * side);
+    const FieldImage image = corner_field(kind, normals, centre, walls, fillet);
+    for (int place = 0; place < 4; ++place) {
+      const Point start = centre + frame.x * 12.0 + frame.z * random.uniform(-3, 3);
+      const Point end = centre - frame.x * random.uniform(0.5, convex ? 6.0 : 8.0) + frame.y * random.uniform(-4, 4) + frame.z * random.uniform(-5, 5);
+      Hand hand(image.view());
+      hand.move_to(start);
+      hand.move(start, end, random.uniform(0.4, 2.0), [](const Point&, const Contact&) {});
+      Point low = {1e9, 1e9, 1e9}, high = {-1e9, -1e9, -1e9};
+      Contact contact;
+      for (int t = 0; t < 200; ++t) {
+        contact = hand.move_to(end);
+        if (t < 100) continue;
+        const Point stretch = test::to_point(contact.stretch);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          low[axis] = std::min(low[axis], stretch[axis]);
+          high[axis] = std::max(high[axis], stretch[axis]);
+        }
+      }
+      touching += contact.touching ? 1 : 0;
+      worst = std::max(worst, test::length(high - low));
+      EXPECT_GT(hand.deepest(), -0.05);
+    }
+  }
+  return worst;
+}
+
+TEST(ProxyHeavy, HeldStillInACornerTheForceIsStill) {
+  struct Case {
+    Corner kind;
+    double degrees;
+    bool walls;
+    double fillet;
+  };
+  for (const Case& c : {Case{Corner::kConcaveCrease, 90, false, 0}, Case{Corner::kConcaveCrease, 120, false, 0}, Case{Corner::kConcaveCrease, 90, true, 0},
+                        Case{Corner::kConcaveCrease, 40, false, 2}, Case{Corner::kConcaveCrease, 60, false, 2}, Case{Corner::kConcaveCrease, 90, false, 2},
+                        Case{Corner::kConcaveCrease, 40, true, 2}, Case{Corner::kConcaveCorner, 90, false, 0}, Case{Corner::kConcaveCorner, 90, false, 2},
+                        Case{Corner::kConvexEdge, 90, false, 0}, Case{Corner::kConvexEdge, 40, false, 0}, Case{Corner::kConvexCorner, 90, false, 0}}) {
+    int touching = 0;
+    EXPECT_LE(dwell(c.kind, c.degrees, c.walls, c.fillet, 40, 34, touching), 0.01) << "kind " << static_cast<int>(c.kind) << ", " << c.degrees << " degrees";
+    EXPECT_GT(touching, 50);   // of 160: the others ended in free space
+  }
+}
+
+/// Slides along a crease; the largest angle between the force and that of a proxy left to converge at the same place.
+double crease_lag(double degrees, double speed, bool aligned, double fillet, std::uint64_t seed, int& compared) {
+  Random random(seed);
+  double worst = 0;
+  for (int body = 0; body < 12; ++body) {
+    const Point along = aligned ? Point{0, 1, 0} : random.direction();
+    const Frame frame(along);
+    const double turn = random.uniform(0, 6.28), half = degrees / 57.295779513 / 2;
+    const Point out = frame.y * std::cos(turn) + frame.z * std::sin(turn), side = test::cross(along, out);
+    const Point n1 = out * std::sin(half) + side * std::cos(half), n2 = out * std::sin(half) - side * std::cos(half);
+    const Point centre = random.in_box(0.5) + Point{48, 48, 48};
+    const FieldImage image({96, 96, 96}, [&](const Point& p) {
+      const double a = test::dot(p - centre, n1), b = test::dot(p - centre, n2);
+      return std::max(filleted_min(a, b, fillet), test::length(p - centre) - 40.0);
+    });
+    Hand hand(image.view());
+    const auto place = [&](double s, double deep) { return centre + along * s - out * deep + side * (0.5 * std::sin(s / 6)); };
+    hand.move_to(place(-20, -6));
+    hand.move(place(-20, -6), place(-20, 4), 0.25, [](const Point&, const Contact&) {});
+    for (double s = -20; s < 20; s += speed * kMetreASecond) {
+      const Point hip = place(s, 4);
+      const Contact now = hand.move_to(hip), later = hand.converged(hip, 16);
+      EXPECT_TRUE(now.touching && later.touching);
+      worst = std::max(worst, test::angle_degrees(test::to_point(now.stretch), test::to_point(later.stretch)));
+      ++compared;
+    }
+    EXPECT_GT(hand.deepest(), -0.05);
+  }
+  return worst;
+}
+
+TEST(ProxyHeavy, SlidingAlongACreaseTheForceIsThatOfTheConvergedProxy) {
+  for (const double degrees : {60.0, 90.0, 120.0}) {
+    for (const double speed : {0.1, 0.3}) {
+      int compared = 0;
+      EXPECT_LT(crease_lag(degrees, speed, true, 0.0, 35, compared), 1.0) << degrees << " degrees along an axis, " << speed << " m/s";
+      EXPECT_LT(crease_lag(degrees, speed, false, 2.0, 36, compared), 1.0) << degrees << " degrees, filleted as the host does, " << speed << " m/s";
+      EXPECT_GT(compared, 1000);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace isotouch::core
