@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/cloud/ply.h"
+#include "host/cloud/shapes.h"
+#include "host/commands/commands.h"
+#include "host/error.h"
+
+namespace isotouch::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+/// `isotouch build` and `isotouch info` in this process, on a folder of their own.
+class Build : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(::testing::TempDir()) / ("build_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+    fs::create_directories(folder_);
+    cloud::write_ply(folder_ / "torus.ply", cloud::sample_shape(cloud::shape("torus"), 400), "test");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+
+  /// What the command printed on standard output.
+  static std::string run(const std::string& arguments) {
+    CLI::App app;
+    add_build(app);
+    add_info(app);
+    ::testing::internal::CaptureStdout();
+    try {
+      app.parse(arguments);
+    } catch (...) {
+      ::testing::internal::GetCapturedStdout();
+      throw;
+    }
+    return ::testing::internal::GetCapturedStdout();
+  }
+
+ private:
+  fs::path folder_;
+};
+
+std::vector<std::string> keys(const nlohmann::ordered_json& json) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : json.items()) names.push_back(name);
+  return names;
+}
+
+TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
+  const auto json = nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 40 --json"));
+  EXPECT_EQ(json["points"], 400);
+  EXPECT_EQ(json["bytes"], fs::file_size(file("t.itf")));
+  EXPECT_EQ(json["hash"].get<std::string>().size(), 16U);
+  EXPECT_GT(json["stages"].size(), 2U);
+  double sum = 0;
+  for (const auto& [stage, seconds] : json["stages"].items()) sum += seconds.get<double>();
+  EXPECT_NEAR(json["seconds"].get<double>(), sum, 1e-9);
+  const double radii = 40.0 / 190;  // a torus of 70 and 25: 190 across
+  const double volume = 2 * M_PI * M_PI * 70 * 25 * 25 * radii * radii * radii;
+  EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.05 * volume);
+
+  const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
+  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version"}));
+  EXPECT_EQ(info["hash"], json["hash"]);
+  EXPECT_EQ(info["version"], "1.0");
+  EXPECT_EQ(info["grid"].size(), 3U);
+  EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
+}
+
+TEST_F(Build, the_same_cloud_gives_the_same_hash) {
+  const std::string arguments = "build " + file("torus.ply") + " --grid 30 --json -o ";
+  const auto first = nlohmann::json::parse(run(arguments + file("a.itf")));
+  const auto second = nlohmann::json::parse(run(arguments + file("b.itf")));
+  EXPECT_EQ(first["hash"], second["hash"]);
+  const auto other = nlohmann::json::parse(run(arguments + file("c.itf") + " --band 3"));
+  EXPECT_NE(first["hash"], other["hash"]);
+}
+
+TEST_F(Build, the_published_method_makes_a_blob_of_its_own) {
+  const auto json =
+      nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "write"}));
+  EXPECT_GT(json["inside_nodes"], 1000);
+  EXPECT_THAT(run("info " + file("p.itf")), HasSubstr("published, from 400 points"));
+  EXPECT_EQ(nlohmann::json::parse(run("info " + file("p.itf") + " --json"))["band_voxels"], 7.0);
+}
+
+TEST_F(Build, size_is_true_with_units_and_made_to_fit_without) {
+  run("build " + file("torus.ply") + " -o " + file("u.itf") + " --units mm --voxel 4mm");
+  const auto true_size = nlohmann::json::parse(run("info " + file("u.itf") + " --json"));
+  EXPECT_EQ(true_size["voxel_mm"], 4.0);
+  EXPECT_GT(true_size["grid"][0], 190 / 4);
+  run("build " + file("torus.ply") + " -o " + file("u.itf") + " --fit 4cm --voxel 1mm");
+  const auto fitted = nlohmann::json::parse(run("info " + file("u.itf") + " --json"));
+  EXPECT_GT(fitted["grid"][0], 40);
+  EXPECT_LT(fitted["grid"][0], 40 + 30);
+}
+
+TEST_F(Build, wrong_usage_is_told_before_anything_is_read) {
+  const std::string start = "build " + file("missing.ply") + " -o " + file("x.itf");
+  for (const char* wrong : {"--voxel 0.5kg", "--voxel 0.5mm --grid 20", "--grid 12.5", "--band 9", "--stiffness nan", "--units mm --fit 70",
+                            "--units ft", "--method magic", "--method published --band 4"}) {
+    EXPECT_THROW(run(start + " " + wrong), CLI::ParseError) << wrong;
+  }
+  EXPECT_THROW(run(start), InputError);
+}
+
+TEST_F(Build, bad_input_leaves_the_old_blob) {
+  run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 20");
+  const auto before = nlohmann::json::parse(run("info " + file("t.itf") + " --json"));
+  std::ofstream(file("bad.xyz")) << "0 0 0 0 0 nan\n";
+  EXPECT_THROW(run("build " + file("bad.xyz") + " -o " + file("t.itf")), InputError);
+  EXPECT_EQ(nlohmann::json::parse(run("info " + file("t.itf") + " --json")), before);
+}
+
+TEST_F(Build, info_says_which_file_is_no_blob_and_why) {
+  try {
+    run("info " + file("torus.ply"));
+    FAIL() << "a cloud was taken for a blob";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("torus.ply"));
+    EXPECT_THAT(e.what(), HasSubstr("not a file of this kind"));
+  }
+}
+
+}  // namespace
+}  // namespace isotouch::commands
