@@ -41,8 +41,8 @@ const std::map<std::string, Rule> kRules = {
     {"tests", {{"tests/support"}}},
 };
 
-const std::set<std::string> kTickHeaders = {"algorithm", "array",   "bit",    "cassert", "compare",     "concepts", "cstddef",
-                                            "cstdint",   "cstring", "limits", "span",    "type_traits", "utility"};
+const std::set<std::string> kTickHeaders = {"algorithm", "array",   "bit",     "cassert", "compare", "concepts",    "cstddef",
+                                            "cstdint",   "cstdlib", "cstring", "limits",  "span",    "type_traits", "utility"};
 
 /// A word of the language or the library with what it would bring into the tick.
 const std::vector<std::pair<std::regex, std::string>> kForbiddenInCore = {
