@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include "host/field/parallel.h"
+
 namespace isotouch::field {
 
 namespace {
@@ -28,8 +30,8 @@ Vector3i cell_of(Key key) {
 
 Vector3d centre_of(const Vector3i& cell) { return 4.0 * cell.cast<double>() + Vector3d::Constant(1.5); }
 
-/// Half a brick's diagonal, and as much again for slopes above one where models are blended.
-const double kFar = 2.0 * 1.5 * std::sqrt(3.0);
+/// Half a brick's diagonal, and half as much again for slopes above one where models are blended.
+const double kFar = 1.5 * 1.5 * std::sqrt(3.0);
 
 /// A brick that was looked at.
 struct Visited {
@@ -55,14 +57,23 @@ class Walk {
     while (!front.empty()) {
       std::sort(front.begin(), front.end());
       front.erase(std::unique(front.begin(), front.end()), front.end());
-      std::vector<Visited> seen;
-      std::vector<Key> next;
+      std::vector<Key> unknown;
       auto known = visited_.begin();
       for (const Key key : front) {
         known = std::lower_bound(known, visited_.end(), Visited{key, false, 0});
-        if (known != visited_.end() && known->key == key) continue;
-        seen.push_back(look_at(key));
-        if (seen.back().listed) push_neighbours(key, next);
+        if (known == visited_.end() || known->key != key) unknown.push_back(key);
+      }
+      std::vector<Look> looks(unknown.size());
+      in_parallel(unknown.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) looks[n] = look_at(unknown[n]);
+      });
+      std::vector<Visited> seen;
+      std::vector<Key> next;
+      for (const auto& look : looks) {
+        seen.push_back(look.visited);
+        if (!look.visited.listed) continue;
+        bricks_.push_back(look.brick);
+        push_neighbours(look.visited.key, next);
       }
       merge(seen);
       front = std::move(next);
@@ -80,11 +91,12 @@ class Walk {
     std::vector<Visited> seen;
     for (const Key key : forced) {
       const auto known = std::lower_bound(visited_.begin(), visited_.end(), Visited{key, false, 0});
-      const auto listed = list(key);
+      const Look look = listed(key, distance_.brick(cell_of(key)));
+      bricks_.push_back(look.brick);
       if (known != visited_.end() && known->key == key)
-        *known = listed;
+        *known = look.visited;
       else
-        seen.push_back(listed);
+        seen.push_back(look.visited);
       push_neighbours(key, front);
     }
     merge(seen);
@@ -97,28 +109,29 @@ class Walk {
   }
 
  private:
-  Visited look_at(Key key) {
+  struct Look {
+    Visited visited;
+    Brick brick;  ///< when it is listed
+  };
+
+  Look look_at(Key key) const {
     const Vector3i cell = cell_of(key);
     const double centre = distance_.at(centre_of(cell));
-    if (std::abs(centre) > band_ + kFar) return {key, false, centre < 0.0 ? ~std::uint64_t{0} : 0};
+    if (std::abs(centre) > band_ + kFar) return {{key, false, centre < 0.0 ? ~std::uint64_t{0} : 0}, {}};
     const auto d = distance_.brick(cell);
     const auto [least, most] = std::minmax_element(d.begin(), d.end());
-    if (*least > band_) return {key, false, 0};
-    if (*most < -band_) return {key, false, ~std::uint64_t{0}};
-    return keep(key, d);
+    if (*least > band_) return {{key, false, 0}, {}};
+    if (*most < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
+    return listed(key, d);
   }
 
-  Visited list(Key key) { return keep(key, distance_.brick(cell_of(key))); }
-
-  Visited keep(Key key, const std::array<double, 64>& d) {
-    Brick brick{cell_of(key), {}};
-    std::uint64_t inside = 0;
+  static Look listed(Key key, const std::array<double, 64>& d) {
+    Look look{{key, true, 0}, {cell_of(key), {}}};
     for (std::size_t s = 0; s < d.size(); ++s) {
-      brick.distance[s] = static_cast<float>(d[s]);
-      inside |= std::uint64_t{brick.distance[s] < 0.0F} << s;
+      look.brick.distance[s] = static_cast<float>(d[s]);
+      look.visited.inside |= std::uint64_t{look.brick.distance[s] < 0.0F} << s;
     }
-    bricks_.push_back(brick);
-    return {key, true, inside};
+    return look;
   }
 
   void push_neighbours(Key key, std::vector<Key>& keys) const {

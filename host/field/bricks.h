@@ -10,7 +10,7 @@
 
 namespace isotouch::field {
 
-/// A signed distance on a grid, voxels.
+/// A signed distance on a grid, voxels. Called from several threads at once.
 struct SampledDistance {
   std::function<double(const Eigen::Vector3d& index)> at;                    ///< at a point in index coordinates
   std::function<std::array<double, 64>(const Eigen::Vector3i& cell)> brick;  ///< at the 64 samples of a brick, x fastest

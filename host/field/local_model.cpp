@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "host/field/parallel.h"
 #include "host/field/pieces.h"
 
 namespace isotouch::field {
@@ -149,19 +150,21 @@ LocalModel best_model(const Samples& samples) {
 
 std::vector<LocalModel> local_models(const cloud::OrientedPoints& points, const Nearest& tree) {
   std::vector<LocalModel> models(points.size());
-  std::vector<Neighbour> found;
-  Samples samples;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    tree.nearest(points.positions[i], kNeighbours + 2, found);
-    const double reach = found.back().squared_distance;
-    samples.assign(1, {points.positions[i], points.normals[i], 1.0});
-    for (const auto& f : found) {
-      if (f.index == i || samples.size() > kNeighbours) continue;
-      const double weight = reach > 0.0 ? std::max(1e-3, 1.0 - f.squared_distance / reach) : 1.0;
-      samples.push_back({points.positions[f.index], points.normals[f.index], weight});
+  in_parallel(points.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found;
+    Samples samples;
+    for (std::size_t i = begin; i < end; ++i) {
+      tree.nearest(points.positions[i], kNeighbours + 2, found);
+      const double reach = found.back().squared_distance;
+      samples.assign(1, {points.positions[i], points.normals[i], 1.0});
+      for (const auto& f : found) {
+        if (f.index == i || samples.size() > kNeighbours) continue;
+        const double weight = reach > 0.0 ? std::max(1e-3, 1.0 - f.squared_distance / reach) : 1.0;
+        samples.push_back({points.positions[f.index], points.normals[f.index], weight});
+      }
+      models[i] = best_model(samples);
     }
-    models[i] = best_model(samples);
-  }
+  });
   return models;
 }
 

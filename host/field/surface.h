@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "host/cloud/oriented_points.h"
@@ -28,7 +29,7 @@ class Surface {
   std::array<double, 64> distances(const Eigen::Vector3d& first) const;
 
  private:
-  double blend(const Eigen::Vector3d& x, const std::vector<Neighbour>& nearest) const;
+  double blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
 
   std::vector<Eigen::Vector3d> positions_;
   Nearest tree_;

@@ -9,8 +9,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 
 namespace isotouch::field {
+
+/// Signed distance of (u, w) from the circle of curvature k through the origin with tangent u, written so that k = 0 is no exception.
+inline double circle_distance(double u, double w, double k) {
+  const double towards_centre = 1.0 + k * w;
+  const double ku = k * u;
+  if (towards_centre < 0.0) return (std::abs(ku) - 1.0) / k;
+  return (k * (u * u + w * w) + 2.0 * w) / (1.0 + std::sqrt(ku * ku + towards_centre * towards_centre));
+}
 
 struct ToroidalPatch {
   Eigen::Vector3d point, normal;     ///< on the surface; unit, outward
@@ -19,7 +28,10 @@ struct ToroidalPatch {
 
   /// Signed distance in the points' unit, negative inside. Its slope is at most one everywhere. Beyond a centre of curvature the circle
   /// goes on as a stadium, so that the far side of the torus never shows.
-  double distance(const Eigen::Vector3d& x) const;
+  double distance(const Eigen::Vector3d& x) const {
+    const Eigen::Vector3d d = x - point;
+    return circle_distance(d.dot(along), circle_distance(d.dot(across), d.dot(normal), gentle), tight);
+  }
 
   struct Value {
     double distance;

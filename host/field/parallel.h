@@ -1,0 +1,41 @@
+/// One loop on all processors. Results go to places of their own, so the answer does not depend on how many there are.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace isotouch::field {
+
+/// Calls work(begin, end) for ranges that together are [0, count), from several threads at once.
+///
+/// work      must not touch what another range touches
+/// grain     items a range: enough to outweigh its administration
+/// fails     with what a call threw; the ranges that had not begun then are left out
+template <class Work>
+void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr reason;
+  const auto run = [&] {
+    for (std::size_t begin; !failed && (begin = next.fetch_add(grain)) < count;) {
+      try {
+        work(begin, std::min(begin + grain, count));
+      } catch (...) {
+        if (!failed.exchange(true)) reason = std::current_exception();
+      }
+    }
+  };
+  const std::size_t ranges = (count + grain - 1) / grain;
+  std::vector<std::jthread> helpers;
+  for (std::size_t t = 1; t < std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), ranges); ++t)
+    helpers.emplace_back(run);
+  run();
+  helpers.clear();  // joins
+  if (reason) std::rethrow_exception(reason);
+}
+
+}  // namespace isotouch::field
