@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   commands::add_evaluate(app);
   commands::add_bench(app);
   commands::add_render(app);
+  commands::add_demo(app);
   try {
     app.parse(argc, argv);
     return kDone;

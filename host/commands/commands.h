@@ -24,5 +24,6 @@ void add_compare(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_render(CLI::App& app);
+void add_demo(CLI::App& app);
 
 }  // namespace isotouch::commands

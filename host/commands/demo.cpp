@@ -1,0 +1,209 @@
+/// isotouch demo: the whole way in one command. A cloud becomes a field, the field is felt by the core along a tour, the tour is repeated to the
+/// bit, the force is compared with a sphere's exact one, and pictures are written.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "host/cloud/ply.h"
+#include "host/cloud/shapes.h"
+#include "host/commands/build_blob.h"
+#include "host/commands/commands.h"
+#include "host/commands/recorded_ticks.h"
+#include "host/error.h"
+#include "host/evaluate/force_error.h"
+#include "host/evaluate/hash_text.h"
+#include "host/evaluate/motion.h"
+#include "host/evaluate/real.h"
+#include "host/evaluate/replay.h"
+#include "host/evaluate/shape_trial.h"
+#include "host/view/force_picture.h"
+#include "host/view/png_file.h"
+#include "host/view/points_picture.h"
+#include "host/view/slice_picture.h"
+#include "host/view/surface_picture.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DemoOptions {
+  fs::path cloud;  // empty: the hydrant
+  fs::path folder = "build/demo";
+  char up = 'y';
+  bool json = false;
+};
+
+struct Tour {
+  evaluate::ReplayReport first;
+  bool repeated = false;  // the second run gave the same bits
+  view::Touch deepest;
+};
+
+struct SphereForce {
+  evaluate::ForceError worst;  // of the speeds that are judged
+  view::ForceCurve curve;
+};
+
+/// For lines that tell what is going on: standard output belongs to the report.
+void say(const char* what) { std::fprintf(stderr, "%s\n", what); }
+
+/// The hydrant's points, drawn into a file like anybody's.
+fs::path hydrant(const fs::path& folder) {
+  const cloud::Shape shape = cloud::shape("hydrant");
+  const fs::path file = folder / "hydrant.ply";
+  cloud::write_ply(file, cloud::sample_shape(shape, shape.default_points), "isotouch demo: " + shape.sentence);
+  return file;
+}
+
+/// All gestures over the object, recorded, and replayed against the recording.
+Tour feel(const BlobView& field, const fs::path& folder) {
+  const TraceHeader header;
+  const fs::path inputs = folder / "tour.inputs.trace", recorded = folder / "tour.trace";
+  evaluate::TraceWriter writer(inputs, header);
+  std::uint64_t tick = 0;
+  evaluate::make_motion(&field, {}, [&](const TickInput& input) { writer.append({input, {}, 0, header.period_ns * tick++}); });
+  writer.finish();
+
+  const evaluate::Trace trace = evaluate::Trace::read(inputs);
+  evaluate::TraceWriter out(recorded, evaluate::replay_header(field, trace.header()));
+  Tour tour;
+  tour.first = evaluate::replay(field, trace, false, &out);
+  out.finish();
+  const evaluate::Trace with_outputs = evaluate::Trace::read(recorded);
+  const evaluate::ReplayReport again = evaluate::replay(field, with_outputs, true);
+  tour.repeated = !again.first_difference && again.hash == tour.first.hash;
+  tour.deepest = deepest_touch(with_outputs, field);
+  return tour;
+}
+
+/// The paper's Fig. 9: sliding 4 voxels deep, by numbers at 100 and 300 mm/s; for the picture a hand that comes, slides and leaves.
+SphereForce sphere_force() {
+  const evaluate::ShapeTrial trial = evaluate::shape_trial("sphere");
+  const evaluate::OpenBlob blob = evaluate::trial_blob(trial, blob::Method::kDefault);
+  SphereForce result;
+  evaluate::SphereSlide slide;
+  for (const double speed : {100.0, 300.0}) {
+    slide = evaluate::trial_slide(blob.view, speed);
+    const evaluate::ForceError error =
+        evaluate::force_error(evaluate::slide_on_sphere(slide, evaluate::core_force(blob.view, slide.period_s)));
+    result.worst.ticks += error.ticks;
+    result.worst.magnitude_rms_pct = std::max(result.worst.magnitude_rms_pct, error.magnitude_rms_pct);
+    result.worst.direction_max_deg = std::max(result.worst.direction_max_deg, error.direction_max_deg);
+  }
+  const evaluate::ForceTick tick = evaluate::core_force(blob.view, slide.period_s);
+  evaluate::MotionOptions motion;
+  motion.kind = "slide";
+  evaluate::make_motion(&blob.view, motion, [&](const TickInput& input) {
+    const Eigen::Vector3d hip = evaluate::real(input.hip);
+    result.curve.time_s.push_back(static_cast<double>(result.curve.time_s.size()) * slide.period_s);
+    result.curve.felt_n.push_back(tick(hip).norm());
+    result.curve.exact_n.push_back(slide.stiffness * std::max(0.0, slide.radius - (hip - slide.centre).norm()));
+  });
+  return result;
+}
+
+std::vector<fs::path> draw(const DemoOptions& options, const std::string& title, const BuiltBlob& built, const Tour& tour,
+                           const SphereForce& force) {
+  const std::vector<fs::path> files = {options.folder / "points.png", options.folder / "surface.png", options.folder / "slice.png",
+                                       options.folder / "force.png"};
+  const double scale = built.report.placement.scale;
+  view::write_png(files[0], view::points_picture(built.points, {.direction = {.up = options.up},
+                                                                .title = title,
+                                                                .spacing = scale * built.report.cloud.median_spacing,
+                                                                .mm_per_unit = 1}));
+  view::write_png(files[1], view::surface_picture(built.blob.view, {.up = options.up, .touch = tour.deepest, .title = title}));
+  view::write_png(files[2], view::slice_picture(built.blob.view, {.title = title}));
+  view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
+  return files;
+}
+
+void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& force, const std::vector<fs::path>& pictures) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [stage, seconds] : built.report.stages) stages[stage] = seconds;
+  nlohmann::ordered_json json = {
+      {"points", built.report.cloud.points},
+      {"inside_nodes", built.report.inside_nodes},
+      {"seconds", built.report.seconds},
+      {"stages", stages},
+      {"bytes", built.blob.image.size()},
+      {"hash", evaluate::hash_text(built.blob.view.hash())},
+      {"ticks", tour.first.ticks},
+      {"ticks_per_second", static_cast<double>(tour.first.ticks) / tour.first.seconds},
+      {"replay_hash", evaluate::hash_text(tour.first.hash)},
+      {"force", {{"magnitude_rms_pct", force.worst.magnitude_rms_pct}, {"direction_max_deg", force.worst.direction_max_deg}}}};
+  json["pictures"] = nlohmann::ordered_json::array();
+  for (const fs::path& picture : pictures) json["pictures"].push_back(picture.string());
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_text(const std::string& title, const BuiltBlob& built, const Tour& tour, const SphereForce& force,
+                const std::vector<fs::path>& pictures) {
+  const BuildReport& report = built.report;
+  const auto& size = built.blob.view.size;
+  std::printf("object          %s\n", title.c_str());
+  std::printf("points          %zu\n", report.cloud.points);
+  std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], evaluate::real(built.blob.view.edge));
+  std::printf("inside nodes    %zu\n", report.inside_nodes);
+  std::printf("build           %.2f s:", report.seconds);
+  for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.2f", stage.c_str(), seconds);
+  std::printf("\nblob            %.2f MB, hash %s\n", static_cast<double>(built.blob.image.size()) * 1e-6,
+              evaluate::hash_text(built.blob.view.hash()).c_str());
+  std::printf("tour            %llu ticks, %.0f ticks a second with their hash chain\n", static_cast<unsigned long long>(tour.first.ticks),
+              static_cast<double>(tour.first.ticks) / tour.first.seconds);
+  std::printf("replay          hash %s, repeated: equal, every bit\n", evaluate::hash_text(tour.first.hash).c_str());
+  std::printf("deepest touch   %.2f mm, %.2f N at tick %zu\n", tour.deepest.depth_mm(), tour.deepest.force_n, tour.deepest.tick);
+  std::printf("sphere's force  magnitude rms error %.4f %%, direction error at most %.4f° (4 voxels deep, 100 and 300 mm/s, %zu ticks)\n",
+              force.worst.magnitude_rms_pct, force.worst.direction_max_deg, force.worst.ticks);
+  std::printf("pictures       ");
+  for (const fs::path& picture : pictures) std::printf(" %s", picture.string().c_str());
+  std::printf("\n");
+}
+
+void run(const DemoOptions& options) {
+  std::error_code failed;
+  fs::create_directories(options.folder, failed);
+  if (failed) throw InputError(options.folder.string() + ": the folder cannot be made: " + failed.message());
+  const fs::path cloud = options.cloud.empty() ? hydrant(options.folder) : options.cloud;
+  const std::string title = cloud.stem().string();
+
+  say("building the field");
+  BuildOptions build;
+  build.cloud = cloud;
+  build.out = options.folder / (title + ".itf");
+  const BuiltBlob built = build_blob(build);
+  say("feeling it along a tour");
+  const Tour tour = feel(built.blob.view, options.folder);
+  if (!tour.repeated) throw ComparisonFailed("the tour's replay is not equal to its recording");
+  say("comparing the force with a sphere's");
+  const SphereForce force = sphere_force();
+  say("drawing");
+  const std::vector<fs::path> pictures = draw(options, title, built, tour, force);
+  if (options.json) {
+    print_json(built, tour, force, pictures);
+  } else {
+    print_text(title, built, tour, force, pictures);
+  }
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app) {
+  auto options = std::make_shared<DemoOptions>();
+  CLI::App* command = app.add_subcommand("demo", "The whole way from points to forces and pictures, in a few seconds");
+  command->add_option("CLOUD", options->cloud, "oriented points: PLY, OBJ or text; the project's hydrant if not given");
+  command->add_option("-o,--out", options->folder, "the folder for blob, traces and pictures")->capture_default_str();
+  command->add_option("--up", options->up, "the cloud's axis that points upwards on the pictures: x, y or z")
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands
