@@ -37,7 +37,7 @@ void run(const Options& options) {
   const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
-  const cloud::TriangleMesh mesh = evaluate::placed(in_cloud, evaluate::placement_of(blob));
+  const cloud::TriangleMesh mesh = evaluate::placed(in_cloud, evaluate::placement_of(blob.view));
   const SurfaceError error = evaluate::compare_with_mesh(blob.view, mesh);
 
   nlohmann::ordered_json json = to_json(error);

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "host/commands/commands.h"
+#include "host/commands/quantities.h"
 #include "host/error.h"
 #include "host/evaluate/motion.h"
 #include "host/evaluate/motion_csv.h"
@@ -37,11 +37,11 @@ struct NewTrace {
   void add_to(CLI::App& command) {
     command.add_option("-o,--out", out, "the trace to write")->required();
     command.add_option("--period", period_ms, "tick period, 0.1ms to 4ms")
-        ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"us", 0.001}, {"ms", 1.0}, {"s", 1000.0}},
-                                          CLI::AsNumberWithUnit::CASE_SENSITIVE))
-        ->check(CLI::Range(0.1, 4.0))
+        ->transform(quantity({{"ms", 1.0}, {"us", 0.001}, {"s", 1000.0}}, 0.1, 4.0))
         ->capture_default_str();
-    command.add_option("--stiffness", stiffness, "N/mm; 0 takes the blob's")->check(CLI::Range(0.0, 100.0))->capture_default_str();
+    command.add_option("--stiffness", stiffness, "N/mm; 0 takes the blob's")
+        ->transform(quantity(kStiffness, 0.0, 100.0))
+        ->capture_default_str();
     command.add_option("--damping", damping, "between proxy and hand, N·s/mm")->check(CLI::Range(0.0, 100.0))->capture_default_str();
     command.add_option("--force-limit", force_limit, "N")->check(CLI::Range(0.001, 100.0))->capture_default_str();
     command.add_option("--ramp", ramp_ticks, "ticks from no force to full where contact does not begin at rest")

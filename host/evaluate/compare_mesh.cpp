@@ -1,6 +1,5 @@
 #include "host/evaluate/compare_mesh.h"
 
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -8,8 +7,6 @@
 #include "host/evaluate/exact_field.h"
 #include "host/evaluate/mesh_distance.h"
 #include "host/evaluate/real.h"
-#include "shared/blob.h"
-#include "shared/bytes.h"
 
 namespace isotouch::evaluate {
 
@@ -17,15 +14,10 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20'000;
 
-double load_double(const OpenBlob& blob, std::size_t at) { return std::bit_cast<double>(load_le<std::uint64_t>(blob.image.data() + at)); }
-
 }  // namespace
 
-cloud::Placement placement_of(const OpenBlob& blob) {
-  using namespace blob_layout;
-  cloud::Placement placement;
-  placement.scale = load_double(blob, kScaleAt);
-  placement.offset = {load_double(blob, kOffsetAt), load_double(blob, kOffsetAt + 8), load_double(blob, kOffsetAt + 16)};
+cloud::Placement placement_of(const BlobView& field) {
+  const cloud::Placement placement = blob::info_of(field).placement;
   if (!(placement.scale > 0) || !std::isfinite(placement.scale) || !placement.offset.allFinite()) {
     throw InputError("the blob does not say how its cloud was placed in the workspace; build it again");
   }

@@ -16,7 +16,7 @@ inline constexpr std::size_t kComparePoints = 20'000;
 /// How the blob's cloud was placed in the workspace.
 ///
 /// fails     InputError when the header's numbers are not finite or the scale is not positive
-cloud::Placement placement_of(const OpenBlob& blob);
+cloud::Placement placement_of(const BlobView& field);
 
 /// A mesh in its cloud's frame → the workspace.
 cloud::TriangleMesh placed(cloud::TriangleMesh mesh, const cloud::Placement& placement);

@@ -82,7 +82,7 @@ TEST(AcrossReplay, TheTourFeelsTheObject) {
 TEST(AcrossReplay, NothingIsAllocatedAfterTheStart) {
   evaluate::Run run(capsules().view, {});
   const std::vector<TickInput>& inputs = tour();
-  const tests::AllocGuard guard;
+  const isotouch::test::AllocGuard guard;
   for (const TickInput& input : inputs) run.step(input);
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_NE(run.hash(), 0U);
