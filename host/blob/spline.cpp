@@ -3,45 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/blob/apron.h"
 #include "host/blob/brick_rows.h"
 
 namespace isotouch::blob {
 
 namespace {
-
-using Samples = std::array<float, 64>;
-using Apron = std::array<float, 216>;  ///< a brick and one ring around it, 6 samples a side
-using Neighbours = std::array<std::size_t, 27>;
-
-constexpr std::size_t sample_number(int x, int y, int z) { return static_cast<std::size_t>((z * 4 + y) * 4 + x); }
-
-/// The bricks around a brick, itself in the middle; absent ones are BrickRows::kAbsent.
-Neighbours neighbours(const BrickRows& rows, const Eigen::Vector3i& cell) {
-  Neighbours found{};
-  std::size_t n = 0;
-  for (int z = -1; z <= 1; ++z) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int x = -1; x <= 1; ++x) found[n++] = rows.find(cell + Eigen::Vector3i(x, y, z));
-    }
-  }
-  return found;
-}
-
-/// Collects a brick with its ring from whatever `samples` holds; absent samples are NaN.
-Apron gather(const std::vector<Samples>& samples, const Neighbours& around) {
-  Apron apron{};
-  std::size_t n = 0;
-  for (int z = -1; z < 5; ++z) {
-    for (int y = -1; y < 5; ++y) {
-      for (int x = -1; x < 5; ++x) {
-        const int cell = ((z + 4) / 4 * 3 + (y + 4) / 4) * 3 + (x + 4) / 4;
-        const std::size_t brick = around[static_cast<std::size_t>(cell)];
-        apron[n++] = brick == BrickRows::kAbsent ? NAN : samples[brick][sample_number(x & 3, y & 3, z & 3)];
-      }
-    }
-  }
-  return apron;
-}
 
 /// B c at the brick's 64 samples: one axis after the other. NaN wherever one of the 27 coefficients is.
 Samples blur(Apron apron) {

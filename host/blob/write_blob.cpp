@@ -10,6 +10,7 @@
 
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
+#include "host/blob/round_creases.h"
 #include "host/blob/spline.h"
 #include "host/cloud/files.h"
 #include "host/error.h"
@@ -71,10 +72,11 @@ void store_header(std::uint8_t* at, const field::BandField& field, const BlobInf
 
 }  // namespace
 
-Image write_blob(const field::BandField& field, const BlobInfo& info) {
+Image write_blob(const field::BandField& given, const BlobInfo& info) {
   std::array<std::uint8_t, kHeaderBytes> header{};
-  store_header(header.data(), field, info);  // before the work: it refuses what does not fit
+  store_header(header.data(), given, info);  // before the work: it refuses what does not fit
 
+  const field::BandField field = info.method == Method::kPublished ? given : round_creases(given);
   std::vector<Coefficients> coefficients = spline_coefficients(field);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());

@@ -1,0 +1,74 @@
+#include "host/blob/round_creases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "host/blob/apron.h"
+#include "host/blob/brick_rows.h"
+
+namespace isotouch::blob {
+
+namespace {
+
+constexpr int kSteps = 12;   // the fillet is at most two voxels wide on each side; a Jacobi step carries one
+
+/// One brick after one step, and whether anything changed. A neighbour beyond the band is NaN, and so is every sum with it: no change.
+bool step(const Apron& apron, float sharpest, Samples& samples) {
+  bool changed = false;
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 4; ++x) {
+        const float here = apron[apron_number(x, y, z)];
+        const float around = (apron[apron_number(x - 1, y, z)] + apron[apron_number(x + 1, y, z)]) +
+                             (apron[apron_number(x, y - 1, z)] + apron[apron_number(x, y + 1, z)]) +
+                             (apron[apron_number(x, y, z - 1)] + apron[apron_number(x, y, z + 1)]);
+        const float excess = (around - 6.0F * here) + sharpest;
+        if (excess < 0) {
+          samples[sample_number(x, y, z)] = here + excess / 6.0F;
+          changed = true;
+        }
+      }
+    }
+  }
+  return changed;
+}
+
+}  // namespace
+
+field::BandField round_creases(field::BandField field, float sharpest) {
+  const BrickRows rows(field);
+  const auto band = static_cast<float>(field.band);
+  std::vector<Samples> now(field.bricks.size());
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    std::transform(field.bricks[b].distance.begin(), field.bricks[b].distance.end(), now[b].begin(),
+                   [=](float d) { return std::abs(d) <= band ? d : NAN; });
+  }
+  std::vector<std::size_t> active(now.size());
+  for (std::size_t b = 0; b < active.size(); ++b) active[b] = b;
+  std::vector<Samples> next = now;
+  for (int n = 0; n < kSteps && !active.empty(); ++n) {
+    std::vector<std::uint8_t> wake(now.size(), 0);
+    for (const std::size_t b : active) {
+      const Neighbours around = neighbours(rows, field.bricks[b].cell);
+      if (!step(gather(now, around), sharpest, next[b])) continue;
+      for (const std::size_t neighbour : around) {
+        if (neighbour != BrickRows::kAbsent) wake[neighbour] = 1;
+      }
+    }
+    for (const std::size_t b : active) now[b] = next[b];
+    active.clear();
+    for (std::size_t b = 0; b < wake.size(); ++b) {
+      if (wake[b] != 0) active.push_back(b);
+    }
+  }
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    for (std::size_t n = 0; n < 64; ++n) {
+      if (!std::isnan(now[b][n])) field.bricks[b].distance[n] = now[b][n];
+    }
+  }
+  return field;
+}
+
+}  // namespace isotouch::blob
