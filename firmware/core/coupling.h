@@ -46,7 +46,7 @@ Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, co
 /// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
 /// or had not arrived.
 ///
-/// fails     never: saturates, then shortens to the limit and keeps the direction
+/// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and stretches below 2047 mm, beyond which they saturate
 /// tick      yes: constant cost, no division
 Force couple(const Contact& contact, const Coupling& coupling, CouplingState& state);
 

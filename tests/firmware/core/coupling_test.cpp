@@ -1,0 +1,128 @@
+#include "firmware/core/coupling.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/reference.h"
+
+namespace isotouch::core {
+namespace {
+
+using test::Point;
+using test::Random;
+
+/// Only the numbers that a coupling reads.
+BlobView view_with(double edge_mm, double stiffness) {
+  BlobView view;
+  view.edge = MmPerVoxel::from_raw(static_cast<std::int32_t>(std::lround(edge_mm * 1048576)));
+  view.stiffness = Stiffness::from_raw(static_cast<std::int32_t>(std::lround(stiffness * 65536)));
+  return view;
+}
+
+Contact contact_with(const Point& stretch) {
+  Contact contact;
+  contact.touching = true;
+  contact.stretch = test::to_voxel(stretch);
+  return contact;
+}
+
+Point newton(const Force& force) { return {force.newton.x.raw() / 65536.0, force.newton.y.raw() / 65536.0, force.newton.z.raw() / 65536.0}; }
+
+TEST(Coupling, IsASpringOfTheBlobsStiffness) {
+  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
+  Random random(41);
+  double worst = 0;
+  for (int i = 0; i < 5000; ++i) {
+    CouplingState state;
+    state.ramp = coupling.ramp_ticks;
+    const Point stretch = random.in_ball(25.0);
+    const Force force = couple(contact_with(stretch), coupling, state);
+    EXPECT_FALSE(force.limited || force.ramping);
+    worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(stretch)) * (0.34 * 0.8)));
+  }
+  EXPECT_LT(worst, 0.0003);    // of up to 6.8 N: three roundings and the stiffness's own 16 bits
+  EXPECT_GT(worst, 0.00001);
+}
+
+TEST(Coupling, TheSettingsStiffnessComesBeforeTheBlobs) {
+  TickSettings settings;
+  settings.stiffness = Stiffness::of(2.0);
+  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  CouplingState state;
+  state.ramp = coupling.ramp_ticks;
+  EXPECT_NEAR(newton(couple(contact_with({0, 0, 3}), coupling, state)).z, 3.0, 0.0001);
+}
+
+TEST(Coupling, WithoutContactThereIsNoForceInTheSameTick) {
+  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
+  CouplingState state;
+  couple(contact_with({5, 0, 0}), coupling, state);
+  const Force left = couple(Contact{}, coupling, state);
+  EXPECT_EQ(left.newton, Vec3<Newton>{});
+  EXPECT_FALSE(left.limited || left.ramping);
+}
+
+TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
+  TickSettings settings;
+  settings.force_limit = Newton::of(2.5);
+  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.34, 0.8));
+  Random random(42);
+  int limited = 0;
+  for (int i = 0; i < 5000; ++i) {
+    CouplingState state;
+    state.ramp = coupling.ramp_ticks;
+    const Point stretch = random.in_ball(i % 2 == 0 ? 4000.0 : 20.0);
+    const Force force = couple(contact_with(stretch), coupling, state);
+    const double spring = test::length(stretch) * 0.34 * 0.8;
+    if (spring < 2.49) {
+      EXPECT_FALSE(force.limited);
+    } else if (spring > 2.51) {
+      ++limited;
+      EXPECT_TRUE(force.limited);
+      EXPECT_NEAR(test::length(newton(force)), 2.5, 0.0001);
+      EXPECT_LT(test::angle_degrees(newton(force), stretch), 0.01);
+    }
+  }
+  EXPECT_GT(limited, 2500);
+}
+
+TEST(Coupling, DampingFollowsTheChangeOfStretch) {
+  TickSettings settings;
+  settings.damping = Damping::of(0.002);   // N·s/mm
+  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  CouplingState state;
+  state.ramp = coupling.ramp_ticks;
+  couple(contact_with({0, 0, 2}), coupling, state);
+  const Force force = couple(contact_with({0, 0, 2.2}), coupling, state);
+  EXPECT_NEAR(newton(force).z, 2.2 * 0.5 * 0.8 + 0.002 * (0.2 * 0.5) / 0.001, 0.0005);   // spring, and 100 mm/s times b
+}
+
+TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
+  TickSettings settings;
+  settings.ramp_ticks = 10;
+  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  CouplingState state;
+  Contact away;
+  away.following = true;
+  couple(away, coupling, state);
+  double last = 0;
+  for (int t = 1; t <= 10; ++t) {
+    const Force force = couple(contact_with({4, 0, 0}), coupling, state);
+    EXPECT_TRUE(force.ramping);
+    EXPECT_NEAR(newton(force).x, 1.6 * t / 10, 0.0005);
+    EXPECT_LE(newton(force).x - last, 0.161);   // no jump
+    last = newton(force).x;
+  }
+  EXPECT_FALSE(couple(contact_with({4, 0, 0}), coupling, state).ramping);
+}
+
+TEST(Coupling, ContactThatBeginsAtRestHasItsFullForceAtOnce) {
+  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.5, 0.8));
+  CouplingState state;
+  couple(Contact{}, coupling, state);   // at the HIP, in free space
+  const Force force = couple(contact_with({0.5, 0, 0}), coupling, state);
+  EXPECT_FALSE(force.ramping);
+  EXPECT_NEAR(newton(force).x, 0.2, 0.0001);
+}
+
+}  // namespace
+}  // namespace isotouch::core
