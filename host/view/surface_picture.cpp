@@ -42,7 +42,7 @@ Direction direction_showing(const Touch& touch, const FieldRays& rays, char up) 
 void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const Touch& touch, const Camera& camera) {
   Canvas canvas(image);
   const float scale = drawing_scale(image);
-  const double half = std::max(2.2 * touch.depth_mm(), 6 * rays.edge());
+  const double half = std::max(touch.depth_mm(), 6 * rays.edge());
   const Eigen::Vector3d out = (touch.proxy - touch.hip).normalized();
   Eigen::Vector3d eye = camera.back() - camera.back().dot(out) * out;  // across the line of penetration, from the viewer's side
   if (eye.norm() < 1e-3) eye = camera.right();

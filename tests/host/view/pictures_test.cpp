@@ -43,7 +43,7 @@ TEST(SurfacePicture, shows_the_touch_wherever_it_is) {
 
 TEST(SurfacePicture, without_a_touch_has_no_markers) {
   const SphereBlob blob;
-  const Image image = surface_picture(blob.view, {.width = 480, .height = 360, .direction = Direction{10, 80}, .title = "sphere"});
+  const Image image = surface_picture(blob.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
   EXPECT_EQ(count(image, is_green), 0);
   EXPECT_EQ(count(image, is_red), 0);
 }
