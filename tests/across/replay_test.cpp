@@ -25,7 +25,7 @@ using evaluate::OpenBlob;
 using evaluate::Trace;
 using evaluate::TraceWriter;
 
-constexpr std::uint64_t kTicks = 20'000;
+constexpr std::uint64_t kTicks = 32'000;  // a whole round, whose last motion leaves the workspace
 
 const OpenBlob& capsules() {
   static const OpenBlob blob = evaluate::trial_blob(evaluate::shape_trial("capsules"), blob::Method::kDefault);
