@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -19,20 +20,32 @@ namespace isotouch::field {
 inline constexpr std::size_t kMaxPieces = 4;
 
 struct LocalModel {
-  std::array<ToroidalPatch, kMaxPieces> pieces;  ///< in the order in which they are joined
+  std::array<ToroidalPatch, kMaxPieces> pieces{};  ///< in the order in which they are joined
   std::uint8_t count = 1;
   double trust = 1.0;        ///< weight in a blend: the inverse of the error with which it explains its neighbours
   std::uint8_t concave = 0;  ///< bit k: piece k is joined to those before it by union (min), else by intersection (max)
 
-  /// Signed distance, never larger than the true one to the joined pieces outside a convex edge and inside a concave one; slope at most
-  /// one.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< the sample
+  double reach = 0.0;                                ///< to the farthest neighbour that the model explains
+
+  /// Signed distance, never larger than the true one to the joined pieces outside a convex edge and inside a concave one. Beyond `reach` the
+  /// pieces know nothing: there the sign stays as it is at the reach along the line from the sample, and the value grows with the way.
   double distance(const Eigen::Vector3d& x) const {
-    double joined = pieces[0].distance(x);
+    const Eigen::Vector3d way = x - centre;
+    const double squared = way.squaredNorm();
+    if (squared <= reach * reach || reach == 0.0) return joined(x);
+    const double share = reach / std::sqrt(squared);
+    return joined(centre + share * way) / share;
+  }
+
+ private:
+  double joined(const Eigen::Vector3d& x) const {
+    double value = pieces[0].distance(x);
     for (std::size_t k = 1; k < count; ++k) {
       const double next = pieces[k].distance(x);
-      joined = (concave >> k & 1) != 0 ? (next < joined ? next : joined) : (next > joined ? next : joined);
+      value = (concave >> k & 1) != 0 ? (next < value ? next : value) : (next > value ? next : value);
     }
-    return joined;
+    return value;
   }
 };
 

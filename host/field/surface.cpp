@@ -18,7 +18,7 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 }  // namespace
 
 Surface::Surface(const cloud::OrientedPoints& points)
-    : positions_(points.positions), tree_(positions_), models_(local_models(points, tree_)) {}
+    : positions_(points.positions), tree_(positions_), balls_(empty_balls(points, tree_)), models_(local_models(points, tree_)) {}
 
 double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const std::size_t count = std::min(kBlended, nearest.size());
@@ -36,7 +36,8 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
     weights += weight;
   }
   // All at one distance: x is the centre of a ball through the samples.
-  return weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
+  const double blended = weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
+  return held_by_balls(blended, x, nearest.first(count), balls_);
 }
 
 double Surface::distance(const Eigen::Vector3d& x) const {

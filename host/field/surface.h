@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/cloud/oriented_points.h"
+#include "host/field/empty_balls.h"
 #include "host/field/local_model.h"
 #include "host/field/nearest.h"
 
@@ -33,6 +34,7 @@ class Surface {
 
   std::vector<Eigen::Vector3d> positions_;
   Nearest tree_;
+  std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
 };
 

@@ -83,13 +83,31 @@ TEST(LocalModels, JoinACreaseByUnion) {
   std::size_t checked = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3d& p = points.positions[i];
-    if (p.x() + p.z() > 1.5 || p.y() < 3 || p.y() > 8) continue;
+    if (p.x() + p.z() > 1.0 || p.y() < 3 || p.y() > 8) continue;
     ++checked;
-    EXPECT_NEAR(models[i].distance({1, p.y(), 2}), 1, 1e-6);
-    EXPECT_NEAR(models[i].distance({-1, p.y(), 2}), -1, 1e-6);
-    EXPECT_NEAR(models[i].distance({2, p.y(), -1}), -1, 1e-6);
+    EXPECT_NEAR(models[i].distance({0.5, p.y(), 0.8}), 0.5, 1e-6);
+    EXPECT_NEAR(models[i].distance({-0.5, p.y(), 0.8}), -0.5, 1e-6);
+    EXPECT_NEAR(models[i].distance({0.8, p.y(), -0.5}), -0.5, 1e-6);
   }
   EXPECT_GT(checked, 5U);
+}
+
+TEST(LocalModels, KeepTheirSignBeyondTheirReach) {
+  // A shallow bowl: its torus comes round again far above it, the model must not.
+  cloud::OrientedPoints points;
+  for (int i = -6; i <= 6; ++i) {
+    for (int j = -6; j <= 6; ++j) {
+      const Vector3d p(i, j, 10.0 - std::sqrt(100.0 - i * i - j * j));
+      points.positions.push_back(p);
+      points.normals.push_back((Vector3d(0, 0, 10) - p) / 10.0);
+    }
+  }
+  const auto models = models_of(points);
+  const auto& middle = models[6 * 13 + 6];
+  for (const double height : {1.0, 5.0, 15.0, 25.0, 60.0}) {
+    EXPECT_GT(middle.distance({0, 0, height}), 0.0);
+    EXPECT_LT(middle.distance({0, 0, -height}), 0.0);
+  }
 }
 
 TEST(LocalModels, SurviveCoincidentPointsAndTinySets) {

@@ -1,0 +1,68 @@
+#include "host/field/empty_balls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "host/field/parallel.h"
+
+namespace isotouch::field {
+
+namespace {
+
+constexpr std::size_t kSpacingOf = 4;  // a sample's spacing is the distance to its fourth neighbour
+constexpr double kSlack = 0.5;         // spacings: balls of a thin plate reach through it by 0.4
+constexpr std::size_t kVoices = 3;
+
+/// The radius of the largest ball up to `cap` that touches the surface at sample i on the side of `normal` and holds no other sample.
+double radius(const cloud::OrientedPoints& points, const Nearest& tree, std::size_t i, const Eigen::Vector3d& normal, double cap,
+              std::vector<Neighbour>& found) {
+  tree.within(points.positions[i] + cap * normal, cap, found);
+  double least = cap;
+  for (const Neighbour& j : found) {
+    const Eigen::Vector3d a = points.positions[j.index] - points.positions[i];
+    const double height = normal.dot(a);
+    if (height > 0.0) least = std::min(least, a.squaredNorm() / (2.0 * height));
+  }
+  return least;
+}
+
+}  // namespace
+
+std::vector<EmptyBalls> empty_balls(const cloud::OrientedPoints& points, const Nearest& tree) {
+  std::vector<EmptyBalls> balls(points.size());
+  in_parallel(points.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      tree.nearest(points.positions[i], kSpacingOf + 1, found);
+      const double spacing = std::sqrt(found.back().squared_distance);
+      const Eigen::Vector3d &p = points.positions[i], &n = points.normals[i];
+      EmptyBalls& ball = balls[i];
+      ball.slack = kSlack * spacing;
+      ball.outer_radius = radius(points, tree, i, n, kBallCap * spacing, found);
+      ball.inner_radius = radius(points, tree, i, -n, kBallCap * spacing, found);
+      ball.outer = p + ball.outer_radius * n;
+      ball.inner = p - ball.inner_radius * n;
+    }
+  });
+  return balls;
+}
+
+double held_by_balls(double distance, const Eigen::Vector3d& x, std::span<const Neighbour> nearest, const std::vector<EmptyBalls>& balls) {
+  if (nearest.size() < kVoices) return distance;
+  const bool inside = distance < 0.0;
+  std::array<double, kVoices> deepest;  // how deep x lies in balls of the other side, the deepest first
+  deepest.fill(-std::numeric_limits<double>::infinity());
+  for (const Neighbour& n : nearest) {
+    const EmptyBalls& ball = balls[n.index];
+    double depth = (inside ? ball.outer_radius - (x - ball.outer).norm() : ball.inner_radius - (x - ball.inner).norm()) - ball.slack;
+    for (double& place : deepest) {
+      if (depth > place) std::swap(depth, place);
+    }
+  }
+  const double agreed = deepest.back();
+  return agreed <= 0.0 ? distance : inside ? std::max(distance, agreed) : std::min(distance, -agreed);
+}
+
+}  // namespace isotouch::field
