@@ -62,7 +62,8 @@ int replay(const char* blob_name, const char* trace_name) {
         decode_record(std::span<const std::uint8_t, trace_layout::kRecordBytes>(at, trace_layout::kRecordBytes));
     if (!record) return refuse(trace_name, describe(record.error()));
     const TickOutput output = core::tick(record->input, *field, model, state);
-    if (chain.extend(record->input, output) != record->chain && first_difference == "null") first_difference = std::to_string(n);
+    const bool equal = chain.extend(record->input, output) == record->chain && output == record->output;
+    if (!equal && first_difference == "null") first_difference = std::to_string(n);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   std::printf("{\"ticks\": %llu, \"seconds\": %.3f, \"hash\": \"%016llx\", \"first_difference\": %s}\n",
