@@ -43,16 +43,16 @@ inline constexpr std::size_t kOffsetAt = 120;
 inline constexpr std::size_t kReservedAt = 144;
 inline constexpr std::size_t kHeaderBytes = 256;
 
-inline constexpr int kBrickShift = 2;                        ///< 4 samples a side
-inline constexpr int kNodeShift = 4;                         ///< 16 samples a side
+inline constexpr int kBrickShift = 2;  ///< 4 samples a side
+inline constexpr int kNodeShift = 4;   ///< 16 samples a side
 inline constexpr std::size_t kSamplesPerBrick = 64;
 inline constexpr std::size_t kBricksPerNode = 64;
 inline constexpr std::uint32_t kMaxSize = 4096;
-inline constexpr std::uint32_t kOutside = 0;                 ///< number of the brick, and of the node, that is far outside throughout
-inline constexpr std::uint32_t kInside = 1;                  ///< the same, far inside
+inline constexpr std::uint32_t kOutside = 0;  ///< number of the brick, and of the node, that is far outside throughout
+inline constexpr std::uint32_t kInside = 1;   ///< the same, far inside
 
 template <class T>
-constexpr T align64(T bytes) {   // in the caller's width: a hostile size must not wrap where std::size_t has 32 bits
+constexpr T align64(T bytes) {  // in the caller's width: a hostile size must not wrap where std::size_t has 32 bits
   return (bytes + 63) & ~T{63};
 }
 }  // namespace blob_layout
@@ -64,13 +64,13 @@ using Distance = Fixed<Unit<0, 0, 0, 1>, 12>;
 ///
 /// tick      every member but `parse` and `hash`
 struct BlobView {
-  Vec3<Mm> origin;                       ///< workspace position of sample (0, 0, 0)
+  Vec3<Mm> origin;  ///< workspace position of sample (0, 0, 0)
   MmPerVoxel edge;
   VoxelPerMm inverse_edge;
   Distance band;
   Stiffness stiffness;
-  std::array<std::int32_t, 3> size{};        ///< samples along x, y, z
-  std::array<std::int32_t, 3> root_size{};   ///< nodes along x, y, z
+  std::array<std::int32_t, 3> size{};       ///< samples along x, y, z
+  std::array<std::int32_t, 3> root_size{};  ///< nodes along x, y, z
   std::uint32_t node_count = 0;
   std::uint32_t brick_count = 0;
   const std::uint32_t* root = nullptr;

@@ -24,8 +24,8 @@ struct Unit {
 };
 
 template <class R, class A, class B>
-inline constexpr bool is_product_of = R::kMm == A::kMm + B::kMm && R::kNewton == A::kNewton + B::kNewton &&
-                                      R::kSecond == A::kSecond + B::kSecond && R::kVoxel == A::kVoxel + B::kVoxel;
+inline constexpr bool is_product_of = R::kMm == A::kMm + B::kMm&& R::kNewton == A::kNewton + B::kNewton&& R::kSecond ==
+                                      A::kSecond + B::kSecond&& R::kVoxel == A::kVoxel + B::kVoxel;
 
 /// `value / 2^bits` rounded to nearest, ties up; `bits` from 0 to 62, |value| + 2^(bits-1) below 2^63.
 constexpr std::int64_t round_shift(std::int64_t value, int bits) {

@@ -9,17 +9,17 @@ namespace isotouch {
 
 /// Why data was refused. `describe` gives the sentence's core; the caller adds file and place.
 enum class Error : std::uint8_t {
-  kTruncated,        ///< fewer bytes than the header promises
-  kBadMagic,         ///< not a file of this kind
-  kBadVersion,       ///< a major version that this program does not know
-  kBadHeader,        ///< a header field outside its range
-  kBadSize,          ///< the sizes in the header contradict each other or the file
-  kBadChecksum,      ///< the bytes were changed after they were written
-  kBadIndex,         ///< a table entry points outside its table
-  kMisaligned,       ///< the memory image does not start on an 8-byte boundary
-  kBadRecord,        ///< a trace record with an undefined bit or value
-  kWrongBlob,        ///< the trace was recorded on another blob
-  kNoOutputs,        ///< the trace holds inputs only
+  kTruncated,    ///< fewer bytes than the header promises
+  kBadMagic,     ///< not a file of this kind
+  kBadVersion,   ///< a major version that this program does not know
+  kBadHeader,    ///< a header field outside its range
+  kBadSize,      ///< the sizes in the header contradict each other or the file
+  kBadChecksum,  ///< the bytes were changed after they were written
+  kBadIndex,     ///< a table entry points outside its table
+  kMisaligned,   ///< the memory image does not start on an 8-byte boundary
+  kBadRecord,    ///< a trace record with an undefined bit or value
+  kWrongBlob,    ///< the trace was recorded on another blob
+  kNoOutputs,    ///< the trace holds inputs only
 };
 
 constexpr const char* describe(Error error) {
@@ -44,8 +44,8 @@ class [[nodiscard]] Result {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  constexpr Result(const T& value) : value_(value), ok_(true) {}   // NOLINT(google-explicit-constructor): as std::expected
-  constexpr Result(Error error) : error_(error), ok_(false) {}     // NOLINT(google-explicit-constructor): as std::unexpected
+  constexpr Result(const T& value) : value_(value), ok_(true) {}  // NOLINT(google-explicit-constructor): as std::expected
+  constexpr Result(Error error) : error_(error), ok_(false) {}    // NOLINT(google-explicit-constructor): as std::unexpected
 
   constexpr bool has_value() const { return ok_; }
   constexpr explicit operator bool() const { return ok_; }

@@ -11,40 +11,40 @@ namespace isotouch {
 
 /// One sample of the device, as the tick sees it. Arrival times stay outside: they are not the same twice.
 struct TickInput {
-  Vec3<Mm> hip;               ///< where the hand is, workspace frame
-  std::uint8_t buttons = 0;   ///< bit 0 to 3
-  bool fresh = true;          ///< false: the same sample as in an earlier tick
-  std::uint16_t age = 0;      ///< whole ticks since the sample was fresh
+  Vec3<Mm> hip;              ///< where the hand is, workspace frame
+  std::uint8_t buttons = 0;  ///< bit 0 to 3
+  bool fresh = true;         ///< false: the same sample as in an earlier tick
+  std::uint16_t age = 0;     ///< whole ticks since the sample was fresh
 };
 
 /// Conditions of one tick; "limited" bits are not faults.
 enum StatusBits : std::uint32_t {
-  kContact = 1U << 0,        ///< the proxy is held by the surface, the force is that of contact
-  kFollowing = 1U << 1,      ///< the proxy is on its way to the HIP in free space and has not arrived: no force
-  kOutsideGrid = 1U << 2,    ///< the HIP is outside the sampled box
-  kHeldInside = 1U << 3,     ///< the HIP began inside the object: no force until it has left
-  kRamping = 1U << 4,        ///< the force is below its full value because contact did not begin at rest
-  kForceLimited = 1U << 5,   ///< the force was shortened to the limit, its direction kept
-  kStale = 1U << 6,          ///< the input was not fresh
-  kInputClamped = 1U << 7,   ///< the HIP was outside ±512 mm and was moved to the border
+  kContact = 1U << 0,       ///< the proxy is held by the surface, the force is that of contact
+  kFollowing = 1U << 1,     ///< the proxy is on its way to the HIP in free space and has not arrived: no force
+  kOutsideGrid = 1U << 2,   ///< the HIP is outside the sampled box
+  kHeldInside = 1U << 3,    ///< the HIP began inside the object: no force until it has left
+  kRamping = 1U << 4,       ///< the force is below its full value because contact did not begin at rest
+  kForceLimited = 1U << 5,  ///< the force was shortened to the limit, its direction kept
+  kStale = 1U << 6,         ///< the input was not fresh
+  kInputClamped = 1U << 7,  ///< the HIP was outside ±512 mm and was moved to the border
 };
 
 struct TickOutput {
-  Vec3<Mm> proxy;                      ///< workspace frame
-  Vec3<Newton> force;                  ///< on the hand, device axes
-  std::array<std::int16_t, 3> words{}; ///< motor words
-  std::uint16_t state = 0;             ///< supervisor state
-  std::uint32_t status = 0;            ///< StatusBits
+  Vec3<Mm> proxy;                       ///< workspace frame
+  Vec3<Newton> force;                   ///< on the hand, device axes
+  std::array<std::int16_t, 3> words{};  ///< motor words
+  std::uint16_t state = 0;              ///< supervisor state
+  std::uint32_t status = 0;             ///< StatusBits
 
   bool operator==(const TickOutput&) const = default;
 };
 
 /// What a person may set; part of the trace's header and of the chain.
 struct TickSettings {
-  Stiffness stiffness;                    ///< 0 = the blob's
-  Damping damping;                        ///< between proxy and HIP; 0 = pure spring
-  Newton force_limit = Newton::of(8.0);   ///< the Falcon gives about 9 N
-  std::uint32_t ramp_ticks = 50;          ///< from no force to full force where contact did not begin at rest
+  Stiffness stiffness;                   ///< 0 = the blob's
+  Damping damping;                       ///< between proxy and HIP; 0 = pure spring
+  Newton force_limit = Newton::of(8.0);  ///< the Falcon gives about 9 N
+  std::uint32_t ramp_ticks = 50;         ///< from no force to full force where contact did not begin at rest
 
   bool operator==(const TickSettings&) const = default;
 };

@@ -17,9 +17,9 @@ inline constexpr std::uint16_t kMajor = 1;
 inline constexpr std::uint16_t kMinor = 0;
 inline constexpr std::size_t kHeaderBytes = 96;
 inline constexpr std::size_t kRecordBytes = 72;
-inline constexpr std::size_t kChainBegin = 24;         ///< the header's bytes 24 to 63 seed the chain
+inline constexpr std::size_t kChainBegin = 24;  ///< the header's bytes 24 to 63 seed the chain
 inline constexpr std::size_t kChainEnd = 64;
-inline constexpr std::size_t kRecordChainBytes = 56;   ///< a record's bytes 0 to 55 enter the chain
+inline constexpr std::size_t kRecordChainBytes = 56;  ///< a record's bytes 0 to 55 enter the chain
 inline constexpr std::uint32_t kHasOutputs = 1U << 0;
 inline constexpr std::uint32_t kEncoderCounts = 1U << 1;
 }  // namespace trace_layout
@@ -29,8 +29,8 @@ using TraceRecordBytes = std::array<std::uint8_t, trace_layout::kRecordBytes>;
 
 struct TraceHeader {
   std::uint64_t record_count = 0;
-  std::uint64_t blob_hash = 0;        ///< 0 = any
-  std::uint64_t model_hash = 0;       ///< 0 = inputs are HIP positions
+  std::uint64_t blob_hash = 0;   ///< 0 = any
+  std::uint64_t model_hash = 0;  ///< 0 = inputs are HIP positions
   std::uint32_t period_ns = 1'000'000;
   std::uint32_t flags = 0;
   TickSettings settings;
@@ -42,7 +42,7 @@ struct TraceRecord {
   TickInput input;
   TickOutput output;
   std::uint64_t chain = 0;
-  std::uint64_t arrival_ns = 0;       ///< since the first record; outside the chain
+  std::uint64_t arrival_ns = 0;  ///< since the first record; outside the chain
 };
 
 /// fails     never

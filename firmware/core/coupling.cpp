@@ -47,7 +47,7 @@ Force couple(const Contact& contact, const Coupling& coupling, CouplingState& st
   force.ramping = in_ramp;
   if (!contact.touching) return force;
   const Vec3<Newton> full = mul<Newton>(stretch, coupling.stiffness) + mul<Newton>(change, coupling.damping);
-  const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();   // at most 2^30: ramp <= ramp_ticks
+  const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
   force.newton = limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited);
   return force;
 }

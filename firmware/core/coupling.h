@@ -24,16 +24,16 @@ struct Coupling {
   DampingPerTick damping;
   Newton force_limit;
   std::uint32_t ramp_ticks = 0;
-  RampPart ramp_part;            ///< 1 / ramp_ticks
+  RampPart ramp_part;  ///< 1 / ramp_ticks
 };
 
 struct CouplingState {
   Vec3<Mm> last_stretch;
-  std::uint32_t ramp = 0;        ///< ticks of the ramp done; ramp_ticks = full force
+  std::uint32_t ramp = 0;  ///< ticks of the ramp done; ramp_ticks = full force
 };
 
 struct Force {
-  Vec3<Newton> newton;           ///< on the hand
+  Vec3<Newton> newton;  ///< on the hand
   bool limited = false;
   bool ramping = false;
 };

@@ -31,15 +31,15 @@ Along along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32
 
 /// One axis of the point: its nearest sample, the offset from it, and where the brick of the sample before and the brick of the sample after lie.
 struct AxisPlace {
-  std::int32_t t;                           // offset from the nearest sample, 16 fraction bits, within ±1/2
-  std::int32_t first;                       // index of the sample before the nearest one
-  std::array<std::int32_t, 2> root, slot;   // of the brick before and the brick after; equal where the three samples share one brick
+  std::int32_t t;                          // offset from the nearest sample, 16 fraction bits, within ±1/2
+  std::int32_t first;                      // index of the sample before the nearest one
+  std::array<std::int32_t, 2> root, slot;  // of the brick before and the brick after; equal where the three samples share one brick
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
   const std::int32_t inside = std::clamp(coordinate, 1 << 16, (size - 2) << 16);
   outside |= inside != coordinate;
-  const std::int32_t first = ((inside + 0x8000) >> 16) - 1;   // in [0, size - 3]
+  const std::int32_t first = ((inside + 0x8000) >> 16) - 1;  // in [0, size - 3]
   const std::int32_t before = first >> kBrickShift, after = (first + 2) >> kBrickShift;
   return {inside - ((first + 1) << 16), first, {before >> 2, after >> 2}, {before & 3, after & 3}};
 }

@@ -9,15 +9,15 @@
 
 namespace isotouch::core {
 
-using Slope = Fixed<Unit<0, 0, 0, 0>, 16>;        ///< voxels a voxel; range ±32767, resolution 1.5e-5
-using Curvature = Fixed<Unit<0, 0, 0, -1>, 16>;   ///< 1 / voxel
+using Slope = Fixed<Unit<0, 0, 0, 0>, 16>;       ///< voxels a voxel; range ±32767, resolution 1.5e-5
+using Curvature = Fixed<Unit<0, 0, 0, -1>, 16>;  ///< 1 / voxel
 
 struct FieldSample {
-  Voxel distance;                ///< negative inside
-  Vec3<Slope> gradient;          ///< points out; zero where the field is clamped to the band
-  Vec3<Curvature> second;        ///< d²φ/dx², d²φ/dy², d²φ/dz²
-  Vec3<Curvature> mixed;         ///< d²φ/dydz, d²φ/dzdx, d²φ/dxdy
-  bool outside_grid = false;     ///< the point was moved to the grid's border
+  Voxel distance;             ///< negative inside
+  Vec3<Slope> gradient;       ///< points out; zero where the field is clamped to the band
+  Vec3<Curvature> second;     ///< d²φ/dx², d²φ/dy², d²φ/dz²
+  Vec3<Curvature> mixed;      ///< d²φ/dydz, d²φ/dzdx, d²φ/dxdy
+  bool outside_grid = false;  ///< the point was moved to the grid's border
 };
 
 /// point     index coordinates, within ±8191 voxels; outside the grid it is moved to the border, which is far outside the object

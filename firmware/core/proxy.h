@@ -29,20 +29,20 @@ enum class ProxyMode : std::uint8_t {
 
 struct ProxyState {
   ProxyMode mode = ProxyMode::kUnplaced;
-  Vec3<Voxel> point;         ///< where the field was sampled last, index coordinates
-  FieldSample sample;        ///< the field there
-  Vec3<Voxel> proxy;         ///< the last proxy in contact
-  Vec3<Voxel> hip;           ///< the last HIP
+  Vec3<Voxel> point;   ///< where the field was sampled last, index coordinates
+  FieldSample sample;  ///< the field there
+  Vec3<Voxel> proxy;   ///< the last proxy in contact
+  Vec3<Voxel> hip;     ///< the last HIP
   StepMemory steps;
 };
 
 struct Contact {
-  Vec3<Voxel> proxy;             ///< index coordinates; on the surface in contact, at the HIP in free space once arrived
-  Vec3<Voxel> stretch;           ///< proxy - HIP where there is contact, else zero
-  bool touching = false;         ///< held by the surface
-  bool following = false;        ///< on the way to the HIP, not arrived: no force
-  bool held_inside = false;      ///< the HIP began inside the object
-  bool outside_grid = false;     ///< the HIP is outside the sampled box
+  Vec3<Voxel> proxy;          ///< index coordinates; on the surface in contact, at the HIP in free space once arrived
+  Vec3<Voxel> stretch;        ///< proxy - HIP where there is contact, else zero
+  bool touching = false;      ///< held by the surface
+  bool following = false;     ///< on the way to the HIP, not arrived: no force
+  bool held_inside = false;   ///< the HIP began inside the object
+  bool outside_grid = false;  ///< the HIP is outside the sampled box
 };
 
 /// Moves the proxy towards the HIP without passing the surface.

@@ -13,17 +13,17 @@ namespace {
 // Raw numbers of 16 fraction bits in 64-bit integers. A checked blob may hold any coefficients within ±8 voxels, so |g| <= 16 a component (2^20) and
 // |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17.
 constexpr std::int64_t kOne = 1 << 16;
-constexpr std::int64_t kSlideLimit = kOne * 5 / 4;              // a step along the surface: the spline bends over about one voxel
-constexpr std::int64_t kRestoreFirst = 32;               // a step along the surface gets shorter by this many times the depth: out first
-constexpr std::int64_t kStill = kOne / 256;               // shorter steps are rounding, not motion
-constexpr std::int64_t kMinSlopeSquare = kOne / 64;       // |g|² is taken as at least this: the field flattens in the middle of thin parts
-constexpr std::int64_t kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
-constexpr std::int64_t kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
-constexpr std::int64_t kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
+constexpr std::int64_t kSlideLimit = kOne * 5 / 4;   // a step along the surface: the spline bends over about one voxel
+constexpr std::int64_t kRestoreFirst = 32;           // a step along the surface gets shorter by this many times the depth: out first
+constexpr std::int64_t kStill = kOne / 256;          // shorter steps are rounding, not motion
+constexpr std::int64_t kMinSlopeSquare = kOne / 64;  // |g|² is taken as at least this: the field flattens in the middle of thin parts
+constexpr std::int64_t kPullLimit = 64 * kOne;       // a pull along the surface beyond this acts like this
+constexpr std::int64_t kDepthLimit = 1024 * kOne;    // the same for the depth where it multiplies curvature
+constexpr std::int64_t kTraceLimit = 8 * kOne;       // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr std::int64_t kDeterminantLimit = 16 * kOne;
-constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;   // what a reciprocal may be multiplied with
-constexpr std::int64_t kMinBend = kOne / 2;             // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
-constexpr std::int64_t kMinSpread = kOne / 256;         // eigenvalues closer than this count as one
+constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;  // what a reciprocal may be multiplied with
+constexpr std::int64_t kMinBend = kOne / 2;      // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
+constexpr std::int64_t kMinSpread = kOne / 256;  // eigenvalues closer than this count as one
 
 struct Raw3 {
   std::int64_t x, y, z;
@@ -33,7 +33,9 @@ template <class Q>
 Raw3 raw(const Vec3<Q>& v) {
   return {v.x.raw(), v.y.raw(), v.z.raw()};
 }
-Vec3<Voxel> to_voxel(const Raw3& v) { return {Voxel::from_raw(saturate32(v.x)), Voxel::from_raw(saturate32(v.y)), Voxel::from_raw(saturate32(v.z))}; }
+Vec3<Voxel> to_voxel(const Raw3& v) {
+  return {Voxel::from_raw(saturate32(v.x)), Voxel::from_raw(saturate32(v.y)), Voxel::from_raw(saturate32(v.z))};
+}
 
 Raw3 operator+(const Raw3& a, const Raw3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Raw3 operator-(const Raw3& a, const Raw3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -62,7 +64,7 @@ Raw3 shorten(const Raw3& any, std::int64_t limit) {
   const Raw3 v = within(any, std::int64_t{1} << 30);
   const std::int64_t square = v.x * v.x + v.y * v.y + v.z * v.z;
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
-  const std::int64_t ratio = (limit * inverse_length.mantissa) >> (inverse_length.shift - 30);   // limit / length, 30 fraction bits
+  const std::int64_t ratio = (limit * inverse_length.mantissa) >> (inverse_length.shift - 30);  // limit / length, 30 fraction bits
   if (square <= limit * limit) return v;
   return {(v.x * ratio) >> 30, (v.y * ratio) >> 30, (v.z * ratio) >> 30};
 }
@@ -71,7 +73,7 @@ Raw3 shorten(const Raw3& any, std::int64_t limit) {
 struct LocalField {
   std::int64_t distance;
   Raw3 gradient, second, mixed;
-  Reciprocal slope_square;   // 1 / |g|²
+  Reciprocal slope_square;  // 1 / |g|²
 
   explicit LocalField(const FieldSample& s)
       : distance(s.distance.raw()),
@@ -108,18 +110,19 @@ struct LocalField {
 /// too and its length stays bounded (saddle-free Newton). With b = max(|1 - μ|, kMinBend) and the second eigenvector's projection written through M,
 ///   step = ( pull + (b₁ - b₂) / ((μ₂ - μ₁) b₂) · (M pull - μ₁ pull) ) / b₁.
 Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
-  const std::int64_t plane_trace = at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
+  const std::int64_t plane_trace =
+      at.second.x + at.second.y + at.second.z - divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square);
   const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
-  const std::int64_t half_trace = (depth * within(plane_trace, kTraceLimit)) >> 17;                                    // below 2^28
-  const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;   // below 2^40
-  const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                     // half of μ₂ - μ₁
+  const std::int64_t half_trace = (depth * within(plane_trace, kTraceLimit)) >> 17;                                 // below 2^28
+  const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;  // below 2^40
+  const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                  // half of μ₂ - μ₁
 
   const std::int64_t mu1 = half_trace - spread, mu2 = half_trace + spread;
   const std::int64_t b1 = std::max(std::abs(kOne - mu1), kMinBend), b2 = std::max(std::abs(kOne - mu2), kMinBend);
   const Reciprocal over_b1 = reciprocal(static_cast<std::uint64_t>(b1));
   const Reciprocal over_b2 = reciprocal(static_cast<std::uint64_t>(b2));
   const Reciprocal over_spread = reciprocal(static_cast<std::uint64_t>(std::max(2 * spread, kMinSpread)));
-  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);   // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
+  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
 
   const Raw3 bent = scale(at.tangential(at.bend(pull)), depth);
   const Raw3 beyond = bent - scale(pull, mu1);
@@ -136,7 +139,8 @@ std::int64_t size_of(const Raw3& v) { return std::max({std::abs(v.x), std::abs(v
 Raw3 without_turning_back(const Raw3& way, StepMemory& memory) {
   const bool turns_back = dot(way, raw(memory.last)) < 0 && size_of(way) > kStill;
   const Raw3 taken = turns_back ? Raw3{way.x >> 1, way.y >> 1, way.z >> 1} : way;
-  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(turns_back ? size_of(taken) : std::min((std::int64_t{memory.reach.raw()} * 17 + 15) >> 4, kSlideLimit)));
+  memory.reach = Voxel::from_raw(
+      static_cast<std::int32_t>(turns_back ? size_of(taken) : std::min((std::int64_t{memory.reach.raw()} * 17 + 15) >> 4, kSlideLimit)));
   memory.last = to_voxel(taken);
   return taken;
 }
@@ -150,8 +154,9 @@ bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const F
 Vec3<Voxel> step_onto_surface(const FieldSample& sample) { return to_voxel(LocalField(sample).onto_surface()); }
 
 void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
-  if (size_of(raw(motion)) > kStill) memory.last = {};   // turning with the hand is no cycle
-  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(std::clamp(2 * size_of(raw(motion)), std::int64_t{memory.reach.raw()}, kSlideLimit)));
+  if (size_of(raw(motion)) > kStill) memory.last = {};  // turning with the hand is no cycle
+  memory.reach =
+      Voxel::from_raw(static_cast<std::int32_t>(std::clamp(2 * size_of(raw(motion)), std::int64_t{memory.reach.raw()}, kSlideLimit)));
 }
 
 Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, StepMemory& memory) {
@@ -159,7 +164,7 @@ Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const
   const Raw3 pull = raw(hip) - raw(point);
   const std::int64_t free_way = std::max<std::int64_t>(at.distance, 0);
   const std::int64_t buried = std::max<std::int64_t>(-at.distance, 0);
-  const std::int64_t safe = free_way + kSlideLimit;   // a surface may be this far away, and one step may end that deep
+  const std::int64_t safe = free_way + kSlideLimit;  // a surface may be this far away, and one step may end that deep
   const std::int64_t clearance = at.clearance(pull);
 
   if (clearance >= 0) {

@@ -17,8 +17,8 @@ Vec3<Voxel> step_onto_surface(const FieldSample& sample);
 
 /// What the steps remember of each other, so that a cycle dies out where Newton's step alone would keep circling in a rough crease.
 struct StepMemory {
-  Vec3<Voxel> last;                ///< the last step, without its part straight onto the surface
-  Voxel reach = Voxel::of(1.25);   ///< how far beyond the free way a step is trusted
+  Vec3<Voxel> last;               ///< the last step, without its part straight onto the surface
+  Voxel reach = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted
 };
 
 /// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.

@@ -6,8 +6,8 @@ namespace isotouch::core {
 
 namespace {
 
-constexpr Mm kReach = Mm::of(512);             // of the input, each axis: three products of differences then fit 63 bits
-constexpr Voxel kIndexReach = Voxel::of(8191);   // twice the largest grid: a difference of two fits 2^30
+constexpr Mm kReach = Mm::of(512);              // of the input, each axis: three products of differences then fit 63 bits
+constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
 
 Vec3<Mm> clamp_to_reach(const Vec3<Mm>& hip) {
   return {std::clamp(hip.x, -kReach, kReach), std::clamp(hip.y, -kReach, kReach), std::clamp(hip.z, -kReach, kReach)};

@@ -10,8 +10,8 @@
 
 namespace isotouch::blob {
 
-using Samples = std::array<float, 64>;    ///< of one brick, x fastest
-using Apron = std::array<float, 216>;     ///< 6 samples a side, the brick's own from 1 to 4
+using Samples = std::array<float, 64>;  ///< of one brick, x fastest
+using Apron = std::array<float, 216>;   ///< 6 samples a side, the brick's own from 1 to 4
 using Neighbours = std::array<std::size_t, 27>;
 
 constexpr std::size_t sample_number(int x, int y, int z) { return static_cast<std::size_t>((z * 4 + y) * 4 + x); }

@@ -12,7 +12,7 @@ namespace isotouch::blob {
 
 namespace {
 
-constexpr int kSteps = 12;   // the fillet is at most two voxels wide on each side; a Jacobi step carries one
+constexpr int kSteps = 12;  // the fillet is at most two voxels wide on each side; a Jacobi step carries one
 
 /// One brick after one step, and whether anything changed. A neighbour beyond the band is NaN, and so is every sum with it: no change.
 bool step(const Apron& apron, float sharpest, Samples& samples) {

@@ -10,9 +10,9 @@ namespace isotouch::field {
 
 /// Sample (i, j, k) lies at origin + edge * (i, j, k).
 struct Grid {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   ///< workspace, mm
-  double edge = 1.0;                                  ///< mm a voxel
-  Eigen::Vector3i size = Eigen::Vector3i::Zero();     ///< samples along each axis
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< workspace, mm
+  double edge = 1.0;                                 ///< mm a voxel
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();    ///< samples along each axis
 
   Eigen::Vector3d position(const Eigen::Vector3i& sample) const { return origin + edge * sample.cast<double>(); }
   Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin) / edge; }
@@ -20,15 +20,15 @@ struct Grid {
 
 /// 4x4x4 samples, stored together (blob_layout::kBrickShift).
 struct Brick {
-  Eigen::Vector3i cell;               ///< brick coordinates: its first sample is 4 * cell
-  std::array<float, 64> distance;     ///< voxels, negative inside, x fastest; beyond +-band the value only needs the right sign
+  Eigen::Vector3i cell;            ///< brick coordinates: its first sample is 4 * cell
+  std::array<float, 64> distance;  ///< voxels, negative inside, x fastest; beyond +-band the value only needs the right sign
 };
 
 /// Every brick that holds a sample with |distance| <= band is listed; the others are wholly outside or wholly inside the object.
 struct BandField {
   Grid grid;
-  double band = 4.0;                  ///< half width, voxels
-  std::vector<Brick> bricks;          ///< sorted by cell: z, then y, then x
+  double band = 4.0;          ///< half width, voxels
+  std::vector<Brick> bricks;  ///< sorted by cell: z, then y, then x
 };
 
 }  // namespace isotouch::field

@@ -31,7 +31,7 @@ TEST(Reciprocal, IsWithinItsBoundOverTheWholeRange) {
     worst = std::max(worst, std::abs(value(r) * static_cast<double>(x) - 1));
   });
   EXPECT_LT(worst, std::ldexp(1.0, -29));
-  EXPECT_GT(worst, std::ldexp(1.0, -32));   // twice as good: tighten the header
+  EXPECT_GT(worst, std::ldexp(1.0, -32));  // twice as good: tighten the header
 }
 
 TEST(InverseRoot, IsWithinItsBoundOverTheWholeRange) {

@@ -46,7 +46,8 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   std::vector<std::uint32_t> root;
   for (std::size_t cell = 0; cell < cells; ++cell) {
     root.push_back(static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
-    const std::array<std::size_t, 3> corner = {16 * (cell % roots[0]), 16 * (cell / roots[0] % roots[1]), 16 * (cell / roots[0] / roots[1])};
+    const std::array<std::size_t, 3> corner = {16 * (cell % roots[0]), 16 * (cell / roots[0] % roots[1]),
+                                               16 * (cell / roots[0] / roots[1])};
     for (std::size_t slot = 0; slot < kBricksPerNode; ++slot) {
       std::array<std::int16_t, kSamplesPerBrick> brick{};
       for (std::size_t i = 0; i < kSamplesPerBrick; ++i) {

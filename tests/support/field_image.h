@@ -19,7 +19,7 @@ struct FieldOptions {
   double band = 4.0;
   double stiffness = 0.8;
   Point origin_mm = {-20.0, -20.0, -20.0};
-  bool prefilter = true;   ///< coefficients whose spline passes near the samples, φ - (sum of second differences) / 8
+  bool prefilter = true;  ///< coefficients whose spline passes near the samples, φ - (sum of second differences) / 8
 };
 
 /// An image and the checked view on it.

@@ -54,7 +54,8 @@ class Random {
 /// An orthonormal frame with its first axis along `first`.
 struct Frame {
   Point x, y, z;
-  explicit Frame(const Point& first) : x(unit(first)), y(unit(cross(x, std::abs(x.x) < 0.7 ? Point{1, 0, 0} : Point{0, 1, 0}))), z(cross(x, y)) {}
+  explicit Frame(const Point& first)
+      : x(unit(first)), y(unit(cross(x, std::abs(x.x) < 0.7 ? Point{1, 0, 0} : Point{0, 1, 0}))), z(cross(x, y)) {}
 };
 
 }  // namespace isotouch::test

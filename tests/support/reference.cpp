@@ -59,7 +59,7 @@ Point reference_step(const Point& pull, const ReferenceSample& s) {
   const double a = dot(frame.y, bend(frame.y)), b = dot(frame.y, bend(frame.z)), c = dot(frame.z, bend(frame.z));
   const double spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
   const double low = (a + c) / 2 - spread, high = (a + c) / 2 + spread;
-  const double turn = std::atan2(2 * b, a - c) / 2;   // of the eigenvector of the higher eigenvalue against frame.y
+  const double turn = std::atan2(2 * b, a - c) / 2;  // of the eigenvector of the higher eigenvalue against frame.y
   const Point e_high = frame.y * std::cos(turn) + frame.z * std::sin(turn), e_low = frame.z * std::cos(turn) - frame.y * std::sin(turn);
   const double b_low = std::max(std::abs(1 - depth * low), min_bend);
   const double b_high = std::max(std::abs(1 - depth * high), min_bend);

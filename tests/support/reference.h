@@ -12,7 +12,7 @@ struct ReferenceSample {
   double distance;
   Point gradient;
   Point second;
-  Point mixed;   ///< yz, zx, xy
+  Point mixed;  ///< yz, zx, xy
 };
 
 /// The definition in SPEC.md 2.1 as a sum over 27 coefficients, at a point inside the grid.
@@ -27,8 +27,6 @@ inline Vec3<Voxel> to_voxel(const Point& p) {
   const auto q = [](double v) { return Voxel::from_raw(static_cast<std::int32_t>(std::lround(v * 65536))); };
   return {q(p[0]), q(p[1]), q(p[2])};
 }
-inline double angle_degrees(const Point& a, const Point& b) {
-  return std::atan2(length(cross(a, b)), dot(a, b)) * 57.295779513082321;
-}
+inline double angle_degrees(const Point& a, const Point& b) { return std::atan2(length(cross(a, b)), dot(a, b)) * 57.295779513082321; }
 
 }  // namespace isotouch::test

@@ -25,7 +25,9 @@ Contact contact_with(const Point& stretch) {
   return contact;
 }
 
-Point newton(const Force& force) { return {force.newton.x.raw() / 65536.0, force.newton.y.raw() / 65536.0, force.newton.z.raw() / 65536.0}; }
+Point newton(const Force& force) {
+  return {force.newton.x.raw() / 65536.0, force.newton.y.raw() / 65536.0, force.newton.z.raw() / 65536.0};
+}
 
 TEST(Coupling, IsASpringOfTheBlobsStiffness) {
   const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
@@ -39,7 +41,7 @@ TEST(Coupling, IsASpringOfTheBlobsStiffness) {
     EXPECT_FALSE(force.limited || force.ramping);
     worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(stretch)) * (0.34 * 0.8)));
   }
-  EXPECT_LT(worst, 0.0003);    // of up to 6.8 N: three roundings and the stiffness's own 16 bits
+  EXPECT_LT(worst, 0.0003);  // of up to 6.8 N: three roundings and the stiffness's own 16 bits
   EXPECT_GT(worst, 0.00001);
 }
 
@@ -87,13 +89,13 @@ TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
 
 TEST(Coupling, DampingFollowsTheChangeOfStretch) {
   TickSettings settings;
-  settings.damping = Damping::of(0.002);   // N·s/mm
+  settings.damping = Damping::of(0.002);  // N·s/mm
   const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
   CouplingState state;
   state.ramp = coupling.ramp_ticks;
   couple(contact_with({0, 0, 2}), coupling, state);
   const Force force = couple(contact_with({0, 0, 2.2}), coupling, state);
-  EXPECT_NEAR(newton(force).z, 2.2 * 0.5 * 0.8 + 0.002 * (0.2 * 0.5) / 0.001, 0.0005);   // spring, and 100 mm/s times b
+  EXPECT_NEAR(newton(force).z, 2.2 * 0.5 * 0.8 + 0.002 * (0.2 * 0.5) / 0.001, 0.0005);  // spring, and 100 mm/s times b
 }
 
 TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
@@ -109,7 +111,7 @@ TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
     const Force force = couple(contact_with({4, 0, 0}), coupling, state);
     EXPECT_TRUE(force.ramping);
     EXPECT_NEAR(newton(force).x, 1.6 * t / 10, 0.0005);
-    EXPECT_LE(newton(force).x - last, 0.161);   // no jump
+    EXPECT_LE(newton(force).x - last, 0.161);  // no jump
     last = newton(force).x;
   }
   EXPECT_FALSE(couple(contact_with({4, 0, 0}), coupling, state).ramping);
@@ -118,7 +120,7 @@ TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
 TEST(Coupling, ContactThatBeginsAtRestHasItsFullForceAtOnce) {
   const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.5, 0.8));
   CouplingState state;
-  couple(Contact{}, coupling, state);   // at the HIP, in free space
+  couple(Contact{}, coupling, state);  // at the HIP, in free space
   const Force force = couple(contact_with({0.5, 0, 0}), coupling, state);
   EXPECT_FALSE(force.ramping);
   EXPECT_NEAR(newton(force).x, 0.2, 0.0001);

@@ -32,7 +32,7 @@ Worst compare_with_twin(const BlobView& field, int points, std::uint64_t seed) {
   for (int i = 0; i < points; ++i) {
     Point p;
     for (std::size_t axis = 0; axis < 3; ++axis) p[axis] = random.uniform(1.0, field.size[axis] - 2.0);
-    if (i % 4 == 0) p[0] = std::floor(p[0]) + 0.5;   // where the nearest sample changes
+    if (i % 4 == 0) p[0] = std::floor(p[0]) + 0.5;  // where the nearest sample changes
     const FieldSample sample = sample_field(field, test::to_voxel(p));
     const test::ReferenceSample twin = test::reference_sample(field, test::to_point(test::to_voxel(p)));
     worst.distance = std::max(worst.distance, std::abs(test::to_double(sample.distance) - twin.distance));
@@ -54,7 +54,7 @@ TEST(FieldSampler, AgreesWithItsTwinOnASphere) {
   EXPECT_LT(worst.distance, 1.0 / (1 << 14));
   EXPECT_LT(worst.gradient, 1.0 / (1 << 13));
   EXPECT_LT(worst.second, 1.0 / (1 << 13));
-  EXPECT_GT(worst.distance, 1.0 / (1 << 18));   // an integer is not a double: zero would mean that nothing was compared
+  EXPECT_GT(worst.distance, 1.0 / (1 << 18));  // an integer is not a double: zero would mean that nothing was compared
 }
 
 TEST(FieldSampler, AgreesWithItsTwinOnTheWildestCoefficients) {
@@ -70,7 +70,7 @@ TEST(FieldSampler, ValueAndGradientAreContinuousAcrossCells) {
   Random random(3);
   for (int i = 0; i < 5000; ++i) {
     Point p = random.in_box(13.0) + Point{15.5, 15.5, 15.5};
-    p[1] = std::floor(p[1]) + 0.5;   // the border of a cell
+    p[1] = std::floor(p[1]) + 0.5;  // the border of a cell
     Vec3<Voxel> before = test::to_voxel(p), after = before;
     before.y = Voxel::from_raw(before.y.raw() - 1);
     const FieldSample a = sample_field(image.view(), before), b = sample_field(image.view(), after);

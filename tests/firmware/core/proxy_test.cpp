@@ -15,7 +15,7 @@ using test::Frame;
 using test::Point;
 using test::Random;
 
-constexpr double kMetreASecond = 1.0 / 0.34;   // voxels a tick at 1 kHz and 0.34 mm a voxel
+constexpr double kMetreASecond = 1.0 / 0.34;  // voxels a tick at 1 kHz and 0.34 mm a voxel
 
 /// A hand on a field: its proxy and what the properties below ask of it.
 class Hand {
@@ -42,7 +42,7 @@ class Hand {
     for (int t = 0; t < ticks; ++t) contact = other.move_to(hip);
     return contact;
   }
-  double deepest() const { return deepest_; }   // smallest φ(proxy) seen in contact
+  double deepest() const { return deepest_; }  // smallest φ(proxy) seen in contact
 
  private:
   const BlobView& field_;
@@ -55,9 +55,11 @@ TEST(Proxy, OnASphereFollowsTheClosestPoint) {
   const double radius = 80.0, depth = 4.0;
   const FieldImage image({180, 180, 180}, [&](const Point& p) { return test::length(p - centre) - radius; });
   const Frame frame({0.3, 0.5, 0.8});
-  for (const auto& [speed, bound] : {std::pair{0.1, 0.05}, {0.3, 0.05}, {1.0, 0.1}}) {   // m/s, degrees
+  for (const auto& [speed, bound] : {std::pair{0.1, 0.05}, {0.3, 0.05}, {1.0, 0.1}}) {  // m/s, degrees
     Hand hand(image.view());
-    const auto on_arc = [&](double angle, double deep) { return centre + (frame.y * std::cos(angle) + frame.z * std::sin(angle)) * (radius - deep); };
+    const auto on_arc = [&](double angle, double deep) {
+      return centre + (frame.y * std::cos(angle) + frame.z * std::sin(angle)) * (radius - deep);
+    };
     hand.move(on_arc(0, -4), on_arc(0, depth), 0.1, [](const Point&, const Contact&) {});
     double worst = 0, square = 0;
     const int ticks = 3000;
@@ -70,7 +72,7 @@ TEST(Proxy, OnASphereFollowsTheClosestPoint) {
       square += std::pow(test::length(stretch) / depth - 1, 2);
     }
     EXPECT_LT(worst, bound) << speed << " m/s";
-    EXPECT_LT(100 * std::sqrt(square / ticks), 0.01) << speed << " m/s";   // percent
+    EXPECT_LT(100 * std::sqrt(square / ticks), 0.01) << speed << " m/s";  // percent
     EXPECT_GT(hand.deepest(), -0.05);
   }
 }
@@ -84,7 +86,7 @@ TEST(Proxy, InFreeSpaceIsTheHip) {
   for (int i = 0; i < 200; ++i) {
     const Point to = random.in_box(26.0) + Point{32, 32, 32};
     const Point middle = at + (to - at) * std::clamp(test::dot(Point{32, 32, 32} - at, to - at) / test::dot(to - at, to - at), 0.0, 1.0);
-    if (test::length(middle - Point{32, 32, 32}) < 10.5) continue;   // the way leads through the body
+    if (test::length(middle - Point{32, 32, 32}) < 10.5) continue;  // the way leads through the body
     hand.move(at, to, 1.0 * kMetreASecond, [&](const Point& hip, const Contact& contact) {
       EXPECT_FALSE(contact.touching);
       EXPECT_FALSE(contact.following);
@@ -136,7 +138,7 @@ TEST(ProxyHeavy, TenThousandStabsThroughAPlateNeverReachItsOtherSide) {
     const Point centre = random.in_box(0.5) + Point{64, 64, 64};
     const FieldImage image = plate(normal, centre, 4.0);
     for (int stab = 0; stab < 500; ++stab) {
-      Point direction;   // at least 27 degrees to the plate, so that the way ends inside its rim
+      Point direction;  // at least 27 degrees to the plate, so that the way ends inside its rim
       do {
         direction = random.direction();
       } while (test::dot(direction, normal) > -0.45);
@@ -213,11 +215,12 @@ TEST(ProxyHeavy, AmongThreeCrossedPlatesItStaysInItsChamber) {
         bool left = false;
         for (int segment = 0; segment < 12; ++segment) {
           const Point to = random.in_ball(28.0);
-          hand.move(plates.centre + at, plates.centre + to, random.uniform(0.05, 1.0) * kMetreASecond, [&](const Point&, const Contact& contact) {
-            const Point proxy = test::to_point(contact.proxy) - plates.centre;
-            for (std::size_t i = 0; i < 3; ++i) left = left || (height(proxy, i) > 0) != above[i];
-            in_contact += contact.touching ? 1 : 0;
-          });
+          hand.move(plates.centre + at, plates.centre + to, random.uniform(0.05, 1.0) * kMetreASecond,
+                    [&](const Point&, const Contact& contact) {
+                      const Point proxy = test::to_point(contact.proxy) - plates.centre;
+                      for (std::size_t i = 0; i < 3; ++i) left = left || (height(proxy, i) > 0) != above[i];
+                      in_contact += contact.touching ? 1 : 0;
+                    });
           at = to;
         }
         wrong += left ? 1 : 0;
@@ -247,7 +250,7 @@ FieldImage corner_field(Corner kind, const std::vector<Point>& normals, const Po
     double value = convex ? -1e9 : 1e9;
     for (const Point& n : normals) {
       const double height = test::dot(p - centre, n);
-      const double one = walls ? std::abs(height + 2) - 2 : height;   // a wall of 4 voxels behind the plane
+      const double one = walls ? std::abs(height + 2) - 2 : height;  // a wall of 4 voxels behind the plane
       value = convex ? std::max(value, one) : filleted_min(value, one, fillet);
     }
     return std::max(value, test::length(p - centre) - 25.0);
@@ -259,17 +262,18 @@ double dwell(Corner kind, double degrees, bool walls, double fillet, int bodies,
   Random random(seed);
   double worst = 0;
   for (int body = 0; body < bodies; ++body) {
-    const Frame frame(random.direction());   // x out of the corner
+    const Frame frame(random.direction());  // x out of the corner
     const Point centre = random.in_box(0.5) + Point{32, 32, 32};
     const bool convex = kind == Corner::kConvexEdge || kind == Corner::kConvexCorner;
-    const double half = degrees / 57.295779513 / 2;   // opening of the free space, or of the solid where it is convex
+    const double half = degrees / 57.295779513 / 2;  // opening of the free space, or of the solid where it is convex
     const double out = std::sin(half), side = std::cos(half);
     std::vector<Point> normals = {frame.x * out + frame.y * side, frame.x * out - frame.y * side};
     if (kind == Corner::kConvexCorner || kind == Corner::kConcaveCorner) normals.push_back(frame.x * out + frame.z * side);
     const FieldImage image = corner_field(kind, normals, centre, walls, fillet);
     for (int place = 0; place < 4; ++place) {
       const Point start = centre + frame.x * 12.0 + frame.z * random.uniform(-3, 3);
-      const Point end = centre - frame.x * random.uniform(0.5, convex ? 6.0 : 8.0) + frame.y * random.uniform(-4, 4) + frame.z * random.uniform(-5, 5);
+      const Point end =
+          centre - frame.x * random.uniform(0.5, convex ? 6.0 : 8.0) + frame.y * random.uniform(-4, 4) + frame.z * random.uniform(-5, 5);
       Hand hand(image.view());
       hand.move_to(start);
       hand.move(start, end, random.uniform(0.4, 2.0), [](const Point&, const Contact&) {});
@@ -299,13 +303,15 @@ TEST(ProxyHeavy, HeldStillInACornerTheForceIsStill) {
     bool walls;
     double fillet;
   };
-  for (const Case& c : {Case{Corner::kConcaveCrease, 90, false, 0}, Case{Corner::kConcaveCrease, 120, false, 0}, Case{Corner::kConcaveCrease, 90, true, 0},
-                        Case{Corner::kConcaveCrease, 40, false, 2}, Case{Corner::kConcaveCrease, 60, false, 2}, Case{Corner::kConcaveCrease, 90, false, 2},
-                        Case{Corner::kConcaveCrease, 40, true, 2}, Case{Corner::kConcaveCorner, 90, false, 0}, Case{Corner::kConcaveCorner, 90, false, 2},
-                        Case{Corner::kConvexEdge, 90, false, 0}, Case{Corner::kConvexEdge, 40, false, 0}, Case{Corner::kConvexCorner, 90, false, 0}}) {
+  for (const Case& c :
+       {Case{Corner::kConcaveCrease, 90, false, 0}, Case{Corner::kConcaveCrease, 120, false, 0}, Case{Corner::kConcaveCrease, 90, true, 0},
+        Case{Corner::kConcaveCrease, 40, false, 2}, Case{Corner::kConcaveCrease, 60, false, 2}, Case{Corner::kConcaveCrease, 90, false, 2},
+        Case{Corner::kConcaveCrease, 40, true, 2}, Case{Corner::kConcaveCorner, 90, false, 0}, Case{Corner::kConcaveCorner, 90, false, 2},
+        Case{Corner::kConvexEdge, 90, false, 0}, Case{Corner::kConvexEdge, 40, false, 0}, Case{Corner::kConvexCorner, 90, false, 0}}) {
     int touching = 0;
-    EXPECT_LE(dwell(c.kind, c.degrees, c.walls, c.fillet, 40, 34, touching), 0.01) << "kind " << static_cast<int>(c.kind) << ", " << c.degrees << " degrees";
-    EXPECT_GT(touching, 50);   // of 160: the others ended in free space
+    EXPECT_LE(dwell(c.kind, c.degrees, c.walls, c.fillet, 40, 34, touching), 0.01)
+        << "kind " << static_cast<int>(c.kind) << ", " << c.degrees << " degrees";
+    EXPECT_GT(touching, 50);  // of 160: the others ended in free space
   }
 }
 
@@ -345,7 +351,8 @@ TEST(ProxyHeavy, SlidingAlongACreaseTheForceIsThatOfTheConvergedProxy) {
     for (const double speed : {0.1, 0.3}) {
       int compared = 0;
       EXPECT_LT(crease_lag(degrees, speed, true, 0.0, 35, compared), 1.0) << degrees << " degrees along an axis, " << speed << " m/s";
-      EXPECT_LT(crease_lag(degrees, speed, false, 2.0, 36, compared), 1.0) << degrees << " degrees, filleted as the host does, " << speed << " m/s";
+      EXPECT_LT(crease_lag(degrees, speed, false, 2.0, 36, compared), 1.0)
+          << degrees << " degrees, filleted as the host does, " << speed << " m/s";
       EXPECT_GT(compared, 1000);
     }
   }

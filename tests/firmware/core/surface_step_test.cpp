@@ -19,7 +19,8 @@ FieldImage torus_and_box() {
     const double torus = std::hypot(ring, p[2] - 19.6) - 5.0;
     Point q = p - Point{54.2, 31.4, 19.8};
     for (std::size_t axis = 0; axis < 3; ++axis) q[axis] = std::abs(q[axis]) - 7.0;
-    const double box = std::min(std::max({q[0], q[1], q[2]}), 0.0) + std::hypot(std::max(q[0], 0.0), std::max(q[1], 0.0), std::max(q[2], 0.0));
+    const double box =
+        std::min(std::max({q[0], q[1], q[2]}), 0.0) + std::hypot(std::max(q[0], 0.0), std::max(q[1], 0.0), std::max(q[2], 0.0));
     return std::min(torus, box);
   });
 }
@@ -34,13 +35,14 @@ TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
     const FieldSample sample = sample_field(image.view(), point);
     if (sample.distance > Voxel::of(1.5) || sample.distance < Voxel::of(-0.8)) continue;
     const Vec3<Voxel> hip = point + test::to_voxel(random.in_ball(8.0));
-    const test::ReferenceSample exact = {test::to_double(sample.distance),
-                                         {sample.gradient.x.raw() / 65536.0, sample.gradient.y.raw() / 65536.0, sample.gradient.z.raw() / 65536.0},
-                                         {sample.second.x.raw() / 65536.0, sample.second.y.raw() / 65536.0, sample.second.z.raw() / 65536.0},
-                                         {sample.mixed.x.raw() / 65536.0, sample.mixed.y.raw() / 65536.0, sample.mixed.z.raw() / 65536.0}};
-    if (test::length(exact.gradient) < 0.2) continue;   // the twin has no tangent plane there
+    const test::ReferenceSample exact = {
+        test::to_double(sample.distance),
+        {sample.gradient.x.raw() / 65536.0, sample.gradient.y.raw() / 65536.0, sample.gradient.z.raw() / 65536.0},
+        {sample.second.x.raw() / 65536.0, sample.second.y.raw() / 65536.0, sample.second.z.raw() / 65536.0},
+        {sample.mixed.x.raw() / 65536.0, sample.mixed.y.raw() / 65536.0, sample.mixed.z.raw() / 65536.0}};
+    if (test::length(exact.gradient) < 0.2) continue;  // the twin has no tangent plane there
     const Point pull = test::to_point(hip) - test::to_point(point);
-    if (std::abs(exact.distance + test::dot(exact.gradient, pull)) < 0.001) continue;   // on the border between free and held
+    if (std::abs(exact.distance + test::dot(exact.gradient, pull)) < 0.001) continue;  // on the border between free and held
     StepMemory fresh;
     const Point step = test::to_point(step_towards(hip, point, sample, fresh));
     const Point twin = test::reference_step(pull, exact);
@@ -79,7 +81,7 @@ TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
 TEST(SurfaceStep, SurvivesTheWildestField) {
   Random random(23);
   const FieldImage image({32, 32, 32}, [&random](const Point&) { return random.uniform(-7.9, 7.9); }, {.band = 7.9, .prefilter = false});
-  for (int i = 0; i < 50000; ++i) {   // the undefined-behaviour sanitizer judges the arithmetic
+  for (int i = 0; i < 50000; ++i) {  // the undefined-behaviour sanitizer judges the arithmetic
     const Vec3<Voxel> point = test::to_voxel({random.uniform(1, 30), random.uniform(1, 30), random.uniform(1, 30)});
     const Vec3<Voxel> hip = test::to_voxel(random.in_box(i % 2 == 0 ? 8191.0 : 30.0));
     StepMemory memory;

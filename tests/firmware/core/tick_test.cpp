@@ -13,13 +13,15 @@ using test::FieldImage;
 using test::Point;
 using test::Random;
 
-constexpr Point kCentre = {2.0, -1.0, 3.0};   // mm, of a ball of 8 mm
+constexpr Point kCentre = {2.0, -1.0, 3.0};  // mm, of a ball of 8 mm
 
 const FieldImage& ball() {
-  static const FieldImage image({64, 64, 64}, [](const Point& p) {
-    const Point mm = p * 0.4 - Point{12, 12, 12};
-    return (test::length(mm - kCentre) - 8.0) / 0.4;
-  }, {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}});
+  static const FieldImage image({64, 64, 64},
+                                [](const Point& p) {
+                                  const Point mm = p * 0.4 - Point{12, 12, 12};
+                                  return (test::length(mm - kCentre) - 8.0) / 0.4;
+                                },
+                                {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}});
   return image;
 }
 
@@ -78,14 +80,14 @@ TEST(Tick, ContactBeginsAndEndsWithoutAJump) {
   Felt felt;
   Point last = {};
   double largest = 0;
-  for (int t = 0; t <= 4000; ++t) {   // in and out through the surface, 15 µm a tick
+  for (int t = 0; t <= 4000; ++t) {  // in and out through the surface, 15 µm a tick
     const double way = t % 80 < 40 ? t % 40 : 40 - t % 40;
     const double r = 8.3 - 0.015 * way;
     const Point force = newton(felt(at(kCentre + Point{0, 0.6, 0.8} * r)).force);
     largest = std::max(largest, test::length(force - last));
     last = force;
   }
-  EXPECT_LT(largest, 0.8 * 0.0155);   // stiffness times the hand's way in a tick, and rounding
+  EXPECT_LT(largest, 0.8 * 0.0155);  // stiffness times the hand's way in a tick, and rounding
   EXPECT_GT(largest, 0.8 * 0.0145);
 }
 

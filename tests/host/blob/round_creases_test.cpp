@@ -41,7 +41,7 @@ TEST(RoundCreases, LowersOnlyTheRoofOfACrease) {
     for (int x = 2; x < 30; ++x) {
       const float before = at(sharp, x, 16, z), after = at(round, x, 16, z);
       EXPECT_LE(after, before);
-      if (std::abs(z - 15.1) > 3.0) {   // away from the crease
+      if (std::abs(z - 15.1) > 3.0) {  // away from the crease
         EXPECT_EQ(after, before);
       }
       if (after < before) {
@@ -67,7 +67,7 @@ TEST(RoundCreases, AfterItNoCreaseIsSharperThanAsked) {
     }
   }
   EXPECT_GT(sharpest, -1.05F * kSharpestCrease);
-  EXPECT_LT(sharpest, -0.5F * kSharpestCrease);   // the crease is there
+  EXPECT_LT(sharpest, -0.5F * kSharpestCrease);  // the crease is there
 }
 
 TEST(RoundCreases, LeavesConvexEdgesAndSmoothBodiesAlone) {
