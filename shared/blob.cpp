@@ -49,7 +49,7 @@ bool border_is_outside(const BlobView& view) {
 
 Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   const std::uint8_t* at = image.data();
-  if (std::bit_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
+  if (reinterpret_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
   if (image.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
   if (image.size() < kHeaderBytes) return Error::kTruncated;
   if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
