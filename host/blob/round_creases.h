@@ -1,8 +1,8 @@
 /// Gives concave creases the fillet that the grid can hold.
 ///
 /// A crease sharper than a voxel, sampled, becomes a row of small pits and saddles along the crease: a hand that slides there at constant depth
-/// is felt to catch, by 20 degrees of force. With the roof of the field rounded to a curvature of 3/4 a voxel the pits are gone, to
-/// 0.01 degree. Convex edges stay as they are: there the proxy does not rest.
+/// is felt to catch, by 20 degrees of force. With the roof of the field rounded to a curvature of 0.6 a voxel the pits are gone, to
+/// below a degree. Convex edges stay as they are: there the proxy does not rest.
 #pragma once
 
 #include "host/field/band_field.h"
@@ -11,7 +11,7 @@ namespace isotouch::blob {
 
 /// Sum of the second derivatives that a concave crease keeps, 1 / voxel. Measured at creases of 60, 90 and 120 degrees in 12 random directions,
 /// 4 voxels deep, 0.1 and 0.3 m/s.
-inline constexpr float kSharpestCrease = 0.75F;
+inline constexpr float kSharpestCrease = 0.6F;
 
 /// Lowers the distance where it bends down more sharply than `sharpest`: towards the largest field below the given one that nowhere does, by
 /// Jacobi steps on that obstacle problem. Gaps narrower than 2 / sharpest voxels lose some of their width.
