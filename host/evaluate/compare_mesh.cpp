@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/evaluate/exact_field.h"
 #include "host/evaluate/mesh_distance.h"
 #include "host/evaluate/real.h"
+#include "host/field/sample_distance.h"
 
 namespace isotouch::evaluate {
 
@@ -39,7 +39,7 @@ OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
   grid.edge = real(field.edge);
   grid.size = Eigen::Vector3i(field.size[0], field.size[1], field.size[2]);
   const MeshDistance distance(mesh);
-  return open_blob(blob::write_blob(exact_field(grid, real(field.band), distance), {}), "the mesh's exact distances");
+  return open_blob(blob::write_blob(field::sample_distance(distance, grid, real(field.band)), {}), "the mesh's exact distances");
 }
 
 }  // namespace isotouch::evaluate

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "host/cloud/random.h"
-#include "host/evaluate/exact_field.h"
 #include "host/evaluate/real.h"
 #include "host/field/build_field.h"
 #include "host/field/make_grid.h"
+#include "host/field/sample_distance.h"
 #include "host/published/build.h"
 
 namespace isotouch::evaluate {
@@ -51,7 +51,7 @@ OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method) {
 
 OpenBlob floor_blob(const ShapeTrial& trial) {
   const auto distance = [&](const Eigen::Vector3d& point) { return trial.distance(point); };
-  return as_blob(exact_field(trial.grid, kTrialBand, distance), trial, blob::Method::kDefault);
+  return as_blob(field::sample_distance(distance, trial.grid, kTrialBand), trial, blob::Method::kDefault);
 }
 
 SphereSlide trial_slide(const BlobView& field, double speed) {

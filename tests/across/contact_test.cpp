@@ -12,10 +12,10 @@
 #include "host/blob/write_blob.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/shapes.h"
-#include "host/evaluate/exact_field.h"
 #include "host/evaluate/motion.h"
 #include "host/field/build_field.h"
 #include "host/field/make_grid.h"
+#include "host/field/sample_distance.h"
 #include "tests/support/reference.h"
 
 namespace isotouch {
@@ -74,12 +74,10 @@ struct Crease {
     const double edge = 0.34, radius = 12.0;
     const Eigen::Vector3d corner = Eigen::Vector3d::Constant(radius);
     const field::Grid grid = field::make_grid(-corner, corner, edge, 10.0);
-    image = blob::write_blob(evaluate::exact_field(grid, 4.0,
-                                                   [&](const Eigen::Vector3d& p) {
-                                                     return std::max(std::min(n1.dot(p - centre), n2.dot(p - centre)),
-                                                                     (p - centre).norm() - radius);
-                                                   }),
-                             {});
+    const auto distance = [&](const Eigen::Vector3d& p) {
+      return std::max(std::min(n1.dot(p - centre), n2.dot(p - centre)), (p - centre).norm() - radius);
+    };
+    image = blob::write_blob(field::sample_distance(distance, grid, 4.0), {});
   }
 };
 
