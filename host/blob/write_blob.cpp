@@ -72,16 +72,16 @@ void store_header(std::uint8_t* at, const field::BandField& field, const BlobInf
 
 }  // namespace
 
-Image write_blob(const field::BandField& given, const BlobInfo& info) {
+Image write_blob(const field::BandField& field, const BlobInfo& info) {
   std::array<std::uint8_t, kHeaderBytes> header{};
-  store_header(header.data(), given, info);  // before the work: it refuses what does not fit
+  store_header(header.data(), field, info);  // before the work: it refuses what does not fit
 
-  const field::BandField field = info.method == Method::kPublished ? given : round_creases(given);
-  std::vector<Coefficients> coefficients = spline_coefficients(field);
+  const field::BandField held = info.method == Method::kPublished ? field : round_creases(field);  // what the grid can hold
+  std::vector<Coefficients> coefficients = spline_coefficients(held);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
-  for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], field.bricks[b], field.grid.size, band);
-  const BrickTree tree = brick_tree(BrickRows(field), kinds);
+  for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);
+  const BrickTree tree = brick_tree(BrickRows(held), kinds);
 
   const std::size_t nodes_at = align64(kHeaderBytes + 4 * tree.root.size());
   const std::size_t bricks_at = align64(nodes_at + 4 * tree.nodes.size());
