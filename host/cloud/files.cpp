@@ -19,6 +19,11 @@ using Stream = std::unique_ptr<std::FILE, Close>;
 
 InputError refusal(const std::filesystem::path& file, const std::string& what) { return InputError(file.string() + ": " + what); }
 
+/// Nothing is written from nowhere: fwrite wants a pointer even then.
+bool write_all(std::FILE* stream, const std::uint8_t* data, std::size_t size) {
+  return size == 0 || std::fwrite(data, 1, size, stream) == size;
+}
+
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
 }  // namespace
@@ -47,7 +52,7 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
   if (std::filesystem::exists(file, failed) &&
       !std::filesystem::is_regular_file(file, failed)) {  // /dev/stdout, a pipe: nothing to replace
     const Stream stream(std::fopen(file.c_str(), "wb"));
-    if (!stream || std::fwrite(data, 1, size, stream.get()) != size || std::fflush(stream.get()) != 0) {
+    if (!stream || !write_all(stream.get(), data, size) || std::fflush(stream.get()) != 0) {
       throw refusal(file, "cannot be written: " + reason(errno));
     }
     return;
@@ -60,7 +65,7 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
   };
   Stream stream(std::fopen(temporary.c_str(), "wb"));
   if (!stream) throw refusal(file, "cannot be written: " + reason(errno));
-  if (std::fwrite(data, 1, size, stream.get()) != size) throw give_up(errno);
+  if (!write_all(stream.get(), data, size)) throw give_up(errno);
   if (std::fclose(stream.release()) != 0) throw give_up(errno);
   std::filesystem::rename(temporary, file, failed);
   if (failed) throw give_up(failed.value());
