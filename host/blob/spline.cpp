@@ -23,7 +23,7 @@ Samples blur(Apron apron) {
   Samples inner{};
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
-      for (int x = 0; x < 4; ++x) inner[sample_number(x, y, z)] = apron[static_cast<std::size_t>(((z + 1) * 6 + y + 1) * 6 + x + 1)];
+      for (int x = 0; x < 4; ++x) inner[sample_number(x, y, z)] = apron[apron_number(x, y, z)];
     }
   }
   return inner;
