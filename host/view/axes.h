@@ -26,8 +26,12 @@ class Axes {
 
   const Rect& area() const { return area_; }
   Point at(double x, double y) const;
-  double x_of(double pixel) const { return x_.low + (pixel - double{area_.left}) / double{area_.width()} * (x_.high - x_.low); }
-  double y_of(double pixel) const { return y_.high - (pixel - double{area_.top}) / double{area_.height()} * (y_.high - y_.low); }
+  double x_of(double pixel) const {
+    return x_.low + (pixel - static_cast<double>(area_.left)) / static_cast<double>(area_.width()) * (x_.high - x_.low);
+  }
+  double y_of(double pixel) const {
+    return y_.high - (pixel - static_cast<double>(area_.top)) / static_cast<double>(area_.height()) * (y_.high - y_.low);
+  }
 
   void draw_grid(Canvas& canvas) const;
   void draw_frame(Canvas& canvas) const;

@@ -26,12 +26,14 @@ Eigen::Vector3d Direction::towards_eye() const {
 }
 
 Camera::Camera(const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up, std::span<const Eigen::Vector3d> points, const Rect& area)
-    : back_(towards_eye.normalized()), centre_x_(double{area.left + area.right} / 2), centre_y_(double{area.top + area.bottom} / 2) {
+    : back_(towards_eye.normalized()),
+      centre_x_(static_cast<double>(area.left + area.right) / 2),
+      centre_y_(static_cast<double>(area.top + area.bottom) / 2) {
   right_ = up.cross(back_);
   if (right_.norm() < 1e-6) right_ = back_.unitOrthogonal();
   right_.normalize();
   up_ = back_.cross(right_);
-  const double half_width = double{area.width()} / 2, half_height = double{area.height()} / 2;
+  const double half_width = static_cast<double>(area.width()) / 2, half_height = static_cast<double>(area.height()) / 2;
   focus_ = std::min(half_width, half_height) / std::tan(radians(kHalfAngleDeg));
 
   // A point (x, y, z) in the picture's axes lies in the area when |x - shift| <= slope * (distance - z). The extremes of x + slope * z and

@@ -94,7 +94,7 @@ Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& o
   const std::string distance = known ? number(options.spacing * options.mm_per_unit, 3) + " mm" : significant(options.spacing, 3);
   if (known) {
     draw_scale_bar(canvas, {width - 24 * scale, height - 26 * scale},
-                   camera.project(points.positions.front()).pixel_per_mm / options.mm_per_unit, double{width} / 8);
+                   camera.project(points.positions.front()).pixel_per_mm / options.mm_per_unit, static_cast<double>(width) / 8);
   }
   draw_caption(canvas, options.title,
                {std::to_string(points.size()) + " oriented points, " + distance + " apart" + (known ? "" : " in the units of their file")});

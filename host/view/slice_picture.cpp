@@ -69,7 +69,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
   draw_text(canvas, {bar.right + 10 * scale, bar.bottom - cap / 2}, "far inside", label);
   const Rect ramp{bar.left, bar.top + cap + gap, bar.right, bar.bottom - cap - gap};
   for (float y = ramp.top; y < ramp.bottom; ++y) {
-    const double value = 1 - 2 * double{(y + 0.5F - ramp.top) / ramp.height()};
+    const double value = 1 - 2 * static_cast<double>((y + 0.5F - ramp.top) / ramp.height());
     canvas.fill({ramp.left, y, ramp.right, std::min(y + 1, ramp.bottom)}, distance_colour(value));
   }
   for (const double voxels : ticks(-band, band, 11)) {
@@ -108,8 +108,8 @@ Image slice_picture(const BlobView& field, const SliceOptions& options) {
   const Rect room{78 * scale, 24 * scale, static_cast<float>(options.width) - 178 * scale,
                   static_cast<float>(options.height) - 112 * scale};
   const double width = box.sizes()[plane.right] + 2 * air, height = box.sizes()[plane.up] + 2 * air;
-  const double mm = std::max(width / double{room.width()}, height / double{room.height()});  // a pixel
-  const double half_x = mm * double{room.width()} / 2, half_y = mm * double{room.height()} / 2;
+  const double mm = std::max(width / static_cast<double>(room.width()), height / static_cast<double>(room.height()));  // a pixel
+  const double half_x = mm * static_cast<double>(room.width()) / 2, half_y = mm * static_cast<double>(room.height()) / 2;
   const double mid_x = box.center()[plane.right], mid_y = box.center()[plane.up];
   const Axes axes(room, {std::string(Plane::name(plane.right)) + " (mm)", mid_x - half_x, mid_x + half_x},
                   {std::string(Plane::name(plane.up)) + " (mm)", mid_y - half_y, mid_y + half_y});

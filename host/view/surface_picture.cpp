@@ -57,7 +57,8 @@ void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const
   const double ball = std::clamp(touch.depth_mm() / 5, 0.05 * half, 0.12 * half);
   draw_scene(image, panel, {rays, close, Markers(touch, ball), CutPlane{centre, eye}});
   canvas.frame(panel, 1.2F * scale, srgb(0xAEB8C2));
-  draw_scale_bar(canvas, {panel.right - 12 * scale, panel.bottom - 14 * scale}, close.project(centre).pixel_per_mm, panel.width() / 4);
+  draw_scale_bar(canvas, {panel.right - 12 * scale, panel.bottom - 14 * scale}, close.project(centre).pixel_per_mm,
+                 static_cast<double>(panel.width()) / 4);
 
   struct Line {
     std::optional<std::uint32_t> dot;
@@ -102,7 +103,8 @@ Image surface_picture(const BlobView& field, const SurfaceOptions& options) {
   std::optional<Markers> markers;
   if (options.touch) {
     const double pixel_per_mm = camera.project(options.touch->proxy).pixel_per_mm;
-    const double ball = std::clamp(0.3 * options.touch->depth_mm() * pixel_per_mm, 4.0 * double{scale}, 8.0 * double{scale});  // pixels
+    const double ball = std::clamp(0.3 * options.touch->depth_mm() * pixel_per_mm, 4.0 * static_cast<double>(scale),
+                                   8.0 * static_cast<double>(scale));  // pixels
     markers.emplace(*options.touch, ball / pixel_per_mm);
   }
   draw_scene(image, {0, 0, width, height}, {rays, camera, markers, std::nullopt});
@@ -112,7 +114,8 @@ Image surface_picture(const BlobView& field, const SurfaceOptions& options) {
                {"zero surface as the core samples it, " + std::to_string(size[0]) + " × " + std::to_string(size[1]) + " × " +
                 std::to_string(size[2]) + " samples, " + number(rays.edge(), 3) + " mm a voxel"});
   const Eigen::Vector3d middle = std::accumulate(shown.begin(), shown.end(), Eigen::Vector3d(0, 0, 0)) / static_cast<double>(shown.size());
-  draw_scale_bar(canvas, {width - column - 24 * scale, height - 26 * scale}, camera.project(middle).pixel_per_mm, width / 8);
+  draw_scale_bar(canvas, {width - column - 24 * scale, height - 26 * scale}, camera.project(middle).pixel_per_mm,
+                 static_cast<double>(width) / 8);
   if (options.touch) {
     const float side = column - 24 * scale;
     draw_close_up(image,

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/blob.h"
@@ -117,7 +119,7 @@ TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
   bad.grid.size.z() = 5000;
   EXPECT_THAT(refusal(bad), HasSubstr("5000 samples"));
   BlobInfo info;
-  info.stiffness_n_per_mm = NAN;
+  info.stiffness_n_per_mm = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusal(good, info), HasSubstr("stiffness"));
   EXPECT_EQ(refusal(good), "accepted");
 }

@@ -13,7 +13,7 @@ const Colour kBlack{0, 0, 0};
 double ink(const Image& image) {
   double sum = 0;
   for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) sum += 1 - double{image.at(x, y).r};
+    for (int x = 0; x < image.width(); ++x) sum += 1 - static_cast<double>(image.at(x, y).r);
   }
   return sum;
 }
