@@ -14,7 +14,7 @@ namespace isotouch::blob {
 inline constexpr float kSharpestCrease = 0.6F;
 
 /// Lowers the distance where it bends down more sharply than `sharpest`: towards the largest field below the given one that nowhere does, by
-/// Jacobi steps on that obstacle problem. Gaps narrower than 2 / sharpest voxels lose some of their width.
+/// Jacobi steps on that obstacle problem, to within a tenth. Gaps narrower than 2 / sharpest voxels lose some of their width.
 ///
 /// field     bricks sorted by cell
 /// returns   the same bricks; only samples within the band, with all six neighbours within it, can change, and only downwards
