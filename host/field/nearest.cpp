@@ -40,6 +40,7 @@ class NearestFew {
     found_.insert(std::upper_bound(found_.begin(), found_.end(), candidate), candidate);
     return true;
   }
+  void sort() {}  // asked for by nanoflann 1.5 and later; they are in order at any time
 
  private:
   std::size_t capacity_;
@@ -57,6 +58,7 @@ class Within {
     if (squared_distance <= squared_radius_) found_.push_back({squared_distance, index});
     return true;
   }
+  void sort() { std::sort(found_.begin(), found_.end()); }
 
  private:
   double squared_radius_;
@@ -80,13 +82,13 @@ Nearest::~Nearest() = default;
 
 void Nearest::nearest(const Eigen::Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const {
   NearestFew result(count, found);
-  if (count > 0) tree_->index.findNeighbors(result, point.data(), nanoflann::SearchParams());
+  if (count > 0) tree_->index.findNeighbors(result, point.data(), {});
 }
 
 void Nearest::within(const Eigen::Vector3d& point, double radius, std::vector<Neighbour>& found) const {
   Within result(radius, found);
-  tree_->index.findNeighbors(result, point.data(), nanoflann::SearchParams());
-  std::sort(found.begin(), found.end());
+  tree_->index.findNeighbors(result, point.data(), {});
+  result.sort();  // nanoflann 1.4 does not
 }
 
 }  // namespace isotouch::field
