@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/alloc_guard.h"
 #include "tests/support/field_image.h"
 #include "tests/support/reference.h"
