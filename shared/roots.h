@@ -1,10 +1,12 @@
-/// Reciprocals and square roots by a fixed number of Newton steps: no division, so the same instructions on every processor.
+/// Reciprocals and square roots by a small table and two Newton steps: no division, so the same instructions on every processor.
 ///
 /// tick      yes
-/// source    Newton–Raphson division with a linear start (e.g. Parhami, Computer Arithmetic, 2nd ed., chapter 16)
+/// source    Newton–Raphson iteration from a table: Parhami, Computer Arithmetic, 2nd ed., chapters 16 and 21
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace isotouch {
@@ -15,13 +17,39 @@ struct Reciprocal {
   int shift;
 };
 
+namespace roots {
+
+/// 2^46 / m for m = 2^30 + (i + 1/2) 2^23, the middles of 128 equal parts of [2^30, 2^31): within 2^-8 everywhere in its part.
+inline constexpr auto kReciprocalStart = [] {
+  std::array<std::uint16_t, 128> table{};
+  for (std::uint64_t i = 0; i < table.size(); ++i) {
+    table[i] = static_cast<std::uint16_t>((std::uint64_t{1} << 46) / ((1 << 30) + ((2 * i + 1) << 22)));
+  }
+  return table;
+}();
+
+/// 2^31 / sqrt(m) for m = (i + 1/2) 2^24, the middles of the 256 equal parts of [0, 2^32): from i = 64 on within 2^-8 everywhere in its part.
+inline constexpr auto kInverseRootStart = [] {
+  std::array<std::uint16_t, 256> table{};
+  for (std::uint64_t i = 64; i < table.size(); ++i) {
+    std::uint64_t root = 0;
+    for (std::uint64_t bit = 1 << 15; bit != 0; bit >>= 1) {
+      if ((root | bit) * (root | bit) * ((2 * i + 1) << 23) <= std::uint64_t{1} << 62) root |= bit;
+    }
+    table[i] = static_cast<std::uint16_t>(root);
+  }
+  return table;
+}();
+
+}  // namespace roots
+
 /// x         above 0 (0 gives the reciprocal of 1)
 constexpr Reciprocal reciprocal(std::uint64_t x) {
   const int lead = std::countl_zero(x | 1U);
   const auto m = static_cast<std::int64_t>(((x | std::uint64_t{x == 0}) << lead) >> 33);  // in [2^30, 2^31): x = m * 2^(33 - lead)
-  // y approximates 2^61 / m, in (2^30, 2^31]. Start 48/17 - 32/17 * m/2^31, error at most 1/17, squared by each of three steps.
-  std::int64_t y = 3031741621 - ((m * 2021161081) >> 31);
-  for (int step = 0; step < 3; ++step) y += (y * ((std::int64_t{1} << 31) - ((m * y) >> 30))) >> 31;
+  // y approximates 2^61 / m, in (2^30, 2^31]; each step squares the error.
+  std::int64_t y = std::int64_t{roots::kReciprocalStart[static_cast<std::size_t>(m >> 23) & 127]} << 15;
+  for (int step = 0; step < 2; ++step) y += (y * ((std::int64_t{1} << 31) - ((m * y) >> 30))) >> 31;
   return {y, 61 + 33 - lead};
 }
 
@@ -34,10 +62,9 @@ constexpr std::int64_t times(std::int64_t value, const Reciprocal& r) { return (
 constexpr Reciprocal inverse_root(std::uint64_t x) {
   const int lead = std::countl_zero(x | 1U) & ~1;                                         // even, so that the exponent halves
   const auto m = static_cast<std::int64_t>(((x | std::uint64_t{x == 0}) << lead) >> 32);  // in [2^30, 2^32): x = m * 2^(32 - lead)
-  // y approximates 2^46 / sqrt(m) in [2^30, 2^31]. Start 2.22 - 4/3 * m/2^32, error at most 1/9, then
-  // y <- y (3 - m y^2) / 2, which turns an error e into 3/2 e^2, four times.
-  std::int64_t y = 2383708160 - ((m * 1398101) >> 22);
-  for (int step = 0; step < 4; ++step) {
+  // y approximates 2^46 / sqrt(m) in [2^30, 2^31]; y <- y (3 - m y^2) / 2 turns an error e into 3/2 e^2.
+  std::int64_t y = std::int64_t{roots::kInverseRootStart[static_cast<std::size_t>(m >> 24)]} << 15;
+  for (int step = 0; step < 2; ++step) {
     const std::int64_t square = (y * y) >> 31;               // y^2 / 2^31, at most 2^31
     const std::int64_t product = ((m >> 1) * square) >> 31;  // m y^2 / 2^63, near 2^29
     y = (y * ((std::int64_t{3} << 29) - product)) >> 30;

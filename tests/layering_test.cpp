@@ -59,7 +59,7 @@ const std::vector<std::pair<std::regex, std::string>> kForbiddenInCore = {
 };
 
 /// Division costs a library call on small processors, unless it is by a power of two. Functions named make_... prepare the tick and may divide.
-const std::regex kDivision(R"([/%]=?\s*(?!(?:2|4|8|16|32|64|128|256)\b)[^=\s])");
+const std::regex kDivision(R"([/%]=?\s*(?!(?:2|4|8|16|32|64|128|256|512)\b)[^=\s])");
 const std::regex kPreparation(R"(^\S.*\bmake_\w+\(.*\{$)");
 
 struct Line {

@@ -14,11 +14,12 @@ Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited
   const auto bounded = [](Newton f) { return std::clamp(f, Newton::of(-8191), Newton::of(8191)); };
   const Vec3<Newton> f = {bounded(force.x), bounded(force.y), bounded(force.z)};
   const std::int64_t square = dot_raw(f, f);
+  limited = square > std::int64_t{limit.raw()} * limit.raw();
+  if (!limited) return force;
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
   // limit / length with 30 fraction bits: limit is below 2^23, the mantissa at most 2^31, the shift at least 31
   const std::int64_t ratio = (std::int64_t{limit.raw()} * inverse_length.mantissa) >> (inverse_length.shift - Ratio::kFractionBits);
-  limited = square > std::int64_t{limit.raw()} * limit.raw();
-  return limited ? mul<Newton>(f, Ratio::from_raw(saturate32(ratio))) : force;
+  return mul<Newton>(f, Ratio::from_raw(saturate32(ratio)));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace isotouch::core {
 
@@ -29,45 +28,42 @@ Along along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32
   return {at + (bend >> 3) + tilt, (rise >> 1) + turn, bend};
 }
 
-/// One axis of the point: its nearest sample, the offset from it, and where the brick of the sample before and the brick of the sample after lie.
+/// One axis of the point: the three samples around it, numbered 0 to 2.
 struct AxisPlace {
-  std::int32_t t;                          // offset from the nearest sample, 16 fraction bits, within ±1/2
-  std::int32_t first;                      // index of the sample before the nearest one
-  std::array<std::int32_t, 2> root, slot;  // of the brick before and the brick after; equal where the three samples share one brick
+  std::int32_t t;       // offset from the middle sample, 16 fraction bits, within ±1/2
+  std::int32_t before;  // the brick of sample 0
+  std::int32_t after;   // the brick of sample 2
+  std::int32_t at;      // place of sample 0 in its brick, 0 to 3
+
+  constexpr std::int32_t in_brick(std::int32_t sample) const { return (at + sample) & 3; }
+  constexpr bool is_after(std::int32_t sample) const { return at + sample > 3; }
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
   const std::int32_t inside = std::clamp(coordinate, 1 << 16, (size - 2) << 16);
   outside |= inside != coordinate;
   const std::int32_t first = ((inside + 0x8000) >> 16) - 1;  // in [0, size - 3]
-  const std::int32_t before = first >> kBrickShift, after = (first + 2) >> kBrickShift;
-  return {inside - ((first + 1) << 16), first, {before >> 2, after >> 2}, {before & 3, after & 3}};
+  return {inside - ((first + 1) << 16), first >> kBrickShift, (first + 2) >> kBrickShift, first & 3};
 }
 
-/// The eight bricks around the point, equal ones repeated; index bit 0 is x, bit 1 y, bit 2 z: 0 before, 1 after.
-std::array<const std::int16_t*, 8> bricks_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
-  std::array<const std::int16_t*, 8> bricks;
-  for (std::size_t sz = 0; sz < 2; ++sz) {
-    for (std::size_t sy = 0; sy < 2; ++sy) {
-      const std::uint32_t* cells = field.root + (z.root[sz] * field.root_size[1] + y.root[sy]) * field.root_size[0];
-      const std::uint32_t* slots = field.nodes + ((z.slot[sz] << 4) | (y.slot[sy] << 2));
-      for (std::size_t sx = 0; sx < 2; ++sx) {
-        const std::uint32_t brick = slots[cells[x.root[sx]] * kBricksPerNode + static_cast<std::uint32_t>(x.slot[sx])];
-        bricks[(sz << 2) | (sy << 1) | sx] = field.bricks + brick * kSamplesPerBrick;
-      }
-    }
-  }
-  return bricks;
-}
+/// Three samples in a row along x: where each one's line of bricks begins.
+using Row = std::array<const std::int16_t*, 3>;
 
-/// Three samples in a row along x, contracted: from the brick row that holds the first (four samples, first in the low bits) and the next one.
-Along contract_row(const std::int16_t* brick_before, const std::int16_t* brick_after, int shift, std::int32_t t) {
-  std::uint64_t low, high;
-  std::memcpy(&low, brick_before, sizeof low);
-  std::memcpy(&high, brick_after, sizeof high);
-  const std::uint64_t row = (low >> shift) | ((high << 1) << (63 - shift));
-  const auto sample = [row](int place) { return std::int32_t{static_cast<std::int16_t>(row >> place)} * (1 << kCoefficientBits); };
-  return along(sample(0), sample(16), sample(32), t);
+/// The rows of the four columns of bricks around the point, along x; index bit 0 is y, bit 1 z: 0 before, 1 after.
+std::array<Row, 4> rows_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
+  const std::int32_t x1 = x.in_brick(1), x2 = x.in_brick(2);
+  const bool middle_is_after = x.is_after(1);
+  const auto row = [&](std::int32_t brick_y, std::int32_t brick_z) -> Row {
+    const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
+    const std::uint32_t* slots = field.nodes + (((brick_z & 3) << 4) | ((brick_y & 3) << 2));
+    const auto brick = [&](std::int32_t brick_x) {
+      return field.bricks + slots[cells[brick_x >> 2] * kBricksPerNode + static_cast<std::uint32_t>(brick_x & 3)] * kSamplesPerBrick;
+    };
+    const std::int16_t* before = brick(x.before);
+    const std::int16_t* after = brick(x.after);
+    return {before + x.at, (middle_is_after ? after : before) + x1, after + x2};
+  };
+  return {row(y.before, z.before), row(y.after, z.before), row(y.before, z.after), row(y.after, z.after)};
 }
 
 /// Nine samples of constant z, contracted along x and y: the value and its derivatives within the plane.
@@ -75,15 +71,14 @@ struct Plane {
   std::int32_t value, dx, dy, dxx, dyy, dxy;
 };
 
-Plane contract_plane(const std::int16_t* const* bricks, const AxisPlace& x, const AxisPlace& y, std::int32_t in_brick_z) {
-  const int shift = 16 * (x.first & 3);
-  const auto row = [&](std::int32_t j) {
-    const std::int32_t in_column = (y.first & 3) + j;
-    const std::int16_t* const* pair = bricks + ((in_column >> kBrickShift) << 1);
-    const std::int32_t offset = in_brick_z | ((in_column & 3) << 2);
-    return contract_row(pair[0] + offset, pair[1] + offset, shift, x.t);
+Plane contract_plane(const Row* rows, const AxisPlace& x, const AxisPlace& y, std::int32_t in_brick_z) {
+  const auto contract_row = [&](std::int32_t j) {
+    const Row& row = rows[y.is_after(j)];
+    const std::int32_t offset = in_brick_z | (y.in_brick(j) << 2);
+    const auto sample = [&](std::size_t i) { return std::int32_t{row[i][offset]} * (1 << kCoefficientBits); };
+    return along(sample(0), sample(1), sample(2), x.t);
   };
-  const Along row0 = row(0), row1 = row(1), row2 = row(2);
+  const Along row0 = contract_row(0), row1 = contract_row(1), row2 = contract_row(2);
   const Along value = along(row0.value, row1.value, row2.value, y.t);
   const Along slope = along(row0.slope, row1.slope, row2.slope, y.t);
   const std::int32_t dxx = along(row0.bend, row1.bend, row2.bend, y.t).value;
@@ -94,17 +89,14 @@ constexpr std::int32_t outer(std::int32_t inner) { return (inner + (1 << (kOuter
 
 }  // namespace
 
-FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point) {
+void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& sample) {
   bool outside = false;
   const AxisPlace x = place(point.x.raw(), field.size[0], outside);
   const AxisPlace y = place(point.y.raw(), field.size[1], outside);
   const AxisPlace z = place(point.z.raw(), field.size[2], outside);
-  const std::array<const std::int16_t*, 8> bricks = bricks_around(field, x, y, z);
+  const std::array<Row, 4> rows = rows_around(field, x, y, z);
 
-  const auto plane = [&](std::int32_t k) {
-    const std::int32_t in_column = (z.first & 3) + k;
-    return contract_plane(bricks.data() + ((in_column >> kBrickShift) << 2), x, y, (in_column & 3) << 4);
-  };
+  const auto plane = [&](std::int32_t k) { return contract_plane(&rows[z.is_after(k) ? 2 : 0], x, y, z.in_brick(k) << 4); };
   const Plane p0 = plane(0), p1 = plane(1), p2 = plane(2);
   const Along value = along(p0.value, p1.value, p2.value, z.t);
   const Along dx = along(p0.dx, p1.dx, p2.dx, z.t);
@@ -113,13 +105,11 @@ FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point) {
   const std::int32_t dyy = along(p0.dyy, p1.dyy, p2.dyy, z.t).value;
   const std::int32_t dxy = along(p0.dxy, p1.dxy, p2.dxy, z.t).value;
 
-  FieldSample sample;
   sample.distance = Voxel::from_raw(outer(value.value));
   sample.gradient = {Slope::from_raw(outer(dx.value)), Slope::from_raw(outer(dy.value)), Slope::from_raw(outer(value.slope))};
   sample.second = {Curvature::from_raw(outer(dxx)), Curvature::from_raw(outer(dyy)), Curvature::from_raw(outer(value.bend))};
   sample.mixed = {Curvature::from_raw(outer(dy.slope)), Curvature::from_raw(outer(dx.slope)), Curvature::from_raw(outer(dxy))};
   sample.outside_grid = outside;
-  return sample;
 }
 
 }  // namespace isotouch::core

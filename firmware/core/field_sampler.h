@@ -25,6 +25,11 @@ struct FieldSample {
 /// fails     never
 /// tick      yes: 27 coefficients, constant cost, no division
 /// source    quadratic B-spline: de Boor, A Practical Guide to Splines, 1978, chapter IX
-FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point);
+void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& sample);
+inline FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point) {
+  FieldSample sample;
+  sample_field(field, point, sample);
+  return sample;
+}
 
 }  // namespace isotouch::core

@@ -33,16 +33,17 @@ Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& st
   renew_reach(hip - state.hip, state.steps);
   state.hip = hip;
   for (int step = 0; step < kProxySteps; ++step) {
-    state.point = state.point + step_towards(hip, state.point, state.sample, state.steps);
-    state.sample = sample_field(field, state.point);
+    step_towards(hip, state.sample, state.steps, state.point);
+    sample_field(field, state.point, state.sample);
   }
 
-  const Vec3<Voxel> onto = step_onto_surface(state.sample);
-  const bool settled = is_short(onto);
+  Foothold foothold;
+  find_foothold(hip, state.point, state.sample, foothold);
+  const bool settled = is_short(foothold.step);
   const bool was_touching = state.mode == ProxyMode::kContact;
   Contact contact;
-  contact.touching = (settled || was_touching) && is_behind_surface(hip, state.point, state.sample);
-  contact.proxy = !contact.touching ? state.point : settled ? state.point + onto : state.proxy;
+  contact.touching = (settled || was_touching) && foothold.hip_behind;
+  contact.proxy = !contact.touching ? state.point : settled ? state.point + foothold.step : state.proxy;
   state.proxy = contact.proxy;
   if (contact.touching) contact.stretch = contact.proxy - hip;
   contact.following = !contact.touching && !(state.point == hip);

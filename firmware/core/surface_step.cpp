@@ -23,7 +23,7 @@ constexpr std::int64_t kTraceLimit = 8 * kOne;       // curvatures beyond 8 and 
 constexpr std::int64_t kDeterminantLimit = 16 * kOne;
 constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;  // what a reciprocal may be multiplied with
 constexpr std::int64_t kMinBend = kOne / 2;      // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
-constexpr std::int64_t kMinSpread = kOne / 256;  // eigenvalues closer than this count as one
+constexpr std::int64_t kMinSpread = kOne / 512;  // half of the least distance that two eigenvalues count with
 
 struct Raw3 {
   std::int64_t x, y, z;
@@ -49,23 +49,19 @@ std::int64_t divide(std::int64_t value, const Reciprocal& divisor) {
   return times(within(value, kDividendLimit), {divisor.mantissa, divisor.shift - 16});
 }
 
-/// The square root of a value with 32 fraction bits, with 16; negative values have root 0. value below 2^62.
-std::int64_t root(std::int64_t value) {
-  const auto positive = static_cast<std::uint64_t>(std::max<std::int64_t>(value, 0));
-  const Reciprocal inverse = inverse_root(positive);
-  // x / sqrt(x): the leading 31 bits of x times the mantissa
-  const int spare = std::max(0, 33 - std::countl_zero(positive | 1U));
-  const std::int64_t product = static_cast<std::int64_t>(positive >> spare) * inverse.mantissa;
-  return product >> (inverse.shift - spare);
+/// x / sqrt(x), the square root of a value with 32 fraction bits, with 16: the leading 31 bits of x times the mantissa. x from 1 to 2^62.
+std::int64_t root(std::int64_t x, const Reciprocal& inverse_root) {
+  const int spare = std::max(0, 33 - std::countl_zero(static_cast<std::uint64_t>(x)));
+  return ((x >> spare) * inverse_root.mantissa) >> (inverse_root.shift - spare);
 }
 
 /// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components beyond 2^30 act like 2^30: three squares fit 63 bits.
-Raw3 shorten(const Raw3& any, std::int64_t limit) {
+inline Raw3 shorten(const Raw3& any, std::int64_t limit) {
   const Raw3 v = within(any, std::int64_t{1} << 30);
   const std::int64_t square = v.x * v.x + v.y * v.y + v.z * v.z;
+  if (square <= limit * limit) return v;
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
   const std::int64_t ratio = (limit * inverse_length.mantissa) >> (inverse_length.shift - 30);  // limit / length, 30 fraction bits
-  if (square <= limit * limit) return v;
   return {(v.x * ratio) >> 30, (v.y * ratio) >> 30, (v.z * ratio) >> 30};
 }
 
@@ -115,14 +111,15 @@ Raw3 slide(const LocalField& at, const Raw3& pull, std::int64_t depth) {
   const std::int64_t plane_determinant = divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square);
   const std::int64_t half_trace = (depth * within(plane_trace, kTraceLimit)) >> 17;                                 // below 2^28
   const std::int64_t determinant = (((depth * within(plane_determinant, kDeterminantLimit)) >> 16) * depth) >> 16;  // below 2^40
-  const std::int64_t spread = root(half_trace * half_trace - (determinant << 16));                                  // half of μ₂ - μ₁
+  const std::int64_t square = std::max(half_trace * half_trace - (determinant << 16), kMinSpread * kMinSpread);
+  const Reciprocal over_spread = inverse_root(static_cast<std::uint64_t>(square));
+  const std::int64_t spread = root(square, over_spread);  // half of μ₂ - μ₁
 
   const std::int64_t mu1 = half_trace - spread, mu2 = half_trace + spread;
   const std::int64_t b1 = std::max(std::abs(kOne - mu1), kMinBend), b2 = std::max(std::abs(kOne - mu2), kMinBend);
   const Reciprocal over_b1 = reciprocal(static_cast<std::uint64_t>(b1));
   const Reciprocal over_b2 = reciprocal(static_cast<std::uint64_t>(b2));
-  const Reciprocal over_spread = reciprocal(static_cast<std::uint64_t>(std::max(2 * spread, kMinSpread)));
-  const std::int64_t factor = divide(divide(b1 - b2, over_spread), over_b2);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
+  const std::int64_t factor = divide(divide((b1 - b2) >> 1, over_spread), over_b2);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
 
   const Raw3 bent = scale(at.tangential(at.bend(pull)), depth);
   const Raw3 beyond = bent - scale(pull, mu1);
@@ -147,11 +144,11 @@ Raw3 without_turning_back(const Raw3& way, StepMemory& memory) {
 
 }  // namespace
 
-bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample) {
-  return LocalField(sample).clearance(raw(hip) - raw(point)) < 0;
+void find_foothold(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, Foothold& foothold) {
+  const LocalField at(sample);
+  foothold.step = to_voxel(at.onto_surface());
+  foothold.hip_behind = at.clearance(raw(hip) - raw(point)) < 0;
 }
-
-Vec3<Voxel> step_onto_surface(const FieldSample& sample) { return to_voxel(LocalField(sample).onto_surface()); }
 
 void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
   if (size_of(raw(motion)) > kStill) memory.last = {};  // turning with the hand is no cycle
@@ -159,7 +156,7 @@ void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
       Voxel::from_raw(static_cast<std::int32_t>(std::clamp(2 * size_of(raw(motion)), std::int64_t{memory.reach.raw()}, kSlideLimit)));
 }
 
-Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, StepMemory& memory) {
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory, Vec3<Voxel>& point) {
   const LocalField at(sample);
   const Raw3 pull = raw(hip) - raw(point);
   const std::int64_t free_way = std::max<std::int64_t>(at.distance, 0);
@@ -170,13 +167,14 @@ Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const
   if (clearance >= 0) {
     const std::int64_t allowed = free_way + memory.reach.raw() - kRestoreFirst * buried;
     const Raw3 way = without_turning_back(shorten(pull, std::max<std::int64_t>(0, allowed)), memory);
-    return to_voxel(buried > 0 ? way + shorten(at.onto_surface(), safe) : way);
+    point = to_voxel(raw(point) + (buried > 0 ? way + shorten(at.onto_surface(), safe) : way));
+    return;
   }
   const std::int64_t depth = std::min(-divide(clearance, at.slope_square), kDepthLimit);
   const Raw3 wanted = slide(at, within(at.tangential(pull), kPullLimit), depth);
   const std::int64_t allowed = memory.reach.raw() + free_way / 2 - kRestoreFirst * buried;
   const Raw3 way = without_turning_back(shorten(wanted, std::max<std::int64_t>(0, allowed)), memory);
-  return to_voxel(shorten(at.onto_surface() + way, safe));
+  point = to_voxel(raw(point) + shorten(at.onto_surface() + way, safe));
 }
 
 }  // namespace isotouch::core

@@ -9,11 +9,14 @@
 
 namespace isotouch::core {
 
-/// Is the HIP behind the plane that the sample at `point` predicts for the surface, φ + g·(hip - point) < 0?
-bool is_behind_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample);
+/// Where the surface lies from a sampled point, to first order.
+struct Foothold {
+  Vec3<Voxel> step;         ///< from the point straight onto the surface, -φ g / |g|²: one Newton step
+  bool hip_behind = false;  ///< the HIP is behind the plane that the sample predicts for the surface, φ + g·(hip - point) < 0
+};
 
-/// From the sampled point straight to the surface, -φ g / |g|²: one Newton step along the gradient.
-Vec3<Voxel> step_onto_surface(const FieldSample& sample);
+/// Results go where they are used, here and below: small structures in registers would be packed through memory and wait for their own parts.
+void find_foothold(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, Foothold& foothold);
 
 /// What the steps remember of each other, so that a cycle dies out where Newton's step alone would keep circling in a rough crease.
 struct StepMemory {
@@ -24,11 +27,11 @@ struct StepMemory {
 /// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.
 void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory);
 
-/// The step from `point` towards the point of the surface, or of free space, closest to the HIP.
+/// Moves `point`, where the sample was taken, one step towards the point of the surface, or of free space, closest to the HIP.
 ///
 /// In free space: to the HIP. Where the HIP is behind the surface: onto the surface and along it, by one step of sequential quadratic programming
 /// with the field's second derivatives. Never longer than is safe, the distance to the surface and 1.25 voxels more; the part along the surface
 /// gets shorter the deeper the point is inside, so that steps in an acute crease cannot add up to a passage, and it is halved where it turns back.
-Vec3<Voxel> step_towards(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, StepMemory& memory);
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory, Vec3<Voxel>& point);
 
 }  // namespace isotouch::core

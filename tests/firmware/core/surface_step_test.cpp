@@ -27,11 +27,17 @@ FieldImage torus_and_box() {
   });
 }
 
+Point step_from(const Vec3<Voxel>& point, const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory) {
+  Vec3<Voxel> moved = point;
+  step_towards(hip, sample, memory, moved);
+  return test::to_point(moved) - test::to_point(point);
+}
+
 TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
   const FieldImage image = torus_and_box();
   Random random(21);
   int compared = 0, behind = 0, long_steps = 0;
-  double worst = 0;
+  double worst = 0, worst_foothold = 0;
   while (compared < 20000) {
     const Vec3<Voxel> point = test::to_voxel({random.uniform(4, 67), random.uniform(4, 59), random.uniform(4, 35)});
     const FieldSample sample = sample_field(image.view(), point);
@@ -46,16 +52,24 @@ TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
     const Point pull = test::to_point(hip) - test::to_point(point);
     if (std::abs(exact.distance + test::dot(exact.gradient, pull)) < 0.001) continue;  // on the border between free and held
     StepMemory fresh;
-    const Point step = test::to_point(step_towards(hip, point, sample, fresh));
+    const Point step = step_from(point, hip, sample, fresh);
     const Point twin = test::reference_step(pull, exact);
     worst = std::max(worst, test::length(step - twin));
-    behind += is_behind_surface(hip, point, sample) ? 1 : 0;
+    Foothold foothold;
+    find_foothold(hip, point, sample, foothold);
+    const double twin_square = std::max(test::dot(exact.gradient, exact.gradient), 1.0 / 64);
+    worst_foothold =
+        std::max(worst_foothold, test::length(test::to_point(foothold.step) + exact.gradient * (exact.distance / twin_square)));
+    EXPECT_EQ(foothold.hip_behind, exact.distance + test::dot(exact.gradient, pull) < 0);
+    behind += foothold.hip_behind ? 1 : 0;
     long_steps += test::length(twin) > 1.0 ? 1 : 0;
     ++compared;
   }
   // 16 fraction bits, curvature times a depth of up to 40 voxels: a few thousandths of a voxel at worst
   EXPECT_LT(worst, 0.004);
   EXPECT_GT(worst, 0.0002);
+  EXPECT_LT(worst_foothold, 0.0002);
+  EXPECT_GT(worst_foothold, 0.000005);
   EXPECT_GT(behind, 5000);
   EXPECT_GT(long_steps, 5000);
 }
@@ -64,7 +78,9 @@ TEST(SurfaceStep, InFreeSpaceReachesTheHipExactly) {
   const FieldImage image = torus_and_box();
   const Vec3<Voxel> point = test::to_voxel({5.0, 5.0, 5.0}), hip = test::to_voxel({6.123, 4.517, 5.902});
   StepMemory memory;
-  EXPECT_EQ(point + step_towards(hip, point, sample_field(image.view(), point), memory), hip);
+  Vec3<Voxel> moved = point;
+  step_towards(hip, sample_field(image.view(), point), memory, moved);
+  EXPECT_EQ(moved, hip);
 }
 
 TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
@@ -76,7 +92,7 @@ TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
     if (sample.distance < Voxel{}) continue;
     const Vec3<Voxel> hip = point + test::to_voxel(random.in_ball(300.0));
     StepMemory memory;
-    EXPECT_LT(test::length(test::to_point(step_towards(hip, point, sample, memory))), test::to_double(sample.distance) + 1.2501);
+    EXPECT_LT(test::length(step_from(point, hip, sample, memory)), test::to_double(sample.distance) + 1.2501);
   }
 }
 
@@ -87,7 +103,7 @@ TEST(SurfaceStep, SurvivesTheWildestField) {
     const Vec3<Voxel> point = test::to_voxel({random.uniform(1, 30), random.uniform(1, 30), random.uniform(1, 30)});
     const Vec3<Voxel> hip = test::to_voxel(random.in_box(i % 2 == 0 ? 8191.0 : 30.0));
     StepMemory memory;
-    const Point step = test::to_point(step_towards(hip, point, sample_field(image.view(), point), memory));
+    const Point step = step_from(point, hip, sample_field(image.view(), point), memory);
     EXPECT_LT(test::length(step), 20.0);
   }
 }
