@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "host/blob/apron.h"
-#include "host/blob/brick_rows.h"
+#include "host/field/parallel.h"
 
 namespace isotouch::blob {
 
@@ -38,28 +39,32 @@ bool step(const Apron& apron, float sharpest, Samples& samples) {
 }  // namespace
 
 field::BandField round_creases(field::BandField field, float sharpest) {
-  const BrickRows rows(field);
+  const std::vector<Neighbours> around = neighbours(field);
   const auto band = static_cast<float>(field.band);
   std::vector<Samples> now(field.bricks.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
     std::transform(field.bricks[b].distance.begin(), field.bricks[b].distance.end(), now[b].begin(),
                    [=](float d) { return std::abs(d) <= band ? d : NAN; });
   }
-  std::vector<std::size_t> active(now.size());
-  for (std::size_t b = 0; b < active.size(); ++b) active[b] = b;
+  std::vector<std::uint32_t> active(now.size());
+  std::iota(active.begin(), active.end(), 0U);
   std::vector<Samples> next = now;
   for (int n = 0; n < kSteps && !active.empty(); ++n) {
+    std::vector<std::uint8_t> changed(active.size(), 0);
+    field::in_parallel(active.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t a = begin; a < end; ++a) changed[a] = step(gather(now, around[active[a]]), sharpest, next[active[a]]);
+    });
     std::vector<std::uint8_t> wake(now.size(), 0);
-    for (const std::size_t b : active) {
-      const Neighbours around = neighbours(rows, field.bricks[b].cell);
-      if (!step(gather(now, around), sharpest, next[b])) continue;
-      for (const std::size_t neighbour : around) {
-        if (neighbour != BrickRows::kAbsent) wake[neighbour] = 1;
+    for (std::size_t a = 0; a < active.size(); ++a) {
+      const std::uint32_t b = active[a];
+      now[b] = next[b];
+      if (changed[a] == 0) continue;
+      for (const std::uint32_t neighbour : around[b]) {
+        if (neighbour != kAbsent) wake[neighbour] = 1;
       }
     }
-    for (const std::size_t b : active) now[b] = next[b];
     active.clear();
-    for (std::size_t b = 0; b < wake.size(); ++b) {
+    for (std::uint32_t b = 0; b < wake.size(); ++b) {
       if (wake[b] != 0) active.push_back(b);
     }
   }

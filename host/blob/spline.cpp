@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/blob/apron.h"
-#include "host/blob/brick_rows.h"
+#include "host/field/parallel.h"
 
 namespace isotouch::blob {
 
@@ -29,6 +29,8 @@ Samples blur(Apron apron) {
   return inner;
 }
 
+constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
+
 constexpr double kScale = 1 << 12;
 
 double rounded(double value) { return std::floor(value * kScale + 0.5); }
@@ -37,17 +39,19 @@ double rounded(double value) { return std::floor(value * kScale + 0.5); }
 float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
 
 /// Per brick one bit a sample: may it be corrected, are it and all its 26 neighbours within the band?
-std::vector<std::uint64_t> correctable(const field::BandField& field, const BrickRows& rows) {
+std::vector<std::uint64_t> correctable(const field::BandField& field, const std::vector<Neighbours>& around) {
   const float band = rounded_band(field);
   std::vector<Samples> known(field.bricks.size());  // NaN beyond the band; it travels through the blur
   for (std::size_t b = 0; b < known.size(); ++b) {
     for (std::size_t n = 0; n < 64; ++n) known[b][n] = std::abs(field.bricks[b].distance[n]) <= band ? 0.0F : NAN;
   }
   std::vector<std::uint64_t> masks(known.size(), 0);
-  for (std::size_t b = 0; b < known.size(); ++b) {
-    const Samples blurred = blur(gather(known, neighbours(rows, field.bricks[b].cell)));
-    for (std::size_t n = 0; n < 64; ++n) masks[b] |= std::uint64_t{!std::isnan(blurred[n])} << n;
-  }
+  field::in_parallel(known.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      const Samples blurred = blur(gather(known, around[b]));
+      for (std::size_t n = 0; n < 64; ++n) masks[b] |= std::uint64_t{!std::isnan(blurred[n])} << n;
+    }
+  });
   return masks;
 }
 
@@ -55,8 +59,8 @@ std::vector<std::uint64_t> correctable(const field::BandField& field, const Bric
 
 std::vector<Coefficients> spline_coefficients(const field::BandField& field, int steps) {
   const float band = rounded_band(field);
-  const BrickRows rows(field);
-  const std::vector<std::uint64_t> masks = correctable(field, rows);
+  const std::vector<Neighbours> around = neighbours(field);
+  const std::vector<std::uint64_t> masks = correctable(field, around);
 
   std::vector<Samples> now(field.bricks.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
@@ -64,20 +68,27 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, int
   }
   std::vector<Samples> next = now;
   for (int step = 0; step < steps; ++step) {
-    for (std::size_t b = 0; b < now.size(); ++b) {
-      const Samples blurred = blur(gather(now, neighbours(rows, field.bricks[b].cell)));
-      for (std::size_t n = 0; n < 64; ++n) {
-        if ((masks[b] >> n & 1U) != 0) next[b][n] = now[b][n] + (field.bricks[b].distance[n] - blurred[n]);
+    field::in_parallel(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) {
+        if (masks[b] == 0) continue;
+        const Samples blurred = blur(gather(now, around[b]));
+        for (std::size_t n = 0; n < 64; ++n) {
+          const float corrected = now[b][n] + (field.bricks[b].distance[n] - blurred[n]);
+          next[b][n] = (masks[b] >> n & 1U) != 0 ? corrected : now[b][n];
+        }
       }
-    }
+    });
     std::swap(now, next);
   }
 
   std::vector<Coefficients> coefficients(now.size());
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    for (std::size_t n = 0; n < 64; ++n)
-      coefficients[b][n] = static_cast<std::int16_t>(rounded(static_cast<double>(std::clamp(now[b][n], -band, band))));
-  }
+  field::in_parallel(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      for (std::size_t n = 0; n < 64; ++n) {
+        coefficients[b][n] = static_cast<std::int16_t>(rounded(static_cast<double>(std::clamp(now[b][n], -band, band))));
+      }
+    }
+  });
   return coefficients;
 }
 

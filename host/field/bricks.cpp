@@ -120,17 +120,14 @@ class Walk {
     if (std::abs(centre) > band_ + kFar) return {{key, false, centre < 0.0 ? ~std::uint64_t{0} : 0}, {}};
     const auto d = distance_.brick(cell);
     const auto [least, most] = std::minmax_element(d.begin(), d.end());
-    if (*least > band_) return {{key, false, 0}, {}};
-    if (*most < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
+    if (static_cast<double>(*least) > band_) return {{key, false, 0}, {}};
+    if (static_cast<double>(*most) < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
     return listed(key, d);
   }
 
-  static Look listed(Key key, const std::array<double, 64>& d) {
-    Look look{{key, true, 0}, {cell_of(key), {}}};
-    for (std::size_t s = 0; s < d.size(); ++s) {
-      look.brick.distance[s] = static_cast<float>(d[s]);
-      look.visited.inside |= std::uint64_t{look.brick.distance[s] < 0.0F} << s;
-    }
+  static Look listed(Key key, const std::array<float, 64>& d) {
+    Look look{{key, true, 0}, {cell_of(key), d}};
+    for (std::size_t s = 0; s < d.size(); ++s) look.visited.inside |= std::uint64_t{d[s] < 0.0F} << s;
     return look;
   }
 

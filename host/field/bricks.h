@@ -12,8 +12,8 @@ namespace isotouch::field {
 
 /// A signed distance on a grid, voxels. Called from several threads at once.
 struct SampledDistance {
-  std::function<double(const Eigen::Vector3d& index)> at;                    ///< at a point in index coordinates
-  std::function<std::array<double, 64>(const Eigen::Vector3i& cell)> brick;  ///< at the 64 samples of a brick, x fastest
+  std::function<double(const Eigen::Vector3d& index)> at;                   ///< at a point in index coordinates
+  std::function<std::array<float, 64>(const Eigen::Vector3i& cell)> brick;  ///< at the 64 samples of a brick, x fastest
 };
 
 /// Every brick with a sample within the band that neighbours, face to face, lead to from a seed, and what it takes to make the answer closed:

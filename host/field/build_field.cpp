@@ -62,7 +62,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
                                      const Eigen::Vector3d x =
                                          first + Eigen::Vector3d(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3),
                                                                  static_cast<double>(s >> 4));
-                                     d[s] = std::max(d[s], closing.distance(x));
+                                     d[s] = std::max(d[s], static_cast<float>(closing.distance(x)));
                                    }
                                    return d;
                                  }};

@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "host/cloud/oriented_points.h"
-#include "host/field/empty_balls.h"
-#include "host/field/local_model.h"
+#include "host/field/blend_brick.h"
 #include "host/field/nearest.h"
 
 namespace isotouch::field {
@@ -26,8 +25,8 @@ class Surface {
   /// error.
   double distance(const Eigen::Vector3d& x) const;
 
-  /// The same at the 4x4x4 points first + (i, j, k), x fastest, in one search.
-  std::array<double, 64> distances(const Eigen::Vector3d& first) const;
+  /// The same at the 4x4x4 points first + (i, j, k), x fastest, in one search and in single precision: to 1e-4 for coordinates in voxels.
+  std::array<float, 64> distances(const Eigen::Vector3d& first) const;
 
  private:
   double blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
@@ -36,6 +35,7 @@ class Surface {
   Nearest tree_;
   std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
+  BrickBlend brick_;
 };
 
 }  // namespace isotouch::field

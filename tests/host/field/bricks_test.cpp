@@ -17,9 +17,11 @@ constexpr double kBand = 4.0;
 
 double ball(const Vector3d& x) { return (x - Vector3d(27, 28, 31)).norm() - 17.3; }
 
-std::array<double, 64> at_brick(const Vector3i& cell) {
-  std::array<double, 64> d{};
-  for (int s = 0; s < 64; ++s) d[static_cast<std::size_t>(s)] = ball((4 * cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)).cast<double>());
+std::array<float, 64> at_brick(const Vector3i& cell) {
+  std::array<float, 64> d{};
+  for (int s = 0; s < 64; ++s) {
+    d[static_cast<std::size_t>(s)] = static_cast<float>(ball((4 * cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)).cast<double>()));
+  }
   return d;
 }
 
