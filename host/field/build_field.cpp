@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "host/error.h"
 #include "host/field/agreement.h"
@@ -39,16 +40,17 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
 
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
-  auto samples = in_voxels(points, grid);
+  cloud::OrientedPoints samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
   const double margin = std::min(tight.low.minCoeff(), (grid.size.cast<double>() - Eigen::Vector3d::Ones() - tight.high).minCoeff());
   if (margin < band + 3.0 - 1e-9) throw InputError("the grid leaves less than band + 3 voxels round the points; choose a larger grid");
 
   progress.begin("normals");
-  turn_contradicted(samples, Nearest(samples.positions));
+  Scan scan(std::move(samples));
+  turn_contradicted(scan);
 
   progress.begin("local models");
-  const Surface surface(samples);
+  const Surface surface(scan);
 
   progress.begin("bricks");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
@@ -67,8 +69,8 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
                                    return d;
                                  }};
   std::vector<Eigen::Vector3i> seeds;
-  seeds.reserve(samples.size());
-  for (const auto& p : samples.positions) seeds.emplace_back((p * 0.25).array().floor().cast<int>());
+  seeds.reserve(scan.size());
+  for (const auto& p : scan.positions()) seeds.emplace_back((p * 0.25).array().floor().cast<int>());
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   progress.end();

@@ -16,32 +16,36 @@ constexpr double kSlack = 0.5;         // spacings: balls of a thin plate reach 
 constexpr std::size_t kVoices = 3;
 
 /// The radius of the largest ball up to `cap` that touches the surface at sample i on the side of `normal` and holds no other sample.
-double radius(const cloud::OrientedPoints& points, const Nearest& tree, std::size_t i, const Eigen::Vector3d& normal, double cap,
-              std::vector<Neighbour>& found) {
-  tree.within(points.positions[i] + cap * normal, cap, found);
+double radius(const Scan& scan, std::size_t i, const Eigen::Vector3d& normal, double cap, std::vector<Neighbour>& found) {
+  const Eigen::Vector3d& own = scan.positions()[i];
   double least = cap;
-  for (const Neighbour& j : found) {
-    const Eigen::Vector3d a = points.positions[j.index] - points.positions[i];
-    const double height = normal.dot(a);
-    if (height > 0.0) least = std::min(least, a.squaredNorm() / (2.0 * height));
-  }
+  const auto shrink_to = [&](std::span<const Neighbour> samples) {
+    for (const Neighbour& j : samples) {
+      const Eigen::Vector3d a = scan.positions()[j.index] - own;
+      const double height = normal.dot(a);
+      if (height > 0.0) least = std::min(least, a.squaredNorm() / (2.0 * height));
+    }
+  };
+  shrink_to(scan.around(i));
+  scan.tree().within(own + least * normal, least, found);
+  shrink_to(found);
   return least;
 }
 
 }  // namespace
 
-std::vector<EmptyBalls> empty_balls(const cloud::OrientedPoints& points, const Nearest& tree) {
-  std::vector<EmptyBalls> balls(points.size());
-  in_parallel(points.size(), 64, [&](std::size_t begin, std::size_t end) {
+std::vector<EmptyBalls> empty_balls(const Scan& scan) {
+  std::vector<EmptyBalls> balls(scan.size());
+  in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(points.positions[i], kSpacingOf + 1, found);
-      const double spacing = std::sqrt(found.back().squared_distance);
-      const Eigen::Vector3d &p = points.positions[i], &n = points.normals[i];
+      const auto around = scan.around(i);
+      const double spacing = std::sqrt(around[std::min(kSpacingOf, around.size() - 1)].squared_distance);
+      const Eigen::Vector3d &p = scan.positions()[i], &n = scan.normals()[i];
       EmptyBalls& ball = balls[i];
       ball.slack = kSlack * spacing;
-      ball.outer_radius = radius(points, tree, i, n, kBallCap * spacing, found);
-      ball.inner_radius = radius(points, tree, i, -n, kBallCap * spacing, found);
+      ball.outer_radius = radius(scan, i, n, kBallCap * spacing, found);
+      ball.inner_radius = radius(scan, i, -n, kBallCap * spacing, found);
       ball.outer = p + ball.outer_radius * n;
       ball.inner = p - ball.inner_radius * n;
     }

@@ -10,8 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "host/cloud/oriented_points.h"
-#include "host/field/nearest.h"
+#include "host/field/scan.h"
 
 namespace isotouch::field {
 
@@ -24,8 +23,7 @@ struct EmptyBalls {
 /// Balls are not grown beyond this many spacings.
 inline constexpr double kBallCap = 6.0;
 
-/// points    unit outward normals
-std::vector<EmptyBalls> empty_balls(const cloud::OrientedPoints& points, const Nearest& tree);
+std::vector<EmptyBalls> empty_balls(const Scan& scan);
 
 /// A signed distance, held to what the balls of the samples nearest to x agree on: three of them must call a place outside, or inside, before it
 /// is. One sample with a wrong normal decides nothing.

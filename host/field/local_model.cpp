@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -87,10 +88,18 @@ double squared_error(const Samples& samples, const Predictions& predicted, const
   return sum / weights + (reach > 0.0 ? 32.0 * own * own / reach : 0.0);
 }
 
-/// Every piece becomes the patch at its member nearest to the sample; returns the number of parameters taken from the data.
-std::size_t fit_pieces(const Samples& samples, const std::vector<std::size_t>& piece_of, std::size_t count, LocalModel& model) {
-  const double reach = (samples.back().position - samples[0].position).norm();
+/// How many parameters a fit of these pieces takes from the data.
+std::size_t parameters_of(const std::vector<std::size_t>& piece_of, std::size_t count) {
+  std::array<std::size_t, kMaxPieces> members{};
+  for (const std::size_t piece : piece_of) ++members[piece];
   std::size_t parameters = 0;
+  for (std::size_t piece = 0; piece < count; ++piece) parameters += members[piece] > 2 ? 6U : members[piece] > 1 ? 5U : 3U;
+  return parameters;
+}
+
+/// Every piece becomes the patch at its member nearest to the sample.
+void fit_pieces(const Samples& samples, const std::vector<std::size_t>& piece_of, std::size_t count, LocalModel& model) {
+  const double reach = (samples.back().position - samples[0].position).norm();
   Samples members;
   for (std::size_t piece = 0; piece < count; ++piece) {
     members.clear();
@@ -106,10 +115,8 @@ std::size_t fit_pieces(const Samples& samples, const std::vector<std::size_t>& p
       members.push_back(member);
     }
     model.pieces[piece] = fit_patch(members, reach);
-    parameters += members.size() > 2 ? 6U : members.size() > 1 ? 5U : 3U;
   }
   model.count = static_cast<std::uint8_t>(count);
-  return parameters;
 }
 
 LocalModel joined(const LocalModel& model, const Joining& joining) {
@@ -121,20 +128,22 @@ LocalModel joined(const LocalModel& model, const Joining& joining) {
 
 LocalModel best_model(const Samples& samples) {
   static const std::array<std::vector<Joining>, kMaxPieces + 1> kJoinings = {{{}, joinings(1), joinings(2), joinings(3), joinings(4)}};
-  const JumpTree jumps(samples);
   const auto equations = static_cast<double>(3 * samples.size());  // one offset and two directions a sample
   LocalModel best;
   double least = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> piece_of;
-  const auto consider = [&](LocalModel model, std::size_t parameters) {
+  // Generalised cross-validation: what each parameter would gain by chance is taken back.
+  const auto penalised = [&](double error, std::size_t parameters) {
+    const double freedom = std::max(1.0 - static_cast<double>(parameters) / equations, 1e-3);
+    return (error + kExplained * kExplained) / (freedom * freedom);
+  };
+  const auto consider = [&](const LocalModel& model, std::size_t parameters) {
     Predictions predicted{model.count, {}};
     for (const auto& sample : samples) {
       for (std::size_t piece = 0; piece < model.count; ++piece) predicted.values.push_back(model.pieces[piece].value(sample.position));
     }
-    // Generalised cross-validation: what each parameter would gain by chance is taken back.
-    const double freedom = std::max(1.0 - static_cast<double>(parameters) / equations, 1e-3);
     for (const auto& joining : kJoinings[model.count]) {
-      const double error = (squared_error(samples, predicted, joining) + kExplained * kExplained) / (freedom * freedom);
+      const double error = penalised(squared_error(samples, predicted, joining), parameters);
       if (error < least) {
         least = error;
         best = joined(model, joining);
@@ -148,11 +157,21 @@ LocalModel best_model(const Samples& samples) {
   model.centre = samples[0].position;
   model.reach = (samples.back().position - samples[0].position).norm();
   const ToroidalPatch own_plane = fit_patch(std::span(samples).first(1), model.reach);
+  std::optional<JumpTree> jumps;  // not every sample needs it
   for (std::size_t count = 1; count <= std::min(kMaxPieces, samples.size()); ++count) {
-    if (count > 1 && jumps.jump(count - 2) < kLeastJump) break;
-    jumps.split(count, piece_of);
-    const std::size_t parameters = fit_pieces(samples, piece_of, count, model);
+    if (count == 1) {
+      piece_of.assign(samples.size(), 0);
+    } else {
+      const std::size_t fewest = 3 * count + (samples.size() > 2 * count ? 3U : 0U);  // one piece at least has more than two members
+      if (penalised(0.0, fewest) >= least) break;
+      if (!jumps) jumps.emplace(samples);
+      if (jumps->jump(count - 2) < kLeastJump) break;
+      jumps->split(count, piece_of);
+    }
+    const std::size_t parameters = parameters_of(piece_of, count);
     if (static_cast<double>(parameters) >= equations && count > 1) break;
+    if (penalised(0.0, parameters) >= least) continue;  // even without an error it would not be the best
+    fit_pieces(samples, piece_of, count, model);
     consider(model, parameters);
   }
   if (least >
@@ -166,19 +185,19 @@ LocalModel best_model(const Samples& samples) {
 
 }  // namespace
 
-std::vector<LocalModel> local_models(const cloud::OrientedPoints& points, const Nearest& tree) {
-  std::vector<LocalModel> models(points.size());
-  in_parallel(points.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbour> found;
+std::vector<LocalModel> local_models(const Scan& scan) {
+  std::vector<LocalModel> models(scan.size());
+  in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
     Samples samples;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(points.positions[i], kNeighbours + 2, found);
+      const auto around = scan.around(i);
+      const auto found = around.first(std::min(kNeighbours + 2, around.size()));
       const double reach = found.back().squared_distance;
-      samples.assign(1, {points.positions[i], points.normals[i], 1.0});
+      samples.assign(1, {scan.positions()[i], scan.normals()[i], 1.0});
       for (const auto& f : found) {
         if (f.index == i || samples.size() > kNeighbours) continue;
         const double weight = reach > 0.0 ? std::max(1e-3, 1.0 - f.squared_distance / reach) : 1.0;
-        samples.push_back({points.positions[f.index], points.normals[f.index], weight});
+        samples.push_back({scan.positions()[f.index], scan.normals()[f.index], weight});
       }
       models[i] = best_model(samples);
     }

@@ -11,8 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/cloud/oriented_points.h"
-#include "host/field/nearest.h"
+#include "host/field/scan.h"
 #include "host/field/toroidal_patch.h"
 
 namespace isotouch::field {
@@ -51,7 +50,7 @@ struct LocalModel {
 
 /// One model a sample, by looking at its 12 nearest neighbours.
 ///
-/// points    any length unit; unit outward normals; at least 2
-std::vector<LocalModel> local_models(const cloud::OrientedPoints& points, const Nearest& tree);
+/// scan      at least 2 samples
+std::vector<LocalModel> local_models(const Scan& scan);
 
 }  // namespace isotouch::field

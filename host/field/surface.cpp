@@ -14,12 +14,8 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const cloud::OrientedPoints& points)
-    : positions_(points.positions),
-      tree_(positions_),
-      balls_(empty_balls(points, tree_)),
-      models_(local_models(points, tree_)),
-      brick_(positions_, models_, balls_) {}
+Surface::Surface(const Scan& scan)
+    : scan_(scan), balls_(empty_balls(scan)), models_(local_models(scan)), brick_(scan.positions(), models_, balls_) {}
 
 double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const std::size_t count = std::min(kBlended, nearest.size());
@@ -43,16 +39,16 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
 
 double Surface::distance(const Eigen::Vector3d& x) const {
   std::vector<Neighbour> nearest;
-  tree_.nearest(x, kBlended + 1, nearest);
+  scan_.tree().nearest(x, kBlended + 1, nearest);
   return blend(x, nearest);
 }
 
 std::array<float, 64> Surface::distances(const Eigen::Vector3d& first) const {
   const Eigen::Vector3d centre = first + Eigen::Vector3d::Constant(1.5);
   std::vector<Neighbour> candidates;
-  tree_.nearest(centre, kBlended + 1, candidates);
+  scan_.tree().nearest(centre, kBlended + 1, candidates);
   if (candidates.size() > kBlended) {
-    tree_.within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
+    scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
     return brick_(first, candidates);
   }
   std::array<float, 64> result;

@@ -10,16 +10,15 @@
 #include <span>
 #include <vector>
 
-#include "host/cloud/oriented_points.h"
 #include "host/field/blend_brick.h"
-#include "host/field/nearest.h"
+#include "host/field/scan.h"
 
 namespace isotouch::field {
 
 class Surface {
  public:
-  /// points    any length unit; unit outward normals; at least 2
-  explicit Surface(const cloud::OrientedPoints& points);
+  /// scan      borrowed: it stays alive and unchanged; at least 2 samples
+  explicit Surface(const Scan& scan);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
   /// error.
@@ -31,8 +30,7 @@ class Surface {
  private:
   double blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
 
-  std::vector<Eigen::Vector3d> positions_;
-  Nearest tree_;
+  const Scan& scan_;
   std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
   BrickBlend brick_;

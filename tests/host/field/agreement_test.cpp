@@ -10,10 +10,10 @@ namespace {
 
 TEST(TurnContradicted, LeavesSoundCloudsAlone) {
   for (const char* name : {"sphere", "torus", "box", "plate", "capsules"}) {
-    auto points = cloud::sample_shape(cloud::shape(name), 1500);
-    const auto before = points.normals;
-    EXPECT_EQ(turn_contradicted(points, Nearest(points.positions)), 0U) << name;
-    EXPECT_EQ(points.normals, before) << name;
+    const auto points = cloud::sample_shape(cloud::shape(name), 1500);
+    Scan scan(points);
+    EXPECT_EQ(turn_contradicted(scan), 0U) << name;
+    EXPECT_EQ(scan.normals(), points.normals) << name;
   }
 }
 
@@ -28,8 +28,9 @@ TEST(TurnContradicted, TurnsStrayNormalsBack) {
     ++strays;
   }
   ASSERT_GT(strays, 30U);
-  EXPECT_EQ(turn_contradicted(points, Nearest(points.positions)), strays);
-  EXPECT_EQ(points.normals, sound);
+  Scan scan(points);
+  EXPECT_EQ(turn_contradicted(scan), strays);
+  EXPECT_EQ(scan.normals(), sound);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ cloud::OrientedPoints sheet() {
 TEST(EmptyBalls, HaveThePackingRadiusUpToTheirCap) {
   const auto points = sheet();
   const auto radii = packing_radii_brute_force(points);
-  const auto balls = empty_balls(points, Nearest(points.positions));
+  const auto balls = empty_balls(Scan(points));
   std::size_t below_cap = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_LE(balls[i].inner_radius, radii[i] * (1 + 1e-12));
@@ -40,14 +40,14 @@ TEST(EmptyBalls, HaveThePackingRadiusUpToTheirCap) {
 
 TEST(EmptyBalls, HoldADistanceThatThreeOfThemContradict) {
   const auto points = sheet();
-  const Nearest tree(points.positions);
-  const auto balls = empty_balls(points, tree);
+  const Scan scan(points);
+  const auto balls = empty_balls(scan);
   std::vector<Neighbour> nearest;
   const Vector3d above(4.75, 4.75, 2.0), below(4.75, 4.75, -2.0);
-  tree.nearest(above, 8, nearest);
+  scan.tree().nearest(above, 8, nearest);
   EXPECT_GT(held_by_balls(-5.0, above, nearest, balls), 1.0);
   EXPECT_EQ(held_by_balls(2.0, above, nearest, balls), 2.0);
-  tree.nearest(below, 8, nearest);
+  scan.tree().nearest(below, 8, nearest);
   EXPECT_LT(held_by_balls(5.0, below, nearest, balls), -1.0);
   EXPECT_EQ(held_by_balls(5.0, below, std::span(nearest).first(2), balls), 5.0);
 }
@@ -56,11 +56,11 @@ TEST(EmptyBalls, OneWrongNormalDecidesNothing) {
   auto points = sheet();
   const std::size_t middle = 9 * 20 + 9;
   points.normals[middle] = -points.normals[middle];
-  const Nearest tree(points.positions);
-  const auto balls = empty_balls(points, tree);
+  const Scan scan(points);
+  const auto balls = empty_balls(scan);
   std::vector<Neighbour> nearest;
   const Vector3d above(4.6, 4.6, 1.0);
-  tree.nearest(above, 8, nearest);
+  scan.tree().nearest(above, 8, nearest);
   EXPECT_EQ(held_by_balls(1.8, above, nearest, balls), 1.8);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::vector<LocalModel> models_of(const cloud::OrientedPoints& points) { return local_models(points, Nearest(points.positions)); }
+std::vector<LocalModel> models_of(const cloud::OrientedPoints& points) { return local_models(Scan(points)); }
 
 std::vector<std::size_t> counts(const std::vector<LocalModel>& models) {
   std::vector<std::size_t> result(kMaxPieces + 1, 0);

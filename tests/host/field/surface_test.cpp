@@ -21,7 +21,8 @@ struct Offsets {
 /// How far the zero lies from fresh surface points along their normals, within 2 units.
 Offsets offsets(const std::string& name, std::size_t samples) {
   const auto shape = cloud::shape(name);
-  const Surface surface(cloud::sample_shape(shape, samples));
+  const Scan scan(cloud::sample_shape(shape, samples));
+  const Surface surface(scan);
   const auto fresh = cloud::scatter_on_shape(shape, 400, 99);
   Offsets result;
   double squares = 0.0;
@@ -51,7 +52,8 @@ TEST(Surface, IsCloserThanItsPeersOnEveryShape) {
 }
 
 TEST(Surface, GivesABrickTheDistancesOfItsPoints) {
-  const Surface surface(cloud::sample_shape(cloud::shape("capsules"), 1500));
+  const Scan scan(cloud::sample_shape(cloud::shape("capsules"), 1500));
+  const Surface surface(scan);
   for (const Vector3d& first : {Vector3d(50, 10, 14), Vector3d(-3, 30, 8), Vector3d(0.3, 11.7, 18.1)}) {
     const auto brick = surface.distances(first);
     for (int s = 0; s < 64; ++s) {
@@ -63,7 +65,8 @@ TEST(Surface, GivesABrickTheDistancesOfItsPoints) {
 TEST(Surface, SlopeStaysNearOneAndTheSignIsRightFarAway) {
   for (const char* name : {"torus", "box", "plate", "capsules"}) {
     const auto shape = cloud::shape(name);
-    const Surface surface(cloud::sample_shape(shape, 3756));
+    const Scan scan(cloud::sample_shape(shape, 3756));
+    const Surface surface(scan);
     const auto fresh = cloud::scatter_on_shape(shape, 150, 5);
     std::size_t steep = 0, checked = 0;
     for (std::size_t i = 0; i < fresh.size(); ++i) {

@@ -1,0 +1,36 @@
+/// The samples of a scan and who is near whom: what every step of the field works on.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+#include "host/field/nearest.h"
+
+namespace isotouch::field {
+
+class Scan {
+ public:
+  /// Samples in a sample's list, itself among them.
+  static constexpr std::size_t kListed = 17;
+
+  /// points    any length unit; unit outward normals; at least 1
+  explicit Scan(cloud::OrientedPoints points);
+
+  const std::vector<Eigen::Vector3d>& positions() const { return points_.positions; }
+  const std::vector<Eigen::Vector3d>& normals() const { return points_.normals; }
+  std::size_t size() const { return points_.size(); }
+  const Nearest& tree() const { return tree_; }
+  /// The nearest samples of a sample, ascending, all of a small set.
+  std::span<const Neighbour> around(std::size_t sample) const { return std::span(lists_).subspan(sample * listed_, listed_); }
+
+  void turn_normal(std::size_t sample) { points_.normals[sample] = -points_.normals[sample]; }
+
+ private:
+  cloud::OrientedPoints points_;
+  Nearest tree_;
+  std::size_t listed_;
+  std::vector<Neighbour> lists_;
+};
+
+}  // namespace isotouch::field
