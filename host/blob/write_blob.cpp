@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
@@ -72,11 +73,12 @@ void store_header(std::uint8_t* at, const field::BandField& field, const BlobInf
 
 }  // namespace
 
-Image write_blob(const field::BandField& field, const BlobInfo& info) {
+Image write_blob(field::BandField field, const BlobInfo& info) {
   std::array<std::uint8_t, kHeaderBytes> header{};
   store_header(header.data(), field, info);  // before the work: it refuses what does not fit
 
-  const field::BandField held = info.method == Method::kPublished ? field : round_creases(field);  // what the grid can hold
+  const field::BandField held =
+      info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field));  // what the grid can hold
   std::vector<Coefficients> coefficients = spline_coefficients(held);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());

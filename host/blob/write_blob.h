@@ -45,7 +45,7 @@ class Image {
 /// returns   an image that BlobView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
-Image write_blob(const field::BandField& field, const BlobInfo& info);
+Image write_blob(field::BandField field, const BlobInfo& info);
 
 /// What `write_blob` was told, read back from a checked image; stiffness as rounded.
 BlobInfo info_of(const BlobView& view);

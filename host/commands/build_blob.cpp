@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cstdio>
+#include <utility>
 
 #include "host/blob/inside_samples.h"
 #include "host/cloud/files.h"
@@ -48,12 +49,12 @@ BuiltBlob build_blob(const BuildOptions& options) {
   if (!options.units.empty()) size.mm_per_unit = cloud::mm_per_unit(options.units);
   report.placement = cloud::place(in_cloud, size);
   cloud::OrientedPoints points = cloud::placed(in_cloud, report.placement);
-  const Made made = make_field(options, points, progress);
+  Made made = make_field(options, points, progress);
 
   progress.begin("blob");
   const blob::BlobInfo info{options.stiffness, report.cloud.source_hash, options.method, static_cast<std::uint32_t>(in_cloud.size()),
                             report.placement};
-  evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(made.field, info), options.out.string());
+  evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(std::move(made.field), info), options.out.string());
   progress.begin("write");
   cloud::write_file(options.out, blob.image.data(), blob.image.size());
   progress.end();

@@ -81,6 +81,7 @@ Four circle(Four u, Four w, float k, float radius) {
 
 Four patch_distance(const Patch& patch, const Places& at) {
   const Places d = at - patch.point;
+  if (patch.gentle == 0.0F && patch.tight == 0.0F) return d.dot(patch.normal);
   return circle(d.dot(patch.along), circle(d.dot(patch.across), d.dot(patch.normal), patch.gentle, patch.gentle_radius), patch.tight,
                 patch.tight_radius);
 }
@@ -120,19 +121,18 @@ constexpr float kNoWeight = 1e-20F;     // where all samples are at one distance
 
 using Rows = std::array<Four, kRows>;
 
+/// A sample near a brick, relative to the brick's middle.
+struct Candidate {
+  const Model* model;
+  Point own;
+};
+
 /// A sample near a block.
 struct Near {
   const Model* model;
-  Point own;  ///< relative to the block's middle, as all places are
-  Rows away;  ///< how far from each place, squared
-};
-
-/// Squared distance from the block's middle, and which candidate; the number makes the order total.
-struct Candidate {
-  float middle;
-  std::uint32_t number;
-
-  bool operator<(const Candidate& o) const { return middle < o.middle || (!(o.middle < middle) && number < o.number); }
+  Point own;     ///< relative to the block's middle, as all places are
+  float middle;  ///< how far from the middle, squared
+  Rows away;     ///< how far from each place, squared
 };
 
 Places row_of_block(std::size_t r) {
@@ -144,33 +144,30 @@ Point operator-(const Point& a, const Point& b) { return {a.x - b.x, a.y - b.y, 
 
 /// The samples around one block, and between which squared distances they count.
 struct Neighbourhood {
-  std::vector<Candidate> order;
   std::vector<Near> near;  ///< the kBlended + 1 nearest of every place, and a few more
   Rows nearest, border;    ///< of the first and of the last of these
 
-  void gather(const Eigen::Vector3d& middle, std::span<const Neighbour> candidates, const std::vector<Eigen::Vector3d>& positions,
-              const std::vector<Model>& models) {
-    order.clear();
-    for (std::uint32_t n = 0; n < candidates.size(); ++n) {
-      order.push_back({squared_length(as_floats(positions[candidates[n].index] - middle)), n});
-    }
-    std::sort(order.begin(), order.end());
+  /// candidates   relative to the block's middle after `shift`; the nearer ones first makes it quick
+  void gather(const std::vector<Candidate>& candidates, const Point& shift) {
     near.clear();
     std::array<std::array<Four, kBlended + 1>, kRows> least;
     for (auto& row : least) row.fill(all(kFar));
-    for (const Candidate& c : order) {
-      if (near.size() > kBlended) {
-        const Four farthest = larger(larger(least[0].back(), least[1].back()), larger(least[2].back(), least[3].back()));
-        const float reach = std::sqrt(largest(farthest)) + kBlockReach;
-        if (c.middle > reach * reach) break;  // and so are all that follow
-      }
-      const std::uint32_t sample = candidates[c.number].index;
-      Near& n = near.emplace_back(Near{&models[sample], as_floats(positions[sample] - middle), {}});
+    float reach = kFar;  // squared; what is farther from the middle is nobody's neighbour
+    for (const Candidate& c : candidates) {
+      const Point own = c.own - shift;
+      const float middle = squared_length(own);
+      if (middle > reach) continue;
+      Near& n = near.emplace_back(Near{c.model, own, middle, {}});
       for (std::size_t r = 0; r < kRows; ++r) {
-        n.away[r] = (row_of_block(r) - n.own).squared_length();
+        n.away[r] = (row_of_block(r) - own).squared_length();
         keep_least(least[r], n.away[r]);
       }
+      if (near.size() <= kBlended) continue;
+      const float farthest = largest(larger(larger(least[0].back(), least[1].back()), larger(least[2].back(), least[3].back())));
+      const float bound = std::sqrt(farthest) + kBlockReach;
+      reach = bound * bound;
     }
+    std::erase_if(near, [=](const Near& n) { return n.middle > reach; });
     for (std::size_t r = 0; r < kRows; ++r) nearest[r] = least[r].front(), border[r] = least[r].back();
   }
 };
@@ -202,6 +199,8 @@ void hold_by_balls(const Neighbourhood& around, Rows& value) {
   std::array<std::array<Four, 3>, kRows> outside;  // minus the depths in balls of the other side, the deepest first
   for (auto& row : outside) row.fill(all(kFar));
   int voices = 0;
+  bool any_inside = false, any_outside = false;
+  for (const Four& row : value) any_inside = any_inside || any(row < 0.0F), any_outside = any_outside || any(row >= 0.0F);
   for (const Near& n : around.near) {
     const Model& model = *n.model;
     const Point middle = {-n.own.x, -n.own.y, -n.own.z};
@@ -209,7 +208,7 @@ void hold_by_balls(const Neighbourhood& around, Rows& value) {
       const float reach = radius + kBlockReach;
       return reach > 0.0F && squared_length(ball - middle) < reach * reach;
     };
-    if (!reaches(model.inner, model.inner_radius) && !reaches(model.outer, model.outer_radius)) continue;
+    if (!(any_outside && reaches(model.inner, model.inner_radius)) && !(any_inside && reaches(model.outer, model.outer_radius))) continue;
     ++voices;
     for (std::size_t r = 0; r < kRows; ++r) {
       const Places at = row_of_block(r) - n.own;
@@ -238,11 +237,15 @@ BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector
 }
 
 std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::span<const Neighbour> candidates) const {
-  thread_local Neighbourhood around;  // keeps its memory
+  const Eigen::Vector3d middle = first + Eigen::Vector3d::Constant(1.5);
+  thread_local std::vector<Candidate> near;  // they keep their memory
+  thread_local Neighbourhood around;
+  near.clear();
+  for (const Neighbour& c : candidates) near.push_back({&models_[c.index], as_floats(positions_[c.index] - middle)});
   std::array<float, 64> result;
   for (int z = 0; z < 4; z += 2) {
     for (int y = 0; y < 4; y += 2) {
-      around.gather(first + Eigen::Vector3d(1.5, y + 0.5, z + 0.5), candidates, positions_, models_);
+      around.gather(near, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F});
       Rows value = blended(around);
       hold_by_balls(around, value);
       for (int r = 0; r < static_cast<int>(kRows); ++r) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include "host/field/parallel.h"
 
@@ -91,7 +92,7 @@ class Walk {
     std::vector<Visited> seen;
     for (const Key key : forced) {
       const auto known = std::lower_bound(visited_.begin(), visited_.end(), Visited{key, false, 0});
-      const Look look = listed(key, distance_.brick(cell_of(key)));
+      const Look look = listed(key, *distance_.brick(cell_of(key), std::numeric_limits<double>::infinity()).samples);
       bricks_.push_back(look.brick);
       if (known != visited_.end() && known->key == key)
         *known = look.visited;
@@ -115,10 +116,9 @@ class Walk {
   };
 
   Look look_at(Key key) const {
-    const Vector3i cell = cell_of(key);
-    const double centre = distance_.at(centre_of(cell));
-    if (std::abs(centre) > band_ + kFar) return {{key, false, centre < 0.0 ? ~std::uint64_t{0} : 0}, {}};
-    const auto d = distance_.brick(cell);
+    const BrickDistances found = distance_.brick(cell_of(key), band_ + kFar);
+    if (!found.samples) return {{key, false, found.middle < 0.0 ? ~std::uint64_t{0} : 0}, {}};
+    const auto& d = *found.samples;
     const auto [least, most] = std::minmax_element(d.begin(), d.end());
     if (static_cast<double>(*least) > band_) return {{key, false, 0}, {}};
     if (static_cast<double>(*most) < -band_) return {{key, false, ~std::uint64_t{0}}, {}};

@@ -4,16 +4,24 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "host/field/band_field.h"
 
 namespace isotouch::field {
 
+/// Signed distances of one brick, voxels.
+struct BrickDistances {
+  double middle = 0.0;                           ///< at its middle
+  std::optional<std::array<float, 64>> samples;  ///< at its samples, x fastest; nothing when the middle is too far from the surface
+};
+
 /// A signed distance on a grid, voxels. Called from several threads at once.
 struct SampledDistance {
-  std::function<double(const Eigen::Vector3d& index)> at;                   ///< at a point in index coordinates
-  std::function<std::array<float, 64>(const Eigen::Vector3i& cell)> brick;  ///< at the 64 samples of a brick, x fastest
+  std::function<double(const Eigen::Vector3d& index)> at;  ///< at a point in index coordinates
+  /// Of a brick; the samples only where the distance at its middle is within ±reach.
+  std::function<BrickDistances(const Eigen::Vector3i& cell, double reach)> brick;
 };
 
 /// Every brick with a sample within the band that neighbours, face to face, lead to from a seed, and what it takes to make the answer closed:

@@ -14,13 +14,6 @@ namespace isotouch::field {
 
 namespace {
 
-struct Box {
-  Eigen::Vector3d low, high;
-
-  /// At most the distance to the box's surface outside, negative inside.
-  double distance(const Eigen::Vector3d& x) const { return std::max((low - x).maxCoeff(), (x - high).maxCoeff()); }
-};
-
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
   for (auto& p : result.positions) p = grid.to_index(p);
@@ -50,24 +43,14 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   turn_contradicted(scan);
 
   progress.begin("local models");
-  const Surface surface(scan);
-
-  progress.begin("bricks");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
-  const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
-  const SampledDistance distance{[&](const Eigen::Vector3d& x) { return std::max(surface.distance(x), closing.distance(x)); },
-                                 [&](const Eigen::Vector3i& cell) {
-                                   const Eigen::Vector3d first = 4.0 * cell.cast<double>();
-                                   auto d = surface.distances(first);
-                                   for (std::size_t s = 0; s < d.size(); ++s) {
-                                     const Eigen::Vector3d x =
-                                         first + Eigen::Vector3d(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3),
-                                                                 static_cast<double>(s >> 4));
-                                     d[s] = std::max(d[s], static_cast<float>(closing.distance(x)));
-                                   }
-                                   return d;
-                                 }};
+  const Surface surface(scan, {tight.low.array() - bulge, tight.high.array() + bulge});
+
+  progress.begin("bricks");
+  const SampledDistance distance{
+      [&](const Eigen::Vector3d& x) { return surface.distance(x); },
+      [&](const Eigen::Vector3i& cell, double reach) { return surface.brick(4.0 * cell.cast<double>(), reach); }};
   std::vector<Eigen::Vector3i> seeds;
   seeds.reserve(scan.size());
   for (const auto& p : scan.positions()) seeds.emplace_back((p * 0.25).array().floor().cast<int>());

@@ -9,13 +9,17 @@ namespace {
 
 double squared(double x) { return x * x; }
 
+Eigen::Vector3d place(const Eigen::Vector3d& first, std::size_t sample) {
+  return first + Eigen::Vector3d(static_cast<double>(sample & 3), static_cast<double>(sample >> 2 & 3), static_cast<double>(sample >> 4));
+}
+
 /// Half the diagonal of a brick of 4x4x4 samples.
 const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const Scan& scan)
-    : scan_(scan), balls_(empty_balls(scan)), models_(local_models(scan)), brick_(scan.positions(), models_, balls_) {}
+Surface::Surface(const Scan& scan, const Box& closing)
+    : scan_(scan), closing_(closing), balls_(empty_balls(scan)), models_(local_models(scan)), brick_(scan.positions(), models_, balls_) {}
 
 double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const std::size_t count = std::min(kBlended, nearest.size());
@@ -34,7 +38,7 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
   }
   // All at one distance: x is the centre of a ball through the samples.
   const double blended = weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
-  return held_by_balls(blended, x, nearest.first(count), balls_);
+  return std::max(held_by_balls(blended, x, nearest.first(count), balls_), closing_.distance(x));
 }
 
 double Surface::distance(const Eigen::Vector3d& x) const {
@@ -43,18 +47,23 @@ double Surface::distance(const Eigen::Vector3d& x) const {
   return blend(x, nearest);
 }
 
-std::array<float, 64> Surface::distances(const Eigen::Vector3d& first) const {
+BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const {
   const Eigen::Vector3d centre = first + Eigen::Vector3d::Constant(1.5);
-  std::vector<Neighbour> candidates;
+  thread_local std::vector<Neighbour> candidates;  // keeps its memory
   scan_.tree().nearest(centre, kBlended + 1, candidates);
-  if (candidates.size() > kBlended) {
-    scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
-    return brick_(first, candidates);
+  BrickDistances result{blend(centre, candidates), {}};
+  if (std::abs(result.middle) > reach) return result;
+
+  auto& samples = result.samples.emplace();
+  if (candidates.size() <= kBlended) {
+    for (std::size_t s = 0; s < samples.size(); ++s) samples[s] = static_cast<float>(distance(place(first, s)));
+    return result;
   }
-  std::array<float, 64> result;
-  for (std::size_t s = 0; s < result.size(); ++s) {
-    const Eigen::Vector3d place(static_cast<double>(s & 3), static_cast<double>(s >> 2 & 3), static_cast<double>(s >> 4));
-    result[s] = static_cast<float>(distance(first + place));
+  scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
+  samples = brick_(first, candidates);
+  if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
+    for (std::size_t s = 0; s < samples.size(); ++s)
+      samples[s] = std::max(samples[s], static_cast<float>(closing_.distance(place(first, s))));
   }
   return result;
 }

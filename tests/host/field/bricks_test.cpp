@@ -25,9 +25,15 @@ std::array<float, 64> at_brick(const Vector3i& cell) {
   return d;
 }
 
+BrickDistances brick_of_ball(const Vector3i& cell, double reach) {
+  BrickDistances found{ball(4.0 * cell.cast<double>() + Vector3d::Constant(1.5)), {}};
+  if (std::abs(found.middle) <= reach) found.samples = at_brick(cell);
+  return found;
+}
+
 std::tuple<int, int, int> place(const Vector3i& cell) { return {cell.z(), cell.y(), cell.x()}; }
 
-std::vector<Brick> walk(const std::vector<Vector3i>& seeds) { return band_bricks({ball, at_brick}, kCells, kBand, seeds); }
+std::vector<Brick> walk(const std::vector<Vector3i>& seeds) { return band_bricks({ball, brick_of_ball}, kCells, kBand, seeds); }
 
 TEST(BandBricks, FromOneSeedAreAllBricksOfTheBand) {
   const auto bricks = walk({{27 / 4, 28 / 4, (31 + 17) / 4}});

@@ -55,7 +55,7 @@ TEST(Surface, GivesABrickTheDistancesOfItsPoints) {
   const Scan scan(cloud::sample_shape(cloud::shape("capsules"), 1500));
   const Surface surface(scan);
   for (const Vector3d& first : {Vector3d(50, 10, 14), Vector3d(-3, 30, 8), Vector3d(0.3, 11.7, 18.1)}) {
-    const auto brick = surface.distances(first);
+    const auto brick = surface.brick(first, 1e9).samples.value();
     for (int s = 0; s < 64; ++s) {
       EXPECT_NEAR(brick[static_cast<std::size_t>(s)], surface.distance(first + Vector3d(s & 3, s >> 2 & 3, s >> 4)), 1e-4) << s;
     }
