@@ -20,6 +20,7 @@ enum class Error : std::uint8_t {
   kBadRecord,    ///< a trace record with an undefined bit or value
   kWrongBlob,    ///< the trace was recorded on another blob
   kNoOutputs,    ///< the trace holds inputs only
+  kBadFrame,     ///< the compressed part of a packed blob does not hold what its header promises
 };
 
 constexpr const char* describe(Error error) {
@@ -35,6 +36,7 @@ constexpr const char* describe(Error error) {
     case Error::kBadRecord: return "a record holds an undefined value";
     case Error::kWrongBlob: return "the trace was recorded on another blob";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
+    case Error::kBadFrame: return "its compressed part does not hold what its header promises";
   }
   return "unknown error";
 }

@@ -1,0 +1,46 @@
+#include "shared/packed_blob.h"
+
+#include <algorithm>
+
+#include "shared/blob.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "shared/image_parts.h"
+
+namespace isotouch {
+
+using namespace packed_layout;
+
+bool PackedBlob::has_magic(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
+}
+
+Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
+  if (!has_magic(bytes)) return Error::kBadMagic;
+  if (bytes.size() < kHeaderBytes) return Error::kTruncated;
+  const std::uint8_t* at = bytes.data();
+  if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
+  if (load_le<std::uint32_t>(at + kHeaderBytesAt) != kHeaderBytes) return Error::kBadHeader;
+  const auto total = load_le<std::uint64_t>(at + kTotalBytesAt);
+  if (total > bytes.size()) return Error::kTruncated;
+  if (total != bytes.size()) return Error::kBadSize;
+  if (crc32(at + kTotalBytesAt, bytes.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
+
+  PackedBlob packed;
+  packed.image_bytes = load_le<std::uint64_t>(at + kImageBytesAt);
+  packed.image_hash = load_le<std::uint64_t>(at + kImageHashAt);
+  packed.image_header = bytes.subspan(kImageHeaderAt, blob_layout::kHeaderBytes);
+  packed.frame = bytes.subspan(kHeaderBytes);
+  std::uint64_t samples = 0;
+  for (std::size_t stream = 0; stream < packed.stream_sizes.size(); ++stream) {
+    packed.stream_sizes[stream] = load_le<std::uint32_t>(at + kStreamSizesAt + 4 * stream);
+    samples += packed.stream_sizes[stream];
+  }
+  const Result<ImageParts> parts = ImageParts::of(packed.image_header, packed.image_bytes);
+  if (!parts) return parts.error();
+  if (samples != parts->samples()) return Error::kBadSize;
+  if (packed.residual_bytes() > std::uint64_t{packed.frame.size()} << kMaxRatioShift) return Error::kBadSize;
+  return packed;
+}
+
+}  // namespace isotouch

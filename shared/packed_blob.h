@@ -1,0 +1,54 @@
+/// The wire and disk form of a blob (SPEC.md, section 4): what its header says, checked before anything is unpacked.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shared/residuals.h"
+#include "shared/result.h"
+
+namespace isotouch {
+
+/// Byte offsets of the header's fields, in the order of SPEC.md 4.1.
+namespace packed_layout {
+inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'P'};
+inline constexpr std::uint16_t kMajor = 1;
+inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::size_t kMajorAt = 4;
+inline constexpr std::size_t kMinorAt = 6;
+inline constexpr std::size_t kHeaderBytesAt = 8;
+inline constexpr std::size_t kChecksumAt = 12;
+inline constexpr std::size_t kTotalBytesAt = 16;
+inline constexpr std::size_t kImageBytesAt = 24;
+inline constexpr std::size_t kImageHashAt = 32;
+inline constexpr std::size_t kStreamSizesAt = 40;
+inline constexpr std::size_t kImageHeaderAt = 64;
+inline constexpr std::size_t kHeaderBytes = 320;
+inline constexpr int kWindowShift = 17;    ///< of the frame: a reader may hold so little of it at a time
+inline constexpr int kMaxRatioShift = 15;  ///< no frame expands further
+}  // namespace packed_layout
+
+/// A checked packed blob. Borrows the bytes.
+struct PackedBlob {
+  std::uint64_t image_bytes = 0;
+  std::uint64_t image_hash = 0;
+  StreamSizes stream_sizes{};
+  std::span<const std::uint8_t> image_header;  ///< the first 256 bytes of the image
+  std::span<const std::uint8_t> frame;         ///< zstd; unpacks to the residuals
+
+  std::uint64_t residual_bytes() const { return image_bytes - image_header.size(); }
+
+  /// Checks everything that can be checked without unpacking; the frame's own header is left to who unpacks it.
+  ///
+  /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader, kBadSize (sizes that contradict each other, or an image larger than the frame can
+  ///           hold), kBadChecksum
+  /// tick      no: it reads all bytes
+  static Result<PackedBlob> parse(std::span<const std::uint8_t> bytes);
+
+  /// True when the bytes begin like a packed blob.
+  static bool has_magic(std::span<const std::uint8_t> bytes);
+};
+
+}  // namespace isotouch

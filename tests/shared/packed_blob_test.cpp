@@ -1,0 +1,84 @@
+#include "shared/packed_blob.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "shared/blob.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+
+namespace isotouch {
+namespace {
+
+constexpr std::uint32_t kImage = 1536;  ///< header, a root of one node, two nodes, three bricks
+constexpr std::size_t kFrame = 40;
+
+/// Byte for byte from SPEC.md 4.1, without the names of packed_layout; the frame is for who unpacks it.
+std::vector<std::uint8_t> valid_bytes() {
+  std::vector<std::uint8_t> bytes(320 + kFrame);
+  std::uint8_t* at = bytes.data();
+  std::memcpy(at, "ITFP", 4);
+  store_le<std::uint16_t>(at + 4, 1);
+  store_le<std::uint32_t>(at + 8, 320);
+  store_le<std::uint64_t>(at + 16, bytes.size());
+  store_le<std::uint64_t>(at + 24, kImage);
+  store_le<std::uint64_t>(at + 32, 0x0123456789ABCDEF);
+  for (std::uint32_t stream = 0; stream < 4; ++stream) store_le<std::uint32_t>(at + 40 + 4 * stream, 18 + 20 * stream);
+  std::uint8_t* image = at + 64;
+  std::memcpy(image, "ITFB", 4);
+  store_le<std::uint16_t>(image + 4, 1);
+  store_le<std::int32_t>(image + 52, 4 * 4096);
+  for (std::size_t axis = 0; axis < 3; ++axis) store_le<std::uint32_t>(image + 68 + 4 * axis, 1);
+  store_le<std::uint32_t>(image + 84, 2);
+  store_le<std::uint32_t>(image + 88, 3);
+  store_le<std::uint32_t>(image + 92, 256);
+  store_le<std::uint32_t>(image + 96, 320);
+  store_le<std::uint32_t>(image + 100, 832);
+  return bytes;
+}
+
+std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> bytes) {
+  store_le(bytes.data() + 12, crc32(bytes.data() + 16, bytes.size() - 16));
+  return bytes;
+}
+
+TEST(PackedBlob, EveryFieldIsReadFromItsPlace) {
+  const std::vector<std::uint8_t> bytes = sealed(valid_bytes());
+  const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+  ASSERT_TRUE(packed) << describe(packed.error());
+  EXPECT_EQ(packed->image_bytes, kImage);
+  EXPECT_EQ(packed->residual_bytes(), kImage - 256);
+  EXPECT_EQ(packed->image_hash, 0x0123456789ABCDEFU);
+  EXPECT_EQ(packed->stream_sizes, (StreamSizes{18, 38, 58, 78}));
+  EXPECT_EQ(packed->image_header.data(), bytes.data() + 64);
+  EXPECT_EQ(packed->image_header.size(), 256U);
+  EXPECT_EQ(packed->frame.data(), bytes.data() + 320);
+  EXPECT_EQ(packed->frame.size(), kFrame);
+}
+
+TEST(PackedBlob, EveryByteBehindTheChecksumIsCheckedByIt) {
+  const std::vector<std::uint8_t> good = sealed(valid_bytes());
+  for (std::size_t at = 24; at < good.size(); ++at) {
+    std::vector<std::uint8_t> bytes = good;
+    bytes[at] ^= 0x10;
+    const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+    ASSERT_FALSE(packed) << at;
+    EXPECT_EQ(packed.error(), Error::kBadChecksum) << at;
+  }
+}
+
+TEST(PackedBlob, AnImageThatItsFrameCannotHoldIsRefused) {
+  constexpr std::uint64_t kMost = 256 + kFrame * 32768;  // what the checks before allocation leave to a file of 360 bytes
+  for (const std::uint64_t more : {0U, 1U, 32768U, 0xF0000000U}) {
+    std::vector<std::uint8_t> bytes = valid_bytes();
+    store_le<std::uint64_t>(bytes.data() + 24, kMost + more);
+    const Result<PackedBlob> packed = PackedBlob::parse(sealed(bytes));
+    EXPECT_EQ(packed.has_value(), more == 0) << more;
+    EXPECT_TRUE(packed || packed.error() == Error::kBadSize) << more;
+  }
+}
+
+}  // namespace
+}  // namespace isotouch
