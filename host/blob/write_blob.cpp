@@ -11,12 +11,14 @@
 
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
+#include "host/blob/packed.h"
 #include "host/blob/round_creases.h"
 #include "host/blob/spline.h"
 #include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "shared/packed_blob.h"
 
 namespace isotouch::blob {
 
@@ -138,6 +140,7 @@ BlobInfo info_of(const BlobView& view) {
 
 Image read_image(const std::filesystem::path& file) {
   const std::vector<std::uint8_t> bytes = cloud::read_file(file);
+  if (PackedBlob::has_magic(bytes)) return unpack(bytes, file.string());
   Image image(bytes.size());
   std::copy(bytes.begin(), bytes.end(), image.data());
   return image;

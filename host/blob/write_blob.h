@@ -50,9 +50,9 @@ Image write_blob(field::BandField field, const BlobInfo& info);
 /// What `write_blob` was told, read back from a checked image; stiffness as rounded.
 BlobInfo info_of(const BlobView& view);
 
-/// Reads a file into an image. The caller parses it.
+/// Reads a file into an image, unpacked where it is packed. The caller parses it.
 ///
-/// fails     InputError naming the file when it cannot be read
+/// fails     InputError naming the file when it cannot be read or unpacked
 Image read_image(const std::filesystem::path& file);
 
 }  // namespace isotouch::blob
