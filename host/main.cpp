@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   commands::add_build(app);
   commands::add_info(app);
+  commands::add_export(app);
   commands::add_shape(app);
   commands::add_trace(app);
   commands::add_replay(app);

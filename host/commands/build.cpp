@@ -34,7 +34,7 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
   std::printf("inside nodes  %zu\n", report.inside_nodes);
   std::printf("seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
-  std::printf("\nblob          %s, %zu bytes, hash %s\n", out.string().c_str(), view.image.size(),
+  std::printf("\nblob          %s, image of %zu bytes, hash %s\n", out.string().c_str(), view.image.size(),
               evaluate::hash_text(view.hash()).c_str());
 }
 

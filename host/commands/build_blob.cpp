@@ -1,10 +1,13 @@
 #include "host/commands/build_blob.h"
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "host/blob/inside_samples.h"
+#include "host/blob/packed.h"
 #include "host/cloud/files.h"
 #include "host/commands/progress_bar.h"
 #include "host/field/build_field.h"
@@ -55,8 +58,10 @@ BuiltBlob build_blob(const BuildOptions& options) {
   const blob::BlobInfo info{options.stiffness, report.cloud.source_hash, options.method, static_cast<std::uint32_t>(in_cloud.size()),
                             report.placement};
   evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(std::move(made.field), info), options.out.string());
+  progress.begin("pack");
+  const std::vector<std::uint8_t> packed = blob::pack(blob.view);
   progress.begin("write");
-  cloud::write_file(options.out, blob.image.data(), blob.image.size());
+  cloud::write_file(options.out, packed.data(), packed.size());
   progress.end();
 
   report.inside_nodes = made.inside_nodes.value_or(blob::inside_samples(blob.view));

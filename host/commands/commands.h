@@ -17,6 +17,7 @@ class ComparisonFailed : public std::runtime_error {
 
 void add_build(CLI::App& app);
 void add_info(CLI::App& app);
+void add_export(CLI::App& app);
 void add_shape(CLI::App& app);
 void add_trace(CLI::App& app);
 void add_replay(CLI::App& app);

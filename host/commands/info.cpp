@@ -1,17 +1,23 @@
 /// isotouch info: what a blob says of itself.
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "host/blob/packed.h"
 #include "host/blob/write_blob.h"
+#include "host/cloud/files.h"
 #include "host/commands/commands.h"
 #include "host/evaluate/hash_text.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
 #include "shared/bytes.h"
+#include "shared/packed_blob.h"
 
 namespace isotouch::commands {
 
@@ -25,22 +31,28 @@ std::string version(const BlobView& view) {
          std::to_string(load_le<std::uint16_t>(at + blob_layout::kMinorAt));
 }
 
-void print_json(const BlobView& view) {
+/// The size of the file where it is packed, and what it would be where it is the image.
+std::size_t wire_bytes(const std::filesystem::path& file, const BlobView& view) {
+  const std::vector<std::uint8_t> bytes = cloud::read_file(file);
+  return PackedBlob::has_magic(bytes) ? bytes.size() : blob::pack(view).size();
+}
+
+void print_json(const BlobView& view, std::size_t wire_bytes) {
   const nlohmann::ordered_json json = {{"bytes", view.image.size()}, {"voxel_mm", real(view.edge)},
                                        {"grid", view.size},          {"band_voxels", real(view.band)},
                                        {"bricks", view.brick_count}, {"hash", evaluate::hash_text(view.hash())},
-                                       {"version", version(view)}};
+                                       {"version", version(view)},   {"wire_bytes", wire_bytes}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void print_text(const BlobView& view) {
+void print_text(const BlobView& view, std::size_t wire_bytes) {
   const blob::BlobInfo info = blob::info_of(view);
   const Eigen::Vector3d origin = real(view.origin);
   const Eigen::Vector3d far =
       origin + real(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
-  std::printf("bytes        %zu\n", view.image.size());
+  std::printf("bytes        %zu in memory, %zu packed on the wire and in the file\n", view.image.size(), wire_bytes);
   std::printf("hash         %s\n", evaluate::hash_text(view.hash()).c_str());
   std::printf("source hash  %s\n", evaluate::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == blob::Method::kPublished ? "published" : "default", info.point_count);
@@ -66,7 +78,8 @@ void add_info(CLI::App& app) {
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     const evaluate::OpenBlob blob = evaluate::open_blob(options->blob);
-    options->json ? print_json(blob.view) : print_text(blob.view);
+    const std::size_t wire = wire_bytes(options->blob, blob.view);
+    options->json ? print_json(blob.view, wire) : print_text(blob.view, wire);
   });
 }
 

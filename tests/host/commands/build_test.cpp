@@ -34,6 +34,7 @@ class Build : public ::testing::Test {
     CLI::App app;
     add_build(app);
     add_info(app);
+    add_export(app);
     ::testing::internal::CaptureStdout();
     try {
       app.parse(arguments);
@@ -57,7 +58,7 @@ std::vector<std::string> keys(const nlohmann::ordered_json& json) {
 TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
   const auto json = nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 40 --json"));
   EXPECT_EQ(json["points"], 400);
-  EXPECT_EQ(json["bytes"], fs::file_size(file("t.itf")));
+  EXPECT_LT(3 * fs::file_size(file("t.itf")), 2 * json["bytes"].get<std::size_t>()) << "the file is packed";
   EXPECT_EQ(json["hash"].get<std::string>().size(), 16U);
   EXPECT_GT(json["stages"].size(), 2U);
   double sum = 0;
@@ -68,11 +69,35 @@ TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
   EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.05 * volume);
 
   const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
-  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version"}));
+  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes"}));
   EXPECT_EQ(info["hash"], json["hash"]);
+  EXPECT_EQ(info["bytes"], json["bytes"]);
+  EXPECT_EQ(info["wire_bytes"], fs::file_size(file("t.itf")));
   EXPECT_EQ(info["version"], "1.0");
   EXPECT_EQ(info["grid"].size(), 3U);
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
+}
+
+TEST_F(Build, the_exported_image_is_the_same_blob) {
+  const auto json = nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 30 --json"));
+  run("export " + file("t.itf") + " -o " + file("t.itfi"));
+  EXPECT_EQ(json["bytes"], fs::file_size(file("t.itfi")));
+  EXPECT_EQ(run("info " + file("t.itf") + " --json"), run("info " + file("t.itfi") + " --json"));
+  run("export " + file("t.itfi") + " -o " + file("again.itf"));
+  EXPECT_EQ(fs::file_size(file("again.itf")), fs::file_size(file("t.itf")));
+  EXPECT_EQ(json["hash"], nlohmann::json::parse(run("info " + file("t.itfi") + " --json"))["hash"]);
+}
+
+TEST_F(Build, an_export_without_a_known_extension_is_refused_before_the_blob_is_read) {
+  for (const char* name : {"t", "t.itfx", "t.obj"}) {
+    try {
+      run("export " + file("missing.itf") + " -o " + file(name));
+      FAIL() << name;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr(".itfi (the memory image")) << name;
+    }
+  }
+  EXPECT_THROW(run("export " + file("missing.itf") + " -o " + file("t.itfi")), InputError);
 }
 
 TEST_F(Build, the_same_cloud_gives_the_same_hash) {
@@ -87,7 +112,7 @@ TEST_F(Build, the_same_cloud_gives_the_same_hash) {
 TEST_F(Build, the_published_method_makes_a_blob_of_its_own) {
   const auto json =
       nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
-  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "write"}));
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "pack", "write"}));
   EXPECT_GT(json["inside_nodes"], 1000);
   EXPECT_THAT(run("info " + file("p.itf")), HasSubstr("published, from 400 points"));
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("p.itf") + " --json"))["band_voxels"], 7.0);

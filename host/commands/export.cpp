@@ -1,0 +1,76 @@
+/// isotouch export: a blob in the forms that others read.
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/blob/packed.h"
+#include "host/cloud/files.h"
+#include "host/commands/commands.h"
+#include "host/error.h"
+#include "host/evaluate/open_blob.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+using evaluate::OpenBlob;
+
+void export_image(const OpenBlob& blob, const std::filesystem::path& out) {
+  cloud::write_file(out, blob.view.image.data(), blob.view.image.size());
+}
+
+void export_packed(const OpenBlob& blob, const std::filesystem::path& out) {
+  const std::vector<std::uint8_t> bytes = blob::pack(blob.view);
+  cloud::write_file(out, bytes.data(), bytes.size());
+}
+
+/// One kind of file; its name's ending chooses it.
+struct Form {
+  std::string_view extension;
+  const char* what;
+  void (*write)(const OpenBlob& blob, const std::filesystem::path& out);
+};
+
+constexpr std::array kForms = {
+    Form{".itf", "packed, as build writes it", export_packed},
+    Form{".itfi", "the memory image that a controller holds", export_image},
+};
+
+/// ".itfi (the memory image …), …": for help and refusals.
+std::string known_forms() {
+  std::string text;
+  for (const Form& form : kForms) text.append(text.empty() ? "" : ", ").append(form.extension).append(" (").append(form.what).append(")");
+  return text;
+}
+
+/// fails     InputError when no form has the file's extension
+const Form& form_of(const std::filesystem::path& out) {
+  for (const Form& form : kForms) {
+    if (out.extension() == form.extension) return form;
+  }
+  throw InputError(out.string() + ": its name does not say which form to write; end it with " + known_forms());
+}
+
+}  // namespace
+
+void add_export(CLI::App& app) {
+  struct Options {
+    std::filesystem::path blob;
+    std::filesystem::path out;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("export", "Write a blob in another form");
+  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("-o,--out", options->out, "the file to write; its extension chooses the form: " + known_forms())->required();
+  command->callback([options] {
+    const Form& form = form_of(options->out);  // before the work
+    form.write(evaluate::open_blob(options->blob), options->out);
+  });
+}
+
+}  // namespace isotouch::commands
