@@ -32,6 +32,15 @@ TEST(Crc32, PiecesGiveTheSameAsTheWhole) {
   }
 }
 
+TEST(Crc32, ALongPieceIsThatOfItsBytesOneByOne) {
+  const auto bytes = ramp(67);
+  std::uint32_t one_by_one = 0;
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    EXPECT_EQ(crc32(bytes.data(), n), one_by_one) << n;
+    one_by_one = crc32(bytes.data() + n, 1, one_by_one);
+  }
+}
+
 TEST(Crc32, EveryFlippedBitIsSeen) {
   auto bytes = ramp(256);
   const std::uint32_t whole = crc32(bytes.data(), bytes.size());
