@@ -1,4 +1,4 @@
-/// isotouch bench: what one tick costs.
+/// isotouch bench: what a tick and a field cost.
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
@@ -10,6 +10,7 @@
 
 #include "host/blob/write_blob.h"
 #include "host/commands/commands.h"
+#include "host/commands/field_bench.h"
 #include "host/commands/tick_bench.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/motion.h"
@@ -112,6 +113,21 @@ void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
   if (as_json) std::printf("%s\n", json.dump(2).c_str());
 }
 
+void bench_field(bool as_json) {
+  const std::vector<FieldTimes> all = time_fields();
+  nlohmann::ordered_json json = {{"objects", nlohmann::ordered_json::array()}};
+  for (const FieldTimes& times : all) {
+    const double ratio = times.published_seconds / times.seconds;
+    json["objects"].push_back(
+        {{"name", times.name}, {"seconds", times.seconds}, {"published_seconds", times.published_seconds}, {"ratio", ratio}});
+    if (!as_json) {
+      std::printf("%-10s %5zu points   %.3f s   published %.2f s   ratio %.1f\n", times.name.c_str(), times.points, times.seconds,
+                  times.published_seconds, ratio);
+    }
+  }
+  if (as_json) std::printf("%s\n", json.dump(2).c_str());
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app) {
@@ -126,6 +142,9 @@ void add_bench(CLI::App& app) {
   tick->add_option("BLOB", options->blobs, "time these fields too, sliding on each");
   tick->add_flag("--json", options->json, "print one JSON object");
   tick->callback([options] { bench_tick(options->blobs, options->json); });
+  CLI::App* field = command->add_subcommand("field", "From a cloud's file to a verified blob's file, beside the published method");
+  field->add_flag("--json", options->json, "print one JSON object");
+  field->callback([options] { bench_field(options->json); });
 }
 
 }  // namespace isotouch::commands

@@ -65,6 +65,8 @@ void add_build(CLI::App& app) {
   command->add_option("--units", options->units, "keep the true size: the cloud's unit is mm, cm, m or in")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
       ->excludes(fit);
+  command->add_option("--threads", options->threads, "as many as there are processors unless given; the blob is the same for any number")
+      ->check(CLI::Range(1, 1024));
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, json] {
     if (options->method == blob::Method::kPublished && options->band) {

@@ -12,6 +12,7 @@
 #include "host/commands/progress_bar.h"
 #include "host/field/build_field.h"
 #include "host/field/make_grid.h"
+#include "host/field/parallel.h"
 #include "host/published/build.h"
 
 namespace isotouch::commands {
@@ -40,6 +41,7 @@ Made make_field(const BuildOptions& options, const cloud::OrientedPoints& points
 }  // namespace
 
 BuiltBlob build_blob(const BuildOptions& options) {
+  field::threads_wanted = options.threads;
   BuildReport report;
   field::Progress progress(progress_bar());
   progress.begin("read");

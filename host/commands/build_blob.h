@@ -26,6 +26,7 @@ struct BuildOptions {
   double stiffness = 0.8;
   std::string units = {};  ///< empty = fit
   double fit_mm = 70.0;
+  unsigned threads = 0;  ///< 0 = as many as there are processors
 
   double band_voxels() const { return band.value_or(4.0); }
 };

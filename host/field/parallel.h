@@ -10,6 +10,9 @@
 
 namespace isotouch::field {
 
+/// Threads that loops begun later use; 0 = as many as there are processors.
+inline std::atomic<unsigned> threads_wanted{0};
+
 /// Calls work(begin, end) for ranges that together are [0, count), from several threads at once.
 ///
 /// work      must not touch what another range touches
@@ -30,9 +33,9 @@ void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
     }
   };
   const std::size_t ranges = (count + grain - 1) / grain;
+  const unsigned threads = threads_wanted != 0 ? threads_wanted.load() : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), ranges); ++t)
-    helpers.emplace_back(run);
+  for (std::size_t t = 1; t < std::min<std::size_t>(threads, ranges); ++t) helpers.emplace_back(run);
   run();
   helpers.clear();  // joins
   if (reason) std::rethrow_exception(reason);

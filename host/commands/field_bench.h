@@ -1,0 +1,23 @@
+/// How long it takes from a cloud's file to a verified blob's file, by both methods.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isotouch::commands {
+
+struct FieldTimes {
+  std::string name;
+  std::size_t points = 0;
+  double seconds = 0;            ///< default method, median of kFieldRuns
+  double published_seconds = 0;  ///< published method, once
+};
+
+inline constexpr int kFieldRuns = 5;
+
+/// The five objects at their point counts on the default grid, one after the other on this machine.
+///
+/// fails     InputError when the temporary folder cannot be written
+std::vector<FieldTimes> time_fields();
+
+}  // namespace isotouch::commands
