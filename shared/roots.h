@@ -22,7 +22,7 @@ namespace roots {
 /// 2^46 / m for m = 2^30 + (i + 1/2) 2^23, the middles of 128 equal parts of [2^30, 2^31): within 2^-8 everywhere in its part.
 inline constexpr auto kReciprocalStart = [] {
   std::array<std::uint16_t, 128> table{};
-  for (std::uint64_t i = 0; i < table.size(); ++i) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
     table[i] = static_cast<std::uint16_t>((std::uint64_t{1} << 46) / ((1 << 30) + ((2 * i + 1) << 22)));
   }
   return table;
@@ -31,10 +31,10 @@ inline constexpr auto kReciprocalStart = [] {
 /// 2^31 / sqrt(m) for m = (i + 1/2) 2^24, the middles of the 256 equal parts of [0, 2^32): from i = 64 on within 2^-8 everywhere in its part.
 inline constexpr auto kInverseRootStart = [] {
   std::array<std::uint16_t, 256> table{};
-  for (std::uint64_t i = 64; i < table.size(); ++i) {
+  for (std::size_t i = 64; i < table.size(); ++i) {
     std::uint64_t root = 0;
     for (std::uint64_t bit = 1 << 15; bit != 0; bit >>= 1) {
-      if ((root | bit) * (root | bit) * ((2 * i + 1) << 23) <= std::uint64_t{1} << 62) root |= bit;
+      if ((root | bit) * (root | bit) * ((2 * std::uint64_t{i} + 1) << 23) <= std::uint64_t{1} << 62) root |= bit;
     }
     table[i] = static_cast<std::uint16_t>(root);
   }
