@@ -9,10 +9,16 @@
 #include "host/field/agreement.h"
 #include "host/field/bricks.h"
 #include "host/field/surface.h"
+#include "host/field/thinning.h"
 
 namespace isotouch::field {
 
 namespace {
+
+// More samples than a grid has places teach nothing. Trial of 2026-11 on two scans of 35,000 and 96,000 points: with a cell of one voxel the error
+// grows by 2 and 4 %, with 1.5 voxels by 6 and 38 %; at 400,000 points one voxel takes a quarter of the time.
+constexpr double kThinningCell = 1.0;      // voxels
+constexpr std::size_t kFewPoints = 10000;  // up to here thinning saves nothing
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
@@ -39,7 +45,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   if (margin < band + 3.0 - 1e-9) throw InputError("the grid leaves less than band + 3 voxels round the points; choose a larger grid");
 
   progress.begin("normals");
-  Scan scan(std::move(samples));
+  Scan scan(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
   turn_contradicted(scan);
 
   progress.begin("local models");

@@ -1,0 +1,71 @@
+#include "host/field/thinning.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+
+namespace isotouch::field {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A square of 10 by 10 voxels at one height.
+void add_sheet(cloud::OrientedPoints& points, double height, const Vector3d& normal, std::size_t count, std::uint64_t seed) {
+  cloud::Random random(seed);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = 10.0 * random.uniform();
+    points.positions.emplace_back(x, 10.0 * random.uniform(), height);
+    points.normals.push_back(normal);
+  }
+}
+
+TEST(Thinned, KeepsOneSampleACellAndMovesNone) {
+  cloud::OrientedPoints points;
+  add_sheet(points, 0.5, Vector3d::UnitZ(), 20000, 1);
+  const auto kept = thinned(points, 1.0);
+  EXPECT_EQ(kept.size(), 100U);
+  for (const Vector3d& p : kept.positions) {
+    EXPECT_NE(std::find(points.positions.begin(), points.positions.end(), p), points.positions.end());
+    const Vector3d middle = p.array().floor() + 0.5;
+    EXPECT_LT((p - middle).norm(), 0.1);
+  }
+}
+
+TEST(Thinned, LeavesASparseCloudAsItIs) {
+  const auto points = cloud::sample_shape(cloud::shape("sphere"), 1000);
+  auto kept = thinned(points, 1.0).positions;
+  auto before = points.positions;
+  const auto order = [](const Vector3d& a, const Vector3d& b) { return std::tuple(a.x(), a.y(), a.z()) < std::tuple(b.x(), b.y(), b.z()); };
+  std::sort(kept.begin(), kept.end(), order);
+  std::sort(before.begin(), before.end(), order);
+  EXPECT_EQ(kept, before);
+}
+
+TEST(Thinned, KeepsBothSidesOfAThinPlateAndDropsStrayNormals) {
+  cloud::OrientedPoints plate;
+  add_sheet(plate, 0.3, -Vector3d::UnitZ(), 5000, 2);
+  add_sheet(plate, 0.7, Vector3d::UnitZ(), 5000, 3);
+  EXPECT_EQ(thinned(plate, 1.0).size(), 200U);
+
+  cloud::OrientedPoints strays;
+  add_sheet(strays, 0.5, Vector3d::UnitZ(), 20000, 4);
+  for (std::size_t i = 0; i < strays.size(); i += 16) strays.normals[i] = -Vector3d::UnitZ();
+  const auto kept = thinned(strays, 1.0);
+  EXPECT_EQ(kept.size(), 100U);
+  EXPECT_TRUE(std::all_of(kept.normals.begin(), kept.normals.end(), [](const Vector3d& n) { return n.z() > 0.0; }));
+}
+
+TEST(Thinned, DoesNotDependOnTheOrderOfThePoints) {
+  cloud::OrientedPoints points;
+  add_sheet(points, 0.5, Vector3d::UnitZ(), 5000, 5);
+  const auto before = thinned(points, 1.0).positions;
+  std::reverse(points.positions.begin(), points.positions.end());
+  EXPECT_EQ(thinned(points, 1.0).positions, before);
+}
+
+}  // namespace
+}  // namespace isotouch::field
