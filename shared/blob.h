@@ -17,7 +17,7 @@ namespace isotouch {
 namespace blob_layout {
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'B'};
 inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::uint16_t kMinor = 1;
 inline constexpr std::size_t kMajorAt = 4;
 inline constexpr std::size_t kMinorAt = 6;
 inline constexpr std::size_t kHeaderBytesAt = 8;
@@ -40,6 +40,13 @@ inline constexpr std::size_t kMethodAt = 104;
 inline constexpr std::size_t kPointCountAt = 108;
 inline constexpr std::size_t kScaleAt = 112;
 inline constexpr std::size_t kOffsetAt = 120;
+inline constexpr std::size_t kLargestSlopeAt = 144;
+inline constexpr std::size_t kQuantisationAt = 148;
+inline constexpr std::size_t kThinnestWallAt = 152;
+inline constexpr std::size_t kAdvisedStiffnessAt = 156;
+inline constexpr std::size_t kAdvisedPeriodAt = 160;
+inline constexpr std::size_t kAdvisedDampingAt = 164;
+inline constexpr std::size_t kAdvisedDelayAt = 168;
 inline constexpr std::size_t kReservedAt = 144;
 inline constexpr std::size_t kHeaderBytes = 256;
 

@@ -11,6 +11,7 @@
 
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
+#include "host/blob/certificate.h"
 #include "host/blob/packed.h"
 #include "host/blob/round_creases.h"
 #include "host/blob/spline.h"
@@ -73,6 +74,20 @@ void store_header(std::uint8_t* at, const field::BandField& field, const BlobInf
   store_le(at + kScaleAt, std::bit_cast<std::uint64_t>(info.placement.scale));
 }
 
+/// Rounded up: what is promised from above must hold.
+void store_certificate(std::uint8_t* at, const Certificate& certificate) {
+  const auto store = [at](std::size_t offset, double value, int bits) {
+    store_le(at + offset, static_cast<std::uint32_t>(std::clamp(std::ceil(std::ldexp(value, bits)), 0.0, 4294967295.0)));
+  };
+  store(kLargestSlopeAt, certificate.largest_slope, 16);
+  store(kQuantisationAt, certificate.quantisation_voxel, 24);
+  store(kThinnestWallAt, certificate.thinnest_wall_voxel, 16);
+  store_le(at + kAdvisedStiffnessAt, static_cast<std::uint32_t>(std::ldexp(certificate.stiffness_n_per_mm, Stiffness::kFractionBits)));
+  store_le(at + kAdvisedPeriodAt, certificate.period_ns);
+  store(kAdvisedDampingAt, certificate.damping_ns_per_mm, Damping::kFractionBits);
+  store_le(at + kAdvisedDelayAt, certificate.delay_ticks);
+}
+
 }  // namespace
 
 Image write_blob(field::BandField field, const BlobInfo& info) {
@@ -85,6 +100,7 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
   for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);
+  store_certificate(header.data(), certify(held, coefficients));
   const BrickTree tree = brick_tree(BrickRows(held), kinds);
 
   const std::size_t nodes_at = align64(kHeaderBytes + 4 * tree.root.size());

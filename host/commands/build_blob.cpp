@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/blob/certificate.h"
 #include "host/blob/inside_samples.h"
 #include "host/blob/packed.h"
 #include "host/cloud/files.h"
@@ -62,6 +63,13 @@ BuiltBlob build_blob(const BuildOptions& options) {
   evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(std::move(made.field), info), options.out.string());
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = blob::pack(blob.view);
+  const double advised = blob::certificate_of(blob.view).stiffness_n_per_mm;
+  if (options.stiffness > advised) {
+    std::fprintf(
+        stderr,
+        "isotouch: a stiffness of %g N/mm may feed energy into the hand; up to %.3g N/mm is safe with the device that `info` assumes\n",
+        options.stiffness, advised);
+  }
   progress.begin("write");
   cloud::write_file(options.out, packed.data(), packed.size());
   progress.end();

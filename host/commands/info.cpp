@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/blob/certificate.h"
 #include "host/blob/packed.h"
 #include "host/blob/write_blob.h"
 #include "host/cloud/files.h"
@@ -38,10 +39,18 @@ std::size_t wire_bytes(const std::filesystem::path& file, const BlobView& view) 
 }
 
 void print_json(const BlobView& view, std::size_t wire_bytes) {
-  const nlohmann::ordered_json json = {{"bytes", view.image.size()}, {"voxel_mm", real(view.edge)},
-                                       {"grid", view.size},          {"band_voxels", real(view.band)},
-                                       {"bricks", view.brick_count}, {"hash", evaluate::hash_text(view.hash())},
-                                       {"version", version(view)},   {"wire_bytes", wire_bytes}};
+  const blob::Certificate promise = blob::certificate_of(view);
+  const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
+                                              {"quantisation_voxel", promise.quantisation_voxel},
+                                              {"thinnest_wall_voxel", promise.thinnest_wall_voxel},
+                                              {"stiffness_n_per_mm", promise.stiffness_n_per_mm},
+                                              {"period_ns", promise.period_ns},
+                                              {"damping_ns_per_mm", promise.damping_ns_per_mm},
+                                              {"delay_ticks", promise.delay_ticks}};
+  const nlohmann::ordered_json json = {
+      {"bytes", view.image.size()},     {"voxel_mm", real(view.edge)}, {"grid", view.size},
+      {"band_voxels", real(view.band)}, {"bricks", view.brick_count},  {"hash", evaluate::hash_text(view.hash())},
+      {"version", version(view)},       {"wire_bytes", wire_bytes},    {"certificate", certificate}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -62,6 +71,19 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
   std::printf("band         ±%g voxels = ±%.3f mm\n", real(view.band), real(view.band) * real(view.edge));
   std::printf("stiffness    %g N/mm\n", real(view.stiffness));
   std::printf("transform    workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  const blob::Certificate promise = blob::certificate_of(view);
+  if (promise.largest_slope > 0.0) {
+    std::printf("slope        at most %.3f; rounding moves the surface by %.5f voxel at most\n", promise.largest_slope,
+                promise.quantisation_voxel);
+    if (promise.thinnest_wall_voxel > 0.0) {
+      std::printf("thinnest     wall of about %.1f voxels = %.2f mm\n", promise.thinnest_wall_voxel,
+                  promise.thinnest_wall_voxel * real(view.edge));
+    } else {
+      std::printf("thinnest     no wall below %g voxels\n", 2.0 * real(view.band));
+    }
+    std::printf("advisable    up to %.2f N/mm at %.0f Hz, %g N·s/m of device damping, a delay of %u ticks\n", promise.stiffness_n_per_mm,
+                1e9 / promise.period_ns, 1000.0 * promise.damping_ns_per_mm, promise.delay_ticks);
+  }
   std::printf("bricks       %u of 4 × 4 × 4 samples, in %u nodes\n", view.brick_count, view.node_count);
 }
 
