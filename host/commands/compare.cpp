@@ -9,12 +9,15 @@
 #include "host/commands/commands.h"
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/open_blob.h"
+#include "host/evaluate/truth_comparison.h"
+#include "host/evaluate/zero_surface.h"
 
 namespace isotouch::commands {
 
 namespace {
 
 using evaluate::SurfaceError;
+using evaluate::TruthComparison;
 
 struct Options {
   std::filesystem::path blob;
@@ -23,14 +26,47 @@ struct Options {
   bool json = false;
 };
 
-nlohmann::ordered_json to_json(const SurfaceError& error) {
-  return {{"rms_mm", error.rms_mm},       {"rms_voxel", error.rms_voxel},           {"p99_voxel", error.p99_voxel},
-          {"max_voxel", error.max_voxel}, {"normal_rms_deg", error.normal_rms_deg}, {"lost", error.lost}};
+/// A blob measured at points along their normals, and as a whole.
+struct Measured {
+  SurfaceError at_points;
+  TruthComparison whole;
+};
+
+Measured measure(const BlobView& field, const cloud::TriangleMesh& mesh) {
+  return {evaluate::compare_with_mesh(field, mesh), evaluate::compare_surfaces(field, evaluate::zero_surface(field), mesh)};
 }
 
-void print(const char* name, const SurfaceError& error) {
+nlohmann::ordered_json to_json(const Measured& measured) {
+  const auto& [error, whole] = measured;
+  return {{"rms_mm", error.rms_mm},
+          {"rms_voxel", error.rms_voxel},
+          {"p99_voxel", error.p99_voxel},
+          {"max_voxel", error.max_voxel},
+          {"normal_rms_deg", error.normal_rms_deg},
+          {"lost", error.lost},
+          {"hausdorff_voxel", whole.hausdorff_voxel()},
+          {"hausdorff_from_mesh_voxel", whole.from_mesh_voxel()},
+          {"hausdorff_from_blob_voxel", whole.from_blob_voxel()},
+          {"wrong_side_volume_pct", whole.wrong_side_pct},
+          {"components", whole.pieces.size()},
+          {"volume_ratio", whole.volume_ratio}};
+}
+
+std::string text(const Eigen::Vector3d& place) {
+  char digits[96];
+  std::snprintf(digits, sizeof digits, "(%.2f, %.2f, %.2f)", place.x(), place.y(), place.z());
+  return digits;
+}
+
+void print(const char* name, const Measured& measured) {
+  const auto& [error, whole] = measured;
   std::printf("%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
               error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
+  std::printf("       Hausdorff %.3f voxel: mesh to blob %.3f at %s mm, blob to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
+              whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_blob_voxel(), text(whole.from_blob.place).c_str());
+  std::printf("       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
+              whole.wrong_side_pct, whole.too_much_pct, whole.wrong_side_pct - whole.too_much_pct, whole.volume_ratio, whole.pieces.size(),
+              whole.pieces.size() == 1 ? "" : "s");
 }
 
 void run(const Options& options) {
@@ -38,13 +74,13 @@ void run(const Options& options) {
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
   const cloud::TriangleMesh mesh = evaluate::placed(in_cloud, evaluate::placement_of(blob.view));
-  const SurfaceError error = evaluate::compare_with_mesh(blob.view, mesh);
+  const Measured measured = measure(blob.view, mesh);
 
-  nlohmann::ordered_json json = to_json(error);
-  if (!options.json) print("blob", error);
+  nlohmann::ordered_json json = to_json(measured);
+  if (!options.json) print("blob", measured);
   if (options.floor) {
     const evaluate::OpenBlob exact = evaluate::floor_of_mesh(blob.view, mesh);
-    const SurfaceError floor = evaluate::compare_with_mesh(exact.view, mesh);
+    const Measured floor = measure(exact.view, mesh);
     json["floor"] = to_json(floor);
     if (!options.json) print("floor", floor);
   }
@@ -55,7 +91,10 @@ void run(const Options& options) {
 
 void add_compare(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("compare", "Offset of the blob's surface from a closed mesh, at 20,000 points along its normals");
+  CLI::App* command = app.add_subcommand(
+      "compare",
+      "A blob against the closed mesh of its object: offsets at 20,000 points along its normals, the worst place of both surfaces, "
+      "the volume on the wrong side");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the blob's grid");

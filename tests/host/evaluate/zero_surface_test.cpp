@@ -1,0 +1,73 @@
+#include "host/evaluate/zero_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "host/evaluate/felt_surface.h"
+#include "tests/support/field_image.h"
+
+namespace isotouch::evaluate {
+namespace {
+
+constexpr double kVoxel = 0.34;
+
+double to_ball(const test::Point& p, const test::Point& centre, double radius) { return test::length(p - centre) - radius; }
+
+const test::Point kMiddle = {30.2, 29.7, 30.4};
+
+TEST(ZeroSurface, ABallIsOneClosedPieceOfItsVolumeWithEveryCornerOnTheSamplersZero) {
+  const test::FieldImage image({61, 61, 61}, [](const test::Point& p) { return to_ball(p, kMiddle, 20); });
+  const cloud::TriangleMesh surface = zero_surface(image.view());
+  ASSERT_NO_THROW(cloud::require_closed(surface, "ball"));
+  const double area = 4 * std::numbers::pi * 20 * 20;
+  EXPECT_GT(static_cast<double>(surface.vertices.size()) / area, 14);
+  EXPECT_LT(static_cast<double>(surface.vertices.size()) / area, 22);
+  const FeltSurface felt(image.view());
+  double worst = 0;
+  for (const Eigen::Vector3d& vertex : surface.vertices) worst = std::max(worst, std::abs(felt.sample(vertex).distance) / kVoxel);
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_GT(worst, 0);
+
+  const std::vector<Piece> found = pieces(surface);
+  ASSERT_EQ(found.size(), 1U);
+  const double exact = 4.0 / 3 * std::numbers::pi * std::pow(20 * kVoxel, 3);
+  EXPECT_NEAR(volume(found) / exact, 1, 1e-3);
+  EXPECT_GT(std::abs(volume(found) / exact - 1), 1e-6) << "chords cannot be this good: what was measured?";
+  EXPECT_NEAR(found[0].area / (area * kVoxel * kVoxel), 1, 2e-3);
+}
+
+TEST(ZeroSurface, WhatIsHiddenInsideOrFarOutsideIsFound) {
+  const test::FieldImage image({61, 61, 61}, [](const test::Point& p) {
+    const double body = std::max(to_ball(p, kMiddle, 20), -to_ball(p, {33, 31, 28}, 3));
+    return std::min(body, to_ball(p, {7, 8, 9}, 1.5));
+  });
+  const std::vector<Piece> found = pieces(zero_surface(image.view()));
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_GT(found[0].volume, 0);
+  EXPECT_NEAR(found[1].volume / (-4.0 / 3 * std::numbers::pi * std::pow(3 * kVoxel, 3)), 1, 0.05);
+  EXPECT_NEAR(found[2].volume / (4.0 / 3 * std::numbers::pi * std::pow(1.5 * kVoxel, 3)), 1, 0.2);
+  const Eigen::Vector3d debris = kVoxel * Eigen::Vector3d(7, 8, 9) - Eigen::Vector3d::Constant(20);
+  EXPECT_LT((found[2].place - debris).norm(), 2 * kVoxel);
+}
+
+TEST(ZeroSurface, AJumpBetweenFarInsideAndFarOutsideIsASurfaceToo) {
+  const test::FieldImage image({48, 48, 48}, [](const test::Point& p) {
+    const bool inside = p[0] > 15.5 && p[0] < 31.5 && p[1] > 15.5 && p[1] < 31.5 && p[2] > 15.5 && p[2] < 31.5;
+    return inside ? -100.0 : 100.0;
+  });
+  const cloud::TriangleMesh surface = zero_surface(image.view());
+  ASSERT_NO_THROW(cloud::require_closed(surface, "block"));
+  EXPECT_NEAR(volume(pieces(surface)) / std::pow(16 * kVoxel, 3), 1, 0.02);
+}
+
+TEST(ZeroSurface, NothingInsideIsNoSurface) {
+  const test::FieldImage image({16, 16, 16}, [](const test::Point&) { return 4.0; });
+  EXPECT_TRUE(zero_surface(image.view()).faces.empty());
+  EXPECT_TRUE(pieces(zero_surface(image.view())).empty());
+}
+
+}  // namespace
+}  // namespace isotouch::evaluate
