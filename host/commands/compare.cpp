@@ -11,6 +11,8 @@
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/view/png_file.h"
+#include "host/view/worst_picture.h"
 
 namespace isotouch::commands {
 
@@ -22,6 +24,7 @@ using evaluate::TruthComparison;
 struct Options {
   std::filesystem::path blob;
   std::filesystem::path mesh;
+  std::filesystem::path worst;  ///< the picture to write; empty: none
   bool floor = false;
   bool json = false;
 };
@@ -29,15 +32,18 @@ struct Options {
 /// A blob measured at points along their normals, and as a whole.
 struct Measured {
   SurfaceError at_points;
+  cloud::TriangleMesh surface;
   TruthComparison whole;
 };
 
 Measured measure(const BlobView& field, const cloud::TriangleMesh& mesh) {
-  return {evaluate::compare_with_mesh(field, mesh), evaluate::compare_surfaces(field, evaluate::zero_surface(field), mesh)};
+  Measured measured{evaluate::compare_with_mesh(field, mesh), evaluate::zero_surface(field), {}};
+  measured.whole = evaluate::compare_surfaces(field, measured.surface, mesh);
+  return measured;
 }
 
 nlohmann::ordered_json to_json(const Measured& measured) {
-  const auto& [error, whole] = measured;
+  const auto& [error, surface, whole] = measured;
   return {{"rms_mm", error.rms_mm},
           {"rms_voxel", error.rms_voxel},
           {"p99_voxel", error.p99_voxel},
@@ -59,7 +65,7 @@ std::string text(const Eigen::Vector3d& place) {
 }
 
 void print(const char* name, const Measured& measured) {
-  const auto& [error, whole] = measured;
+  const auto& [error, surface, whole] = measured;
   std::printf("%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
               error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
   std::printf("       Hausdorff %.3f voxel: mesh to blob %.3f at %s mm, blob to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
@@ -84,6 +90,13 @@ void run(const Options& options) {
     json["floor"] = to_json(floor);
     if (!options.json) print("floor", floor);
   }
+  if (!options.worst.empty()) {
+    const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_blob.distance;
+    const evaluate::Farthest& worst = measured.whole.worst();
+    view::write_png(options.worst,
+                    view::worst_picture(blob.view, measured.surface, mesh, {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
+                                        {.title = options.blob.stem().string()}));
+  }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -98,6 +111,7 @@ void add_compare(CLI::App& app) {
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the blob's grid");
+  command->add_option("--worst", options->worst, "draw the worst place of the blob (.png)");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

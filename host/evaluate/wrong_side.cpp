@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "host/field/line_crossings.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::evaluate {
@@ -17,35 +18,6 @@ struct Step {
   double x;
   int truth, surface;  // by how much the number of turns round a point changes here
 };
-
-/// Twice the area of the triangle that the line makes with an edge, in the plane across it. Both faces of an edge get the same number but for its
-/// sign, because the corners enter in an order of their own; on the edge itself the line counts as left of the edge that runs upward. Zero only
-/// where the line sees both ends as one point.
-double side_of(const Vector3d& a, const Vector3d& b, double y, double z) {
-  if (a.y() == b.y() && a.z() == b.z()) return 0;
-  const bool turned = std::tuple(a.y(), a.z()) > std::tuple(b.y(), b.z());
-  const Vector3d& p = turned ? b : a;
-  const Vector3d& q = turned ? a : b;
-  const double area = (q.y() - p.y()) * (z - p.z()) - (q.z() - p.z()) * (y - p.y());
-  const double decided = area != 0 ? area : 1e-300;
-  return turned ? -decided : decided;
-}
-
-void add_crossings(const field::TriangleTree& tree, double y, double z, bool is_truth, std::vector<Step>& steps) {
-  const auto meets = [&](const field::TriangleTree::Box& box) {
-    return box.low.y() <= y && y <= box.high.y() && box.low.z() <= z && z <= box.high.z();
-  };
-  tree.visit(meets, [&](std::uint32_t face) {
-    const auto [a, b, c] = tree.corners(face);
-    const double ab = side_of(a, b, y, z), bc = side_of(b, c, y, z), ca = side_of(c, a, y, z);
-    const bool left = ab > 0 && bc > 0 && ca > 0;
-    const bool right = ab < 0 && bc < 0 && ca < 0;
-    if (!left && !right) return;
-    const double x = (a.x() * bc + b.x() * ca + c.x() * ab) / (ab + bc + ca);
-    const int turn = left ? -1 : 1;  // counter-clockwise in y, z: the face looks along x, so the line leaves
-    steps.push_back({x, is_truth ? turn : 0, is_truth ? 0 : turn});
-  });
-}
 
 }  // namespace
 
@@ -69,8 +41,8 @@ WrongSide wrong_side(const field::TriangleTree& surface, const field::TriangleTr
       const double y = low.y() + size.y() * (place * kGolden - std::floor(place * kGolden));
       const double z = low.z() + size.z() * place / static_cast<double>(lines);
       steps.clear();
-      add_crossings(surface, y, z, false, steps);
-      add_crossings(truth, y, z, true, steps);
+      field::each_crossing(surface, y, z, [&](double x, int turn) { steps.push_back({x, 0, turn}); });
+      field::each_crossing(truth, y, z, [&](double x, int turn) { steps.push_back({x, turn, 0}); });
       std::sort(steps.begin(), steps.end(),
                 [](const Step& p, const Step& q) { return std::tuple(p.x, p.truth, p.surface) < std::tuple(q.x, q.truth, q.surface); });
       int in_surface = 0, in_truth = 0;

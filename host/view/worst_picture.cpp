@@ -1,0 +1,230 @@
+#include "host/view/worst_picture.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "host/field/line_crossings.h"
+#include "host/field/triangle_tree.h"
+#include "host/view/axes.h"
+#include "host/view/canvas.h"
+#include "host/view/caption.h"
+#include "host/view/colour_map.h"
+#include "host/view/field_ray.h"
+#include "host/view/light.h"
+#include "host/view/mesh_ray.h"
+#include "host/view/rows.h"
+#include "host/view/text.h"
+
+namespace isotouch::view {
+namespace {
+
+using Eigen::Vector3d;
+using field::TriangleTree;
+
+const Colour kMaterial = srgb(0xD4DEE8);
+const Colour kCutFace = srgb(0xD9C7A4);
+const Colour kPlace = srgb(0x101418);
+constexpr double kWidestScale = 2;  // voxels: beyond, colours are full
+
+/// A surface, and where the other one is as seen from it.
+struct Body {
+  const TriangleTree& own;
+  const TriangleTree& other;
+  const FieldRays* field;  // nullptr: the truth
+
+  bool is_truth() const { return field == nullptr; }
+  /// Signed, mm: positive where the blob stands out of the truth, on whichever of the two.
+  double error(const Vector3d& point) const {
+    const double distance = other.nearest(point).distance;
+    return field::is_inside(other, point) == is_truth() ? distance : -distance;
+  }
+  Vector3d normal(const Vector3d& point, const MeshHit& hit) const {
+    if (is_truth()) return hit.normal;
+    const Vector3d gradient = field->value(point).gradient;
+    return gradient.norm() > 1e-6 ? Vector3d(gradient.normalized()) : hit.normal;
+  }
+};
+
+struct Shot {
+  const Camera& camera;
+  std::optional<double> begin;  ///< mm from the eye along its axis: what is nearer is cut away
+  double full_mm;               ///< error of full colour; 0: no colours
+};
+
+void draw_body(Image& image, const Rect& panel, const Body& body, const Shot& shot) {
+  const Light light(shot.camera);
+  const int left = static_cast<int>(panel.left), top = static_cast<int>(panel.top);
+  const int right = static_cast<int>(panel.right), bottom = static_cast<int>(panel.bottom);
+  for_each_row(bottom - top, [&](int row) {
+    const Colour behind = backdrop(static_cast<float>(row) / static_cast<float>(bottom - top));
+    for (int x = left; x < right; ++x) {
+      Colour sum{0, 0, 0};
+      std::optional<Colour> albedo;  // one question a pixel
+      for (int part = 0; part < 4; ++part) {
+        const Ray ray = shot.camera.ray(x + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
+        const double begin = shot.begin ? *shot.begin / -ray.direction.dot(shot.camera.back()) : 0;
+        const auto hit = first_hit(body.own, ray, begin);
+        if (!hit) {
+          sum = sum + behind;
+        } else if (hit->from_inside) {
+          sum = sum + kCutFace;
+        } else {
+          if (!albedo) albedo = shot.full_mm > 0 ? distance_colour(body.error(ray.at(hit->t)) / shot.full_mm) : kMaterial;
+          sum = sum + light.shade(*albedo, body.normal(ray.at(hit->t), *hit), -ray.direction);
+        }
+      }
+      image.at(x, top + row) = sum * 0.25F;
+    }
+  });
+}
+
+/// From where the place is seen: 35 degrees beside its normal, upright, and free if that can be.
+struct Eye {
+  Vector3d direction;
+  bool free;
+};
+
+Eye eye_for(const Body& body, const Vector3d& place, const Vector3d& other_foot, double voxel) {
+  const TriangleTree::Foot foot = body.own.nearest(place);
+  const field::Corners at = body.own.corners(foot.face);
+  const Vector3d normal = (at[1] - at[0]).cross(at[2] - at[0]).normalized();
+  const auto is_free = [&](const Vector3d& to_eye) {
+    if (first_hit(body.own, {place + 0.05 * voxel * normal, to_eye})) return false;
+    const Vector3d foot_normal = (place - other_foot).dot(normal) > 0 ? Vector3d::Zero() : Vector3d(voxel * normal);
+    return !first_hit(body.other, {place + foot_normal, to_eye}) || (place - other_foot).dot(normal) <= 0;
+  };
+  Eye best{normal, false};
+  double best_cost = 1e9;
+  for (int elevation = -60; elevation <= 60; elevation += 15) {
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+      const Vector3d candidate = Direction{static_cast<double>(azimuth), static_cast<double>(elevation), 'y'}.towards_eye();
+      const double angle = std::acos(std::clamp(candidate.dot(normal), -1.0, 1.0)) * 180 / std::numbers::pi;
+      const bool free = is_free(candidate);
+      const double cost = std::fabs(angle - 35) + 0.2 * std::abs(elevation - 15) + (free ? 0 : 1000);
+      if (cost < best_cost) {
+        best_cost = cost;
+        best = {candidate, free};
+      }
+    }
+  }
+  return best;
+}
+
+Point pixel(const Camera& camera, const Vector3d& place) {
+  const Camera::Projected at = camera.project(place);
+  return {static_cast<float>(at.x), static_cast<float>(at.y)};
+}
+
+/// A ring on the worst place, and a line from it to where the other surface is nearest.
+void draw_place(Canvas canvas, const Camera& camera, const Vector3d& place, const Vector3d& foot) {
+  const float scale = drawing_scale(canvas.image());
+  const Point from = pixel(camera, place), to = pixel(camera, foot);
+  Polyline ring;
+  for (int i = 0; i <= 48; ++i) {
+    const auto angle = static_cast<float>(i * 2 * std::numbers::pi / 48);
+    ring.push_back(from + Point{std::cos(angle), std::sin(angle)} * (9 * scale));
+  }
+  const std::array<Polyline, 2> lines = {ring, Polyline{from, to}};
+  canvas.stroke(lines, 4 * scale, {1, 1, 1}, 0.8F);
+  canvas.stroke(lines, 1.8F * scale, kPlace);
+  canvas.disc(to, 3 * scale, kPlace);
+}
+
+void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double voxel_mm, bool wider) {
+  const float scale = drawing_scale(canvas.image());
+  const TextStyle label{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd, .across = Anchor::kMiddle};
+  TextStyle pale = label;
+  pale.colour = kPaleInk;
+  for (float y = bar.top; y < bar.bottom; ++y) {
+    const double value = 1 - 2 * static_cast<double>((y + 0.5F - bar.top) / bar.height());
+    canvas.fill({bar.left, y, bar.right, std::min(y + 1, bar.bottom)}, distance_colour(value));
+  }
+  canvas.frame(bar, 1.2F * scale, kPaleInk);
+  TextStyle head = label;
+  head.along = Anchor::kStart;
+  draw_text(canvas, {bar.left, bar.top - 54 * scale}, "distance between the surfaces", head);
+  draw_text(canvas, {bar.left, bar.top - 34 * scale}, "the blob stands out", head);
+  draw_text(canvas, {bar.left, bar.bottom + 18 * scale}, "the blob is missing", head);
+  draw_text(canvas, {bar.right + 54 * scale, bar.top - 16 * scale}, "voxel", label);
+  draw_text(canvas, {bar.right + 120 * scale, bar.top - 16 * scale}, "mm", pale);
+  if (wider) draw_text(canvas, {bar.left, bar.bottom + 38 * scale}, "full colour: as much or more", head);
+  for (const double value : ticks(-full_voxels, full_voxels, 9)) {
+    const float y = bar.bottom - static_cast<float>((value / full_voxels + 1) / 2) * bar.height();
+    canvas.line({bar.left, y}, {bar.right, y}, scale, kPlace, value == 0 ? 0.9F : 0.3F);
+    draw_text(canvas, {bar.right + 54 * scale, y}, number(value, 2), label);
+    draw_text(canvas, {bar.right + 120 * scale, y}, number(value * voxel_mm, 3), pale);
+  }
+}
+
+}  // namespace
+
+Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+                    const WorstOptions& options) {
+  Image image(options.width, options.height);
+  Canvas canvas(image);
+  const float scale = drawing_scale(image);
+  const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
+  for (int y = 0; y < options.height; ++y) {
+    canvas.fill({0, static_cast<float>(y), width, static_cast<float>(y + 1)}, backdrop(static_cast<float>(y) / height));
+  }
+  const TriangleTree ours(surface), theirs(truth);
+  const FieldRays rays(field);
+  const Body blob{ours, theirs, &rays}, mesh{theirs, ours, nullptr};
+  const Body& owner = worst.on_truth ? mesh : blob;
+  const Vector3d foot = owner.other.nearest(worst.place).point;
+  const Eye eye = eye_for(owner, worst.place, foot, worst.voxel_mm);
+
+  const float gap = std::floor(16 * scale), column = std::floor(236 * scale), foot_of_panels = std::floor(height - 92 * scale);
+  const float side = std::floor((width - column - 3 * gap) / 2), top = std::floor(44 * scale);
+  const std::array<Rect, 2> panels = {{{gap, top, gap + side, foot_of_panels}, {2 * gap + side, top, 2 * gap + 2 * side, foot_of_panels}}};
+  const Rect overview{width - column, top, width - gap, top + column - gap};
+
+  const double reach = std::max(9 * worst.voxel_mm, 1.4 * worst.distance_mm + 4 * worst.voxel_mm);
+  const Vector3d centre = (worst.place + foot) / 2;
+  const auto looking = [&](double half, const Vector3d& at, const Rect& area) {
+    const Camera level(eye.direction, Vector3d::UnitY(), std::array{at}, area);
+    const std::vector<Vector3d> shown = {at - half * level.right(), at + half * level.right(), at - half * level.up(),
+                                         at + half * level.up()};
+    return Camera(eye.direction, Vector3d::UnitY(), shown, area);
+  };
+  const double full = std::min(worst.distance_mm / worst.voxel_mm, kWidestScale) * worst.voxel_mm;
+  const std::array<const Body*, 2> bodies = {&blob, &mesh};
+  const std::array<const char*, 2> names = {"the blob's surface, as the core samples it", "the true surface"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Camera camera = looking(reach, centre, panels[i]);
+    const std::optional<double> begin =
+        eye.free ? std::nullopt : std::optional(camera.project(worst.place).distance - 0.1 * worst.voxel_mm);
+    draw_body(image, panels[i], *bodies[i], {camera, begin, full});
+    draw_place(canvas.within(panels[i]), camera, worst.place, foot);
+    canvas.frame(panels[i], 1.2F * scale, srgb(0xAEB8C2));
+    draw_text(canvas, {panels[i].left + 2 * scale, top - 12 * scale}, names[i], {.capital = 9.5F * scale, .colour = kInk});
+    draw_scale_bar(canvas, {panels[i].right - 12 * scale, panels[i].bottom - 14 * scale}, camera.project(centre).pixel_per_mm,
+                   static_cast<double>(side) / 5);
+  }
+
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : truth.vertices) box.extend(vertex);
+  const Camera whole(eye.direction, Vector3d::UnitY(), truth.vertices, overview);
+  draw_body(image, overview, mesh, {whole, std::nullopt, 0});
+  draw_place(canvas.within(overview), whole, worst.place, worst.place);
+  canvas.frame(overview, 1.2F * scale, srgb(0xAEB8C2));
+  draw_text(canvas, {overview.left + 2 * scale, top - 12 * scale}, "where it is", {.capital = 9.5F * scale, .colour = kInk});
+  const Rect bar{overview.left, overview.bottom + 92 * scale, overview.left + 26 * scale, foot_of_panels - 44 * scale};
+  draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.distance_mm > full);
+
+  char where[96];
+  std::snprintf(where, sizeof where, "(%.2f, %.2f, %.2f) mm", worst.place.x(), worst.place.y(), worst.place.z());
+  const std::string figure = number(worst.distance_mm / worst.voxel_mm, 2) + " voxels = " + number(worst.distance_mm, 3) + " mm";
+  draw_caption(canvas, options.title + ": worst place",
+               {figure + (worst.on_truth ? " from the true surface to the blob's" : " from the blob's surface to the true one") + ", at " +
+                where + (eye.free ? "" : "; cut open there")});
+  return image;
+}
+
+}  // namespace isotouch::view

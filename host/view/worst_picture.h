@@ -1,0 +1,32 @@
+/// The worst place of a blob: its surface and the true one side by side, through the same camera, with their distance in colours.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "host/cloud/mesh.h"
+#include "host/view/image.h"
+#include "shared/blob.h"
+
+namespace isotouch::view {
+
+struct WorstPlace {
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm, on one of the two surfaces
+  bool on_truth = false;                            ///< on the true one
+  double distance_mm = 0;                           ///< from there to the other surface
+  double voxel_mm = 1;
+};
+
+struct WorstOptions {
+  int width = 1280, height = 720;
+  std::string title = {};
+};
+
+/// The eye stands where the place can be seen, a little beside its normal; where no eye sees it, what hides it is cut away.
+///
+/// field            lights its surface: normals are the gradient's as sampled
+/// surface, truth   the field's zero surface in triangles and the true one: closed, workspace, mm
+Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+                    const WorstOptions& options);
+
+}  // namespace isotouch::view
