@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   commands::add_info(app);
   commands::add_export(app);
   commands::add_shape(app);
+  commands::add_scan(app);
   commands::add_trace(app);
   commands::add_replay(app);
   commands::add_compare(app);

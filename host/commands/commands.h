@@ -19,6 +19,7 @@ void add_build(CLI::App& app);
 void add_info(CLI::App& app);
 void add_export(CLI::App& app);
 void add_shape(CLI::App& app);
+void add_scan(CLI::App& app);
 void add_trace(CLI::App& app);
 void add_replay(CLI::App& app);
 void add_compare(CLI::App& app);

@@ -1,5 +1,7 @@
 /// isotouch info: what a blob says of itself.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -17,6 +19,7 @@
 #include "host/evaluate/hash_text.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
+#include "host/evaluate/zero_surface.h"
 #include "shared/bytes.h"
 #include "shared/packed_blob.h"
 
@@ -38,7 +41,28 @@ std::size_t wire_bytes(const std::filesystem::path& file, const BlobView& view) 
   return PackedBlob::has_magic(bytes) ? bytes.size() : blob::pack(view).size();
 }
 
-void print_json(const BlobView& view, std::size_t wire_bytes) {
+/// What --surface adds.
+void add_surface(const BlobView& view, nlohmann::ordered_json& json) {
+  const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
+  json["components"] = pieces.size();
+  json["volume_mm3"] = evaluate::volume(pieces);
+  json["area_mm2"] = evaluate::area(pieces);
+}
+
+void print_surface(const BlobView& view) {
+  const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
+  std::printf("surface      %zu component%s, %.6g mm³ inside, %.6g mm²\n", pieces.size(), pieces.size() == 1 ? "" : "s",
+              evaluate::volume(pieces), evaluate::area(pieces));
+  constexpr std::size_t kShown = 8;
+  for (std::size_t i = 1; i < std::min(pieces.size(), kShown); ++i) {
+    const evaluate::Piece& piece = pieces[i];
+    std::printf("             %s of %.4g mm³ at (%.2f, %.2f, %.2f) mm\n", piece.volume < 0 ? "a cavity" : "another piece",
+                std::abs(piece.volume), piece.place.x(), piece.place.y(), piece.place.z());
+  }
+  if (pieces.size() > kShown) std::printf("             and %zu smaller ones\n", pieces.size() - kShown);
+}
+
+void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
   const blob::Certificate promise = blob::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
@@ -47,10 +71,11 @@ void print_json(const BlobView& view, std::size_t wire_bytes) {
                                               {"period_ns", promise.period_ns},
                                               {"damping_ns_per_mm", promise.damping_ns_per_mm},
                                               {"delay_ticks", promise.delay_ticks}};
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"bytes", view.image.size()},     {"voxel_mm", real(view.edge)}, {"grid", view.size},
       {"band_voxels", real(view.band)}, {"bricks", view.brick_count},  {"hash", evaluate::hash_text(view.hash())},
       {"version", version(view)},       {"wire_bytes", wire_bytes},    {"certificate", certificate}};
+  if (with_surface) add_surface(view, json);
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -92,16 +117,20 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
 void add_info(CLI::App& app) {
   struct Options {
     std::filesystem::path blob;
+    bool surface = false;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Tell what a blob holds");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_flag("--surface", options->surface, "also walk the whole surface: its pieces, the volume inside, its area");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     const evaluate::OpenBlob blob = evaluate::open_blob(options->blob);
     const std::size_t wire = wire_bytes(options->blob, blob.view);
-    options->json ? print_json(blob.view, wire) : print_text(blob.view, wire);
+    if (options->json) return print_json(blob.view, wire, options->surface);
+    print_text(blob.view, wire);
+    if (options->surface) print_surface(blob.view);
   });
 }
 

@@ -18,6 +18,7 @@
 #include "host/evaluate/resample.h"
 #include "host/evaluate/trace_diff.h"
 #include "host/evaluate/trace_file.h"
+#include "shared/trace.h"
 
 namespace isotouch::commands {
 
@@ -58,16 +59,26 @@ struct NewTrace {
   }
 };
 
-/// Inputs as they come, one period apart.
-class InputWriter {
+/// Ticks as they come, one period apart.
+class TickWriter {
  public:
-  explicit InputWriter(const NewTrace& trace) : header_(trace.header()), writer_(trace.out, header_) {}
+  explicit TickWriter(const NewTrace& trace, std::uint32_t flags = 0)
+      : header_(with_flags(trace.header(), flags)), writer_(trace.out, header_), chain_(header_, 0) {}
   void operator()(const TickInput& input) { writer_.append({input, {}, 0, header_.period_ns * tick_++}); }
+  /// Only with the flag kHasOutputs.
+  void operator()(const TickInput& input, const TickOutput& output) {
+    writer_.append({input, output, chain_.extend(input, output), header_.period_ns * tick_++});
+  }
   void finish() { writer_.finish(); }
 
  private:
+  static TraceHeader with_flags(TraceHeader header, std::uint32_t flags) {
+    header.flags = flags;
+    return header;
+  }
   TraceHeader header_;
   evaluate::TraceWriter writer_;
+  Chain chain_;
   std::uint64_t tick_ = 0;
 };
 
@@ -89,7 +100,7 @@ void make_trace(const MakeOptions& options) {
   evaluate::MotionOptions motion = options.motion;
   motion.period_ns = options.trace.header().period_ns;
   motion.lost_share = options.lost_percent / 100;
-  InputWriter writer(options.trace);
+  TickWriter writer(options.trace);
   const std::uint64_t ticks = evaluate::make_motion(blob ? &blob->view : nullptr, motion, [&](const TickInput& input) { writer(input); });
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
@@ -101,6 +112,7 @@ struct ImportOptions {
   std::string columns;
   std::string time_unit;
   std::string length_unit;
+  bool forces = false;
   bool centre = false;
   double scale = 1.0;
   std::vector<double> offset = {0, 0, 0};
@@ -119,16 +131,33 @@ void place(std::vector<evaluate::TimedPoint>& points, const ImportOptions& optio
   for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
 }
 
+/// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
+TickOutput felt(const TickInput& input, const Eigen::Vector3d& force, double stiffness) {
+  TickOutput output;
+  output.force = evaluate::nearest<Newton>(force);
+  output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
+  const Eigen::Vector3d hip = evaluate::real(input.hip);
+  output.proxy = evaluate::nearest<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
+  return output;
+}
+
 void import_table(const ImportOptions& options) {
   evaluate::MotionColumns columns = evaluate::parse_columns(options.columns);
   columns.time_unit = options.time_unit;
   columns.length_unit = options.length_unit;
+  columns.with_forces = options.forces;
   std::vector<evaluate::TimedPoint> points = evaluate::read_motion_csv(options.csv, columns);
   place(points, options);
-  InputWriter writer(options.trace);
+  TickWriter writer(options.trace, options.forces ? trace_layout::kHasOutputs : 0);
   std::uint64_t ticks = 0;
   try {
-    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const TickInput& input) { writer(input); });
+    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const TickInput& input, const Eigen::Vector3d& force) {
+      if (options.forces) {
+        writer(input, felt(input, force, options.trace.stiffness));
+      } else {
+        writer(input);
+      }
+    });
   } catch (const InputError& e) {
     throw InputError(options.csv.string() + ": " + e.what());
   }
@@ -175,9 +204,12 @@ void add_make(CLI::App& trace) {
 
 void add_import(CLI::App& trace) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = trace.add_subcommand("import", "A table of times and positions, resampled to the tick period by monotone cubics");
+  CLI::App* command = trace.add_subcommand(
+      "import", "A table of times and positions, with --forces also of forces, resampled to the tick period by monotone cubics");
   command->add_option("CSV", options->csv, "first line: the columns' names")->required();
-  command->add_option("--columns", options->columns, "t=NAME,x=NAME,y=NAME,z=NAME (default t=t_s,x=x_mm,y=y_mm,z=z_mm)");
+  command->add_option("--columns", options->columns,
+                      "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
+  command->add_flag("--forces", options->forces, "also the forces on the hand, N, for isotouch scan; name the wall's --stiffness");
   command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
   command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");

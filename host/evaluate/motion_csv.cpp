@@ -109,9 +109,17 @@ MotionColumns parse_columns(const std::string& text) {
   for (const std::string_view part : split(text, ',')) {
     const std::size_t equals = part.find('=');
     const std::string_view key = part.substr(0, equals);
-    std::string* name = key == "t" ? &columns.time : key == "x" ? &columns.x : key == "y" ? &columns.y : key == "z" ? &columns.z : nullptr;
+    const std::array<std::pair<std::string_view, std::string*>, 7> names = {{{"t", &columns.time},
+                                                                             {"x", &columns.x},
+                                                                             {"y", &columns.y},
+                                                                             {"z", &columns.z},
+                                                                             {"fx", &columns.fx},
+                                                                             {"fy", &columns.fy},
+                                                                             {"fz", &columns.fz}}};
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == key; });
+    std::string* name = found == names.end() ? nullptr : found->second;
     if (equals == std::string_view::npos || name == nullptr || equals + 1 == part.size()) {
-      throw InputError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME");
+      throw InputError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME, and fx, fy, fz for forces");
     }
     *name = part.substr(equals + 1);
   }
@@ -124,8 +132,11 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
   const std::string header = table.line();
   const char separator = header.find('\t') != std::string::npos ? '\t' : header.find(';') != std::string::npos ? ';' : ',';
   const std::vector<std::string_view> names = split(header, separator);
-  const std::array<std::size_t, 4> at = {find_column(table, names, columns.time), find_column(table, names, columns.x),
-                                         find_column(table, names, columns.y), find_column(table, names, columns.z)};
+  std::vector<std::size_t> at;
+  for (const std::string* name : {&columns.time, &columns.x, &columns.y, &columns.z}) at.push_back(find_column(table, names, *name));
+  if (columns.with_forces) {
+    for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) at.push_back(find_column(table, names, *name));
+  }
   const double seconds = unit_factor(kSeconds, columns.time_unit, columns.time);
   const double millimetres = unit_factor(kMillimetres, columns.length_unit, columns.x);
 
@@ -136,9 +147,10 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
       table.refuse("has " + std::to_string(fields.size()) + " fields where the header names " + std::to_string(names.size()) +
                    "; correct or remove the row");
     }
-    std::array<double, 4> value{};
-    for (std::size_t i = 0; i < 4; ++i) value[i] = number(table, fields[at[i]], names[at[i]]);
-    const TimedPoint point{seconds * value[0], millimetres * Eigen::Vector3d(value[1], value[2], value[3])};
+    std::array<double, 7> value{};
+    for (std::size_t i = 0; i < at.size(); ++i) value[i] = number(table, fields[at[i]], names[at[i]]);
+    const TimedPoint point{seconds * value[0], millimetres * Eigen::Vector3d(value[1], value[2], value[3]),
+                           Eigen::Vector3d(value[4], value[5], value[6])};
     if (!points.empty() && point.time <= points.back().time) {
       table.refuse("the time " + std::string(fields[at[0]]) +
                    " does not come after that of the row before; sort the rows or remove this one");

@@ -1,4 +1,4 @@
-/// Recorded motion in a text table: a header line with the columns' names, then a row a sample.
+/// Recorded motion, with forces where they are wanted, in a text table: a header line with the columns' names, then a row a sample.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,9 @@
 namespace isotouch::evaluate {
 
 struct TimedPoint {
-  double time = 0;           ///< s
-  Eigen::Vector3d position;  ///< mm
+  double time = 0;                                  ///< s
+  Eigen::Vector3d position;                         ///< mm
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, on the hand; zero where none was read
 };
 
 /// Which column is what, by the names in the header line, and the units of all.
@@ -19,11 +20,15 @@ struct MotionColumns {
   std::string x = "x_mm";
   std::string y = "y_mm";
   std::string z = "z_mm";
-  std::string time_unit;    ///< s ms us ns; empty: the ending of the column's name (t_s, stamp_ns), else s
-  std::string length_unit;  ///< mm cm m in; empty: the ending of x's name, else mm
+  std::string fx = "fx_N";
+  std::string fy = "fy_N";
+  std::string fz = "fz_N";
+  bool with_forces = false;  ///< read them, N
+  std::string time_unit;     ///< s ms us ns; empty: the ending of the column's name (t_s, stamp_ns), else s
+  std::string length_unit;   ///< mm cm m in; empty: the ending of x's name, else mm
 };
 
-/// Reads `t=NAME,x=NAME,y=NAME,z=NAME`; what is not named keeps its default.
+/// Reads `t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME`; what is not named keeps its default.
 ///
 /// fails     InputError with the form that is expected
 MotionColumns parse_columns(const std::string& text);

@@ -368,4 +368,8 @@ double volume(const std::vector<Piece>& pieces) {
   return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double sum, const Piece& piece) { return sum + piece.volume; });
 }
 
+double area(const std::vector<Piece>& pieces) {
+  return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double sum, const Piece& piece) { return sum + piece.area; });
+}
+
 }  // namespace isotouch::evaluate

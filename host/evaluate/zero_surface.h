@@ -32,7 +32,8 @@ struct Piece {
 /// The connected pieces of a closed surface, the one of largest volume first (by magnitude; of equals the one whose vertices come first).
 std::vector<Piece> pieces(const cloud::TriangleMesh& surface);
 
-/// Their volumes together.
+/// Their volumes and their areas together.
 double volume(const std::vector<Piece>& pieces);
+double area(const std::vector<Piece>& pieces);
 
 }  // namespace isotouch::evaluate

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/field/first_hit.h"
 #include "host/field/line_crossings.h"
 #include "host/field/triangle_tree.h"
 #include "host/view/axes.h"
@@ -17,7 +18,6 @@
 #include "host/view/colour_map.h"
 #include "host/view/field_ray.h"
 #include "host/view/light.h"
-#include "host/view/mesh_ray.h"
 #include "host/view/rows.h"
 #include "host/view/text.h"
 
@@ -44,7 +44,7 @@ struct Body {
     const double distance = other.nearest(point).distance;
     return field::is_inside(other, point) == is_truth() ? distance : -distance;
   }
-  Vector3d normal(const Vector3d& point, const MeshHit& hit) const {
+  Vector3d normal(const Vector3d& point, const field::FaceHit& hit) const {
     if (is_truth()) return hit.normal;
     const Vector3d gradient = field->value(point).gradient;
     return gradient.norm() > 1e-6 ? Vector3d(gradient.normalized()) : hit.normal;
@@ -69,7 +69,7 @@ void draw_body(Image& image, const Rect& panel, const Body& body, const Shot& sh
       for (int part = 0; part < 4; ++part) {
         const Ray ray = shot.camera.ray(x + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
         const double begin = shot.begin ? *shot.begin / -ray.direction.dot(shot.camera.back()) : 0;
-        const auto hit = first_hit(body.own, ray, begin);
+        const auto hit = field::first_hit(body.own, ray.from, ray.direction, begin);
         if (!hit) {
           sum = sum + behind;
         } else if (hit->from_inside) {
@@ -95,9 +95,9 @@ Eye eye_for(const Body& body, const Vector3d& place, const Vector3d& other_foot,
   const field::Corners at = body.own.corners(foot.face);
   const Vector3d normal = (at[1] - at[0]).cross(at[2] - at[0]).normalized();
   const auto is_free = [&](const Vector3d& to_eye) {
-    if (first_hit(body.own, {place + 0.05 * voxel * normal, to_eye})) return false;
+    if (field::first_hit(body.own, place + 0.05 * voxel * normal, to_eye)) return false;
     const Vector3d foot_normal = (place - other_foot).dot(normal) > 0 ? Vector3d::Zero() : Vector3d(voxel * normal);
-    return !first_hit(body.other, {place + foot_normal, to_eye}) || (place - other_foot).dot(normal) <= 0;
+    return !field::first_hit(body.other, place + foot_normal, to_eye) || (place - other_foot).dot(normal) <= 0;
   };
   Eye best{normal, false};
   double best_cost = 1e9;

@@ -74,6 +74,17 @@ TEST(MotionCsv, AColumnChoiceThatIsNoneIsRefused) {
   EXPECT_THROW(read_motion_csv(folder.write("a.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,1,1,1\n"), furlongs), InputError);
 }
 
+TEST(MotionCsv, ForcesAreReadOnlyWhereTheyAreWanted) {
+  const ScratchFolder folder;
+  const auto file = folder.write("a.csv", "t_s,x_mm,y_mm,z_mm,fx_N,fy_N,gz\n0,1,2,3,4,5,6\n1,1,2,3,7,8,9\n");
+  EXPECT_EQ(read_motion_csv(file, {})[1].force, Eigen::Vector3d(0, 0, 0));
+  MotionColumns columns = parse_columns("fz=gz");
+  columns.with_forces = true;
+  EXPECT_EQ(read_motion_csv(file, columns)[1].force, Eigen::Vector3d(7, 8, 9));
+  columns.fz = "fz_N";
+  EXPECT_THROW(read_motion_csv(file, columns), InputError);
+}
+
 TEST(MotionCsv, RecordedHandsAreRead) {
   const char* data = std::getenv("ISOTOUCH_DATA");
   if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA is not set";

@@ -13,7 +13,8 @@ namespace {
 
 std::vector<Eigen::Vector3d> resampled(const std::vector<TimedPoint>& points, std::uint32_t period_ns = 1'000'000) {
   std::vector<Eigen::Vector3d> positions;
-  const std::uint64_t ticks = resample(points, period_ns, [&](const TickInput& input) { positions.push_back(real(input.hip)); });
+  const std::uint64_t ticks =
+      resample(points, period_ns, [&](const TickInput& input, const Eigen::Vector3d&) { positions.push_back(real(input.hip)); });
   EXPECT_EQ(ticks, positions.size());
   return positions;
 }

@@ -1,4 +1,4 @@
-#include "host/view/mesh_ray.h"
+#include "host/field/first_hit.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,17 +7,15 @@
 #include <limits>
 #include <utility>
 
-namespace isotouch::view {
+namespace isotouch::field {
 namespace {
-
-using field::TriangleTree;
 
 constexpr double kNever = std::numeric_limits<double>::max();
 
 /// Where the ray enters a box; kNever when it passes it.
-double entry(const TriangleTree::Box& box, const Ray& ray, const Eigen::Vector3d& inverse, double from, double to) {
+double entry(const TriangleTree::Box& box, const Eigen::Vector3d& begin, const Eigen::Vector3d& inverse, double from, double to) {
   for (int a = 0; a < 3; ++a) {
-    const double t0 = (box.low[a] - ray.from[a]) * inverse[a], t1 = (box.high[a] - ray.from[a]) * inverse[a];
+    const double t0 = (box.low[a] - begin[a]) * inverse[a], t1 = (box.high[a] - begin[a]) * inverse[a];
     from = std::max(from, std::min(t0, t1));
     to = std::min(to, std::max(t0, t1));
   }
@@ -26,9 +24,8 @@ double entry(const TriangleTree::Box& box, const Ray& ray, const Eigen::Vector3d
 
 }  // namespace
 
-/// The triangle by its plane and the three sides in it: T. Moeller and B. Trumbore, Journal of Graphics Tools 2(1), 1997.
-std::optional<MeshHit> first_hit(const TriangleTree& tree, const Ray& ray, double from) {
-  const Eigen::Vector3d inverse = ray.direction.unaryExpr([](double d) { return 1.0 / (std::fabs(d) > 1e-12 ? d : 1e-12); });
+std::optional<FaceHit> first_hit(const TriangleTree& tree, const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double begin) {
+  const Eigen::Vector3d inverse = direction.unaryExpr([](double d) { return 1.0 / (std::fabs(d) > 1e-12 ? d : 1e-12); });
   double nearest = kNever;
   Eigen::Vector3d across = Eigen::Vector3d::Zero();
   std::array<std::pair<std::size_t, double>, 64> waiting;  // at most one a level
@@ -36,7 +33,9 @@ std::optional<MeshHit> first_hit(const TriangleTree& tree, const Ray& ray, doubl
   const auto wait_for = [&](std::size_t node, double t) {
     if (t < nearest) waiting[count++] = {node, t};
   };
-  const auto entry_of = [&](std::size_t node) { return tree.is_empty(node) ? kNever : entry(tree.box(node), ray, inverse, from, nearest); };
+  const auto entry_of = [&](std::size_t node) {
+    return tree.is_empty(node) ? kNever : entry(tree.box(node), from, inverse, begin, nearest);
+  };
   wait_for(TriangleTree::root(), entry_of(TriangleTree::root()));
   while (count > 0) {
     const auto [node, t] = waiting[--count];
@@ -50,18 +49,18 @@ std::optional<MeshHit> first_hit(const TriangleTree& tree, const Ray& ray, doubl
     }
     for (const std::uint32_t face : tree.faces(node)) {
       const auto [a, b, c] = tree.corners(face);
-      const Eigen::Vector3d ab = b - a, ac = c - a, to = ray.from - a, normal = ab.cross(ac);
-      const double slope = -ray.direction.dot(normal);
+      const Eigen::Vector3d ab = b - a, ac = c - a, to = from - a, normal = ab.cross(ac);
+      const double slope = -direction.dot(normal);
       if (slope == 0) continue;
-      const Eigen::Vector3d turned = to.cross(ray.direction);
+      const Eigen::Vector3d turned = to.cross(direction);
       const double u = ac.dot(turned) / slope, v = -ab.dot(turned) / slope, t_face = to.dot(normal) / slope;
-      if (u < 0 || v < 0 || u + v > 1 || t_face < from || t_face >= nearest) continue;
+      if (u < 0 || v < 0 || u + v > 1 || t_face < begin || t_face >= nearest) continue;
       nearest = t_face;
       across = normal;
     }
   }
   if (nearest == kNever) return std::nullopt;
-  return MeshHit{nearest, across.normalized(), across.dot(ray.direction) > 0};
+  return FaceHit{nearest, across.normalized(), across.dot(direction) > 0};
 }
 
-}  // namespace isotouch::view
+}  // namespace isotouch::field

@@ -1,0 +1,169 @@
+/// isotouch scan: touch → points. A recorded trace of positions and forces, or a mesh that a simulated hand strokes first.
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/cloud/mesh.h"
+#include "host/cloud/placement.h"
+#include "host/cloud/ply.h"
+#include "host/commands/commands.h"
+#include "host/commands/quantities.h"
+#include "host/error.h"
+#include "host/evaluate/compare_mesh.h"
+#include "host/evaluate/mesh_scan.h"
+#include "host/evaluate/real.h"
+#include "host/evaluate/touch_points.h"
+#include "host/evaluate/trace_file.h"
+#include "host/field/nearest.h"
+#include "host/field/triangle_tree.h"
+#include "shared/trace.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path input;
+  fs::path out;
+  fs::path trace;
+  evaluate::TouchOptions touch;
+  evaluate::MeshScanOptions scan;
+  bool json = false;
+};
+
+/// The trace's header when a simulated hand feels a mesh: of no blob, a bare spring.
+TraceHeader scan_header(double stiffness) {
+  TraceHeader header;
+  header.period_ns = evaluate::kScanPeriodNs;
+  header.flags = trace_layout::kHasOutputs;
+  header.settings.stiffness = evaluate::nearest<Stiffness>(stiffness);
+  header.settings.force_limit = evaluate::nearest<Newton>(evaluate::kScanForceLimit);
+  header.settings.ramp_ticks = 0;
+  return header;
+}
+
+evaluate::MeshScanReport record_scan(const field::TriangleTree& tree, const Options& options) {
+  const TraceHeader header = scan_header(options.scan.stiffness_n_per_mm);
+  evaluate::TraceWriter writer(options.trace, header);
+  Chain chain(header, 0);
+  std::uint64_t tick = 0;
+  const auto report = evaluate::scan_mesh(tree, options.scan, [&](const TickInput& input, const TickOutput& output) {
+    writer.append({input, output, chain.extend(input, output), header.period_ns * tick++});
+  });
+  writer.finish();
+  return report;
+}
+
+/// The share of the surface that lies within `reach` of a point.
+double coverage(const cloud::TriangleMesh& mesh, const cloud::OrientedPoints& points, double reach) {
+  constexpr std::size_t kAsked = 20'000;
+  const field::Nearest nearest(points.positions);
+  std::vector<field::Neighbour> found;
+  std::size_t near = 0;
+  for (const Eigen::Vector3d& place : cloud::scatter_on_mesh(mesh, kAsked, kAsked).positions) {
+    nearest.nearest(place, 1, found);
+    near += found[0].squared_distance <= reach * reach ? 1U : 0U;
+  }
+  return static_cast<double>(near) / kAsked;
+}
+
+nlohmann::ordered_json to_json(const evaluate::TouchReport& report) {
+  return {{"ticks", report.ticks},     {"free", report.free},     {"unfit", report.unfit},   {"weak", report.weak},
+          {"touches", report.touches}, {"places", report.places}, {"points", report.points}, {"spacing_mm", report.spacing_mm}};
+}
+
+void print(const Options& options, const evaluate::TouchReport& report) {
+  std::fprintf(stderr, "%zu ticks: %zu free, %zu unfit (ramping, limited, following, stale), %zu weak, %zu touches at %zu places\n",
+               report.ticks, report.free, report.unfit, report.weak, report.touches, report.places);
+  std::fprintf(stderr, "%s: %zu points, about %.3f mm apart\n", options.out.string().c_str(), report.points, report.spacing_mm);
+}
+
+void scan_trace(const Options& options) {
+  const auto trace = evaluate::Trace::read(options.input);
+  evaluate::TouchReport report;
+  const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
+  cloud::write_ply(options.out, points, "isotouch scan of a trace, workspace mm");
+  if (options.json) {
+    std::printf("%s\n", to_json(report).dump(2).c_str());
+  } else {
+    print(options, report);
+  }
+}
+
+void scan_mesh(const Options& options) {
+  if (options.trace.empty()) {
+    throw InputError(options.input.string() + ": to scan a mesh name the trace to record with --trace");
+  }
+  const cloud::TriangleMesh in_file = cloud::read_mesh(options.input);
+  cloud::require_closed(in_file, options.input.string());
+  const cloud::Placement placement = cloud::place({in_file.vertices, {}});
+  const cloud::TriangleMesh mesh = evaluate::placed(in_file, placement);
+  const field::TriangleTree tree(mesh);
+  const evaluate::MeshScanReport scan = record_scan(tree, options);
+
+  evaluate::TouchReport report;
+  cloud::OrientedPoints points = evaluate::touch_points(evaluate::Trace::read(options.trace), options.touch, report);
+  const double covered = coverage(mesh, points, report.spacing_mm);
+  for (Eigen::Vector3d& position : points.positions) position = placement.to_cloud(position);
+  cloud::write_ply(options.out, points, "isotouch scan of a mesh, in its frame, seed " + std::to_string(options.scan.seed));
+  if (options.json) {
+    nlohmann::ordered_json json = to_json(report);
+    json["strokes"] = scan.strokes;
+    json["deepest_mm"] = scan.deepest_mm;
+    json["coverage"] = covered;
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::fprintf(stderr, "%s: %.1f s in %zu strokes, %zu of %zu targets reached, at most %.2f mm deep\n", options.trace.string().c_str(),
+               static_cast<double>(scan.ticks) * evaluate::kScanPeriodNs * 1e-9, scan.strokes, scan.reached, scan.targets, scan.deepest_mm);
+  print(options, report);
+  std::fprintf(stderr, "coverage: %.2f %% of the surface within %.3f mm of a point\n", 100 * covered, report.spacing_mm);
+}
+
+bool is_trace(const fs::path& file) {
+  std::FILE* in = std::fopen(file.c_str(), "rb");
+  std::array<std::uint8_t, 4> magic{};
+  const bool read = in != nullptr && std::fread(magic.data(), 1, magic.size(), in) == magic.size();
+  if (in != nullptr) std::fclose(in);
+  return file.extension() == ".trace" || (read && magic == trace_layout::kMagic);
+}
+
+}  // namespace
+
+void add_scan(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("scan", "Touch to points: of a trace with forces, or of a mesh that a simulated hand strokes");
+  command->add_option("INPUT", options->input, "a .trace with positions and forces, or a closed mesh: PLY, OBJ or STL")->required();
+  command->add_option("-o,--out", options->out, "the cloud to write, as PLY; of a mesh: in its frame, of a trace: workspace mm")
+      ->required();
+  command->add_option("--points", options->touch.points, "at most so many, evenly spread")
+      ->check(CLI::Range(8, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--stiffness", options->touch.stiffness_n_per_mm,
+                   "of the wall that was felt, N/mm; default: the trace's, 0.8 for a mesh")
+      ->transform(quantity(kStiffness, 0.001, 100.0));
+  command->add_option("--least-force", options->touch.least_force_n, "weaker touches are left out, N")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command->add_option("--trace", options->trace, "of a mesh: the trace to record");
+  command->add_option("--seconds", options->scan.seconds, "of a mesh: at most so long")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str();
+  command->add_option("--seed", options->scan.seed, "of a mesh: another hand")->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] {
+    if (options->touch.stiffness_n_per_mm > 0) options->scan.stiffness_n_per_mm = options->touch.stiffness_n_per_mm;
+    is_trace(options->input) ? scan_trace(*options) : scan_mesh(*options);
+  });
+}
+
+}  // namespace isotouch::commands

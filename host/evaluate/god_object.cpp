@@ -1,0 +1,104 @@
+#include "host/evaluate/god_object.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace isotouch::evaluate {
+
+using Eigen::Vector3d;
+using field::TriangleTree;
+
+namespace {
+
+constexpr double kEdgeWidth = 1e-9;  // share of a face by which its sides reach beyond its edges, so that no way leads between two faces
+constexpr double kParallel = 1e-12;  // determinant of unit normals below which planes count as parallel
+
+}  // namespace
+
+GodObject::GodObject(const TriangleTree& tree, const Vector3d& start) : tree_(tree), position_(start) {
+  const auto& box = tree.box(TriangleTree::root());
+  gap_ = kGap * (box.high - box.low).maxCoeff();
+}
+
+bool GodObject::first_on_way(const Vector3d& way, Obstacle& found) const {
+  const Vector3d end = position_ + way;
+  const Vector3d low = position_.cwiseMin(end) - Vector3d::Constant(gap_);
+  const Vector3d high = position_.cwiseMax(end) + Vector3d::Constant(gap_);
+  found.share = std::numeric_limits<double>::max();
+  const auto meets = [&](const TriangleTree::Box& box) {
+    return (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
+  };
+  tree_.visit(meets, [&](std::uint32_t face) {
+    const auto [a, b, c] = tree_.corners(face);
+    const Vector3d ab = b - a, ac = c - a, across = ab.cross(ac), to = position_ - a;
+    const double slope = -way.dot(across);
+    if (!(slope > 0)) return;  // along the face or out of it
+    const Vector3d turned = to.cross(way);
+    const double u = ac.dot(turned) / slope, v = -ab.dot(turned) / slope;
+    if (u < -kEdgeWidth || v < -kEdgeWidth || u + v > 1 + kEdgeWidth) return;
+    const double size = across.norm();
+    const double ahead = to.dot(across) / size;  // in front of the face
+    const double share = (ahead - gap_) / (slope / size);
+    if (ahead < 0 || share >= 1 || share >= found.share) return;
+    const Vector3d normal = across / size;
+    found = {share, {normal, normal.dot(a) + gap_}};
+  });
+  return found.share < 1;
+}
+
+/// For each set: x = hip + Σ λ n with n · x = height, found by the normals' Gram matrix. Of the sets that keep to all planes, the nearest.
+Vector3d GodObject::best_under_planes(const Vector3d& hip) const {
+  Vector3d best = position_;
+  double best_square = std::numeric_limits<double>::max();
+  const auto consider = [&](const Vector3d& place) {
+    const double square = (place - hip).squaredNorm();
+    if (square >= best_square) return;
+    for (std::size_t i = 0; i < plane_count_; ++i) {
+      if (planes_[i].normal.dot(place) < planes_[i].height - 0.1 * gap_) return;
+    }
+    best_square = square;
+    best = place;
+  };
+  const auto missing = [&](std::size_t i) { return planes_[i].height - planes_[i].normal.dot(hip); };
+  consider(hip);
+  for (std::size_t i = 0; i < plane_count_; ++i) {
+    const Vector3d& n = planes_[i].normal;
+    consider(hip + missing(i) * n);
+    for (std::size_t j = i + 1; j < plane_count_; ++j) {
+      const Vector3d& m = planes_[j].normal;
+      const double cosine = n.dot(m), determinant = 1 - cosine * cosine;
+      if (determinant < kParallel) continue;
+      consider(hip + (missing(i) - cosine * missing(j)) / determinant * n + (missing(j) - cosine * missing(i)) / determinant * m);
+      for (std::size_t k = j + 1; k < plane_count_; ++k) {
+        Eigen::Matrix3d normals;
+        normals << n.transpose(), m.transpose(), planes_[k].normal.transpose();
+        if (std::abs(normals.determinant()) < kParallel) continue;
+        consider(hip + normals.inverse() * Vector3d(missing(i), missing(j), missing(k)));
+      }
+    }
+  }
+  return best;
+}
+
+const Vector3d& GodObject::follow(const Vector3d& hip) {
+  plane_count_ = 0;
+  Vector3d goal = hip;
+  for (;;) {
+    const Vector3d way = goal - position_;
+    Obstacle obstacle{};
+    if (!first_on_way(way, obstacle)) {
+      position_ = goal;
+      return position_;
+    }
+    position_ += std::max(0.0, obstacle.share) * way;
+    if (plane_count_ == kPlanes) return position_;
+    planes_[plane_count_++] = obstacle.plane;
+    goal = best_under_planes(hip);
+  }
+}
+
+}  // namespace isotouch::evaluate

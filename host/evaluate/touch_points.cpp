@@ -1,0 +1,158 @@
+#include "host/evaluate/touch_points.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/cloud/elimination.h"
+#include "host/error.h"
+#include "host/evaluate/real.h"
+#include "host/field/nearest.h"
+
+namespace isotouch::evaluate {
+
+using cloud::OrientedPoints;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::uint32_t kUnfit = kFollowing | kHeldInside | kRamping | kForceLimited | kStale | kInputClamped;
+constexpr double kCellsAcross = 96;   // of the first, coarse look at the area
+constexpr double kCellsAPlane = 1.5;  // cubic cells that a plane in any direction meets, per cell's side squared, on average
+constexpr double kSameSide = 0.8;     // cosine between normals of touches that are averaged
+
+using Cell = std::array<std::int64_t, 3>;  // z, y, x
+
+/// The indices sorted by the cubic cell that they lie in, ties by themselves.
+std::vector<std::pair<Cell, std::size_t>> in_cells(const OrientedPoints& points, double edge) {
+  std::vector<std::pair<Cell, std::size_t>> sorted;
+  sorted.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto index = [&](int axis) { return static_cast<std::int64_t>(std::floor(points.positions[i][axis] / edge)); };
+    sorted.emplace_back(Cell{index(2), index(1), index(0)}, i);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+double area_of_cells(const OrientedPoints& points, double edge) {
+  const auto cells = in_cells(points, edge);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) count += i == 0 || cells[i].first != cells[i - 1].first ? 1U : 0U;
+  return static_cast<double>(count) / kCellsAPlane * edge * edge;
+}
+
+/// The area that so many points cover, seen as finely as they will lie: gaps between strokes that are narrower than that do not count.
+double touched_area(const OrientedPoints& touches, std::size_t points) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& position : touches.positions) box.extend(position);
+  double area = area_of_cells(touches, std::max(box.sizes().maxCoeff() / kCellsAcross, 1e-3));
+  for (int look = 0; look < 4; ++look) area = area_of_cells(touches, std::max(std::sqrt(area / static_cast<double>(points)), 1e-3));
+  return area;
+}
+
+/// One point for all of a cell that look the same way: mean position, mean direction.
+OrientedPoints averaged(const OrientedPoints& touches, double edge) {
+  struct Group {
+    Vector3d position, normal;  // sums
+    double count;
+  };
+  OrientedPoints places;
+  std::vector<Group> groups;
+  const auto flush = [&] {
+    for (const Group& group : groups) {
+      places.positions.push_back(group.position / group.count);
+      places.normals.push_back(group.normal.normalized());
+    }
+    groups.clear();
+  };
+  const auto cells = in_cells(touches, edge);
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    if (n > 0 && cells[n].first != cells[n - 1].first) flush();
+    const Vector3d& position = touches.positions[cells[n].second];
+    const Vector3d& normal = touches.normals[cells[n].second];
+    const auto alike = [&](const Group& group) { return group.normal.dot(normal) > kSameSide * group.normal.norm(); };
+    const auto found = std::find_if(groups.begin(), groups.end(), alike);
+    if (found == groups.end()) {
+      groups.push_back({position, normal, 1});
+    } else {
+      found->position += position;
+      found->normal += normal;
+      found->count += 1;
+    }
+  }
+  flush();
+  return places;
+}
+
+}  // namespace
+
+OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchReport& report) {
+  const double area = touched_area(touches, points);
+  report.spacing_mm = std::sqrt(area / static_cast<double>(points));
+  const OrientedPoints places = averaged(touches, std::max(report.spacing_mm / 4, 1e-6));
+  report.places = places.size();
+  // A place at the rim of its cell may hold one touch only, so each that is kept is averaged once more over the touches round it.
+  const field::Nearest near(touches.positions);
+  std::vector<field::Neighbour> found;
+  OrientedPoints kept;
+  for (const std::size_t i : cloud::spread_out(places, area, points)) {
+    Vector3d position = places.positions[i], normal = places.normals[i];
+    double count = 1;
+    near.within(position, report.spacing_mm / 5, found);
+    for (const field::Neighbour& touch : found) {
+      if (touches.normals[touch.index].dot(places.normals[i]) <= kSameSide) continue;
+      position += touches.positions[touch.index];
+      normal += touches.normals[touch.index];
+      count += 1;
+    }
+    kept.positions.emplace_back(position / count);
+    kept.normals.emplace_back(normal.normalized());
+  }
+  report.points = kept.size();
+  return kept;
+}
+
+OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, TouchReport& report) {
+  const std::string name = trace.file().string();
+  const TraceHeader& header = trace.header();
+  if (!header.has_outputs())
+    throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
+  if (header.model_hash != 0 || (header.flags & trace_layout::kEncoderCounts) != 0) {
+    throw InputError(name + ": its inputs are encoder counts, and there is no device model to read them with");
+  }
+  const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : real(header.settings.stiffness);
+  if (!(stiffness > 0)) throw InputError(name + ": its stiffness is that of the blob that was felt; name it with --stiffness");
+  if (header.settings.damping > Damping{}) {
+    throw InputError(name + ": it was felt with damping, so its forces do not tell how deep the hand was; replay it without");
+  }
+
+  report = {};
+  report.ticks = trace.size();
+  OrientedPoints touches;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord record = trace.record(tick);
+    const Vector3d force = real(record.output.force);
+    if ((record.output.status & kContact) == 0) {
+      ++report.free;
+    } else if ((record.output.status & kUnfit) != 0 || !record.input.fresh) {
+      ++report.unfit;
+    } else if (!(force.norm() >= options.least_force_n)) {
+      ++report.weak;
+    } else {
+      touches.positions.push_back(real(record.input.hip) + force / stiffness);
+      touches.normals.push_back(force.normalized());
+    }
+  }
+  report.touches = touches.size();
+  if (touches.size() == 0) {
+    throw InputError(name + ": not one of its " + std::to_string(report.ticks) + " ticks touches anything with a force that tells where");
+  }
+  return thinned(touches, options.points, report);
+}
+
+}  // namespace isotouch::evaluate
