@@ -3,67 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <span>
 #include <utility>
 
-#include "host/cloud/file_kind.h"
-#include "host/cloud/files.h"
-#include "host/cloud/model.h"
-#include "host/cloud/obj.h"
-#include "host/cloud/ply.h"
 #include "host/cloud/random.h"
-#include "host/cloud/stl.h"
 #include "host/error.h"
 
 namespace isotouch::cloud {
 namespace {
 
 using Eigen::Vector3d;
-
-Model read_faces(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  const std::string name = file.string();
-  switch (file_kind(file, bytes)) {
-    case FileKind::kPly: return read_ply(name, bytes);
-    case FileKind::kObj: return read_obj_faces(name, bytes);
-    case FileKind::kStl: return read_stl(name, bytes);
-    case FileKind::kText:
-    case FileKind::kUnknown: break;
-  }
-  throw InputError(name + ": this is no kind of mesh file that is known; a mesh ends in .ply, .obj or .stl");
-}
-
-/// The model's faces on vertices of which no two share a place; vertices are numbered by their first appearance.
-TriangleMesh joined(const Model& model) {
-  const std::vector<Vector3d>& positions = model.positions;
-  std::vector<std::uint32_t> order(positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    const auto key = [&](std::uint32_t i) { return std::array{positions[i].x(), positions[i].y(), positions[i].z()}; };
-    const auto ka = key(a);
-    const auto kb = key(b);
-    return ka != kb ? ka < kb : a < b;
-  };
-  std::sort(order.begin(), order.end(), before);
-  std::vector<std::uint32_t> first_at(positions.size());  // the first vertex at the same place
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    first_at[order[i]] = same ? first_at[order[i - 1]] : order[i];
-  }
-  TriangleMesh mesh;
-  std::vector<std::uint32_t> number(positions.size());
-  for (std::uint32_t i = 0; i < positions.size(); ++i) {
-    if (first_at[i] == i) {
-      number[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-      mesh.vertices.push_back(positions[i]);
-    }
-  }
-  for (const auto& [a, b, c] : model.faces) {
-    const std::array<std::uint32_t, 3> face = {number[first_at[a]], number[first_at[b]], number[first_at[c]]};
-    if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) mesh.faces.push_back(face);
-  }
-  return mesh;
-}
 
 /// Twice the face's area, along its normal.
 Vector3d area_vector(const TriangleMesh& mesh, std::size_t face) {
@@ -75,11 +23,8 @@ std::string text(const Vector3d& p) { return std::to_string(p.x()) + ' ' + std::
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  if (bytes.empty()) throw InputError(file.string() + ": the file is empty");
-  TriangleMesh mesh = joined(read_faces(file, bytes));
-  if (mesh.faces.empty()) throw InputError(file.string() + ": there are no faces in it; a comparison needs a closed mesh");
+TriangleMesh placed(TriangleMesh mesh, const Placement& placement) {
+  for (Vector3d& vertex : mesh.vertices) vertex = placement.to_workspace(vertex);
   return mesh;
 }
 

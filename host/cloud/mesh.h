@@ -1,11 +1,10 @@
-/// Closed triangle meshes: the true surfaces that blobs are compared with.
+/// Triangle meshes: true surfaces, to build blobs from and to compare them with.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -18,16 +17,13 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< three different vertices each, counter-clockwise seen from outside
 };
 
-/// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into fans, faces that name one
-/// place twice dropped.
-///
-/// fails     InputError: as the readers; no faces left
-TriangleMesh read_mesh(const std::filesystem::path& file);
-
 /// Does the mesh bound a body: is every edge in exactly two faces that run it in opposite directions, and do the faces turn outward?
 ///
 /// fails     InputError naming the file, how many edges are not closed, and where the first one is
 void require_closed(const TriangleMesh& mesh, const std::string& name);
+
+/// The mesh in the workspace, mm. A scale is never negative, so faces stay.
+TriangleMesh placed(TriangleMesh mesh, const Placement& placement);
 
 /// A sixth of the sum of the faces' determinants: positive when the faces of a closed mesh turn outward.
 double signed_volume(const TriangleMesh& mesh);

@@ -142,4 +142,15 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
   return model;
 }
 
+bool is_bare_obj_mesh(const std::string& name, std::span<const std::uint8_t> bytes) {
+  TextLines lines(name, bytes);
+  bool faces = false;
+  while (lines.next()) {
+    const std::string_view keyword = lines.field().value_or("");
+    if (keyword == "vn") return false;
+    faces = faces || keyword == "f";
+  }
+  return faces;
+}
+
 }  // namespace isotouch::cloud

@@ -23,4 +23,7 @@ Model read_obj_faces(const std::string& name, std::span<const std::uint8_t> byte
 /// fails     as above; also corners without a normal, and vertices and normals of different number where there are no faces
 Model read_obj_points(const std::string& name, std::span<const std::uint8_t> bytes);
 
+/// Are there faces, but no normals?
+bool is_bare_obj_mesh(const std::string& name, std::span<const std::uint8_t> bytes);
+
 }  // namespace isotouch::cloud

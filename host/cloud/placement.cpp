@@ -33,10 +33,10 @@ double mm_per_unit(std::string_view units) {
   throw InputError("unit '" + std::string(units) + "' is unknown; it may be mm, cm, m or in");
 }
 
-Placement place(const OrientedPoints& points, const PlacementOptions& options) {
-  Vector3d low = points.positions[0];
-  Vector3d high = points.positions[0];
-  for (const Vector3d& p : points.positions) {
+Placement place(std::span<const Vector3d> positions, const PlacementOptions& options) {
+  Vector3d low = positions[0];
+  Vector3d high = positions[0];
+  for (const Vector3d& p : positions) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }

@@ -1,7 +1,9 @@
 /// Where a cloud lies in the workspace: its box centred on the origin, its size true or made to fit.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "host/cloud/oriented_points.h"
@@ -16,9 +18,9 @@ struct PlacementOptions {
 /// fails     InputError unless `units` is mm, cm, m or in
 double mm_per_unit(std::string_view units);
 
-/// points    at least two different ones
+/// positions at least two different ones
 /// fails     InputError when a size asked for is not positive, or the placed cloud would be smaller than 1 mm or larger than 1000 mm
-Placement place(const OrientedPoints& points, const PlacementOptions& options = {});
+Placement place(std::span<const Eigen::Vector3d> positions, const PlacementOptions& options = {});
 
 /// The points in the workspace, mm. A scale is never negative, so normals stay.
 OrientedPoints placed(const OrientedPoints& points, const Placement& placement);

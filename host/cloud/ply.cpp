@@ -213,6 +213,19 @@ Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
   return model;
 }
 
+bool is_bare_ply_mesh(const std::string& name, std::span<const std::uint8_t> bytes) {
+  bool faces = false;
+  bool normals = false;
+  for (const PlyElement& element : read_ply_header(name, bytes).elements) {
+    for (const PlyProperty& property : element.properties) {
+      const Use use = use_of(element, property);
+      faces = faces || (use == Use::kCorners && element.count > 0);
+      normals = normals || use == Use::kNormalX;
+    }
+  }
+  return faces && !normals;
+}
+
 void write_ply(const std::filesystem::path& file, const OrientedPoints& points, const std::string& comment) {
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   if (!comment.empty()) header += "comment " + comment + '\n';

@@ -20,6 +20,11 @@ namespace isotouch::cloud {
 /// source    G. Turk, "The PLY Polygon File Format", 1994
 Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes);
 
+/// Does the header declare faces, but no normals?
+///
+/// fails     InputError as `read_ply`, of the header
+bool is_bare_ply_mesh(const std::string& name, std::span<const std::uint8_t> bytes);
+
 /// Writes binary little-endian PLY with double coordinates, so that nothing is lost. The file is replaced as a whole.
 ///
 /// comment   one line, may be empty

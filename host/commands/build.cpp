@@ -1,4 +1,4 @@
-/// isotouch build: oriented points → field → blob.
+/// isotouch build: oriented points or a mesh → field → blob.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -16,20 +16,27 @@ namespace isotouch::commands {
 
 namespace {
 
+const char* kind_name(InputKind kind) { return kind == InputKind::kMesh ? "mesh" : "cloud"; }
+
 void print_json(const BuildReport& report, const BlobView& view) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
-  const nlohmann::ordered_json json = {
-      {"points", report.cloud.points}, {"inside_nodes", report.inside_nodes},      {"seconds", report.seconds},          {"stages", stages},
-      {"bytes", view.image.size()},    {"hash", evaluate::hash_text(view.hash())}, {"warnings", report.cloud.warnings()}};
+  const nlohmann::ordered_json json = {{"input", kind_name(report.kind)},
+                                       {"points", report.points},
+                                       {"inside_nodes", report.inside_nodes},
+                                       {"seconds", report.seconds},
+                                       {"stages", stages},
+                                       {"bytes", view.image.size()},
+                                       {"hash", evaluate::hash_text(view.hash())},
+                                       {"warnings", report.warnings}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
 void print_text(const BuildReport& report, const BlobView& view, const std::filesystem::path& out) {
   const auto& [scale, offset] = report.placement;
   const double edge = static_cast<double>(view.edge.raw()) / (1 << MmPerVoxel::kFractionBits);
-  std::printf("points        %zu (%s)\n", report.cloud.points, report.cloud.format.c_str());
-  std::printf("transform     workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  std::printf("%-13s %zu (%s)\n", report.kind == InputKind::kMesh ? "vertices" : "points", report.points, report.format.c_str());
+  std::printf("transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   std::printf("grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
   std::printf("inside nodes  %zu\n", report.inside_nodes);
   std::printf("seconds       %.3f:", report.seconds);
@@ -43,8 +50,15 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
 void add_build(CLI::App& app) {
   auto options = std::make_shared<BuildOptions>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("build", "Turn a cloud of oriented points into a field that can be touched");
-  command->add_option("CLOUD", options->cloud, "points with normals: PLY, OBJ, or text (.xyz, .pwn, .npts)")->required();
+  CLI::App* command = app.add_subcommand("build", "Turn oriented points or a mesh into a field that can be touched");
+  command->add_option("INPUT", options->input, "points with normals: PLY, OBJ, or text (.xyz, .pwn, .npts); or a mesh: PLY, OBJ, STL")
+      ->required();
+  const std::map<std::string, InputKind> kinds = {{"cloud", InputKind::kCloud}, {"mesh", InputKind::kMesh}};
+  command
+      ->add_option("--as", options->as,
+                   "what INPUT is: cloud or mesh. Unless given, a file with faces and without normals is a mesh, and one with normals is a "
+                   "cloud, whose faces are not used")
+      ->transform(CLI::CheckedTransformer(kinds));
   command->add_option("-o,--out", options->out, "the blob to write (.itf)")->required();
   const std::map<std::string, blob::Method> methods = {{"default", blob::Method::kDefault}, {"published", blob::Method::kPublished}};
   command->add_option("--method", options->method, "default, or published: the paper's levels")
@@ -52,7 +66,7 @@ void add_build(CLI::App& app) {
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
   CLI::Option* grid =
-      command->add_option("--grid", options->grid, "voxels along the longest side of the cloud's box")->capture_default_str();
+      command->add_option("--grid", options->grid, "voxels along the longest side of the input's box")->capture_default_str();
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 4 unless given");
   band->check(CLI::Range(1.0, 7.99));
@@ -62,7 +76,7 @@ void add_build(CLI::App& app) {
   CLI::Option* fit =
       command->add_option("--fit", options->fit_mm, "scale the longest side to this length, such as 70mm")->capture_default_str();
   fit->transform(quantity(kLength, 1, 1000));
-  command->add_option("--units", options->units, "keep the true size: the cloud's unit is mm, cm, m or in")
+  command->add_option("--units", options->units, "keep the true size: the input's unit is mm, cm, m or in")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
       ->excludes(fit);
   command->add_option("--threads", options->threads, "as many as there are processors unless given; the blob is the same for any number")

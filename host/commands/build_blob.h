@@ -1,7 +1,8 @@
-/// What `isotouch build` does, for whoever else needs a blob of a cloud: points → field → blob, with times.
+/// What `isotouch build` does, for whoever else needs a blob of something: input → field → blob, with times.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,13 +12,15 @@
 #include "host/blob/write_blob.h"
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/placement.h"
-#include "host/cloud/read_cloud.h"
 #include "host/evaluate/open_blob.h"
 
 namespace isotouch::commands {
 
+enum class InputKind { kCloud, kMesh };
+
 struct BuildOptions {
-  std::filesystem::path cloud;
+  std::filesystem::path input;
+  std::optional<InputKind> as = {};  ///< not given: as the file looks
   std::filesystem::path out;
   blob::Method method = blob::Method::kDefault;
   std::optional<double> voxel_mm = {};
@@ -32,7 +35,12 @@ struct BuildOptions {
 };
 
 struct BuildReport {
-  cloud::CloudReport cloud;
+  InputKind kind = InputKind::kCloud;
+  std::string format;  ///< "PLY, binary little-endian"
+  std::uint64_t source_hash = 0;
+  std::size_t points = 0;             ///< of a cloud, or vertices of a mesh
+  double spacing = 0;                 ///< median distance of a cloud's points, mm in the workspace; 0 for a mesh
+  std::vector<std::string> warnings;  ///< one sentence each
   cloud::Placement placement;
   std::size_t inside_nodes = 0;
   double seconds = 0;
@@ -40,12 +48,12 @@ struct BuildReport {
 };
 
 struct BuiltBlob {
-  cloud::OrientedPoints points;  ///< workspace, mm
+  cloud::OrientedPoints points;  ///< of a cloud; workspace, mm
   evaluate::OpenBlob blob;
   BuildReport report;
 };
 
-/// Reads the cloud, makes the field and writes the blob; shows its progress, and what is doubtful about the cloud, on standard error.
+/// Reads the input, makes the field and writes the blob; shows its progress, and what is doubtful about the input, on standard error.
 ///
 /// fails     InputError of every stage
 BuiltBlob build_blob(const BuildOptions& options);

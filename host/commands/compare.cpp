@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/cloud/mesh.h"
+#include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/open_blob.h"
@@ -79,7 +80,7 @@ void run(const Options& options) {
   const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
-  const cloud::TriangleMesh mesh = evaluate::placed(in_cloud, evaluate::placement_of(blob.view));
+  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(blob.view));
   const Measured measured = measure(blob.view, mesh);
 
   nlohmann::ordered_json json = to_json(measured);

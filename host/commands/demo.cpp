@@ -113,11 +113,9 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                            const SphereForce& force) {
   const std::vector<fs::path> files = {options.folder / "points.png", options.folder / "surface.png", options.folder / "slice.png",
                                        options.folder / "force.png"};
-  const double scale = built.report.placement.scale;
-  view::write_png(files[0], view::points_picture(built.points, {.direction = {.up = options.up},
-                                                                .title = title,
-                                                                .spacing = scale * built.report.cloud.median_spacing,
-                                                                .mm_per_unit = 1}));
+  view::write_png(
+      files[0], view::points_picture(built.points,
+                                     {.direction = {.up = options.up}, .title = title, .spacing = built.report.spacing, .mm_per_unit = 1}));
   view::write_png(files[1], view::surface_picture(built.blob.view, {.up = options.up, .touch = tour.deepest, .title = title}));
   view::write_png(files[2], view::slice_picture(built.blob.view, {.title = title}));
   view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
@@ -128,7 +126,7 @@ void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& for
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : built.report.stages) stages[stage] = seconds;
   nlohmann::ordered_json json = {
-      {"points", built.report.cloud.points},
+      {"points", built.report.points},
       {"inside_nodes", built.report.inside_nodes},
       {"seconds", built.report.seconds},
       {"stages", stages},
@@ -148,7 +146,7 @@ void print_text(const std::string& title, const BuiltBlob& built, const Tour& to
   const BuildReport& report = built.report;
   const auto& size = built.blob.view.size;
   std::printf("object          %s\n", title.c_str());
-  std::printf("points          %zu\n", report.cloud.points);
+  std::printf("points          %zu\n", report.points);
   std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], evaluate::real(built.blob.view.edge));
   std::printf("inside nodes    %zu\n", report.inside_nodes);
   std::printf("build           %.2f s:", report.seconds);
@@ -175,7 +173,8 @@ void run(const DemoOptions& options) {
 
   say("building the field");
   BuildOptions build;
-  build.cloud = cloud;
+  build.input = cloud;
+  build.as = InputKind::kCloud;
   build.out = options.folder / (title + ".itf");
   const BuiltBlob built = build_blob(build);
   say("feeling it along a tour");

@@ -48,9 +48,9 @@ std::vector<FieldTimes> time_fields() {
   for (const char* name : {"hydrant", "owl", "boy", "bomberman", "jaguar"}) {
     const cloud::Shape shape = cloud::shape(name);
     BuildOptions options;
-    options.cloud = folder.path / (shape.name + ".ply");
+    options.input = folder.path / (shape.name + ".ply");
     options.out = folder.path / (shape.name + ".itf");
-    cloud::write_ply(options.cloud, cloud::sample_shape(shape, shape.default_points), "isotouch bench field");
+    cloud::write_ply(options.input, cloud::sample_shape(shape, shape.default_points), "isotouch bench field");
 
     std::array<double, kFieldRuns> runs;
     for (double& run : runs) run = seconds_of(options, blob::Method::kDefault);

@@ -1,12 +1,11 @@
 #include "host/evaluate/compare_mesh.h"
 
 #include <cmath>
-#include <utility>
 
 #include "host/error.h"
-#include "host/evaluate/mesh_distance.h"
 #include "host/evaluate/real.h"
-#include "host/field/sample_distance.h"
+#include "host/field/mesh_distance.h"
+#include "host/field/mesh_field.h"
 
 namespace isotouch::evaluate {
 
@@ -24,11 +23,6 @@ cloud::Placement placement_of(const BlobView& field) {
   return placement;
 }
 
-cloud::TriangleMesh placed(cloud::TriangleMesh mesh, const cloud::Placement& placement) {
-  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = placement.to_workspace(vertex);
-  return mesh;
-}
-
 SurfaceError compare_with_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
   return surface_error(field, cloud::scatter_on_mesh(mesh, kComparePoints, kSeed));
 }
@@ -38,8 +32,8 @@ OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
   grid.origin = real(field.origin);
   grid.edge = real(field.edge);
   grid.size = Eigen::Vector3i(field.size[0], field.size[1], field.size[2]);
-  const MeshDistance distance(mesh);
-  return open_blob(blob::write_blob(field::sample_distance(distance, grid, real(field.band)), {}), "the mesh's exact distances");
+  const field::MeshDistance distance(mesh);
+  return open_blob(blob::write_blob(field::mesh_field(distance, grid, real(field.band)), {}), "the mesh's exact distances");
 }
 
 }  // namespace isotouch::evaluate

@@ -18,9 +18,6 @@ inline constexpr std::size_t kComparePoints = 20'000;
 /// fails     InputError when the header's numbers are not finite or the scale is not positive
 cloud::Placement placement_of(const BlobView& field);
 
-/// A mesh in its cloud's frame → the workspace.
-cloud::TriangleMesh placed(cloud::TriangleMesh mesh, const cloud::Placement& placement);
-
 /// The error at kComparePoints area-uniform points of the mesh.
 ///
 /// mesh      closed, workspace, mm

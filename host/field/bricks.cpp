@@ -31,8 +31,8 @@ Vector3i cell_of(Key key) {
 
 Vector3d centre_of(const Vector3i& cell) { return 4.0 * cell.cast<double>() + Vector3d::Constant(1.5); }
 
-/// Half a brick's diagonal, and half as much again for slopes above one where models are blended.
-const double kFar = 1.5 * 1.5 * std::sqrt(3.0);
+/// From a brick's centre to its corner samples.
+const double kReach = 1.5 * std::sqrt(3.0);
 
 /// A brick that was looked at.
 struct Visited {
@@ -116,7 +116,7 @@ class Walk {
   };
 
   Look look_at(Key key) const {
-    const BrickDistances found = distance_.brick(cell_of(key), band_ + kFar);
+    const BrickDistances found = distance_.brick(cell_of(key), band_ + distance_.slope * kReach);
     if (!found.samples) return {{key, false, found.middle < 0.0 ? ~std::uint64_t{0} : 0}, {}};
     const auto& d = *found.samples;
     const auto [least, most] = std::minmax_element(d.begin(), d.end());

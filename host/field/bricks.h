@@ -22,6 +22,7 @@ struct SampledDistance {
   std::function<double(const Eigen::Vector3d& index)> at;  ///< at a point in index coordinates
   /// Of a brick; the samples only where the distance at its middle is within ±reach.
   std::function<BrickDistances(const Eigen::Vector3i& cell, double reach)> brick;
+  double slope = 1.5;  ///< the distance changes by no more than this a voxel; a true distance by one, blended models by a little more
 };
 
 /// Every brick with a sample within the band that neighbours, face to face, lead to from a seed, and what it takes to make the answer closed:
@@ -29,7 +30,7 @@ struct SampledDistance {
 /// listed the sign does not change. Where the distance jumps over the band between two bricks, both are listed; where a sheet of the surface
 /// was not reached by a seed but shows by its sign, the walk goes on from there.
 ///
-/// distance   its slope must not exceed one by much; positive on the border of the grid
+/// distance   positive on the border of the grid
 /// cells      bricks along each axis, below 2^21
 /// band       half width, voxels
 /// seeds      brick coordinates in any order, repeats allowed; outside [0, cells) they are ignored

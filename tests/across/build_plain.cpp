@@ -26,7 +26,7 @@ constexpr double kBand = 4.0;
 
 std::uint64_t hash_of(const cloud::Shape& shape, int voxels) {
   const cloud::OrientedPoints drawn = cloud::sample_shape(shape, kPoints);
-  const cloud::Placement placement = cloud::place(drawn, {std::nullopt, 70.0});
+  const cloud::Placement placement = cloud::place(drawn.positions, {std::nullopt, 70.0});
   const cloud::OrientedPoints points = cloud::placed(drawn, placement);
   Eigen::Vector3d low = points.positions.front(), high = low;
   for (const Eigen::Vector3d& p : points.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);

@@ -24,7 +24,7 @@ namespace {
 /// The blob of one of the project's objects as `build` makes it, at 186 voxels along its longest side.
 blob::Image object(const std::string& name) {
   const cloud::OrientedPoints raw = cloud::sample_shape(cloud::shape(name), cloud::shape(name).default_points);
-  const cloud::Placement placement = cloud::place(raw, {});
+  const cloud::Placement placement = cloud::place(raw.positions);
   const cloud::OrientedPoints points = cloud::placed(raw, placement);
   Eigen::Vector3d low = points.positions[0], high = low;
   for (const auto& p : points.positions) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "host/cloud/read_mesh.h"
 #include "host/error.h"
 #include "tests/support/scratch_folder.h"
 
@@ -65,7 +66,7 @@ TEST(Mesh, a_hole_a_fin_and_an_inside_out_mesh_are_refused) {
 TEST(Mesh, without_faces_is_refused) {
   const ScratchFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
-  EXPECT_EQ(refusal([&] { read_mesh(file); }), file.string() + ": there are no faces in it; a comparison needs a closed mesh");
+  EXPECT_EQ(refusal([&] { read_mesh(file); }), file.string() + ": there are no faces in it; a mesh is a closed surface of faces");
 }
 
 TEST(Mesh, scattered_points_lie_on_the_faces_in_proportion_to_their_area) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,7 @@ class Build : public ::testing::Test {
     add_build(app);
     add_info(app);
     add_export(app);
+    add_compare(app);
     ::testing::internal::CaptureStdout();
     try {
       app.parse(arguments);
@@ -136,6 +138,44 @@ TEST_F(Build, wrong_usage_is_told_before_anything_is_read) {
     EXPECT_THROW(run(start + " " + wrong), CLI::ParseError) << wrong;
   }
   EXPECT_THROW(run(start), InputError);
+}
+
+/// `build` of a mesh, then `compare --floor`: what the mesh's blob and its own exact distances differ from it.
+void expect_floor(const nlohmann::json& compared) {
+  ASSERT_GT(compared["rms_voxel"].get<double>(), 0);
+  for (const char* key : {"rms_mm", "rms_voxel", "p99_voxel", "max_voxel", "normal_rms_deg", "lost"}) {
+    EXPECT_EQ(compared[key], compared["floor"][key]) << key;
+  }
+}
+
+TEST_F(Build, a_mesh_comes_back_as_exact_as_its_grid_can_hold) {
+  std::ofstream(file("box.obj")) << "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 3 2 0\nv 0 0 1\nv 3 0 1\nv 0 2 1\nv 3 2 1\n"
+                                    "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+  const auto json = nlohmann::ordered_json::parse(run("build " + file("box.obj") + " -o " + file("m.itf") + " --grid 60 --json"));
+  EXPECT_EQ(json["input"], "mesh");
+  EXPECT_EQ(json["points"], 8);
+  EXPECT_EQ(json["warnings"].size(), 0U);
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "check", "tree", "bricks", "blob", "pack", "write"}));
+  const double volume = 60.0 * 40 * 20;
+  EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.08 * volume);
+  expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + file("box.obj") + " --floor --json")));
+}
+
+TEST_F(Build, a_real_mesh_comes_back_as_exact_as_its_grid_can_hold) {
+  const char* data = std::getenv("ISOTOUCH_DATA");
+  if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA names no folder";
+  const std::string mesh = (fs::path(data) / "meshes" / "goathead.ply").string();
+  run("build " + mesh + " -o " + file("m.itf") + " --grid 100");
+  expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + mesh + " --floor --json")));
+}
+
+TEST_F(Build, what_a_file_is_taken_for_can_be_said) {
+  std::ofstream(file("tetra.obj")) << "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as cloud"), InputError);
+  EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --method published"), InputError);
+  EXPECT_THROW(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --as mesh"), InputError);
+  EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as soup"), CLI::ParseError);
+  run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as mesh --grid 20");
 }
 
 TEST_F(Build, bad_input_leaves_the_old_blob) {

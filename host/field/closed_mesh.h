@@ -1,0 +1,40 @@
+/// What a mesh must be before its distances are asked for, and what is put right on the way.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host/cloud/mesh.h"
+
+namespace isotouch::field {
+
+/// What was found and what was done. Places and lengths in the mesh's unit.
+struct MeshRepair {
+  std::size_t holes = 0;                             ///< closed by fans
+  double rim_length = 0;                             ///< of all of them
+  Eigen::Vector3d rim = Eigen::Vector3d::Zero();     ///< the middle of the longest
+  std::size_t branching = 0;                         ///< edges of more than two faces
+  Eigen::Vector3d branch = Eigen::Vector3d::Zero();  ///< the middle of the first of them
+  bool turned = false;                               ///< all faces were turned round
+  std::size_t crossing = 0;                          ///< faces that run through others; not looked for here, see `MeshDistance::crossings`
+  Eigen::Vector3d cross = Eigen::Vector3d::Zero();   ///< the middle of the first of them
+
+  /// One sentence for each of these.
+  std::vector<std::string> warnings() const;
+};
+
+/// Checks and mends, in this order:
+///
+/// direction   two faces that share an edge must run it in opposite directions
+/// holes       every rim gets a fan round the mean of its edges. Then each edge is run as often in one direction as in the other, and winding
+///             numbers are whole
+/// inside out  a mesh of negative volume is turned round. Pieces are not turned one by one: a piece that faces inward is a hollow when it lies
+///             in another one
+///
+/// name        of the file, for the sentences
+/// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece faces inward beside the others
+cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& name, MeshRepair& repair);
+
+}  // namespace isotouch::field

@@ -1,0 +1,22 @@
+/// Where a mesh runs through itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "host/field/face_tree.h"
+
+namespace isotouch::field {
+
+struct FaceCrossings {
+  std::size_t faces = 0;                            ///< that run through another one of a higher number
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< the middle of the first of them
+};
+
+/// Two faces cross when an edge of one runs through the inside of the other. Faces with a common corner are not asked, faces that only touch
+/// do not cross; the test is in doubles, so faces closer than rounding may count as either.
+///
+/// mesh      the one that the tree was grown on
+FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree);
+
+}  // namespace isotouch::field

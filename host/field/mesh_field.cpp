@@ -1,0 +1,33 @@
+#include "host/field/mesh_field.h"
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host/field/bricks.h"
+
+namespace isotouch::field {
+
+BandField mesh_field(const MeshDistance& mesh, const Grid& grid, double band) {
+  const SampledDistance distance{[&](const Eigen::Vector3d& index) { return mesh(grid.origin + grid.edge * index) / grid.edge; },
+                                 [&](const Eigen::Vector3i& cell, double reach) {
+                                   const Eigen::Vector3d first = grid.position(4 * cell);
+                                   BrickDistances found{mesh(first + Eigen::Vector3d::Constant(1.5 * grid.edge)) / grid.edge, std::nullopt};
+                                   if (std::abs(found.middle) > reach) return found;
+                                   const auto distances = mesh.distances(first, grid.edge);
+                                   auto& samples = found.samples.emplace();
+                                   for (std::size_t s = 0; s < samples.size(); ++s)
+                                     samples[s] = static_cast<float>(distances[s] / grid.edge);
+                                   return found;
+                                 },
+                                 1.0 + 1e-6};
+  std::vector<Eigen::Vector3i> seeds;
+  seeds.reserve(mesh.mesh().vertices.size());
+  for (const auto& vertex : mesh.mesh().vertices) seeds.emplace_back((grid.to_index(vertex) * 0.25).array().floor().cast<int>());
+  BandField field{grid, band, {}};
+  field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
+  return field;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,56 @@
+#include "host/cloud/read_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::cloud {
+namespace {
+
+std::string ply(const std::string& properties, const std::string& row, const std::string& faces) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" + properties;
+  text += "element face " + std::string(faces.empty() ? "0" : "1") + "\nproperty list uchar int vertex_indices\nend_header\n";
+  return text + "0 0 0" + row + "\n1 0 0" + row + "\n0 1 0" + row + "\n" + faces;
+}
+
+TEST(ReadMesh, faces_without_normals_are_a_mesh_and_normals_a_cloud) {
+  const ScratchFolder folder;
+  const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
+  EXPECT_TRUE(is_mesh_file(folder.write("a.stl", "solid\nendsolid\n")));
+  EXPECT_TRUE(is_mesh_file(folder.write("a.ply", ply("", "", "3 0 1 2\n"))));
+  EXPECT_FALSE(is_mesh_file(folder.write("b.ply", ply(normals, " 0 0 1", "3 0 1 2\n"))));
+  EXPECT_FALSE(is_mesh_file(folder.write("c.ply", ply("", "", ""))));
+  EXPECT_TRUE(is_mesh_file(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+  EXPECT_FALSE(is_mesh_file(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")));
+  EXPECT_FALSE(is_mesh_file(folder.write("c.obj", "v 0 0 0\n")));
+  EXPECT_FALSE(is_mesh_file(folder.write("a.xyz", "0 0 0 0 0 1\n")));
+  EXPECT_FALSE(is_mesh_file(folder.write("a.what", "0 0 0 0 0 1\n")));
+}
+
+TEST(ReadMesh, tells_the_format_and_drops_vertices_without_a_face) {
+  const ScratchFolder folder;
+  MeshReport report;
+  const TriangleMesh mesh = read_mesh(folder.write("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n"), report);
+  EXPECT_EQ(report.format, "OBJ");
+  EXPECT_NE(report.source_hash, 0U);
+  ASSERT_EQ(mesh.vertices.size(), 3U);
+  EXPECT_EQ(mesh.vertices[0], Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(mesh.faces[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
+}
+
+TEST(ReadMesh, coordinates_that_no_unit_explains_are_refused) {
+  const ScratchFolder folder;
+  try {
+    read_mesh(folder.write("a.obj", "v 0 0 0\nv 1e13 0 0\nv 0 1 0\nf 1 2 3\n"));
+    FAIL() << "no refusal";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("a.obj: line 2: a coordinate is larger than 1e12"));
+  }
+}
+
+}  // namespace
+}  // namespace isotouch::cloud

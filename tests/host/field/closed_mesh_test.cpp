@@ -1,0 +1,95 @@
+#include "host/field/closed_mesh.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "host/error.h"
+#include "tests/host/field/box_mesh.h"
+
+namespace isotouch::field {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+cloud::TriangleMesh cube() { return box_mesh({0, 0, 0}, {1, 1, 1}); }
+
+std::string refusal(const cloud::TriangleMesh& mesh) {
+  MeshRepair repair;
+  try {
+    closed_mesh(mesh, "a.stl", repair);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+TEST(ClosedMesh, a_body_and_one_with_a_hollow_stay_as_they_are) {
+  MeshRepair repair;
+  EXPECT_EQ(closed_mesh(cube(), "a.stl", repair).faces, cube().faces);
+  EXPECT_THAT(repair.warnings(), IsEmpty());
+  const auto hollow = together(cube(), turned(box_mesh({0.2, 0.2, 0.2}, {0.8, 0.8, 0.8})));
+  EXPECT_EQ(closed_mesh(hollow, "a.stl", repair).faces, hollow.faces);
+  EXPECT_THAT(repair.warnings(), IsEmpty());
+}
+
+TEST(ClosedMesh, holes_are_closed_and_their_rims_measured) {
+  auto open = cube();
+  open.faces.erase(open.faces.begin(), open.faces.begin() + 2);  // the square at z = 0
+  open.faces.pop_back();                                         // and half of that at x = 1
+  MeshRepair repair;
+  const auto closed = closed_mesh(open, "a.stl", repair);
+  EXPECT_DOUBLE_EQ(cloud::signed_volume(closed), 1);
+  cloud::require_closed(closed, "a.stl");
+  EXPECT_EQ(repair.holes, 2U);
+  EXPECT_NEAR(repair.rim_length, 4 + 2 + std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR((repair.rim - Eigen::Vector3d(0.5, 0.5, 0)).norm(), 0, 1e-12);
+  EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("2 rims of 7.41421 units")));
+}
+
+TEST(ClosedMesh, rims_that_meet_at_a_corner_are_closed_one_by_one) {
+  auto open = cube();
+  open.faces.erase(open.faces.begin() + 2);  // {4, 5, 7}
+  open.faces.erase(open.faces.begin());      // {0, 2, 3}
+  open = together(open, box_mesh({1, 1, 1}, {2, 2, 2}));
+  for (auto& face : open.faces) {
+    for (auto& v : face) v = v == 8 ? 7 : v;
+  }
+  open.faces.erase(open.faces.end() - 12);  // {0, 2, 3} of the second: it begins at the corner that both share
+  MeshRepair repair;
+  EXPECT_DOUBLE_EQ(cloud::signed_volume(closed_mesh(open, "a.stl", repair)), 2);
+  EXPECT_EQ(repair.holes, 3U);
+}
+
+TEST(ClosedMesh, one_that_is_inside_out_is_turned_round) {
+  MeshRepair repair;
+  EXPECT_DOUBLE_EQ(cloud::signed_volume(closed_mesh(turned(cube()), "a.stl", repair)), 1);
+  EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("turned inward")));
+}
+
+TEST(ClosedMesh, a_doubled_face_does_not_open_it) {
+  auto mesh = cube();
+  mesh.faces.push_back(mesh.faces[3]);
+  MeshRepair repair;
+  EXPECT_DOUBLE_EQ(cloud::signed_volume(closed_mesh(mesh, "a.stl", repair)), 1);
+  EXPECT_EQ(repair.branching, 3U);
+}
+
+TEST(ClosedMesh, what_bounds_no_body_is_refused_with_its_place) {
+  auto against = cube();
+  std::swap(against.faces[0][0], against.faces[0][1]);
+  EXPECT_THAT(refusal(against), StartsWith("a.stl: at 3 edges neighbouring faces turn against each other, first near ("));
+  auto flat = cube();
+  flat.faces.resize(2);
+  EXPECT_THAT(refusal(flat), StartsWith("a.stl: the faces enclose nothing, also when its rim is closed"));
+  EXPECT_THAT(refusal(together(cube(), turned(box_mesh({5, 0, 0}, {5.5, 1, 1})))), StartsWith("a.stl: a closed piece of 12 faces near (5"));
+}
+
+}  // namespace
+}  // namespace isotouch::field
