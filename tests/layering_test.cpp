@@ -30,6 +30,7 @@ const std::map<std::string, Rule> kRules = {
     {"firmware/core", {{"shared"}, true}},
     {"host/cloud", {{"host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
+    {"host/vdb", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/blob", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},

@@ -1,4 +1,4 @@
-/// isotouch build: oriented points or a mesh → field → blob.
+/// isotouch build: oriented points, a mesh or a level set → field → blob.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -16,12 +16,24 @@ namespace isotouch::commands {
 
 namespace {
 
-const char* kind_name(InputKind kind) { return kind == InputKind::kMesh ? "mesh" : "cloud"; }
+struct KindNames {
+  const char* kind;
+  const char* items;
+};
+
+KindNames names_of(InputKind kind) {
+  switch (kind) {
+    case InputKind::kCloud: return {"cloud", "points"};
+    case InputKind::kMesh: return {"mesh", "vertices"};
+    case InputKind::kLevelSet: break;
+  }
+  return {"level_set", "voxels"};
+}
 
 void print_json(const BuildReport& report, const BlobView& view) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
-  const nlohmann::ordered_json json = {{"input", kind_name(report.kind)},
+  const nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
                                        {"points", report.points},
                                        {"inside_nodes", report.inside_nodes},
                                        {"seconds", report.seconds},
@@ -35,7 +47,7 @@ void print_json(const BuildReport& report, const BlobView& view) {
 void print_text(const BuildReport& report, const BlobView& view, const std::filesystem::path& out) {
   const auto& [scale, offset] = report.placement;
   const double edge = static_cast<double>(view.edge.raw()) / (1 << MmPerVoxel::kFractionBits);
-  std::printf("%-13s %zu (%s)\n", report.kind == InputKind::kMesh ? "vertices" : "points", report.points, report.format.c_str());
+  std::printf("%-13s %zu (%s)\n", names_of(report.kind).items, report.points, report.format.c_str());
   std::printf("transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   std::printf("grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
   std::printf("inside nodes  %zu\n", report.inside_nodes);
@@ -50,8 +62,10 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
 void add_build(CLI::App& app) {
   auto options = std::make_shared<BuildOptions>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("build", "Turn oriented points or a mesh into a field that can be touched");
-  command->add_option("INPUT", options->input, "points with normals: PLY, OBJ, or text (.xyz, .pwn, .npts); or a mesh: PLY, OBJ, STL")
+  CLI::App* command = app.add_subcommand("build", "Turn oriented points, a mesh or a level set into a field that can be touched");
+  command
+      ->add_option("INPUT", options->input,
+                   "points with normals: PLY, OBJ, or text (.xyz, .pwn, .npts); a mesh: PLY, OBJ, STL; or an OpenVDB level set")
       ->required();
   const std::map<std::string, InputKind> kinds = {{"cloud", InputKind::kCloud}, {"mesh", InputKind::kMesh}};
   command
@@ -63,10 +77,12 @@ void add_build(CLI::App& app) {
   const std::map<std::string, blob::Method> methods = {{"default", blob::Method::kDefault}, {"published", blob::Method::kPublished}};
   command->add_option("--method", options->method, "default, or published: the paper's levels")
       ->transform(CLI::CheckedTransformer(methods));
+  command->add_option("--grid-name", options->grid_name, "the grid of an OpenVDB file; its first level set unless given");
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
   CLI::Option* grid =
-      command->add_option("--grid", options->grid, "voxels along the longest side of the input's box")->capture_default_str();
+      command->add_option("--grid", options->grid,
+                          "voxels along the longest side of the input's box; 186 unless given, a level set's own voxels where there are");
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 4 unless given");
   band->check(CLI::Range(1.0, 7.99));

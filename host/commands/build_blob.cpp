@@ -1,6 +1,7 @@
 #include "host/commands/build_blob.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <span>
@@ -23,6 +24,8 @@
 #include "host/field/mesh_field.h"
 #include "host/field/parallel.h"
 #include "host/published/build.h"
+#include "host/vdb/level_set.h"
+#include "host/vdb/level_set_field.h"
 
 namespace isotouch::commands {
 
@@ -45,7 +48,15 @@ cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::V
 field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vector3d> positions, double margin) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : positions) box.extend(position);
-  return field::make_grid(box.min(), box.max(), options.voxel_mm.value_or(box.sizes().maxCoeff() / options.grid), margin);
+  return field::make_grid(box.min(), box.max(), options.voxel_mm.value_or(box.sizes().maxCoeff() / options.grid_voxels()), margin);
+}
+
+/// fails     InputError when the published method was asked for something else than points
+void require_default_method(const BuildOptions& options, const char* what) {
+  if (options.method == blob::Method::kPublished) {
+    throw InputError(options.input.string() + ": the published method works on points with normals, this is " + what +
+                     "; leave --method out");
+  }
 }
 
 Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -71,9 +82,7 @@ Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progres
 }
 
 Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
-  if (options.method == blob::Method::kPublished) {
-    throw InputError(options.input.string() + ": the published method works on points with normals, this is a mesh; leave --method out");
-  }
+  require_default_method(options, "a mesh");
   progress.begin("read");
   cloud::MeshReport read;
   const cloud::TriangleMesh file = cloud::read_mesh(options.input, read);
@@ -97,14 +106,72 @@ Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress
   return made;
 }
 
+/// The band that a level set is known in: as asked for, or 4 voxels where there are as many.
+double band_within(const BuildOptions& options, double known) {
+  known = std::min(known, 7.99);
+  if (known < 1.0 || options.band.value_or(1.0) > known) {
+    throw InputError(options.input.string() + ": the level set is known " + std::to_string(known) +
+                     " of these voxels to each side of its surface, " + (known < 1.0 ? "at least 1 is" : "more are") +
+                     " needed; choose a smaller --band or --voxel, or make its band wider");
+  }
+  return options.band.value_or(std::min(4.0, known));
+}
+
+Made from_level_set(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
+  require_default_method(options, "a level set");
+  progress.begin("read");
+  const vdb::LevelSet set = vdb::LevelSet::read(options.input, options.grid_name);
+  report.placement = placement(options, set.crossings);
+  report.format = set.format;
+  report.source_hash = set.source_hash;
+  report.points = set.active_voxels;
+  report.warnings = set.warnings;
+  progress.begin("bricks");
+  Made made;
+  if (set.samples && !options.voxel_mm && !options.grid) {
+    made.field = vdb::own_field(set, report.placement, band_within(options, set.half_width));
+  } else {
+    BuildOptions own = options;  // turned axes alone: voxels of the same size
+    if (!options.voxel_mm && !options.grid) own.voxel_mm = report.placement.scale * set.edge;
+    std::vector<Eigen::Vector3d> surface = set.crossings;
+    for (Eigen::Vector3d& place : surface) place = report.placement.to_workspace(place);
+    const vdb::Interpolation interpolation(set);
+    field::Grid grid = grid_round(own, surface, 0);
+    const double band = band_within(options, vdb::known_band(interpolation, set, report.placement, grid.edge));
+    grid = grid_round(own, surface, field::mesh_margin(band));
+    made.field = vdb::resampled_field(interpolation, set, report.placement, grid, band);
+  }
+  progress.end();
+  return made;
+}
+
+/// fails     InputError when the file cannot be read
+InputKind kind_of(const BuildOptions& options) {
+  if (options.as) return *options.as;
+  if (vdb::is_vdb_file(options.input)) return InputKind::kLevelSet;
+  return cloud::is_mesh_file(options.input) ? InputKind::kMesh : InputKind::kCloud;
+}
+
+Made make_field(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
+  switch (report.kind) {
+    case InputKind::kCloud: return from_cloud(options, report, progress);
+    case InputKind::kMesh: return from_mesh(options, report, progress);
+    case InputKind::kLevelSet: break;
+  }
+  return from_level_set(options, report, progress);
+}
+
 }  // namespace
 
 BuiltBlob build_blob(const BuildOptions& options) {
   field::threads_wanted = options.threads;
   BuildReport report;
   field::Progress progress(progress_bar());
-  report.kind = options.as.value_or(cloud::is_mesh_file(options.input) ? InputKind::kMesh : InputKind::kCloud);
-  Made made = report.kind == InputKind::kMesh ? from_mesh(options, report, progress) : from_cloud(options, report, progress);
+  report.kind = kind_of(options);
+  if (!options.grid_name.empty() && report.kind != InputKind::kLevelSet) {
+    throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
+  }
+  Made made = make_field(options, report, progress);
   for (const std::string& warning : report.warnings)
     std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
 

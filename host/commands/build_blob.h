@@ -16,15 +16,16 @@
 
 namespace isotouch::commands {
 
-enum class InputKind { kCloud, kMesh };
+enum class InputKind { kCloud, kMesh, kLevelSet };
 
 struct BuildOptions {
   std::filesystem::path input;
   std::optional<InputKind> as = {};  ///< not given: as the file looks
+  std::string grid_name = {};        ///< of a level set's file; empty = the first
   std::filesystem::path out;
   blob::Method method = blob::Method::kDefault;
   std::optional<double> voxel_mm = {};
-  int grid = 186;  ///< voxels along the longest side, without `voxel_mm`: the paper's owl
+  std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
   std::optional<double> band = {};
   double stiffness = 0.8;
   std::string units = {};  ///< empty = fit
@@ -32,14 +33,15 @@ struct BuildOptions {
   unsigned threads = 0;  ///< 0 = as many as there are processors
 
   double band_voxels() const { return band.value_or(4.0); }
+  int grid_voxels() const { return grid.value_or(186); }
 };
 
 struct BuildReport {
   InputKind kind = InputKind::kCloud;
   std::string format;  ///< "PLY, binary little-endian"
   std::uint64_t source_hash = 0;
-  std::size_t points = 0;             ///< of a cloud, or vertices of a mesh
-  double spacing = 0;                 ///< median distance of a cloud's points, mm in the workspace; 0 for a mesh
+  std::size_t points = 0;             ///< of a cloud; vertices of a mesh, active voxels of a level set
+  double spacing = 0;                 ///< median distance of a cloud's points, mm in the workspace; 0 for others
   std::vector<std::string> warnings;  ///< one sentence each
   cloud::Placement placement;
   std::size_t inside_nodes = 0;

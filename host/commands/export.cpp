@@ -4,15 +4,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "host/blob/packed.h"
+#include "host/blob/write_blob.h"
 #include "host/cloud/files.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
+#include "host/evaluate/hash_text.h"
+#include "host/evaluate/node_distances.h"
 #include "host/evaluate/open_blob.h"
+#include "host/vdb/level_set.h"
 
 namespace isotouch::commands {
 
@@ -29,6 +34,19 @@ void export_packed(const OpenBlob& blob, const std::filesystem::path& out) {
   cloud::write_file(out, bytes.data(), bytes.size());
 }
 
+void export_level_set(const OpenBlob& blob, const std::filesystem::path& out) {
+  const blob::BlobInfo info = blob::info_of(blob.view);
+  const auto number = [](double value) { return nlohmann::json(value).dump(); };
+  const vdb::Notes notes = {{"isotouch_unit", "mm"},
+                            {"isotouch_blob", evaluate::hash_text(blob.view.hash())},
+                            {"isotouch_source", evaluate::hash_text(info.source_hash)},
+                            {"isotouch_scale", number(info.placement.scale)},  // workspace = scale * input + offset
+                            {"isotouch_offset", number(info.placement.offset.x()) + " " + number(info.placement.offset.y()) + " " +
+                                                    number(info.placement.offset.z())}};
+  const std::vector<std::uint8_t> bytes = vdb::write_level_set(evaluate::node_distances(blob.view), out.stem().string(), notes);
+  cloud::write_file(out, bytes.data(), bytes.size());
+}
+
 /// One kind of file; its name's ending chooses it.
 struct Form {
   std::string_view extension;
@@ -39,6 +57,7 @@ struct Form {
 constexpr std::array kForms = {
     Form{".itf", "packed, as build writes it", export_packed},
     Form{".itfi", "the memory image that a controller holds", export_image},
+    Form{".vdb", "a level set of OpenVDB, mm in the workspace", export_level_set},
 };
 
 /// ".itfi (the memory image …), …": for help and refusals.

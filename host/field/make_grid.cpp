@@ -34,4 +34,10 @@ Grid make_grid(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double e
   return grid;
 }
 
+Grid exact_grid(Grid grid) {
+  grid.edge = rounded(grid.edge);
+  grid.origin = grid.origin.unaryExpr(&rounded);
+  return grid;
+}
+
 }  // namespace isotouch::field

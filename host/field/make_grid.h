@@ -14,4 +14,7 @@ namespace isotouch::field {
 /// fails       InputError when the edge is not within 1/64 to 16 mm, or when an axis has more than 4096 samples
 Grid make_grid(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double edge, double margin);
 
+/// The nearest grid whose edge and origin are numbers that a blob holds exactly.
+Grid exact_grid(Grid grid);
+
 }  // namespace isotouch::field

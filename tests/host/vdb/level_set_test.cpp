@@ -1,0 +1,251 @@
+#include "host/vdb/level_set.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetSphere.h>
+#include <openvdb/tools/LevelSetUtil.h>
+
+#include <cmath>
+#include <functional>
+
+#include "host/cloud/files.h"
+#include "host/error.h"
+#include "host/vdb/level_set_field.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::vdb {
+namespace {
+
+using Eigen::Vector3d;
+using openvdb::FloatGrid;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+namespace fs = std::filesystem;
+
+constexpr float kRadius = 5;
+constexpr float kEdge = 0.25F;
+
+FloatGrid::Ptr sphere(float half_width = 3) {
+  openvdb::initialize();
+  auto grid = openvdb::tools::createLevelSetSphere<FloatGrid>(kRadius, openvdb::Vec3f(1, 2, 3), kEdge, half_width);
+  grid->setName("ball");
+  return grid;
+}
+
+fs::path save(const ScratchFolder& folder, const openvdb::GridCPtrVec& grids) {
+  const fs::path file = folder.path() / "a.vdb";
+  openvdb::io::File(file.string()).write(grids);
+  return file;
+}
+
+double exact(const Vector3d& world) { return (world - Vector3d(1, 2, 3)).norm() - static_cast<double>(kRadius); }
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "no refusal";
+}
+
+/// Every known sample against the sphere; how many there were.
+int expect_sphere(const field::BandField& field) {
+  int compared = 0;
+  for (const field::Brick& brick : field.bricks) {
+    for (int n = 0; n < 64; ++n) {
+      const auto d = static_cast<double>(brick.distance[static_cast<std::size_t>(n)]);
+      if (std::abs(d) >= field.band) continue;
+      const Vector3d place = field.grid.position(4 * brick.cell + Eigen::Vector3i(n & 3, n >> 2 & 3, n >> 4));
+      EXPECT_NEAR(d * field.grid.edge, exact(place), 1e-5) << place.transpose();
+      ++compared;
+    }
+  }
+  return compared;
+}
+
+TEST(LevelSet, samples_are_the_spheres_own_distances) {
+  const ScratchFolder folder;
+  const LevelSet set = LevelSet::read(save(folder, {sphere()}));
+  EXPECT_DOUBLE_EQ(set.edge, 0.25);
+  EXPECT_DOUBLE_EQ(set.half_width, 3);
+  EXPECT_EQ(set.format, "OpenVDB level set 'ball'");
+  EXPECT_THAT(set.warnings, IsEmpty());
+  ASSERT_TRUE(set.samples);
+  EXPECT_EQ(expect_sphere(*set.samples), static_cast<int>(set.active_voxels));
+  EXPECT_GT(set.active_voxels, 10'000U);
+  ASSERT_GT(set.crossings.size(), 5'000U);
+  double farthest = 0;
+  for (const Vector3d& place : set.crossings) farthest = std::max(farthest, std::abs(exact(place)));
+  EXPECT_LT(farthest, 0.0125);  // the sagitta along an edge between two samples, as seen from the surface
+  EXPECT_GT(farthest, 0.0005);
+}
+
+TEST(LevelSet, permuted_and_mirrored_axes_keep_the_samples) {
+  const ScratchFolder folder;
+  const auto grid = sphere();
+  const auto map = grid->transform().baseMap()->getAffineMap()->getMat4();
+  openvdb::Mat4d turn(0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.3, 0.2, 0.1,
+                      1.0);  // x to -z, y to x, z to y, and moved
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(map * turn));
+  const LevelSet set = LevelSet::read(save(folder, {grid}));
+  ASSERT_TRUE(set.samples);
+  int compared = 0;
+  for (const field::Brick& brick : set.samples->bricks) {
+    for (int n = 0; n < 64; ++n) {
+      const auto d = static_cast<double>(brick.distance[static_cast<std::size_t>(n)]);
+      if (std::abs(d) >= 3) continue;
+      const Vector3d w = set.samples->grid.position(4 * brick.cell + Eigen::Vector3i(n & 3, n >> 2 & 3, n >> 4)) - Vector3d(0.3, 0.2, 0.1);
+      ASSERT_NEAR(d * 0.25, exact({-w.z(), w.x(), w.y()}), 1e-5);
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, static_cast<int>(set.active_voxels));
+}
+
+TEST(LevelSet, on_another_grid_it_is_interpolated_to_a_thousandth_of_its_voxel) {
+  const ScratchFolder folder;
+  const auto grid = sphere();
+  auto map = grid->transform().baseMap()->getAffineMap()->getMat4();
+  map.postRotate(openvdb::math::Z_AXIS, 0.3);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(map));
+  const LevelSet set = LevelSet::read(save(folder, {grid}));
+  EXPECT_FALSE(set.samples);
+  EXPECT_DOUBLE_EQ(set.edge, 0.25);
+  const Vector3d centre(std::cos(0.3) - 2 * std::sin(0.3), std::sin(0.3) + 2 * std::cos(0.3), 3);
+  const cloud::Placement placement{2.0, -2.0 * centre};
+  field::Grid target{Vector3d::Constant(-18), 0.4, Eigen::Vector3i::Constant(91)};
+  const Interpolation interpolation(set);
+  const double band = known_band(interpolation, set, placement, target.edge);
+  EXPECT_DOUBLE_EQ(band, 4.5 * 0.25 * 2 / 0.4);
+  const field::BandField field = resampled_field(interpolation, set, placement, target, band);
+  double worst_near = 0, worst_within = 0, worst_far = 0;
+  int compared = 0;
+  for (const field::Brick& brick : field.bricks) {
+    for (int n = 0; n < 64; ++n) {
+      const auto d = static_cast<double>(brick.distance[static_cast<std::size_t>(n)]);
+      const Vector3d place = target.position(4 * brick.cell + Eigen::Vector3i(n & 3, n >> 2 & 3, n >> 4));
+      const double truth = (place.norm() - 10) / target.edge;
+      if (std::abs(truth) > 0.01) {
+        ASSERT_EQ(d < 0, truth < 0) << place.transpose();
+      }
+      if (std::abs(d) >= band) continue;
+      const double own_voxels = target.edge / 2 / 0.25;  // of the level set, per voxel of the target
+      const double away = std::abs(d) * own_voxels;
+      double& worst = away < 1 ? worst_near : away < 3 ? worst_within : worst_far;
+      worst = std::max(worst, std::abs(d - truth) * own_voxels);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 10'000);
+  EXPECT_LT(worst_near, 0.001);
+  EXPECT_GT(worst_near, 0.0001);
+  EXPECT_LT(worst_within, 0.02);
+  EXPECT_GT(worst_within, 0.005);
+  EXPECT_LT(worst_far, 0.1);
+  EXPECT_GT(worst_far, 0.03);
+}
+
+TEST(LevelSet, the_first_name_of_several_is_taken_and_told) {
+  const ScratchFolder folder;
+  const auto other = sphere();
+  other->setName("other");
+  const auto fog = sphere();
+  openvdb::tools::sdfToFogVolume(*fog);
+  fog->setName("smoke");
+  const fs::path file = save(folder, {fog, sphere(), other});
+  const LevelSet set = LevelSet::read(file);
+  EXPECT_EQ(set.format, "OpenVDB level set 'ball'");
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("of 2 level sets the first was taken, 'ball'")));
+  EXPECT_EQ(LevelSet::read(file, "other").format, "OpenVDB level set 'other'");
+  EXPECT_THAT(refusal([&] { LevelSet::read(file, "smoke"); }), HasSubstr("a.vdb: grid 'smoke' is a fog volume"));
+  EXPECT_THAT(refusal([&] { LevelSet::read(file, "cow"); }), HasSubstr("there is no grid 'cow' in it; there is 'ball', 'other', 'smoke'"));
+}
+
+TEST(LevelSet, what_is_none_is_refused_in_a_sentence) {
+  const ScratchFolder folder;
+  const auto why = [&](const openvdb::GridBase::Ptr& grid) { return refusal([&] { LevelSet::read(save(folder, {grid})); }); };
+  openvdb::initialize();
+  const auto unmarked = sphere();
+  unmarked->setGridClass(openvdb::GRID_UNKNOWN);
+  EXPECT_THAT(why(unmarked), HasSubstr("without the class 'level set'"));
+  const auto vectors = openvdb::Vec3SGrid::create();
+  vectors->setGridClass(openvdb::GRID_STAGGERED);
+  EXPECT_THAT(why(vectors), HasSubstr("a staggered grid"));
+  const auto nothing = FloatGrid::create(0.75F);
+  nothing->setGridClass(openvdb::GRID_LEVEL_SET);
+  EXPECT_THAT(why(nothing), HasSubstr("is empty"));
+  const auto stretched = sphere();
+  stretched->transform().postScale(openvdb::Vec3d(1, 1, 2));
+  EXPECT_THAT(why(stretched), HasSubstr("voxels that are not cubes"));
+  const auto number = sphere();
+  number->tree().setValue(number->tree().cbeginValueOn().getCoord(), std::nanf(""));
+  EXPECT_THAT(why(number), HasSubstr("a value that is no number at ("));
+  const auto torn = sphere();
+  torn->tree().setValueOff(openvdb::Coord(100, 0, 0), -0.75F);
+  EXPECT_THAT(why(torn), HasSubstr("jumps from inside to outside at ("));
+  const auto block = sphere();
+  block->tree().addTile(1, openvdb::Coord(1000, 0, 0), 0.1F, true);
+  EXPECT_THAT(why(block), HasSubstr("a block of constant distance"));
+  EXPECT_THAT(refusal([&] { LevelSet::read(folder.write("b.vdb", "no volume")); }), HasSubstr("b.vdb: OpenVDB cannot read it: "));
+}
+
+TEST(LevelSet, half_floats_and_doubles_are_read) {
+  const ScratchFolder folder;
+  const auto half = sphere();
+  half->setSaveFloatAsHalf(true);
+  const LevelSet set = LevelSet::read(save(folder, {half}));
+  EXPECT_THAT(set.warnings, ElementsAre(HasSubstr("half floats")));
+  EXPECT_EQ(set.half_width, 3);
+  openvdb::initialize();
+  const auto doubles = openvdb::tools::createLevelSetSphere<openvdb::DoubleGrid>(kRadius, openvdb::Vec3f(1, 2, 3), kEdge, 3);
+  const LevelSet exact_set = LevelSet::read(save(folder, {doubles}));
+  ASSERT_TRUE(exact_set.samples);
+  EXPECT_GT(expect_sphere(*exact_set.samples), 10'000);
+}
+
+TEST(LevelSet, a_file_that_was_cut_is_refused) {
+  const ScratchFolder folder;
+  const auto bytes = cloud::read_file(save(folder, {sphere()}));
+  int refused = 0;
+  for (std::size_t size = 0; size < bytes.size(); size += bytes.size() / 97 + 1) {
+    const fs::path cut = folder.write("cut.vdb", std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));
+    EXPECT_THAT(refusal([&] { LevelSet::read(cut); }), HasSubstr("cut.vdb: ")) << size;
+    ++refused;
+  }
+  EXPECT_GT(refused, 90);
+}
+
+TEST(LevelSet, what_is_written_comes_back_with_every_value) {
+  const ScratchFolder folder;
+  const LevelSet first = LevelSet::read(save(folder, {sphere()}));
+  ASSERT_TRUE(first.samples);
+  const auto bytes = write_level_set(*first.samples, "again", {{"made_by", "a test"}});
+  const LevelSet second = LevelSet::read(folder.write("b.vdb", std::string(bytes.begin(), bytes.end())));
+  ASSERT_TRUE(second.samples);
+  EXPECT_EQ(second.active_voxels, first.active_voxels);
+  EXPECT_EQ(second.format, "OpenVDB level set 'again'");
+  ASSERT_EQ(second.samples->bricks.size(), first.samples->bricks.size());
+  EXPECT_GT(expect_sphere(*second.samples), 10'000);
+  const fs::path file = folder.path() / "b.vdb";
+  openvdb::io::File reader(file.string());
+  reader.open(false);
+  const auto grid = openvdb::gridPtrCast<FloatGrid>(reader.readGrid("again"));
+  EXPECT_EQ(grid->metaValue<std::string>("made_by"), "a test");
+  EXPECT_EQ(grid->tree().getValue(openvdb::Coord(23, 23, 23)), -0.75F);  // the middle
+}
+
+TEST(LevelSet, a_file_is_known_by_its_first_bytes_or_its_name) {
+  const ScratchFolder folder;
+  fs::rename(save(folder, {sphere()}), folder.path() / "a.bin");
+  EXPECT_TRUE(is_vdb_file(folder.path() / "a.bin"));
+  EXPECT_TRUE(is_vdb_file(folder.write("b.vdb", "")));
+  EXPECT_FALSE(is_vdb_file(folder.write("c.ply", "ply\n")));
+  EXPECT_FALSE(is_vdb_file(folder.path() / "none.ply"));
+}
+
+}  // namespace
+}  // namespace isotouch::vdb
