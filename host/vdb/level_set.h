@@ -19,17 +19,15 @@
 
 namespace isotouch::vdb {
 
-/// Does the file begin as an OpenVDB file, or end in .vdb?
-///
-/// fails     InputError when it cannot be read
+/// Does the file begin as an OpenVDB file, or its name end in .vdb?
 bool is_vdb_file(const std::filesystem::path& file);
 
 /// A level set from a file. Lengths and places in its world units.
 class LevelSet {
  public:
   /// Takes a grid of class level set with float or double values on a linear transform that scales all axes alike: moved, turned and mirrored as
-  /// it likes. The library reads it at once, without mapping the file; what it throws becomes an InputError. It is not made for hostile
-  /// files: one that was altered on purpose may still end the program.
+  /// it likes. The library reads it at once, without mapping the file, first in a process of its own: a damaged file may
+  /// crash it. What it throws becomes an InputError.
   ///
   /// grid_name which grid; empty = the first level set
   /// fails     InputError: cannot be read; no grid of that name; none that is a level set, and what it is instead; unequal scales, shear or a

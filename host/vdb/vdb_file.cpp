@@ -1,8 +1,6 @@
 #include <array>
 #include <fstream>
-#include <string>
 
-#include "host/error.h"
 #include "host/vdb/level_set.h"
 
 namespace isotouch::vdb {
