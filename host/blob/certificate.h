@@ -28,7 +28,7 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 /// field          as it was sampled
 /// coefficients   of its spline, one brick for each of the field's
 /// returns        the slope from above: in each cell every component of the gradient is a mean of differences of neighbouring coefficients.
-///                The wall from two samples on both sides of its middle, where these see it: up to about twice the band
+///                The wall from two samples on both sides of its middle, where these see it: up to about twice the band, and to 0.3 voxel
 /// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
 Certificate certify(const field::BandField& field, const std::vector<Coefficients>& coefficients);
 

@@ -12,6 +12,7 @@
 #include "host/cloud/mesh.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/ply.h"
+#include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
 #include "host/error.h"
@@ -104,8 +105,8 @@ void scan_mesh(const Options& options) {
   }
   const cloud::TriangleMesh in_file = cloud::read_mesh(options.input);
   cloud::require_closed(in_file, options.input.string());
-  const cloud::Placement placement = cloud::place({in_file.vertices, {}});
-  const cloud::TriangleMesh mesh = evaluate::placed(in_file, placement);
+  const cloud::Placement placement = cloud::place(in_file.vertices);
+  const cloud::TriangleMesh mesh = cloud::placed(in_file, placement);
   const field::TriangleTree tree(mesh);
   const evaluate::MeshScanReport scan = record_scan(tree, options);
 

@@ -1,6 +1,6 @@
 /// The surface through oriented points: local models blended into one continuous signed distance.
 ///
-/// The distance at x is the mean of the models of the 6 nearest samples, weighted (1 - d²/R²)^4 where R reaches the seventh, so that a sample
+/// The distance at x is the mean of the models of the 8 nearest samples, weighted (1 - d²/R²)^4 where R reaches the ninth, so that a sample
 /// enters and leaves with weight zero. Near an edge all of them know the same two pieces, so the blend keeps it sharp.
 ///
 /// source    partition of unity with sharp features: Ohtake, Belyaev, Alexa, Turk, Seidel, Multi-level partition of unity implicits, 2003

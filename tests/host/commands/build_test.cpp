@@ -71,11 +71,12 @@ TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
   EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.05 * volume);
 
   const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
-  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes"}));
+  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes",
+                                                  "certificate"}));
   EXPECT_EQ(info["hash"], json["hash"]);
   EXPECT_EQ(info["bytes"], json["bytes"]);
   EXPECT_EQ(info["wire_bytes"], fs::file_size(file("t.itf")));
-  EXPECT_EQ(info["version"], "1.0");
+  EXPECT_EQ(info["version"], "1.1");
   EXPECT_EQ(info["grid"].size(), 3U);
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
 }
