@@ -78,7 +78,11 @@ Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progres
   }
   const double band = options.band_voxels();
   const field::Grid grid = grid_round(options, points.positions, field::field_margin(band));
-  return {field::build_field(points, grid, band, progress), std::nullopt, std::move(points)};
+  field::Repair repair;
+  Made made{field::build_field(points, grid, band, progress, &repair), std::nullopt, {}};
+  for (const std::string& warning : repair.warnings()) report.warnings.push_back(warning);
+  made.points = std::move(points);
+  return made;
 }
 
 Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress& progress) {

@@ -37,7 +37,18 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
 
 }  // namespace
 
-BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress) {
+std::vector<std::string> Repair::warnings() const {
+  const auto times = [](std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+  };
+  std::vector<std::string> list;
+  if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
+  if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points stand for left out");
+  if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points stand for filled");
+  return list;
+}
+
+BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
   cloud::OrientedPoints samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
@@ -46,7 +57,8 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
 
   progress.begin("normals");
   Scan scan(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
-  turn_contradicted(scan);
+  Repair mended;
+  mended.turned = turn_contradicted(scan);
 
   progress.begin("local models");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
@@ -62,8 +74,10 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   for (const auto& p : scan.positions()) seeds.emplace_back((p * 0.25).array().floor().cast<int>());
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
-  progress.end();
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
+  mended.debris = drop_debris(field, scan.positions());
+  progress.end();
+  if (repair != nullptr) *repair = mended;
   return field;
 }
 

@@ -1,8 +1,13 @@
 /// The default method: oriented points → signed distance in a band, analytic, continuous and two-sided.
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
+#include "host/field/debris.h"
 #include "host/field/progress.h"
 
 namespace isotouch::field {
@@ -12,11 +17,19 @@ inline constexpr double kBulge = 3.0;
 /// The margin round the points, voxels, that leaves room for that: what `make_grid` should be asked for.
 constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 
+/// What was doubtful about the samples, and mended.
+struct Repair {
+  std::size_t turned = 0;  ///< normals that nearly all neighbours contradicted
+  Debris debris;           ///< pieces and cavities that no sample stands for
+  std::vector<std::string> warnings() const;
+};
+
 /// points    workspace, mm; unit outward normals; at least 8
 /// grid      covers the points with a margin of at least band + 3 voxels on every side; with less than `field_margin` bulges are cut short
 /// band      half width, voxels, 1 to 7.99
 /// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside
+/// repair    where given, is told what was mended
 /// fails     InputError when there are too few points, when the grid is too small, or when the points do not bound a body
-BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress);
+BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr);
 
 }  // namespace isotouch::field

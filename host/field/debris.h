@@ -1,0 +1,26 @@
+/// Pieces of a field that no sample stands for: shards where models meet far from the samples, and bubbles in the body.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "host/field/band_field.h"
+
+namespace isotouch::field {
+
+struct Debris {
+  std::size_t pieces = 0;    ///< of the body, made outside
+  std::size_t cavities = 0;  ///< in the body, filled
+};
+
+/// Turns the sign of every connected set of samples, face to face, that is neither part of the far inside or far outside nor beside four of the
+/// scan's points or more.
+///
+/// field      bricks sorted by cell; of unlisted bricks each has the sign of the samples that face it
+/// points     of the scan, index coordinates
+/// returns    what was dropped
+/// source     connected components by union and find: Tarjan, Efficiency of a good but not linear set union algorithm, 1975
+Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points);
+
+}  // namespace isotouch::field
