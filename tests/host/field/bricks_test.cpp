@@ -44,7 +44,7 @@ TEST(BandBricks, FromOneSeedAreAllBricksOfTheBand) {
     for (int y = 0; y < kCells.y(); ++y) {
       for (int x = 0; x < kCells.x(); ++x) {
         bool in_band = false;
-        for (const double d : at_brick({x, y, z})) in_band = in_band || std::abs(d) <= kBand;
+        for (const float d : at_brick({x, y, z})) in_band = in_band || static_cast<double>(std::abs(d)) <= kBand;
         wanted += in_band;
         EXPECT_EQ(found.count({z, y, x}), in_band ? 1U : 0U) << x << ' ' << y << ' ' << z;
       }
