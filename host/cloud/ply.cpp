@@ -70,8 +70,7 @@ class BinaryRows {
     const std::size_t size = bytes_of(type);
     if (body_.size() - at_ < size) throw refusal("the file ends in the middle of it");
     std::array<std::uint8_t, 8> raw{};
-    std::copy_n(body_.begin() + static_cast<std::ptrdiff_t>(at_), size, raw.begin());
-    if (big_endian_) std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
+    for (std::size_t byte = 0; byte < size; ++byte) raw[big_endian_ ? size - 1 - byte : byte] = body_[at_ + byte];
     at_ += size;
     switch (type) {
       case PlyType::kInt8: return load_le<std::int8_t>(raw.data());

@@ -93,6 +93,12 @@ Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress
   progress.begin("check");
   field::MeshRepair repair;
   const cloud::TriangleMesh in_file = field::closed_mesh(file, options.input.string(), repair);
+  if (!options.as && repair.holes > 0 && !read.format.starts_with("STL")) {  // more likely a scan with some faces than a body
+    throw InputError(
+        options.input.string() + ": its " + std::to_string(file.vertices.size()) +
+        " points have no normals, and its faces do not close; estimate outward normals in a point-cloud program and save them with "
+        "the points, or say --as mesh to have the holes closed");
+  }
   report.placement = placement(options, in_file.vertices);
   report.format = read.format;
   report.source_hash = read.source_hash;
