@@ -1,6 +1,7 @@
 #include "host/field/face_tree.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -29,9 +30,9 @@ std::uint32_t grow(FaceTree& tree, std::uint32_t first, std::uint32_t count) {
   const auto place = [axis](const FaceTree::Face& face) {
     return std::pair(face.corners[0][axis] + face.corners[1][axis] + face.corners[2][axis], face.number);
   };
-  const auto begin = tree.faces.begin() + first;
+  const auto at = [&](std::uint32_t face) { return tree.faces.begin() + static_cast<std::ptrdiff_t>(face); };
   const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, begin + count,
+  std::nth_element(at(first), at(first + half), at(first + count),
                    [&](const FaceTree::Face& a, const FaceTree::Face& b) { return place(a) < place(b); });
   grow(tree, first, half);
   tree.nodes[number].right = grow(tree, first + half, count - half);
