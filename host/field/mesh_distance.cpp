@@ -7,41 +7,13 @@
 #include <utility>
 
 #include "host/field/angle.h"
+#include "host/field/on_triangle.h"
 
 namespace isotouch::field {
 
 using Eigen::Vector3d;
 
 namespace {
-
-/// Where on a triangle the nearest point lies: 0 to 2 its corners, 3 to 5 its edges (corner 0 to 1, 1 to 2, 2 to 0), 6 its face.
-struct Nearest {
-  Vector3d point;
-  int feature;
-};
-
-/// By the regions of the triangle's plane, corners first, then edges.
-Nearest nearest_on_triangle(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-  const Vector3d ab = b - a;
-  const Vector3d ac = c - a;
-  const double d1 = ab.dot(p - a);
-  const double d2 = ac.dot(p - a);
-  if (d1 <= 0 && d2 <= 0) return {a, 0};
-  const double d3 = ab.dot(p - b);
-  const double d4 = ac.dot(p - b);
-  if (d3 >= 0 && d4 <= d3) return {b, 1};
-  const double d5 = ab.dot(p - c);
-  const double d6 = ac.dot(p - c);
-  if (d6 >= 0 && d5 <= d6) return {c, 2};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {a + d1 / (d1 - d3) * ab, 3};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return {b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b), 4};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {a + d2 / (d2 - d6) * ac, 5};
-  const double scale = 1 / (va + vb + vc);
-  return {a + vb * scale * ab + vc * scale * ac, 6};
-}
 
 double angle_at(const Vector3d& corner, const Vector3d& b, const Vector3d& c) {
   const Vector3d u = b - corner;
@@ -93,7 +65,7 @@ bool MeshDistance::make_pseudonormals() {
 
 MeshDistance::Found MeshDistance::on_face(const Vector3d& point, std::uint32_t face) const {
   const auto& [a, b, c] = tree_.faces[face].corners;
-  const Nearest place = nearest_on_triangle(point, a, b, c);
+  const OnTriangle place = nearest_on_triangle(point, {a, b, c});
   const Vector3d offset = point - place.point;
   return {offset.squaredNorm(), offset, face, place.feature};
 }
