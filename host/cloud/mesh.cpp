@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "host/cloud/random.h"
@@ -89,6 +90,23 @@ OrientedPoints scatter_on_mesh(const TriangleMesh& mesh, std::size_t count, std:
     points.normals.push_back(face_normal(mesh, face));
   }
   return points;
+}
+
+std::vector<std::uint32_t> pieces_of_vertices(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& [a, b, c] : mesh.faces) {
+    for (const std::uint32_t other : {b, c}) {
+      const std::uint32_t p = root(a), q = root(other);
+      parent[std::max(p, q)] = std::min(p, q);
+    }
+  }
+  for (std::uint32_t v = 0; v < parent.size(); ++v) parent[v] = root(v);
+  return parent;
 }
 
 }  // namespace isotouch::cloud

@@ -28,6 +28,9 @@ TriangleMesh placed(TriangleMesh mesh, const Placement& placement);
 /// A sixth of the sum of the faces' determinants: positive when the faces of a closed mesh turn outward.
 double signed_volume(const TriangleMesh& mesh);
 
+/// Of every vertex the first one of the piece that it belongs to; faces that share a vertex are of one piece.
+std::vector<std::uint32_t> pieces_of_vertices(const TriangleMesh& mesh);
+
 /// The unit normal of a face; zero when its three corners lie on a line.
 Eigen::Vector3d face_normal(const TriangleMesh& mesh, std::size_t face);
 

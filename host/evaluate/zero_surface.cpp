@@ -333,22 +333,11 @@ cloud::TriangleMesh zero_surface(const BlobView& field) {
 }
 
 std::vector<Piece> pieces(const cloud::TriangleMesh& surface) {
-  std::vector<std::uint32_t> parent(surface.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& [a, b, c] : surface.faces) {
-    for (const std::uint32_t other : {b, c}) {
-      const std::uint32_t p = root(a), q = root(other);
-      parent[std::max(p, q)] = std::min(p, q);
-    }
-  }
+  const std::vector<std::uint32_t> root = cloud::pieces_of_vertices(surface);
   std::vector<Piece> all(surface.vertices.size());
   std::vector<bool> present(surface.vertices.size(), false);
   for (const auto& [a, b, c] : surface.faces) {
-    const std::uint32_t first = root(a);
+    const std::uint32_t first = root[a];
     present[first] = true;
     const Vector3d& origin = surface.vertices[first];  // near the piece, so that little cancels
     const Vector3d p = surface.vertices[a] - origin, q = surface.vertices[b] - origin, r = surface.vertices[c] - origin;

@@ -144,23 +144,11 @@ struct Piece {
 };
 
 std::vector<Piece> pieces_of(const cloud::TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& [a, b, c] : mesh.faces) {
-    for (const std::uint32_t other : {b, c}) {
-      const std::uint32_t one = root(a);
-      const std::uint32_t two = root(other);
-      parent[std::max(one, two)] = std::min(one, two);
-    }
-  }
+  const std::vector<std::uint32_t> root = cloud::pieces_of_vertices(mesh);
   std::vector<Piece> by_root(mesh.vertices.size());
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     const auto& [a, b, c] = mesh.faces[face];
-    const std::uint32_t number = root(a);
+    const std::uint32_t number = root[a];
     Piece& piece = by_root[number];
     const Vector3d& origin = mesh.vertices[number];
     piece.six_volumes += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));

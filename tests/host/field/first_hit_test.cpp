@@ -7,16 +7,12 @@
 #include <limits>
 
 #include "host/cloud/random.h"
+#include "tests/host/field/random_places.h"
 
 namespace isotouch::field {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d draw(cloud::Random& random, double half) {
-  const double x = random.uniform(-half, half), y = random.uniform(-half, half);
-  return {x, y, random.uniform(-half, half)};
-}
 
 TEST(FirstHit, TheFirstFaceIsThatOfAllFacesAskedInTurn) {
   cloud::Random random(5);

@@ -8,16 +8,12 @@
 #include <vector>
 
 #include "host/cloud/random.h"
+#include "tests/host/field/random_places.h"
 
 namespace isotouch::field {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d draw(cloud::Random& random, double half) {
-  const double x = random.uniform(-half, half), y = random.uniform(-half, half);
-  return {x, y, random.uniform(-half, half)};
-}
 
 /// Triangles of all sizes anywhere, some of them without area.
 cloud::TriangleMesh soup(std::size_t count) {
