@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "host/blob/apron.h"
+#include "host/field/four.h"
 #include "host/field/parallel.h"
 #include "shared/bytes.h"
 
@@ -13,40 +15,62 @@ namespace isotouch::blob {
 namespace {
 
 using namespace blob_layout;
+using namespace field;  // numbers by four
 
 constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
 constexpr std::size_t kStep[3] = {1, 6, 36};
 
-/// The largest of each value and its two neighbours along one axis; unknown ones (NaN) do not count.
-void spread(Apron& values, std::size_t step) {
-  const Apron before = values;
-  for (std::size_t n = step; n + step < values.size(); ++n) {
-    values[n] = std::max(std::max(before[n], before[n - step]), before[n + step]);
-  }
+/// Calls four(n) for every four places n to n + 3 of an apron that have both neighbours `step` away; the last ones may come twice.
+template <class Action>
+void for_each_four(std::size_t step, const Action& four) {
+  const std::size_t end = std::tuple_size_v<Apron> - step;
+  for (std::size_t n = step; n < end; n += 4) four(std::min(n, end - 4));
 }
 
-/// A bound of |∇φ|² in the cells around the brick's samples. A cell reaches half a sample to each side and knows 3x3x3 coefficients.
-float steepest(const Apron& coefficients) {
-  Apron sum{};
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t step = kStep[axis];
-    Apron rise{};  // the larger of the differences to both neighbours
-    for (std::size_t n = step; n + step < rise.size(); ++n) {
-      const float back = std::abs(coefficients[n] - coefficients[n - step]), ahead = std::abs(coefficients[n + step] - coefficients[n]);
-      const float known = back > ahead || !(ahead >= 0.0F) ? back : ahead;
-      rise[n] = known >= 0.0F ? known : 0.0F;
-    }
-    spread(rise, kStep[(axis + 1) % 3]);
-    spread(rise, kStep[(axis + 2) % 3]);
-    for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += rise[n] * rise[n];
+/// The larger of the steps to the two neighbours of each value along one axis, zero where none is known (NaN).
+Apron rises(const Apron& values, std::size_t step) {
+  Apron rise{};
+  for_each_four(step, [&](std::size_t n) {
+    const Four back = magnitude(load(&values[n]) - load(&values[n - step])), ahead = magnitude(load(&values[n + step]) - load(&values[n]));
+    store(larger(back, larger(ahead, Four{})), &rise[n]);
+  });
+  return rise;
+}
+
+/// The largest of each value and its two neighbours along one axis.
+Apron spread(const Apron& values, std::size_t step) {
+  Apron most{};
+  for_each_four(step, [&](std::size_t n) {
+    store(larger(larger(load(&values[n]), load(&values[n - step])), load(&values[n + step])), &most[n]);
+  });
+  return most;
+}
+
+/// A bound of |∇φ|² in the cells around the brick's samples, or what is given. A cell reaches half a sample to each side and knows 3x3x3
+/// coefficients.
+float steepest(const Apron& coefficients, float known) {
+  std::array<Apron, 3> rise;
+  float at_most = 0.0F;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rise[axis] = rises(coefficients, kStep[axis]);
+    Four most{};
+    for (std::size_t n = 0; n < rise[axis].size(); n += 4) most = larger(most, load(&rise[axis][n]));
+    at_most += largest(most) * largest(most);
   }
-  float most = 0.0F;
+  if (at_most <= known) return known;
+  for (std::size_t axis = 0; axis < 3; ++axis) rise[axis] = spread(spread(rise[axis], kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
+  Four most = all(known);
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
-      for (int x = 0; x < 4; ++x) most = std::max(most, sum[apron_number(x, y, z)]);
+      Four sum{};
+      for (const Apron& along : rise) {
+        const Four row = load(&along[apron_number(0, y, z)]);
+        sum += row * row;
+      }
+      most = larger(most, sum);
     }
   }
-  return most;
+  return largest(most);
 }
 
 /// A brick with two rings around it, 8 samples a side.
@@ -56,13 +80,15 @@ constexpr std::ptrdiff_t surroundings_number(int x, int y, int z) { return ((z +
 
 Surroundings surroundings(const std::vector<Samples>& samples, const Neighbours& around) {
   Surroundings all;
-  std::size_t n = 0;
+  all.fill(NAN);
+  float* out = all.data();
   for (int z = -2; z < 6; ++z) {
-    for (int y = -2; y < 6; ++y) {
-      for (int x = -2; x < 6; ++x) {
-        const std::uint32_t brick = around[static_cast<std::size_t>(((z + 4) / 4 * 3 + (y + 4) / 4) * 3 + (x + 4) / 4)];
-        all[n++] = brick == kAbsent ? NAN : samples[brick][sample_number(x & 3, y & 3, z & 3)];
-      }
+    for (int y = -2; y < 6; ++y, out += 8) {
+      const std::uint32_t* row = &around[static_cast<std::size_t>(((z + 4) / 4 * 3 + (y + 4) / 4) * 3)];
+      const std::size_t at = sample_number(0, y & 3, z & 3);
+      if (row[0] != kAbsent) std::copy_n(&samples[row[0]][at + 2], 2, out);
+      if (row[1] != kAbsent) std::copy_n(&samples[row[1]][at], 4, out + 2);
+      if (row[2] != kAbsent) std::copy_n(&samples[row[2]][at], 2, out + 6);
     }
   }
   return all;
@@ -101,20 +127,21 @@ std::array<Direction, 13> directions() {
 /// way, and behind its middle it rises by the way.
 float thinnest(const Surroundings& distance, const std::array<Direction, 13>& ways, float thickness) {
   constexpr float kOpposed = 0.9F;  // of the way: at the edge of a box it is 0.7, between sides 130 degrees apart 0.9
+  Four thin = all(thickness);
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
-      for (int x = 0; x < 4; ++x) {
-        const float* here = &distance[static_cast<std::size_t>(surroundings_number(x, y, z))];
-        if (!(here[0] < 0.0F)) continue;
-        for (const Direction& way : ways) {
-          const float fall = here[-way.step] - here[0], rise = here[2 * way.step] - here[way.step];
-          if (!(fall >= kOpposed * way.length && rise >= kOpposed * way.length)) continue;
-          thickness = std::min(thickness, (fall + rise) / 2.0F - (here[0] + here[way.step]));
-        }
+      const float* at = &distance[static_cast<std::size_t>(surroundings_number(0, y, z))];
+      const Four here = load(at);
+      if (!any(here < 0.0F)) continue;
+      for (const Direction& way : ways) {
+        const Four next = load(at + way.step), fall = load(at - way.step) - here, rise = load(at + 2 * way.step) - next;
+        const float opposed = kOpposed * way.length;
+        const Four wall = (fall + rise) / 2.0F - (here + next);
+        thin = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin) ? wall : thin;
       }
     }
   }
-  return thickness;
+  return least(thin);
 }
 
 }  // namespace
@@ -135,9 +162,10 @@ Certificate certify(const field::BandField& field, const std::vector<Coefficient
   const auto ways = directions();
   const float none = 2.0F * static_cast<float>(field.band);
   field::in_parallel(distances.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    float slope = 0.0F, wall = none;
     for (std::size_t b = begin; b < end; ++b) {
-      slopes[b] = steepest(gather(splines, around[b]));
-      walls[b] = thinnest(surroundings(distances, around[b]), ways, none);
+      slopes[b] = slope = steepest(gather(splines, around[b]), slope);
+      walls[b] = wall = thinnest(surroundings(distances, around[b]), ways, wall);
     }
   });
   Certificate certificate;

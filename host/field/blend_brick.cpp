@@ -1,9 +1,10 @@
 #include "host/field/blend_brick.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "host/field/four.h"
 
 namespace isotouch::field {
 
@@ -42,26 +43,6 @@ Model as_floats(const Eigen::Vector3d& sample, const LocalModel& model, const Em
   return result;
 }
 
-/// Four numbers at once: vectors of a fixed width, which compilers map to what the machine has. Operators act lane by lane.
-using Four = float __attribute__((vector_size(16)));
-
-Four all(float value) { return Four{} + value; }
-Four root(Four v) {
-  Four r;
-  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(v[i]);
-  return r;
-}
-Four lesser(Four a, Four b) { return a < b ? a : b; }
-Four larger(Four a, Four b) { return a > b ? a : b; }
-/// Is any lane of a comparison true, or of a number other than +0?
-template <class Vector>
-bool any(Vector v) {
-  using Halves = std::int64_t __attribute__((vector_size(16)));
-  const auto halves = std::bit_cast<Halves>(v);
-  return (halves[0] | halves[1]) != 0;
-}
-float largest(Four v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
-
 /// Four places.
 struct Places {
   Four x, y, z;
@@ -75,7 +56,7 @@ struct Places {
 Four circle(Four u, Four w, float k, float radius) {
   const Four towards_centre = 1.0F + k * w, ku = k * u;
   const Four round = (k * (u * u + w * w) + 2.0F * w) / (1.0F + root(ku * ku + towards_centre * towards_centre));
-  const Four beyond = (larger(ku, -ku) - 1.0F) * radius;
+  const Four beyond = (magnitude(ku) - 1.0F) * radius;
   return towards_centre < 0.0F ? beyond : round;
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "host/field/brick_mask.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::field {
@@ -38,17 +39,10 @@ const double kReach = 1.5 * std::sqrt(3.0);
 struct Visited {
   Key key;
   bool listed;
-  std::uint64_t inside;  ///< bit s: sample s is negative; all alike when it is not listed
+  BrickMask inside;  ///< where the samples are negative; all alike when it is not listed
 
   bool operator<(const Visited& o) const { return key < o.key; }
 };
-
-/// The signs on the face at the low (0) or high (1) end of an axis, as bits at the places of the low face.
-std::uint64_t face(std::uint64_t inside, int axis, int end) {
-  constexpr std::uint64_t kLow[3] = {0x1111111111111111, 0x000F000F000F000F, 0x000000000000FFFF};
-  constexpr int kShift[3] = {3, 12, 48};
-  return (end == 0 ? inside : inside >> kShift[axis]) & kLow[axis];
-}
 
 class Walk {
  public:
@@ -84,7 +78,7 @@ class Walk {
   /// Lists bricks on both sides of every change of sign that the list does not hold yet; their neighbours are where the walk goes on.
   std::vector<Key> mend() {
     std::vector<Key> forced;
-    for (int axis = 0; axis < 3; ++axis) check_faces(axis, forced);
+    for (std::size_t axis = 0; axis < 3; ++axis) check_faces(axis, forced);
     check_rows(forced);
     std::sort(forced.begin(), forced.end());
     forced.erase(std::unique(forced.begin(), forced.end()), forced.end());
@@ -147,7 +141,7 @@ class Walk {
   }
 
   /// Neighbours that were both looked at must agree across their common face, unless both are listed.
-  void check_faces(int axis, std::vector<Key>& forced) const {
+  void check_faces(std::size_t axis, std::vector<Key>& forced) const {
     auto high = visited_.begin();
     for (const auto& low : visited_) {
       while (high != visited_.end() && high->key < low.key + kSteps[axis]) ++high;

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
+
+#include "host/field/brick_mask.h"
 
 namespace isotouch::field {
 
@@ -14,82 +18,106 @@ constexpr std::size_t kFewest = 4;  // points that a piece stands on
 constexpr float kClear = 1.0F;      // voxels: what is left of a dropped piece, and
 constexpr float kBeside = 0.5F;     // of what lay beside it, is no surface, and none for a spline that swings below its samples
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
-constexpr std::array<std::size_t, 3> kStep = {1, 4, 16};
 
 auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
-/// Of every brick the one that follows it along each axis.
-std::vector<std::array<std::uint32_t, 3>> followers(const std::vector<Brick>& bricks) {
-  std::vector<std::array<std::uint32_t, 3>> next(bricks.size(), {kNone, kNone, kNone});
-  for (int axis = 0; axis < 3; ++axis) {
+using Following = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Of every brick the one that follows it along each axis, kNone where there is none.
+Following following(const std::vector<Brick>& bricks) {
+  Following next(bricks.size(), {kNone, kNone, kNone});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     std::size_t ahead = 0;
     for (std::size_t b = 0; b < bricks.size(); ++b) {
-      const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(axis);
+      const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis));
       while (ahead < bricks.size() && place(bricks[ahead].cell) < place(wanted)) ++ahead;
-      if (ahead < bricks.size() && bricks[ahead].cell == wanted)
-        next[b][static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(ahead);
+      if (ahead < bricks.size() && bricks[ahead].cell == wanted) next[b][axis] = static_cast<std::uint32_t>(ahead);
     }
   }
   return next;
 }
 
-/// Calls pair(a, b) for samples 64 * brick + place that lie face to face, a before b, and end(a) for one with nothing listed beside it.
-template <class Pair, class End>
-void walk_faces(const std::vector<Brick>& bricks, const Pair& pair, const End& end) {
-  const auto next = followers(bricks);
-  std::vector<std::array<bool, 3>> has_before(bricks.size(), {false, false, false});
-  for (std::size_t b = 0; b < bricks.size(); ++b) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (next[b][axis] != kNone) has_before[next[b][axis]][axis] = true;
+/// Samples of one sign that hang together within a brick.
+struct Part {
+  std::uint32_t brick;
+  bool inside;
+  BrickMask samples;
+};
+
+/// Parts joined face to face to pieces; two more pieces for what lies beyond the listed bricks, inside and outside.
+class Pieces {
+ public:
+  Pieces(const std::vector<Brick>& bricks, const Following& next) {
+    for (std::uint32_t b = 0; b < bricks.size(); ++b) {
+      first_.push_back(static_cast<std::uint32_t>(parts_.size()));
+      BrickMask inside = 0;
+      for (std::size_t s = 0; s < 64; ++s) inside |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
+      add_parts(b, true, inside);
+      add_parts(b, false, ~inside);
     }
-  }
-  for (std::size_t b = 0; b < bricks.size(); ++b) {
-    for (std::size_t s = 0; s < 64; ++s) {
-      const std::size_t a = 64 * b + s;
+    first_.push_back(static_cast<std::uint32_t>(parts_.size()));
+    parent_.resize(parts_.size() + 2);
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    std::vector<std::array<bool, 3>> has_before(bricks.size(), {false, false, false});
+    for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::size_t along = s / kStep[axis] % 4;
-        if (along == 0 && !has_before[b][axis]) end(a);
-        if (along < 3) {
-          pair(a, a + kStep[axis]);
-        } else if (next[b][axis] == kNone) {
-          end(a);
+        if (next[b][axis] != kNone) {
+          has_before[next[b][axis]][axis] = true;
+          join_across(b, next[b][axis], axis);
         } else {
-          pair(a, 64 * std::size_t{next[b][axis]} + s - 3 * kStep[axis]);
+          join_beyond(b, axis, 1);
         }
       }
     }
-  }
-}
-
-float& value(std::vector<Brick>& bricks, std::size_t sample) { return bricks[sample / 64].distance[sample % 64]; }
-
-/// Sets of samples of one sign; two more for what lies beyond the listed bricks, inside and outside.
-class Pieces {
- public:
-  explicit Pieces(const std::vector<Brick>& bricks) : parent_(64 * bricks.size() + 2) {
-    for (std::size_t n = 0; n < parent_.size(); ++n) parent_[n] = static_cast<std::uint32_t>(n);
-    const auto inside = [&](std::size_t sample) { return bricks[sample / 64].distance[sample % 64] < 0.0F; };
-    walk_faces(
-        bricks,
-        [&](std::size_t a, std::size_t b) {
-          if (inside(a) == inside(b)) join(a, b);
-        },
-        [&](std::size_t a) { join(a, beyond(inside(a))); });
+    for (std::uint32_t b = 0; b < bricks.size(); ++b) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (!has_before[b][axis]) join_beyond(b, axis, 0);
+      }
+    }
   }
 
-  std::size_t of(std::size_t sample) {
-    auto n = static_cast<std::uint32_t>(sample);
-    while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-    return n;
+  const std::vector<Part>& parts() const { return parts_; }
+  /// The piece that a part belongs to, less than count().
+  std::uint32_t of(std::uint32_t part) {
+    while (parent_[part] != part) part = parent_[part] = parent_[parent_[part]];
+    return part;
   }
-  std::size_t beyond(bool inside) const { return parent_.size() - (inside ? 1 : 2); }
+  /// The same for a brick's sample.
+  std::uint32_t at(std::size_t brick, std::size_t sample) {
+    std::uint32_t part = first_[brick];
+    while ((parts_[part].samples >> sample & 1U) == 0) ++part;
+    return of(part);
+  }
+  std::uint32_t beyond(bool inside) { return of(static_cast<std::uint32_t>(parent_.size() - (inside ? 1 : 2))); }
   std::size_t count() const { return parent_.size(); }
 
  private:
-  void join(std::size_t a, std::size_t b) {
-    const std::size_t first = of(a), second = of(b);
-    parent_[std::min(first, second)] = static_cast<std::uint32_t>(std::max(first, second));  // the last ones, beyond, stay roots
+  void add_parts(std::uint32_t brick, bool inside, BrickMask samples) {
+    while (samples != 0) {
+      const BrickMask part = ~samples == 0 ? samples : first_piece(samples);
+      parts_.push_back({brick, inside, part});
+      samples &= ~part;
+    }
   }
+  void join_across(std::uint32_t low, std::uint32_t high, std::size_t axis) {
+    for (std::uint32_t a = first_[low]; a < first_[low + 1]; ++a) {
+      for (std::uint32_t b = first_[high]; b < first_[high + 1]; ++b) {
+        if (parts_[a].inside == parts_[b].inside && (face(parts_[a].samples, axis, 1) & face(parts_[b].samples, axis, 0)) != 0) join(a, b);
+      }
+    }
+  }
+  void join_beyond(std::uint32_t brick, std::size_t axis, int end) {
+    for (std::uint32_t a = first_[brick]; a < first_[brick + 1]; ++a) {
+      if (face(parts_[a].samples, axis, end) != 0) join(a, beyond(parts_[a].inside));
+    }
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t first = of(a), second = of(b);
+    parent_[std::min(first, second)] = std::max(first, second);  // the last ones, beyond, stay roots
+  }
+
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> first_;  ///< of every brick, and their end
   std::vector<std::uint32_t> parent_;
 };
 
@@ -98,7 +126,7 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
   std::vector<std::uint32_t> voices(pieces.count(), 0);
   for (const Eigen::Vector3d& point : points) {
     const Eigen::Vector3i low = point.array().floor().cast<int>();
-    std::array<std::size_t, 8> heard{};
+    std::array<std::uint32_t, 8> heard{};
     std::size_t count = 0;
     for (int corner = 0; corner < 8; ++corner) {
       const Eigen::Vector3i sample = low + Eigen::Vector3i(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -107,7 +135,7 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
                                           [](const Brick& b, const Eigen::Vector3i& c) { return place(b.cell) < place(c); });
       if (brick == bricks.end() || brick->cell != cell) continue;
       const auto in_brick = static_cast<std::size_t>(((sample.z() & 3) * 4 + (sample.y() & 3)) * 4 + (sample.x() & 3));
-      const std::size_t piece = pieces.of(64 * static_cast<std::size_t>(brick - bricks.begin()) + in_brick);
+      const std::uint32_t piece = pieces.at(static_cast<std::size_t>(brick - bricks.begin()), in_brick);
       if (std::find(heard.begin(), heard.begin() + count, piece) == heard.begin() + count) heard[count++] = piece;
     }
     for (std::size_t n = 0; n < count; ++n) ++voices[heard[n]];
@@ -115,33 +143,52 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
   return voices;
 }
 
+/// What lies face to face with a set of samples, given brick by brick, and the set itself.
+std::vector<BrickMask> with_neighbours(const std::vector<BrickMask>& sets, const Following& next) {
+  std::vector<BrickMask> all(sets.size());
+  std::transform(sets.begin(), sets.end(), all.begin(), grown);
+  for (std::size_t b = 0; b < sets.size(); ++b) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t ahead = next[b][axis];
+      if (ahead == kNone) continue;
+      all[ahead] |= face(sets[b], axis, 1);
+      all[b] |= face(sets[ahead], axis, 0) << kAcross[axis];
+    }
+  }
+  return all;
+}
+
+template <class Action>
+void for_each_sample(BrickMask samples, std::array<float, 64>& distances, const Action& action) {
+  for (; samples != 0; samples &= samples - 1) action(distances[static_cast<std::size_t>(std::countr_zero(samples))]);
+}
+
 }  // namespace
 
 Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points) {
   Debris dropped;
-  if (field.bricks.empty()) return dropped;
-  Pieces pieces(field.bricks);
+  const Following next = following(field.bricks);
+  Pieces pieces(field.bricks, next);
   const std::vector<std::uint32_t> voices = support(field.bricks, pieces, points);
-  const std::size_t far_inside = pieces.of(pieces.beyond(true)), far_outside = pieces.of(pieces.beyond(false));
-  std::vector<bool> is_dropped(64 * field.bricks.size(), false);
-  for (std::size_t n = 0; n < is_dropped.size(); ++n) {
-    const std::size_t piece = pieces.of(n);
+  const std::uint32_t far_inside = pieces.beyond(true), far_outside = pieces.beyond(false);
+  std::vector<BrickMask> is_dropped(field.bricks.size(), 0);
+  for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
+    const Part& part = pieces.parts()[n];
+    const std::uint32_t piece = pieces.of(n);
     if (piece == far_inside || piece == far_outside || voices[piece] >= kFewest) continue;
-    is_dropped[n] = true;
-    float& distance = value(field.bricks, n);
-    const bool inside = distance < 0.0F;
-    if (piece == n) ++(inside ? dropped.pieces : dropped.cavities);
-    distance = inside ? std::max(-distance, kClear) : std::min(-distance, -kClear);
+    if (piece == n) ++(part.inside ? dropped.pieces : dropped.cavities);
+    is_dropped[part.brick] |= part.samples;
+    for_each_sample(part.samples, field.bricks[part.brick].distance, [&](float& distance) {
+      distance = part.inside ? std::max(-distance, kClear) : std::min(-distance, -kClear);
+    });
   }
-  const auto clear = [&](std::size_t n) {
-    float& distance = value(field.bricks, n);
-    if (!is_dropped[n] && std::abs(distance) < kBeside) distance = std::copysign(kBeside, distance);
-  };
-  const auto clear_beside = [&](std::size_t a, std::size_t b) {
-    if (is_dropped[a]) clear(b);
-    if (is_dropped[b]) clear(a);
-  };
-  if (dropped.pieces + dropped.cavities > 0) walk_faces(field.bricks, clear_beside, [](std::size_t) {});
+  if (dropped.pieces + dropped.cavities == 0) return dropped;
+  const std::vector<BrickMask> beside = with_neighbours(is_dropped, next);
+  for (std::size_t b = 0; b < beside.size(); ++b) {
+    for_each_sample(beside[b] & ~is_dropped[b], field.bricks[b].distance, [](float& distance) {
+      if (std::abs(distance) < kBeside) distance = std::copysign(kBeside, distance);
+    });
+  }
   return dropped;
 }
 
