@@ -37,20 +37,25 @@ Apron gather(const std::vector<Samples>& samples, const Neighbours& around) {
     none.fill(NAN);
     return none;
   }();
-  const auto brick = [&](int n) {
-    return around[static_cast<std::size_t>(n)] == kAbsent ? kNone.data() : samples[around[static_cast<std::size_t>(n)]].data();
-  };
+  std::array<const float*, 27> bricks;
+  for (std::size_t n = 0; n < bricks.size(); ++n) bricks[n] = around[n] == kAbsent ? kNone.data() : samples[around[n]].data();
   Apron apron;
   float* out = apron.data();
-  for (int z = -1; z < 5; ++z) {
-    for (int y = -1; y < 5; ++y) {
-      const int row = ((z + 4) / 4 * 3 + (y + 4) / 4) * 3;
-      const std::size_t at = sample_number(0, y & 3, z & 3);
-      *out++ = brick(row)[at + 3];
-      out = std::copy_n(brick(row + 1) + at, 4, out);
-      *out++ = brick(row + 2)[at];
-    }
-  }
+  const auto gather_row = [&](std::size_t row, std::size_t at) {
+    const float *before = bricks[row] + at, *here = bricks[row + 1] + at, *behind = bricks[row + 2] + at;
+    out[0] = before[3];
+    std::copy_n(here, 4, out + 1);
+    out[5] = behind[0];
+    out += 6;
+  };
+  const auto gather_layer = [&](std::size_t layer, std::size_t at) {
+    gather_row(layer, at + 12);
+    for (std::size_t y = 0; y < 4; ++y) gather_row(layer + 3, at + 4 * y);
+    gather_row(layer + 6, at);
+  };
+  gather_layer(0, 48);
+  for (std::size_t z = 0; z < 4; ++z) gather_layer(9, 16 * z);
+  gather_layer(18, 0);
   return apron;
 }
 

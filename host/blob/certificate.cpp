@@ -40,9 +40,8 @@ Apron rises(const Apron& values, std::size_t step) {
 /// The largest of each value and its two neighbours along one axis.
 Apron spread(const Apron& values, std::size_t step) {
   Apron most{};
-  for_each_four(step, [&](std::size_t n) {
-    store(larger(larger(load(&values[n]), load(&values[n - step])), load(&values[n + step])), &most[n]);
-  });
+  for_each_four(
+      step, [&](std::size_t n) { store(larger(larger(load(&values[n]), load(&values[n - step])), load(&values[n + step])), &most[n]); });
   return most;
 }
 

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "host/blob/apron.h"
+#include "host/field/four.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::blob {
 
 namespace {
+
+using namespace field;  // numbers by four
 
 constexpr int kSteps = 12;  // the fillet is at most two voxels wide on each side; a Jacobi step carries one
 
@@ -20,17 +23,14 @@ bool step(const Apron& apron, float sharpest, Samples& samples) {
   bool changed = false;
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
-      for (int x = 0; x < 4; ++x) {
-        const float here = apron[apron_number(x, y, z)];
-        const float around = (apron[apron_number(x - 1, y, z)] + apron[apron_number(x + 1, y, z)]) +
-                             (apron[apron_number(x, y - 1, z)] + apron[apron_number(x, y + 1, z)]) +
-                             (apron[apron_number(x, y, z - 1)] + apron[apron_number(x, y, z + 1)]);
-        const float excess = (around - 6.0F * here) + sharpest;
-        if (excess < 0) {
-          samples[sample_number(x, y, z)] = here + excess / 6.0F;
-          changed = true;
-        }
-      }
+      const float* at = &apron[apron_number(0, y, z)];
+      const Four here = load(at);
+      const Four around = (load(at - 1) + load(at + 1)) + (load(at - 6) + load(at + 6)) + (load(at - 36) + load(at + 36));
+      const Four excess = (around - 6.0F * here) + sharpest;
+      if (!any(excess < 0.0F)) continue;
+      float* out = &samples[sample_number(0, y, z)];
+      store(excess < 0.0F ? here + excess / 6.0F : load(out), out);
+      changed = true;
     }
   }
   return changed;

@@ -4,28 +4,26 @@
 #include <cmath>
 
 #include "host/blob/apron.h"
+#include "host/field/four.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::blob {
 
 namespace {
 
+using namespace field;  // numbers by four
+
 /// B c at the brick's 64 samples: one axis after the other. NaN wherever one of the 27 coefficients is.
-Samples blur(Apron apron) {
-  const auto along = [](Apron& a, std::size_t stride) {
-    Apron out{};
-    for (std::size_t n = stride; n + stride < a.size(); ++n) out[n] = 0.75F * a[n] + 0.125F * (a[n - stride] + a[n + stride]);
-    a = out;
-  };
-  along(apron, 1);
-  along(apron, 6);
-  along(apron, 36);
-  Samples inner{};
-  for (int z = 0; z < 4; ++z) {
-    for (int y = 0; y < 4; ++y) {
-      for (int x = 0; x < 4; ++x) inner[sample_number(x, y, z)] = apron[apron_number(x, y, z)];
-    }
+Samples blur(const Apron& apron) {
+  const auto mean = [](const float* at, std::size_t stride) { return 0.75F * load(at) + 0.125F * (load(at - stride) + load(at + stride)); };
+  std::array<float, 144> along_x;  // [z][y][x], 6 x 6 x 4
+  for (std::size_t row = 0; row < 36; ++row) store(mean(&apron[6 * row + 1], 1), &along_x[4 * row]);
+  std::array<float, 96> along_y;  // 6 x 4 x 4
+  for (std::size_t z = 0; z < 6; ++z) {
+    for (std::size_t y = 0; y < 4; ++y) store(mean(&along_x[24 * z + 4 * (y + 1)], 4), &along_y[16 * z + 4 * y]);
   }
+  Samples inner;
+  for (std::size_t n = 0; n < 64; n += 4) store(mean(&along_y[16 + n], 16), &inner[n]);
   return inner;
 }
 

@@ -178,9 +178,8 @@ Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points)
     if (piece == far_inside || piece == far_outside || voices[piece] >= kFewest) continue;
     if (piece == n) ++(part.inside ? dropped.pieces : dropped.cavities);
     is_dropped[part.brick] |= part.samples;
-    for_each_sample(part.samples, field.bricks[part.brick].distance, [&](float& distance) {
-      distance = part.inside ? std::max(-distance, kClear) : std::min(-distance, -kClear);
-    });
+    for_each_sample(part.samples, field.bricks[part.brick].distance,
+                    [&](float& distance) { distance = part.inside ? std::max(-distance, kClear) : std::min(-distance, -kClear); });
   }
   if (dropped.pieces + dropped.cavities == 0) return dropped;
   const std::vector<BrickMask> beside = with_neighbours(is_dropped, next);
