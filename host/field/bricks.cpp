@@ -1,6 +1,7 @@
 #include "host/field/bricks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -68,7 +69,7 @@ class Walk {
         seen.push_back(look.visited);
         if (!look.visited.listed) continue;
         bricks_.push_back(look.brick);
-        push_neighbours(look.visited.key, next);
+        push_neighbours(look.visited.key, look.brick.distance, next);
       }
       merge(seen);
       front = std::move(next);
@@ -92,7 +93,7 @@ class Walk {
         *known = look.visited;
       else
         seen.push_back(look.visited);
-      push_neighbours(key, front);
+      push_neighbours(key, look.brick.distance, front);
     }
     merge(seen);
     return front;
@@ -125,11 +126,22 @@ class Walk {
     return look;
   }
 
-  void push_neighbours(Key key, std::vector<Key>& keys) const {
+  /// The neighbours that hold samples of the band, as far as the last two layers before them tell.
+  void push_neighbours(Key key, const std::array<float, 64>& distance, std::vector<Key>& keys) const {
+    constexpr double kBend = 0.5;  // by how much a distance may leave its straight course from one sample to the next
     const Vector3i cell = cell_of(key);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (cell[axis] > 0) keys.push_back(key - kSteps[axis]);
-      if (cell[axis] + 1 < cells_[axis]) keys.push_back(key + kSteps[axis]);
+    const auto near = static_cast<float>(band_ + kBend);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto along = static_cast<Eigen::Index>(axis);
+      const auto step = static_cast<std::size_t>(kNext[axis]);
+      bool below = false, above = false;
+      for (BrickMask low = kLowFace[axis]; low != 0; low &= low - 1) {
+        const float* row = &distance[static_cast<std::size_t>(std::countr_zero(low))];
+        below |= std::abs(2.0F * row[0] - row[step]) <= near;
+        above |= std::abs(2.0F * row[3 * step] - row[2 * step]) <= near;
+      }
+      if (below && cell[along] > 0) keys.push_back(key - kSteps[axis]);
+      if (above && cell[along] + 1 < cells_[along]) keys.push_back(key + kSteps[axis]);
     }
   }
 
@@ -161,9 +173,9 @@ class Walk {
       Key next = row;
       bool inside = false;
       for (; brick != visited_.end() && brick->key < row + kSteps[1]; ++brick) {
-        find_change(next, brick->key, inside, brick->inside != 0, forced);
+        find_change(next, brick->key, inside, face(brick->inside, 0, 0) != 0, forced);
         next = brick->key + 1;
-        inside = brick->inside != 0;
+        inside = face(brick->inside, 0, 1) != 0;
       }
       find_change(next, row + width, inside, false, forced);
     }
