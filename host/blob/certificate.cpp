@@ -122,6 +122,10 @@ std::array<Direction, 13> directions() {
   return all;
 }
 
+bool has_inside(const Samples& distance) {
+  return std::any_of(distance.begin(), distance.end(), [](float d) { return d < 0.0F; });
+}
+
 /// The least thickness of a wall whose middle lies beside one of the brick's samples, or what is given. Across a wall the distance falls by the
 /// way, and behind its middle it rises by the way.
 float thinnest(const Surroundings& distance, const std::array<Direction, 13>& ways, float thickness) {
@@ -133,8 +137,10 @@ float thinnest(const Surroundings& distance, const std::array<Direction, 13>& wa
       const Four here = load(at);
       if (!any(here < 0.0F)) continue;
       for (const Direction& way : ways) {
-        const Four next = load(at + way.step), fall = load(at - way.step) - here, rise = load(at + 2 * way.step) - next;
         const float opposed = kOpposed * way.length;
+        const Four fall = load(at - way.step) - here;
+        if (!any(fall >= opposed)) continue;
+        const Four next = load(at + way.step), rise = load(at + 2 * way.step) - next;
         const Four wall = (fall + rise) / 2.0F - (here + next);
         thin = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin) ? wall : thin;
       }
@@ -164,7 +170,8 @@ Certificate certify(const field::BandField& field, const std::vector<Coefficient
     float slope = 0.0F, wall = none;
     for (std::size_t b = begin; b < end; ++b) {
       slopes[b] = slope = steepest(gather(splines, around[b]), slope);
-      walls[b] = wall = thinnest(surroundings(distances, around[b]), ways, wall);
+      if (has_inside(distances[b])) wall = thinnest(surroundings(distances, around[b]), ways, wall);
+      walls[b] = wall;
     }
   });
   Certificate certificate;
