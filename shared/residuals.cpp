@@ -60,6 +60,9 @@ bool restore_table(std::uint8_t* table, std::uint64_t entries, std::uint32_t lim
   return inside;
 }
 
+constexpr int kRuleBits = 2;
+static_assert(kRules == 1U << kRuleBits);
+
 constexpr std::uint32_t zigzag(std::int32_t difference) {
   const auto wrapped = static_cast<std::int16_t>(difference);
   return static_cast<std::uint16_t>((wrapped * 2) ^ (wrapped >> 15));
@@ -69,11 +72,12 @@ constexpr std::int32_t unzigzag(std::uint32_t code) { return static_cast<std::in
 
 }  // namespace
 
-StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint8_t> residuals) {
+StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t> codes, std::span<std::uint8_t> residuals) {
   assert(residuals.size() + kHeaderBytes == image.size());
   const Result<ImageParts> checked = ImageParts::of(image.first(kHeaderBytes), image.size());
   assert(checked);
   const ImageParts& parts = *checked;
+  assert(codes.size() == parts.samples());
   std::copy(image.begin() + kHeaderBytes, image.end(), residuals.begin());
   const auto out = [&](std::uint32_t at) { return &residuals[at - kHeaderBytes]; };
   predict_table(out(parts.root_at), parts.root_entries());
@@ -81,13 +85,17 @@ StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint8_t>
 
   const auto* bricks = reinterpret_cast<const std::int16_t*>(image.data() + parts.bricks_at);
   StreamSizes sizes{};
-  PredictedSamples(parts, image.data(), bricks).for_each([&](Prediction p, std::int16_t) { ++sizes[p.rule]; });
-  Streams<std::uint8_t> streams(out(parts.bricks_at), sizes);
+  std::uint32_t* code = codes.data();
   PredictedSamples(parts, image.data(), bricks).for_each([&](Prediction p, std::int16_t sample) {
-    const std::uint32_t code = zigzag(sample - p.value);
-    *streams.low[p.rule]++ = static_cast<std::uint8_t>(code & 255U);
-    *streams.high[p.rule]++ = static_cast<std::uint8_t>(code >> 8);
+    ++sizes[p.rule];
+    *code++ = zigzag(sample - p.value) << kRuleBits | static_cast<std::uint32_t>(p.rule);
   });
+  Streams<std::uint8_t> streams(out(parts.bricks_at), sizes);
+  for (const std::uint32_t coded : codes) {
+    const std::size_t rule = coded & (kRules - 1);
+    *streams.low[rule]++ = static_cast<std::uint8_t>(coded >> kRuleBits & 255U);
+    *streams.high[rule]++ = static_cast<std::uint8_t>(coded >> (kRuleBits + 8));
+  }
   return sizes;
 }
 

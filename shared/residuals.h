@@ -17,9 +17,10 @@ using StreamSizes = std::array<std::uint32_t, 4>;
 /// Image → residuals.
 ///
 /// image     8-byte aligned, accepted by BlobView::parse
+/// codes     room to work in, one a sample: 64 times the brick count
 /// residuals as many bytes as the image has behind its header
 /// returns   the lengths of the four streams in place of the bricks
-StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint8_t> residuals);
+StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t> codes, std::span<std::uint8_t> residuals);
 
 /// Residuals → image, the inverse of `predict`.
 ///

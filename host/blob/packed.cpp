@@ -54,7 +54,8 @@ bool is_good_frame(std::span<const std::uint8_t> frame, std::uint64_t content_by
 
 std::vector<std::uint8_t> pack(const BlobView& view) {
   std::vector<std::uint8_t> residuals(view.image.size() - blob_layout::kHeaderBytes);
-  const StreamSizes sizes = predict(view.image, residuals);
+  std::vector<std::uint32_t> codes(blob_layout::kSamplesPerBrick * std::size_t{view.brick_count});
+  const StreamSizes sizes = predict(view.image, codes, residuals);
   std::vector<std::uint8_t> packed(kHeaderBytes + ZSTD_compressBound(residuals.size()));
   packed.resize(kHeaderBytes + compress(residuals, std::span(packed).subspan(kHeaderBytes)));
 

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "shared/blob.h"
@@ -223,6 +224,12 @@ std::vector<std::uint64_t> restored(const Bytes& residuals, const StreamSizes& s
   return words;
 }
 
+/// `predict` with room to work in.
+StreamSizes predicted(std::span<const std::uint8_t> image, Bytes& residuals) {
+  std::vector<std::uint32_t> codes(64 * load_le<std::uint32_t>(image.data() + kBrickCountAt));
+  return predict(image, codes, residuals);
+}
+
 TEST(Residuals, TheyAreThoseOfTheTwinAndTheImageComesBack) {
   StreamSizes used{};
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
@@ -230,7 +237,7 @@ TEST(Residuals, TheyAreThoseOfTheTwinAndTheImageComesBack) {
     const auto image = tree.image();
     const Twin twin(tree);
     Bytes residuals(8 * image.size() - kHeaderBytes);
-    const StreamSizes sizes = predict(bytes_of(image), residuals);
+    const StreamSizes sizes = predicted(bytes_of(image), residuals);
     ASSERT_EQ(sizes, twin.sizes()) << seed;
     ASSERT_EQ(residuals, twin.residuals()) << seed;
     ASSERT_EQ(restored(residuals, sizes, bytes_of(image)), image) << seed;
@@ -242,7 +249,7 @@ TEST(Residuals, TheyAreThoseOfTheTwinAndTheImageComesBack) {
 TEST(Residuals, TheyAreTheSameOnEveryProcessor) {
   const auto image = random_tree(7, true).image();
   Bytes residuals(8 * image.size() - kHeaderBytes);
-  predict(bytes_of(image), residuals);
+  predicted(bytes_of(image), residuals);
   EXPECT_EQ(hash64(residuals.data(), residuals.size()), 0x97b9457304542facULL);
 }
 
@@ -250,7 +257,7 @@ TEST(Residuals, ABallComesBackAndIsMostlyForeseen) {
   const test::FieldImage ball({48, 48, 48}, [](const test::Point& p) { return test::length(p - test::Point{23.3, 24.1, 23.8}) - 14; });
   const std::span<const std::uint8_t> image = ball.view().image;
   Bytes residuals(image.size() - kHeaderBytes);
-  const StreamSizes sizes = predict(image, residuals);
+  const StreamSizes sizes = predicted(image, residuals);
   const auto words = restored(residuals, sizes, image);
   EXPECT_TRUE(std::equal(image.begin(), image.end(), bytes_of(words).begin()));
   // Of the samples with all neighbours known, the high byte of the residual is zero: less than 128 of 4096 a voxel were not foreseen.
@@ -264,8 +271,9 @@ TEST(Residuals, NeitherWayAllocates) {
   const auto image = random_tree(3, true).image();
   Bytes residuals(8 * image.size() - kHeaderBytes);
   std::vector<std::uint64_t> words = image;
+  std::vector<std::uint32_t> codes(64 * load_le<std::uint32_t>(bytes_of(image).data() + kBrickCountAt));
   const test::AllocGuard guard;
-  const StreamSizes sizes = predict(bytes_of(image), residuals);
+  const StreamSizes sizes = predict(bytes_of(image), codes, residuals);
   const auto result = restore(residuals, sizes, {reinterpret_cast<std::uint8_t*>(words.data()), 8 * words.size()});
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_TRUE(result);
@@ -277,7 +285,7 @@ TEST(Residuals, AnythingMayBeRestored) {
   int accepted = 0, refused = 0;
   const auto image = random_tree(4, true).image();
   Bytes good(8 * image.size() - kHeaderBytes);
-  const StreamSizes sizes = predict(bytes_of(image), good);
+  const StreamSizes sizes = predicted(bytes_of(image), good);
   for (int n = 0; n < 400; ++n) {
     Bytes residuals = good;
     StreamSizes other = sizes;
