@@ -21,6 +21,8 @@ enum class Error : std::uint8_t {
   kWrongBlob,    ///< the trace was recorded on another blob
   kNoOutputs,    ///< the trace holds inputs only
   kBadFrame,     ///< the compressed part of a packed blob does not hold what its header promises
+  kBadPacket,    ///< a device packet that lost or changed bytes on its way
+  kBadModel,     ///< a device model with a number outside its range
 };
 
 constexpr const char* describe(Error error) {
@@ -37,6 +39,8 @@ constexpr const char* describe(Error error) {
     case Error::kWrongBlob: return "the trace was recorded on another blob";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
+    case Error::kBadPacket: return "the device packet is malformed";
+    case Error::kBadModel: return "the device model holds a number outside its range";
   }
   return "unknown error";
 }

@@ -10,6 +10,9 @@
 ///   VoxelPerMm  voxels a mm    24              ±127 /mm         6e-8 /mm
 ///   PerSecond   1/s            8               ±8388607 /s      0.004 /s
 ///   Ratio       one            30              ±2               9.3e-10
+///   MmPerS      mm/s           12              ±524 m/s         0.25 µm/s
+///   NewtonMm    N·mm           12              ±524 N·m         0.25 µN·m
+///   NewtonMmPerWord  N·mm      24              ±127 N·mm        6e-8 N·mm
 #pragma once
 
 #include "shared/fixed.h"
@@ -25,5 +28,8 @@ using MmPerVoxel = Fixed<Unit<1, 0, 0, -1>, 20>;
 using VoxelPerMm = Fixed<Unit<-1, 0, 0, 1>, 24>;
 using PerSecond = Fixed<Unit<0, 0, -1, 0>, 8>;
 using Ratio = Fixed<Unit<0, 0, 0, 0>, 30>;
+using MmPerS = Fixed<Unit<1, 0, -1, 0>, 12>;
+using NewtonMm = Fixed<Unit<1, 1, 0, 0>, 12>;
+using NewtonMmPerWord = Fixed<Unit<1, 1, 0, 0>, 24>;
 
 }  // namespace isotouch
