@@ -27,6 +27,14 @@ enum StatusBits : std::uint32_t {
   kForceLimited = 1U << 5,  ///< the force was shortened to the limit, its direction kept
   kStale = 1U << 6,         ///< the input was not fresh
   kInputClamped = 1U << 7,  ///< the HIP was outside ±512 mm and was moved to the border
+  // Only in the tick of a device.
+  kBadReply = 1U << 8,        ///< the packet was malformed and counts as none
+  kCountJump = 1U << 9,       ///< the counts took another reference: the pose is sought anew
+  kPoseUncertain = 1U << 10,  ///< the HIP is not known: no force
+  kNearSingular = 1U << 11,   ///< the mechanism is nearly singular: torques are smaller than asked for
+  kTooFast = 1U << 12,        ///< the HIP is faster than the model's limit
+  kWordsLimited = 1U << 13,   ///< the motor words were shortened to the limit, their direction kept
+  kSlewLimited = 1U << 14,    ///< the change of the motor words was shortened, its direction kept
 };
 
 struct TickOutput {

@@ -25,9 +25,19 @@ Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited
 }  // namespace
 
 Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
-  Coupling coupling;
+  return for_field(make_coupling(settings, period_ns), field);
+}
+
+Coupling for_field(const Coupling& prepared, const BlobView& field) {
+  Coupling coupling = prepared;
   coupling.edge = field.edge;
-  coupling.stiffness = settings.stiffness > Stiffness{} ? settings.stiffness : field.stiffness;
+  if (coupling.stiffness <= Stiffness{}) coupling.stiffness = field.stiffness;
+  return coupling;
+}
+
+Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns) {
+  Coupling coupling;
+  coupling.stiffness = settings.stiffness;
   coupling.damping = DampingPerTick::from_raw(saturate32(std::int64_t{settings.damping.raw()} * 1'000'000'000 / period_ns));
   coupling.force_limit = settings.force_limit;
   coupling.ramp_ticks = settings.ramp_ticks;

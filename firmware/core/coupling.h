@@ -43,6 +43,12 @@ struct Force {
 /// tick         no: divides
 Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
 
+/// The same in two halves, for a field that comes later: this one divides, `for_field` does not.
+Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns);
+/// prepared     by the function above
+/// tick         yes
+Coupling for_field(const Coupling& prepared, const BlobView& field);
+
 /// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
 /// or had not arrived.
 ///

@@ -1,14 +1,104 @@
 #include "firmware/core/device_tick.h"
 
+#include <algorithm>
+
+#include "firmware/core/joint_angles.h"
+#include "firmware/core/joint_torques.h"
+
 namespace isotouch::core {
 
-DeviceTickModel make_device_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns) {
-  return {device, settings, period_ns};
+namespace {
+
+constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
+
+/// Is a vector longer than the limit? Components are clamped to 2^30, so that three squares fit 63 bits; the limit is below that.
+template <class Q>
+bool is_longer(const Vec3<Q>& v, Q limit) {
+  const Q most = Q::from_raw(1 << 30);
+  const auto bounded = [most](Q q) { return std::clamp(q, -most, most); };
+  const Vec3<Q> b = {bounded(v.x), bounded(v.y), bounded(v.z)};
+  return dot_raw(b, b) > std::int64_t{limit.raw()} * limit.raw();
 }
 
-DeviceOutput device_tick(const DeviceInput& /*in*/, const BlobView* /*field*/, const DeviceTickModel& model, DeviceState& /*state*/) {
+/// Another field: nothing that was felt before holds. The proxy begins at the HIP.
+void take_field(const BlobView* field, std::uint32_t generation, const DeviceTickModel& model, DeviceState& state) {
+  state.field_generation = generation;
+  state.tick = {};
+  state.felt = field != nullptr ? for_field(model.any_field, *field) : model.any_field;
+}
+
+/// The colours tell people what to expect; homing stays asked for, see the model.
+std::uint8_t packet_flags(SupervisorState state, const DeviceModel& device) {
+  const bool looking = state == SupervisorState::kBoot || state == SupervisorState::kHoming;
+  const bool red = looking || state == SupervisorState::kFault;
+  const std::uint8_t led = red ? device.led_homing : state == SupervisorState::kActive ? device.led_active : device.led_idle;
+  return static_cast<std::uint8_t>(led | (looking ? std::uint8_t{kFalconHoming} : device.homing_flag));
+}
+
+}  // namespace
+
+DeviceTickModel make_device_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns) {
+  DeviceTickModel model;
+  model.device = device;
+  model.mechanism = make_mechanism(device);
+  model.motors = make_motors(device, period_ns);
+  model.supervision = make_supervision(device, period_ns);
+  model.rate = PerSecond::from_raw(static_cast<std::int32_t>(1'000'000'000LL * (1 << PerSecond::kFractionBits) / period_ns));
+  model.any_field = make_model(settings, period_ns);
+  return model;
+}
+
+DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const DeviceTickModel& model, DeviceState& state) {
+  if ((in.commands & kCommandRestart) != 0) state = {};
+  const Reading reading = read_reply(in, model.device, state.reply);
+  const bool new_field = in.field_generation != state.field_generation;
+  if (new_field) take_field(field, in.field_generation, model, state);
+
   DeviceOutput out;
-  out.packet_flags = static_cast<std::uint8_t>(model.device.homing_flag | model.device.led_homing);
+  out.buttons = state.reply.buttons;
+  if (reading.jumped || !state.reply.homed) {
+    state.pose = {};
+    state.velocity = {};
+    state.tick = {};
+  }
+  Pose pose;
+  if (state.reply.homed) pose = follow_pose(joint_angles(state.reply.counts, model.device), model.mechanism, state.pose);
+  if (pose.settled) {
+    out.hip = pose.hip - model.device.workspace_origin;
+    const Vec3<MmPerS> velocity = hip_velocity(out.hip, reading.fresh, model.rate, state.velocity);
+    out.tick.status |= when(is_longer(velocity, model.device.speed_limit), kTooFast);
+  }
+  out.tick.proxy = out.hip;
+  const std::uint16_t age = static_cast<std::uint16_t>(std::min(state.reply.stale, 65535U));
+  if (pose.settled && field != nullptr) {
+    const std::uint32_t so_far = out.tick.status;
+    out.tick = tick({out.hip, out.buttons, reading.fresh, age}, *field, state.felt, state.tick);
+    out.tick.status |= so_far;
+  }
+
+  Observations seen;
+  seen.heard = state.reply.heard;
+  seen.homed = state.reply.homed;
+  seen.pose_settled = pose.settled;
+  seen.has_field = field != nullptr;
+  seen.new_field = new_field;
+  seen.too_deep = (out.tick.status & kContact) != 0 && is_longer(out.tick.proxy - out.hip, model.device.penetration_limit);
+  seen.stale_ticks = state.reply.stale;
+  seen.commands = in.commands;
+  const Permission permission = supervise(seen, model.supervision, state.supervisor);
+
+  MotorWords words;
+  out.tick.force = permission.granted ? mul<Newton>(out.tick.force, permission.part) : Vec3<Newton>{};
+  if (permission.granted) words = motor_words(joint_torques(out.tick.force, pose.statics), model.motors, state.words);
+  state.words = out.tick.words = words.words;
+
+  out.tick.state = static_cast<std::uint16_t>(state.supervisor.state);
+  out.tick.status |= when(!reading.fresh, kStale) | when(reading.malformed, kBadReply) | when(reading.jumped, kCountJump) |
+                     when(state.reply.homed && !pose.settled, kPoseUncertain) |
+                     when(pose.settled && pose.statics.near_singular, kNearSingular) | when(permission.ramping, kRamping) |
+                     when(words.limited, kWordsLimited) | when(words.slew_limited, kSlewLimited);
+  out.faults = state.supervisor.faults;
+  out.packet_flags = packet_flags(state.supervisor.state, model.device);
   return out;
 }
 

@@ -4,6 +4,11 @@
 
 #include <cstdint>
 
+#include "firmware/core/hip_velocity.h"
+#include "firmware/core/kinematics.h"
+#include "firmware/core/motor_words.h"
+#include "firmware/core/reply_reader.h"
+#include "firmware/core/supervisor.h"
 #include "firmware/core/tick.h"
 #include "shared/blob.h"
 #include "shared/device_io.h"
@@ -14,8 +19,11 @@ namespace isotouch::core {
 /// What does not change between ticks, prepared once so that the tick needs no division.
 struct DeviceTickModel {
   DeviceModel device;
-  TickSettings settings;
-  std::uint32_t period_ns = 0;
+  Mechanism mechanism;
+  Motors motors;
+  Supervision supervision;
+  PerSecond rate;       ///< ticks a second
+  TickModel any_field;  ///< what is felt, before a field says its edge and stiffness
 };
 
 /// device       a valid model (`decode_model` accepts its bytes)
@@ -26,15 +34,21 @@ DeviceTickModel make_device_model(const DeviceModel& device, const TickSettings&
 
 /// Everything a tick remembers; a default one is the state before the first tick.
 struct DeviceState {
+  ReplyState reply;
+  PoseState pose;
+  VelocityState velocity;
+  TickModel felt;  ///< prepared for the field of this generation
   TickState tick;
   std::uint32_t field_generation = 0;
+  SupervisorMemory supervisor;
+  std::array<std::int16_t, 3> words{};
 };
 
 /// One tick of the device.
 ///
 /// in        the newest packet with its age, and what is asked of the tick. A malformed packet counts as none
-/// field     a checked view, or nullptr as long as there is none (then `in.field_generation` is 0). Another field comes with another generation:
-///           the proxy starts at the HIP and the force rises from zero by a ramp
+/// field     a checked view, or nullptr as long as there is none: then, and only then, `in.field_generation` is 0. Another field comes with another
+///           generation: the proxy starts at the HIP and the force rises from zero by a ramp
 /// returns   motor words and flags for the next command packet, and everything that a trace records. Words are zero in every state but kActive
 /// fails     never: the resting output needs no permission
 /// tick      yes: constant loop counts, no division, no allocation

@@ -26,8 +26,12 @@ constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition 
 }  // namespace
 
 TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
-  return {settings, make_coupling(settings, period_ns, field)};
+  return for_field(make_model(settings, period_ns), field);
 }
+
+TickModel make_model(const TickSettings& settings, std::uint32_t period_ns) { return {settings, make_coupling(settings, period_ns)}; }
+
+TickModel for_field(const TickModel& prepared, const BlobView& field) { return {prepared.settings, for_field(prepared.coupling, field)}; }
 
 TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& model, TickState& state) {
   const Vec3<Mm> hip = clamp_to_reach(in.hip);

@@ -20,6 +20,12 @@ struct TickModel {
 /// tick         no: divides
 TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
 
+/// The same in two halves, for a field that comes later: this one divides, `for_field` does not.
+TickModel make_model(const TickSettings& settings, std::uint32_t period_ns);
+/// prepared     by the function above
+/// tick         yes
+TickModel for_field(const TickModel& prepared, const BlobView& field);
+
 /// Everything a tick remembers; a default one is the state before the first tick.
 struct TickState {
   ProxyState proxy;

@@ -1,0 +1,85 @@
+#include "firmware/core/reply_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace isotouch::core {
+namespace {
+
+DeviceInput packet(const Counts& counts, std::uint8_t homed = 7) {
+  DeviceInput in;
+  in.packet = encode(FalconReply{counts, 5, homed});
+  in.fresh = true;
+  return in;
+}
+
+struct Reader {
+  Reading operator()(const DeviceInput& in) { return read_reply(in, model, state); }
+  DeviceModel model = libnifalcon_model();
+  ReplyState state;
+};
+
+TEST(ReplyReader, HomedNeedsAllThreeLegsTwiceInARow) {
+  for (std::uint8_t homed = 0; homed < 7; ++homed) {
+    Reader read;
+    for (int t = 0; t < 10; ++t) read(packet({1, 2, 3}, homed));
+    EXPECT_FALSE(read.state.homed) << int{homed};
+  }
+  Reader read;
+  read(packet({1, 2, 3}));
+  EXPECT_FALSE(read.state.homed);
+  read(packet({1, 2, 3}, 3));
+  read(packet({1, 2, 3}));
+  EXPECT_FALSE(read.state.homed);
+  read(packet({1, 2, 3}));
+  EXPECT_TRUE(read.state.homed);
+  read(packet({1, 2, 3}, 0));
+  EXPECT_TRUE(read.state.homed);
+}
+
+TEST(ReplyReader, AStaleOrMalformedPacketChangesNoCount) {
+  Reader read;
+  read(packet({10, 20, 30}));
+  DeviceInput in = packet({11, 21, 31});
+  in.fresh = false;
+  in.age = 4;
+  EXPECT_FALSE(read(in).fresh);
+  EXPECT_EQ(read.state.counts, (Counts{10, 20, 30}));
+  EXPECT_EQ(read.state.stale, 4U) << "the loop's own count is taken where it is larger";
+  in.fresh = true;
+  in.packet[15] = 'A';
+  const Reading reading = read(in);
+  EXPECT_TRUE(reading.malformed);
+  EXPECT_FALSE(reading.fresh);
+  EXPECT_EQ(read.state.stale, 5U);
+  EXPECT_TRUE(read(packet({11, 21, 31})).fresh);
+  EXPECT_EQ(read.state.stale, 0U);
+  EXPECT_EQ(read.state.buttons, 5);
+}
+
+TEST(ReplyReader, AJumpIsWhatNoHandDoesInTheTimeThatPassed) {
+  Reader read;
+  EXPECT_TRUE(read(packet({0, 0, 0})).jumped) << "the first counts come from nowhere";
+  EXPECT_FALSE(read(packet({400, -400, 0})).jumped);
+  EXPECT_TRUE(read(packet({400, 1, 0})).jumped);
+  EXPECT_TRUE(read(packet({-32768, 1, 32767})).jumped);
+  read(packet({0, 0, 0}));
+  DeviceInput stale;
+  read(stale);
+  read(stale);
+  EXPECT_FALSE(read(packet({1200, 0, 0})).jumped) << "three ticks";
+  for (int t = 0; t < 1000; ++t) read(stale);
+  EXPECT_TRUE(read(packet({1200 + 6401, 0, 0})).jumped) << "but never more than sixteen ticks' way";
+}
+
+TEST(ReplyReader, AJumpWithoutReferenceLosesIt) {
+  Reader read;
+  for (int t = 0; t < 3; ++t) read(packet({500, 500, 500}));
+  EXPECT_TRUE(read.state.homed);
+  read(packet({-500, 500, 500}));
+  EXPECT_TRUE(read.state.homed);
+  read(packet({0, 0, 0}, 0));
+  EXPECT_FALSE(read.state.homed);
+}
+
+}  // namespace
+}  // namespace isotouch::core
