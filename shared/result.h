@@ -7,7 +7,7 @@
 
 namespace isotouch {
 
-/// Why data was refused. `describe` gives the sentence's core; the caller adds file and place.
+/// Why data was refused, or a device did not do what it was asked to. `describe` gives the sentence's core; the caller adds file and place.
 enum class Error : std::uint8_t {
   kTruncated,    ///< fewer bytes than the header promises
   kBadMagic,     ///< not a file of this kind
@@ -21,6 +21,14 @@ enum class Error : std::uint8_t {
   kWrongBlob,    ///< the trace was recorded on another blob
   kNoOutputs,    ///< the trace holds inputs only
   kBadFrame,     ///< the compressed part of a packed blob does not hold what its header promises
+  kTimedOut,     ///< a device did not answer in time
+  kGone,         ///< a device was unplugged, or the other end of a connection went away
+  kStalled,      ///< a device refused a request
+  kNotFound,     ///< no such device
+  kNotAllowed,   ///< this user may not open the device
+  kBusy,         ///< another program holds the device
+  kUnsuitable,   ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
+  kNoUsb,        ///< this machine offers no USB to programs
   kBadPacket,    ///< a device packet that lost or changed bytes on its way
   kBadModel,     ///< a device model with a number outside its range
 };
@@ -39,6 +47,14 @@ constexpr const char* describe(Error error) {
     case Error::kWrongBlob: return "the trace was recorded on another blob";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
+    case Error::kTimedOut: return "it did not answer in time";
+    case Error::kGone: return "it was unplugged or its connection was closed";
+    case Error::kStalled: return "it refused a request";
+    case Error::kNotFound: return "no such device is there";
+    case Error::kNotAllowed: return "this user may not open it";
+    case Error::kBusy: return "another program holds it";
+    case Error::kUnsuitable: return "it answers, but not as this device should";
+    case Error::kNoUsb: return "this machine offers no USB to programs";
     case Error::kBadPacket: return "the device packet is malformed";
     case Error::kBadModel: return "the device model holds a number outside its range";
   }
@@ -64,6 +80,22 @@ class [[nodiscard]] Result {
   T value_{};
   Error error_{};
   bool ok_;
+};
+
+/// Done, or the one reason why not.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  constexpr Result() = default;
+  constexpr Result(Error error) : error_(error), ok_(false) {}  // NOLINT(google-explicit-constructor): as std::unexpected
+
+  constexpr bool has_value() const { return ok_; }
+  constexpr explicit operator bool() const { return ok_; }
+  constexpr Error error() const { return assert(!ok_), error_; }
+
+ private:
+  Error error_{};
+  bool ok_ = true;
 };
 
 }  // namespace isotouch

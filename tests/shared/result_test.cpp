@@ -21,6 +21,14 @@ TEST(Result, HoldsAValueOrAnError) {
   static_assert(std::is_trivially_copyable_v<Result<Pair>>);
 }
 
+TEST(Result, OfNothingIsDoneOrAnError) {
+  constexpr Result<void> kDone;
+  static_assert(kDone.has_value() && kDone);
+  constexpr Result<void> kError = Error::kGone;
+  static_assert(!kError.has_value() && !kError && kError.error() == Error::kGone);
+  static_assert(!std::is_convertible_v<Result<void>, bool>, "only a condition may ask");
+}
+
 TEST(Result, NoBooleanOrValueSlipsInOrOut) {
   static_assert(!std::is_convertible_v<Result<int>, bool>, "only a condition may ask");
   static_assert(!std::is_convertible_v<Result<int>, int>, "the value is taken by name");
