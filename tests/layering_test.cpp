@@ -28,6 +28,8 @@ struct Rule {
 const std::map<std::string, Rule> kRules = {
     {"shared", {{}, true}},
     {"firmware/core", {{"shared"}, true}},
+    {"firmware/loop", {{"firmware/core", "shared"}}},
+    {"firmware/io", {{"firmware/loop", "shared"}}},
     {"host/cloud", {{"host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
     {"host/vdb", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
