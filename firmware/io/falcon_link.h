@@ -63,4 +63,7 @@ class FalconLink {
   virtual Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) = 0;
 };
 
+/// What a person can do about an error of a link: half a sentence to follow `describe`.
+const char* advice(Error error);
+
 }  // namespace isotouch::io
