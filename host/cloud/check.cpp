@@ -91,25 +91,6 @@ struct PointsView {
   }
 };
 
-/// Of the distances to the nearest neighbour; of a large cloud, of 4,096 points and a few more, spread over the list.
-double median_spacing(const std::vector<Vector3d>& positions) {
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsView>, PointsView, 3, std::size_t>;
-  const PointsView view{positions};
-  const Tree tree(3, view, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  std::vector<double> squared;
-  const std::size_t step = std::max<std::size_t>(1, positions.size() / 4096);
-  for (std::size_t i = 0; i < positions.size(); i += step) {
-    const Vector3d& p = positions[i];
-    std::array<std::size_t, 2> indices{};
-    std::array<double, 2> distances{};
-    tree.knnSearch(p.data(), 2, indices.data(), distances.data());
-    squared.push_back(distances[1]);  // the nearest is the point itself: no two share a place any more
-  }
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(*middle);
-}
-
 /// The directions of the lattice points in [-2, 2]^3 that see the origin.
 std::vector<Vector3d> directions() {
   std::vector<Vector3d> all;
@@ -146,6 +127,24 @@ double outwardness(const OrientedPoints& points) {
     most += std::abs(answer);
   }
   return most > 0.0 ? agreement / most : 0.0;
+}
+
+double median_spacing(const std::vector<Vector3d>& positions) {
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsView>, PointsView, 3, std::size_t>;
+  const PointsView view{positions};
+  const Tree tree(3, view, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  std::vector<double> squared;
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / 4096);
+  for (std::size_t i = 0; i < positions.size(); i += step) {
+    const Vector3d& p = positions[i];
+    std::array<std::size_t, 2> indices{};
+    std::array<double, 2> distances{};
+    tree.knnSearch(p.data(), 2, indices.data(), distances.data());
+    squared.push_back(distances[1]);  // the nearest is the point itself: no two share a place any more
+  }
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::sqrt(*middle);
 }
 
 OrientedPoints check(const std::string& name, const Model& model, CloudReport& report) {

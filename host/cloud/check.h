@@ -47,4 +47,9 @@ OrientedPoints check(const std::string& name, const Model& model, CloudReport& r
 /// The share of agreement between -1 (all inward) and 1 (all outward), as described above.
 double outwardness(const OrientedPoints& points);
 
+/// From a point to its nearest neighbour, the median: of a large cloud, of 4,096 points and a few more, spread over the list.
+///
+/// positions  at least 2
+double median_spacing(const std::vector<Eigen::Vector3d>& positions);
+
 }  // namespace isotouch::cloud

@@ -1,14 +1,15 @@
 /// isotouch evaluate: accuracy of surface, normals and force on the objects whose answer is known, each beside its floor.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/commands/commands.h"
+#include "host/commands/damage_table.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/published_table.h"
 #include "host/evaluate/real.h"
@@ -36,6 +37,7 @@ struct ShapeRow {
 struct MethodResult {
   std::vector<ShapeRow> shapes;
   std::vector<ForceError> forces;  ///< at kSpeeds
+  std::vector<DamageRow> damage;   ///< of the default method alone
 };
 
 /// One method on all shapes; the published one feels the sphere with its own tick.
@@ -47,6 +49,9 @@ MethodResult measure(blob::Method method) {
     const evaluate::OpenBlob built = evaluate::trial_blob(trial, method);
     const evaluate::OpenBlob floor = evaluate::floor_blob(trial);
     result.shapes.push_back({name, evaluate::surface_error(built.view, trial.truth), evaluate::surface_error(floor.view, trial.truth)});
+    if (method == blob::Method::kDefault) {
+      for (DamageRow& row : damage_rows(trial)) result.damage.push_back(std::move(row));
+    }
     if (trial.shape.name != "sphere") continue;
     for (const double speed : kSpeeds) {
       const evaluate::SphereSlide slide = evaluate::trial_slide(built.view, speed);
@@ -88,6 +93,7 @@ Json to_json(const MethodResult& result) {
                                 {"magnitude_rms_pct", result.forces[i].magnitude_rms_pct},
                                 {"direction_max_deg", result.forces[i].direction_max_deg}});
   }
+  if (!result.damage.empty()) json["damage"] = to_json(result.damage);
   return json;
 }
 
@@ -103,6 +109,7 @@ void print(const MethodResult& result, const char* title) {
     std::printf("  sphere, 4 voxels deep at %4.0f mm/s: force magnitude rms %.4f %%, direction max %.4f° over %zu ticks\n", kSpeeds[i],
                 result.forces[i].magnitude_rms_pct, result.forces[i].direction_max_deg, result.forces[i].ticks);
   }
+  if (!result.damage.empty()) print(result.damage);
 }
 
 Json to_json(const std::vector<evaluate::PublishedRow>& table) {

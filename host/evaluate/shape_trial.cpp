@@ -1,10 +1,10 @@
 #include "host/evaluate/shape_trial.h"
 
+#include <cmath>
 #include <utility>
 
 #include "host/cloud/random.h"
 #include "host/evaluate/real.h"
-#include "host/field/build_field.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
 #include "host/published/build.h"
@@ -41,12 +41,22 @@ ShapeTrial shape_trial(const std::string& name, std::uint64_t seed) {
   return trial;
 }
 
-OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method) {
+ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uint64_t seed) {
+  ShapeTrial result = trial;
+  result.points = damaged(trial.points, damage, seed + 3'000'000);
+  const double side = kTrialVoxel * (trial.shape.high - trial.shape.low).maxCoeff();
+  const int wider = static_cast<int>(std::ceil(kStrayMargin * side / trial.grid.edge));
+  result.grid.size.array() += 2 * wider;
+  result.grid.origin.array() -= wider * trial.grid.edge;
+  return result;
+}
+
+OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method, field::Repair* repair) {
   field::Progress progress;
   if (method == blob::Method::kPublished) {
     return as_blob(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
   }
-  return as_blob(field::build_field(trial.points, trial.grid, kTrialBand, progress), trial, method);
+  return as_blob(field::build_field(trial.points, trial.grid, kTrialBand, progress, repair), trial, method);
 }
 
 OpenBlob floor_blob(const ShapeTrial& trial) {

@@ -8,10 +8,12 @@
 
 #include "host/blob/write_blob.h"
 #include "host/cloud/shapes.h"
+#include "host/evaluate/damage.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/surface_error.h"
 #include "host/field/band_field.h"
+#include "host/field/build_field.h"
 
 namespace isotouch::evaluate {
 
@@ -33,8 +35,13 @@ struct ShapeTrial {
 /// fails     InputError: no such shape
 ShapeTrial shape_trial(const std::string& name, std::uint64_t seed = 1);
 
+/// The same trial with a damaged scan, on a grid wider by as many voxels as strays need.
+ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uint64_t seed = 1);
+
 /// The blob that a method makes of the trial's points. kDefault is the analytic field, kPublished the paper's levels.
-OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method);
+///
+/// repair    where given, is told what the default method mended
+OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method, field::Repair* repair = nullptr);
 
 /// The blob of the exact distances, on the same grid.
 OpenBlob floor_blob(const ShapeTrial& trial);
