@@ -1,5 +1,6 @@
 /// isotouch build: oriented points, a mesh or a level set → field → blob.
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host/blob/dense_bytes.h"
 #include "host/commands/build_blob.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
@@ -39,6 +41,8 @@ void print_json(const BuildReport& report, const BlobView& view) {
                                        {"seconds", report.seconds},
                                        {"stages", stages},
                                        {"bytes", view.image.size()},
+                                       {"wire_bytes", report.wire_bytes},
+                                       {"dense_float_bytes", blob::dense_float_bytes(view)},
                                        {"hash", evaluate::hash_text(view.hash())},
                                        {"warnings", report.warnings}};
   std::printf("%s\n", json.dump(2).c_str());
@@ -53,8 +57,9 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
   std::printf("inside nodes  %zu\n", report.inside_nodes);
   std::printf("seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
-  std::printf("\nblob          %s, image of %zu bytes, hash %s\n", out.string().c_str(), view.image.size(),
-              evaluate::hash_text(view.hash()).c_str());
+  std::printf("\nblob          %s, hash %s\n", out.string().c_str(), evaluate::hash_text(view.hash()).c_str());
+  std::printf("bytes         %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
+              report.wire_bytes, std::uintmax_t{blob::dense_float_bytes(view)});
 }
 
 }  // namespace

@@ -205,6 +205,7 @@ BuiltBlob build_blob(const BuildOptions& options) {
   report.inside_nodes = made.inside_nodes.value_or(blob::inside_samples(blob.view));
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
+  report.wire_bytes = packed.size();
   return {std::move(made.points), std::move(blob), std::move(report)};
 }
 

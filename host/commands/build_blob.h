@@ -46,6 +46,7 @@ struct BuildReport {
   cloud::Placement placement;
   std::size_t inside_nodes = 0;
   double seconds = 0;
+  std::size_t wire_bytes = 0;  ///< of the file
   std::vector<std::pair<std::string, double>> stages;
 };
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/blob/certificate.h"
+#include "host/blob/dense_bytes.h"
 #include "host/blob/packed.h"
 #include "host/blob/write_blob.h"
 #include "host/cloud/files.h"
@@ -74,7 +75,8 @@ void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface)
   nlohmann::ordered_json json = {
       {"bytes", view.image.size()},     {"voxel_mm", real(view.edge)}, {"grid", view.size},
       {"band_voxels", real(view.band)}, {"bricks", view.brick_count},  {"hash", evaluate::hash_text(view.hash())},
-      {"version", version(view)},       {"wire_bytes", wire_bytes},    {"certificate", certificate}};
+      {"version", version(view)},       {"wire_bytes", wire_bytes},    {"dense_float_bytes", blob::dense_float_bytes(view)},
+      {"certificate", certificate}};
   if (with_surface) add_surface(view, json);
   std::printf("%s\n", json.dump(2).c_str());
 }
@@ -86,7 +88,8 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
       origin + real(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
-  std::printf("bytes        %zu in memory, %zu packed on the wire and in the file\n", view.image.size(), wire_bytes);
+  std::printf("bytes        %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
+              wire_bytes, std::uintmax_t{blob::dense_float_bytes(view)});
   std::printf("hash         %s\n", evaluate::hash_text(view.hash()).c_str());
   std::printf("source hash  %s\n", evaluate::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == blob::Method::kPublished ? "published" : "default", info.point_count);

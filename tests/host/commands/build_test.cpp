@@ -72,10 +72,15 @@ TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
 
   const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
   EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes",
-                                                  "certificate"}));
+                                                  "dense_float_bytes", "certificate"}));
   EXPECT_EQ(info["hash"], json["hash"]);
   EXPECT_EQ(info["bytes"], json["bytes"]);
   EXPECT_EQ(info["wire_bytes"], fs::file_size(file("t.itf")));
+  EXPECT_EQ(json["wire_bytes"], info["wire_bytes"]);
+  std::size_t dense = sizeof(float);
+  for (const auto& along : info["grid"]) dense *= along.get<std::size_t>();
+  EXPECT_EQ(info["dense_float_bytes"], dense);
+  EXPECT_EQ(json["dense_float_bytes"], dense);
   EXPECT_EQ(info["version"], "1.1");
   EXPECT_EQ(info["grid"].size(), 3U);
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
