@@ -176,14 +176,16 @@ Made make_field(const BuildOptions& options, BuildReport& report, field::Progres
 BuiltBlob build_blob(const BuildOptions& options) {
   field::threads_wanted = options.threads;
   BuildReport report;
-  field::Progress progress(progress_bar());
+  field::Progress progress(options.quiet ? field::Progress::Show{} : progress_bar());
   report.kind = kind_of(options);
   if (!options.grid_name.empty() && report.kind != InputKind::kLevelSet) {
     throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
   }
   Made made = make_field(options, report, progress);
-  for (const std::string& warning : report.warnings)
-    std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
+  if (!options.quiet) {
+    for (const std::string& warning : report.warnings)
+      std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
+  }
 
   progress.begin("blob");
   const blob::BlobInfo info{options.stiffness, report.source_hash, options.method, static_cast<std::uint32_t>(report.points),
@@ -192,7 +194,7 @@ BuiltBlob build_blob(const BuildOptions& options) {
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = blob::pack(blob.view);
   const double advised = blob::certificate_of(blob.view).stiffness_n_per_mm;
-  if (options.stiffness > advised) {
+  if (options.stiffness > advised && !options.quiet) {
     std::fprintf(
         stderr,
         "isotouch: a stiffness of %g N/mm may feed energy into the hand; up to %.3g N/mm is safe with the device that `info` assumes\n",
@@ -203,9 +205,9 @@ BuiltBlob build_blob(const BuildOptions& options) {
   progress.end();
 
   report.inside_nodes = made.inside_nodes.value_or(blob::inside_samples(blob.view));
+  report.wire_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
-  report.wire_bytes = packed.size();
   return {std::move(made.points), std::move(blob), std::move(report)};
 }
 

@@ -31,6 +31,7 @@ struct BuildOptions {
   std::string units = {};  ///< empty = fit
   double fit_mm = 70.0;
   unsigned threads = 0;  ///< 0 = as many as there are processors
+  bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone
 
   double band_voxels() const { return band.value_or(4.0); }
   int grid_voxels() const { return grid.value_or(186); }
@@ -45,8 +46,8 @@ struct BuildReport {
   std::vector<std::string> warnings;  ///< one sentence each
   cloud::Placement placement;
   std::size_t inside_nodes = 0;
-  double seconds = 0;
   std::size_t wire_bytes = 0;  ///< of the file
+  double seconds = 0;
   std::vector<std::pair<std::string, double>> stages;
 };
 

@@ -1,39 +1,16 @@
 #include "host/commands/field_bench.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <filesystem>
-#include <system_error>
 
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/build_blob.h"
-#include "host/error.h"
+#include "host/commands/temporary_folder.h"
 
 namespace isotouch::commands {
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder that goes with its owner.
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("isotouch-bench-" + std::to_string(::getpid()));
-
-  TemporaryFolder() {
-    std::error_code error;
-    fs::create_directories(path, error);
-    if (error) throw InputError(path.string() + ": cannot be made: " + error.message() + "; set TMPDIR to a folder that can be written");
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 double seconds_of(BuildOptions options, blob::Method method) {
   options.method = method;
@@ -48,6 +25,7 @@ std::vector<FieldTimes> time_fields() {
   for (const char* name : {"hydrant", "owl", "boy", "bomberman", "jaguar"}) {
     const cloud::Shape shape = cloud::shape(name);
     BuildOptions options;
+    options.quiet = true;
     options.input = folder.path / (shape.name + ".ply");
     options.out = folder.path / (shape.name + ".itf");
     cloud::write_ply(options.input, cloud::sample_shape(shape, shape.default_points), "isotouch bench field");
