@@ -12,9 +12,9 @@
 #include <variant>
 
 #include "host/cloud/files.h"
+#include "host/cloud/trial.h"
 #include "host/error.h"
 #include "host/vdb/level_set.h"
-#include "host/vdb/trial.h"
 #include "shared/hash64.h"
 
 namespace isotouch::vdb {
@@ -249,7 +249,10 @@ LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& gr
   try {
     openvdb::initialize();
     // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
-    const Trial trial = try_out([&] { static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings))); });
+    const cloud::Trial trial = cloud::try_out([&] {
+      static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings)));
+      return std::string();
+    });
     if (trial.crashed) throw InputError(name + ": the file is damaged: reading it crashes OpenVDB; save it again");
     if (!trial.thrown.empty()) throw std::runtime_error(trial.thrown);
     const openvdb::GridBase::Ptr base = read_grid(name, grid_name, set.warnings);

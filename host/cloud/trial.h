@@ -1,0 +1,25 @@
+/// A call made in a process of its own: because it may crash, or because its memory is to be told from ours.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace isotouch::cloud {
+
+struct Trial {
+  bool crashed = false;          ///< the process did not come to the end of the call
+  std::string thrown;            ///< what() of what the call threw; empty when it returned
+  std::string answer;            ///< what the call returned
+  std::uint64_t peak_bytes = 0;  ///< most memory that was resident at once; begins with what this process held
+  double cpu_seconds = 0;        ///< of all threads of the copy
+};
+
+/// Makes the call in a copy of this process, so that what crashes or leaks there does not here. What it does to memory is lost, what it prints
+/// is not seen.
+///
+/// call      must not need this process's other threads: the copy has none of them
+/// returns   how it ended; as if it had returned nothing where no process can be started
+Trial try_out(const std::function<std::string()>& call);
+
+}  // namespace isotouch::cloud
