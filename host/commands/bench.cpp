@@ -11,6 +11,7 @@
 #include "host/blob/write_blob.h"
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
+#include "host/commands/growth_bench.h"
 #include "host/commands/tick_bench.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/motion.h"
@@ -128,6 +129,48 @@ void bench_field(bool as_json) {
   if (as_json) std::printf("%s\n", json.dump(2).c_str());
 }
 
+nlohmann::ordered_json to_json(const std::vector<GrowthRow>& rows) {
+  auto json = nlohmann::ordered_json::array();
+  for (const GrowthRow& row : rows) {
+    nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+    for (const auto& [stage, seconds] : row.stages) stages[stage] = seconds;
+    json.push_back({{"points", row.points},
+                    {"grid", row.grid},
+                    {"seconds", row.seconds},
+                    {"cpu_seconds", row.cpu_seconds},
+                    {"peak_bytes", row.peak_bytes},
+                    {"image_bytes", row.image_bytes},
+                    {"stored_samples", row.stored_samples},
+                    {"ns_per_sample", row.nanoseconds_per_sample()},
+                    {"stages", stages}});
+  }
+  return json;
+}
+
+void print(const char* title, const std::vector<GrowthRow>& rows) {
+  std::printf("%s\n%8s %6s %8s %8s %9s %9s %10s %10s  ", title, "points", "grid", "s", "cpu s", "peak MiB", "image MB", "samples",
+              "ns/sample");
+  for (const auto& [stage, seconds] : rows.front().stages) std::printf(" %12s", stage.c_str());
+  for (const GrowthRow& row : rows) {
+    std::printf("\n%8zu %5d³ %8.3f %8.3f %9.1f %9.2f %10zu %10.1f  ", row.points, row.grid, row.seconds, row.cpu_seconds,
+                static_cast<double>(row.peak_bytes) / (1 << 20), 1e-6 * static_cast<double>(row.image_bytes), row.stored_samples,
+                row.nanoseconds_per_sample());
+    for (const auto& [stage, seconds] : row.stages) std::printf(" %12.3f", seconds);
+  }
+  std::printf("\n");
+}
+
+void bench_growth(bool as_json) {
+  const Growth growth = measure_growth();
+  if (as_json) {
+    const nlohmann::ordered_json json = {{"points", to_json(growth.points)}, {"grids", to_json(growth.grids)}};
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  print("more points of a sphere on the default grid", growth.points);
+  print("finer grids for one cloud", growth.grids);
+}
+
 }  // namespace
 
 void add_bench(CLI::App& app) {
@@ -145,6 +188,9 @@ void add_bench(CLI::App& app) {
   CLI::App* field = command->add_subcommand("field", "From a cloud's file to a verified blob's file, beside the published method");
   field->add_flag("--json", options->json, "print one JSON object");
   field->callback([options] { bench_field(options->json); });
+  CLI::App* growth = command->add_subcommand("growth", "Time and memory of a build for more points, and for finer grids");
+  growth->add_flag("--json", options->json, "print one JSON object");
+  growth->callback([options] { bench_growth(options->json); });
 }
 
 }  // namespace isotouch::commands
