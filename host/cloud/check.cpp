@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nanoflann.hpp>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "host/error.h"
@@ -22,9 +23,8 @@ constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
 constexpr double kDoubtful = 0.3;
 
-OrientedPoints with_unit_normals(const std::string& name, const Model& model, CloudReport& report) {
-  OrientedPoints points{model.positions, {}};
-  points.normals.reserve(model.normals.size());
+/// Brings the normals to unit length in their places.
+void make_unit_normals(const std::string& name, Model& model, CloudReport& report) {
   for (std::size_t i = 0; i < model.normals.size(); ++i) {
     if (model.positions[i].cwiseAbs().maxCoeff() > kFarthest) {
       throw InputError(name + ": " + model.place(i) + ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
@@ -37,46 +37,57 @@ OrientedPoints with_unit_normals(const std::string& name, const Model& model, Cl
                        " instead of 1; normalise the normals");
     }
     if (std::abs(length - 1.0) > kUnitTolerance) ++report.renormalised;
-    points.normals.emplace_back(model.normals[i] / length);
+    model.normals[i] /= length;
   }
-  return points;
 }
 
-OrientedPoints merge_duplicates(const OrientedPoints& points, CloudReport& report) {
-  const auto before = [&](std::size_t a, std::size_t b) {
-    const Vector3d& p = points.positions[a];
-    const Vector3d& q = points.positions[b];
-    if (p.x() != q.x()) return p.x() < q.x();
+/// Points in an order that brings those at one place together, in their order.
+std::vector<std::uint32_t> by_place(const std::vector<Vector3d>& positions) {
+  struct Along {
+    double x;
+    std::uint32_t point;
+  };
+  std::vector<Along> sorted(positions.size());
+  for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = {positions[i].x(), i};
+  std::sort(sorted.begin(), sorted.end(), [&](const Along& a, const Along& b) {
+    if (a.x != b.x) return a.x < b.x;
+    const Vector3d& p = positions[a.point];
+    const Vector3d& q = positions[b.point];
     if (p.y() != q.y()) return p.y() < q.y();
     if (p.z() != q.z()) return p.z() < q.z();
-    return a < b;
-  };
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), before);
+    return a.point < b.point;
+  });
+  std::vector<std::uint32_t> order(sorted.size());
+  std::transform(sorted.begin(), sorted.end(), order.begin(), [](const Along& along) { return along.point; });
+  return order;
+}
 
-  std::vector<std::pair<std::size_t, Vector3d>> kept;  // the first point of each place, and its normal
+void merge_duplicates(OrientedPoints& points, CloudReport& report) {
+  const std::vector<std::uint32_t> order = by_place(points.positions);
+  std::vector<std::uint8_t> stays(points.size(), 1);
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     Vector3d sum = Vector3d::Zero();
     for (end = begin; end < order.size() && points.positions[order[end]] == points.positions[order[begin]]; ++end)
       sum += points.normals[order[end]];
     const std::size_t together = end - begin;
-    if (together == 1) {
-      kept.emplace_back(order[begin], points.normals[order[begin]]);
-    } else if (sum.norm() < kShortestMean * static_cast<double>(together)) {
+    if (together == 1) continue;
+    for (std::size_t i = begin; i < end; ++i) stays[order[i]] = 0;
+    if (sum.norm() < kShortestMean * static_cast<double>(together)) {
       report.contradictory += together;
     } else {
       report.merged += together - 1;
-      kept.emplace_back(order[begin], sum.normalized());
+      stays[order[begin]] = 1;  // the first point of each place, with the mean normal
+      points.normals[order[begin]] = sum.normalized();
     }
   }
-  std::sort(kept.begin(), kept.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  OrientedPoints merged;
-  for (const auto& [index, normal] : kept) {
-    merged.positions.push_back(points.positions[index]);
-    merged.normals.push_back(normal);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (stays[i] == 0) continue;
+    points.positions[kept] = points.positions[i];
+    points.normals[kept++] = points.normals[i];
   }
-  return merged;
+  points.positions.resize(kept);
+  points.normals.resize(kept);
 }
 
 /// What nanoflann wants to know about the points.
@@ -91,13 +102,13 @@ struct PointsView {
   }
 };
 
-/// The directions of the lattice points in [-2, 2]^3 that see the origin.
+/// The directions of the lattice points in [-2, 2]^3 that see the origin, one of each two opposite ones.
 std::vector<Vector3d> directions() {
   std::vector<Vector3d> all;
   for (int x = -2; x <= 2; ++x) {
     for (int y = -2; y <= 2; ++y) {
       for (int z = -2; z <= 2; ++z) {
-        if (std::gcd(std::gcd(x, y), z) == 1) all.push_back(Vector3d(x, y, z).normalized());
+        if (std::gcd(std::gcd(x, y), z) == 1 && std::tuple(x, y, z) > std::tuple(0, 0, 0)) all.push_back(Vector3d(x, y, z).normalized());
       }
     }
   }
@@ -111,20 +122,27 @@ std::string times(std::size_t count, const char* one, const char* many) { return
 double outwardness(const OrientedPoints& points) {
   double agreement = 0.0;
   double most = 0.0;
-  for (const Vector3d& direction : directions()) {
-    std::size_t outermost = 0;
-    double farthest = points.positions[0].dot(direction);
-    for (std::size_t i = 1; i < points.size(); ++i) {
-      const double reach = points.positions[i].dot(direction);
-      if (reach > farthest) {
-        farthest = reach;
-        outermost = i;
-      }
-    }
-    const double answer =
-        points.normals[outermost].dot(direction);  // near 1 or -1; near 0 at the rim of an open scan, which so counts little
+  // A normal's answer is near 1 or -1, and near 0 at the rim of an open scan, which so counts little.
+  const auto ask = [&](double answer) {
     agreement += answer;
     most += std::abs(answer);
+  };
+  for (const Vector3d& direction : directions()) {
+    std::size_t first = 0, last = 0;
+    double least = points.positions[0].dot(direction);
+    double greatest = least;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double reach = points.positions[i].dot(direction);
+      if (reach > greatest) {
+        greatest = reach;
+        last = i;
+      } else if (reach < least) {
+        least = reach;
+        first = i;
+      }
+    }
+    ask(points.normals[last].dot(direction));
+    ask(-points.normals[first].dot(direction));
   }
   return most > 0.0 ? agreement / most : 0.0;
 }
@@ -147,7 +165,7 @@ double median_spacing(const std::vector<Vector3d>& positions) {
   return std::sqrt(*middle);
 }
 
-OrientedPoints check(const std::string& name, const Model& model, CloudReport& report) {
+OrientedPoints check(const std::string& name, Model model, CloudReport& report) {
   report.format = model.format;
   report.points_read = model.positions.size();
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
@@ -155,7 +173,9 @@ OrientedPoints check(const std::string& name, const Model& model, CloudReport& r
     throw InputError(name + ": its " + std::to_string(model.positions.size()) +
                      " points have no normals; estimate outward normals in a point-cloud program and save them with the points");
   }
-  OrientedPoints points = merge_duplicates(with_unit_normals(name, model, report), report);
+  make_unit_normals(name, model, report);
+  OrientedPoints points{std::move(model.positions), std::move(model.normals)};
+  merge_duplicates(points, report);
   if (points.size() < kFewestPoints) {
     throw InputError(name + ": only " + times(points.size(), "usable point", "usable points") +
                      " at different places; a body needs 8 or more");
@@ -166,7 +186,6 @@ OrientedPoints check(const std::string& name, const Model& model, CloudReport& r
   if (report.flipped) {
     for (Vector3d& normal : points.normals) normal = -normal;
   }
-  report.median_spacing = median_spacing(points.positions);
   report.low = report.high = points.positions[0];
   for (const Vector3d& p : points.positions) {
     report.low = report.low.cwiseMin(p);

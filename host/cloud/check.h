@@ -23,7 +23,6 @@ struct CloudReport {
   std::size_t contradictory = 0;                  ///< points left out because the normals at their place contradict each other
   double outward = 0.0;                           ///< as read: 1 all normals point out, -1 all point in, near 0 nobody can tell
   bool flipped = false;                           ///< all normals were turned round
-  double median_spacing = 0.0;                    ///< from a point to its nearest neighbour, cloud units
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< the points' box, cloud units
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
@@ -42,14 +41,14 @@ struct CloudReport {
 /// name      of the file, for the sentences
 /// fails     InputError: no points, no normals, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
 ///           fewer than 8 points left
-OrientedPoints check(const std::string& name, const Model& model, CloudReport& report);
+OrientedPoints check(const std::string& name, Model model, CloudReport& report);
 
 /// The share of agreement between -1 (all inward) and 1 (all outward), as described above.
 double outwardness(const OrientedPoints& points);
 
 /// From a point to its nearest neighbour, the median: of a large cloud, of 4,096 points and a few more, spread over the list.
 ///
-/// positions  at least 2
+/// positions  at least 2, no two at one place
 double median_spacing(const std::vector<Eigen::Vector3d>& positions);
 
 }  // namespace isotouch::cloud

@@ -69,18 +69,22 @@ class BinaryRows {
   double number(PlyType type, std::string_view) {
     const std::size_t size = bytes_of(type);
     if (body_.size() - at_ < size) throw refusal("the file ends in the middle of it");
-    std::array<std::uint8_t, 8> raw{};
-    for (std::size_t byte = 0; byte < size; ++byte) raw[big_endian_ ? size - 1 - byte : byte] = body_[at_ + byte];
+    const std::uint8_t* at = body_.data() + at_;
     at_ += size;
+    std::array<std::uint8_t, 8> turned;
+    if (big_endian_) {
+      std::reverse_copy(at, at + size, turned.begin());
+      at = turned.data();
+    }
     switch (type) {
-      case PlyType::kInt8: return load_le<std::int8_t>(raw.data());
-      case PlyType::kUint8: return load_le<std::uint8_t>(raw.data());
-      case PlyType::kInt16: return load_le<std::int16_t>(raw.data());
-      case PlyType::kUint16: return load_le<std::uint16_t>(raw.data());
-      case PlyType::kInt32: return load_le<std::int32_t>(raw.data());
-      case PlyType::kUint32: return load_le<std::uint32_t>(raw.data());
-      case PlyType::kFloat32: return static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(raw.data())));
-      case PlyType::kFloat64: return std::bit_cast<double>(load_le<std::uint64_t>(raw.data()));
+      case PlyType::kInt8: return load_le<std::int8_t>(at);
+      case PlyType::kUint8: return load_le<std::uint8_t>(at);
+      case PlyType::kInt16: return load_le<std::int16_t>(at);
+      case PlyType::kUint16: return load_le<std::uint16_t>(at);
+      case PlyType::kInt32: return load_le<std::int32_t>(at);
+      case PlyType::kUint32: return load_le<std::uint32_t>(at);
+      case PlyType::kFloat32: return static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(at)));
+      case PlyType::kFloat64: return std::bit_cast<double>(load_le<std::uint64_t>(at));
     }
     return 0.0;
   }

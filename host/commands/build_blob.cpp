@@ -68,7 +68,6 @@ Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progres
   report.format = read.format;
   report.source_hash = read.source_hash;
   report.points = in_cloud.size();
-  report.spacing = report.placement.scale * read.median_spacing;
   report.warnings = read.warnings();
   cloud::OrientedPoints points = cloud::placed(in_cloud, report.placement);
 

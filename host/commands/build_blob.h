@@ -42,7 +42,6 @@ struct BuildReport {
   std::string format;  ///< "PLY, binary little-endian"
   std::uint64_t source_hash = 0;
   std::size_t points = 0;             ///< of a cloud; vertices of a mesh, active voxels of a level set
-  double spacing = 0;                 ///< median distance of a cloud's points, mm in the workspace; 0 for others
   std::vector<std::string> warnings;  ///< one sentence each
   cloud::Placement placement;
   std::size_t inside_nodes = 0;

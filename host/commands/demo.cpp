@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "host/cloud/check.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/build_blob.h"
@@ -113,9 +114,10 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                            const SphereForce& force) {
   const std::vector<fs::path> files = {options.folder / "points.png", options.folder / "surface.png", options.folder / "slice.png",
                                        options.folder / "force.png"};
-  view::write_png(
-      files[0], view::points_picture(built.points,
-                                     {.direction = {.up = options.up}, .title = title, .spacing = built.report.spacing, .mm_per_unit = 1}));
+  view::write_png(files[0], view::points_picture(built.points, {.direction = {.up = options.up},
+                                                                .title = title,
+                                                                .spacing = cloud::median_spacing(built.points.positions),
+                                                                .mm_per_unit = 1}));
   view::write_png(files[1], view::surface_picture(built.blob.view, {.up = options.up, .touch = tour.deepest, .title = title}));
   view::write_png(files[2], view::slice_picture(built.blob.view, {.title = title}));
   view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
@@ -40,7 +41,7 @@ struct PointsRun {
                                                                .height = picture.size[1],
                                                                .direction = picture.direction().value_or(view::Direction{.up = picture.up}),
                                                                .title = cloud.stem().string(),
-                                                               .spacing = report.median_spacing,
+                                                               .spacing = cloud::median_spacing(points.positions),
                                                                .mm_per_unit = 0}));
   }
 };

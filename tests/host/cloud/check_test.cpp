@@ -32,7 +32,7 @@ TEST(Check, a_good_cloud_passes_untouched) {
   EXPECT_EQ(report.points_read, 500U);
   EXPECT_EQ(report.points, 500U);
   EXPECT_GT(report.outward, 0.99);
-  EXPECT_NEAR(report.median_spacing, 9.9, 1.0);  // hexagonal packing: 11.1
+  EXPECT_NEAR(median_spacing(checked.positions), 9.9, 1.0);  // hexagonal packing: 11.1
   EXPECT_NEAR(report.high.x(), 95.0, 1.0);
 }
 
