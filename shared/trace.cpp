@@ -5,26 +5,43 @@
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 #include "shared/hash64.h"
+#include "shared/vec3_bytes.h"
 
 namespace isotouch {
 
-namespace {
-
 using namespace trace_layout;
 
-template <class Q>
-void store_vec3(std::uint8_t* at, const Vec3<Q>& v) {
-  store_le(at, v.x.raw());
-  store_le(at + 4, v.y.raw());
-  store_le(at + 8, v.z.raw());
+void store_run(const TraceHeader& header, std::uint8_t* bytes) {
+  store_le(bytes + 16, header.record_count);
+  store_le(bytes + 24, header.blob_hash);
+  store_le(bytes + 32, header.model_hash);
+  store_le(bytes + 40, header.period_ns);
+  store_le(bytes + 44, header.flags);
+  store_le(bytes + 48, header.settings.stiffness.raw());
+  store_le(bytes + 52, header.settings.damping.raw());
+  store_le(bytes + 56, header.settings.force_limit.raw());
+  store_le(bytes + 60, header.settings.ramp_ticks);
 }
 
-template <class Q>
-Vec3<Q> load_vec3(const std::uint8_t* at) {
-  return {Q::from_raw(load_le<std::int32_t>(at)), Q::from_raw(load_le<std::int32_t>(at + 4)), Q::from_raw(load_le<std::int32_t>(at + 8))};
+bool load_run(const std::uint8_t* bytes, TraceHeader& header) {
+  header.record_count = load_le<std::uint64_t>(bytes + 16);
+  header.blob_hash = load_le<std::uint64_t>(bytes + 24);
+  header.model_hash = load_le<std::uint64_t>(bytes + 32);
+  header.period_ns = load_le<std::uint32_t>(bytes + 40);
+  header.flags = load_le<std::uint32_t>(bytes + 44);
+  header.settings.stiffness = Stiffness::from_raw(load_le<std::int32_t>(bytes + 48));
+  header.settings.damping = Damping::from_raw(load_le<std::int32_t>(bytes + 52));
+  header.settings.force_limit = Newton::from_raw(load_le<std::int32_t>(bytes + 56));
+  header.settings.ramp_ticks = load_le<std::uint32_t>(bytes + 60);
+  return header.settings.stiffness >= Stiffness{} && header.settings.stiffness <= Stiffness::of(100) &&
+         header.settings.damping >= Damping{} && header.settings.force_limit > Newton{} && header.settings.force_limit <= Newton::of(100) &&
+         header.settings.ramp_ticks <= 100'000 && header.period_ns >= 100'000 && header.period_ns <= 4'000'000;
 }
 
-}  // namespace
+Result<std::uint16_t> trace_major(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < 6 || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return Error::kBadMagic;
+  return load_le<std::uint16_t>(bytes.data() + 4);
+}
 
 TraceHeaderBytes encode(const TraceHeader& header) {
   TraceHeaderBytes bytes{};
@@ -34,15 +51,7 @@ TraceHeaderBytes encode(const TraceHeader& header) {
   store_le(at + 6, kMinor);
   store_le(at + 8, static_cast<std::uint32_t>(kHeaderBytes));
   store_le(at + 12, static_cast<std::uint32_t>(kRecordBytes));
-  store_le(at + 16, header.record_count);
-  store_le(at + 24, header.blob_hash);
-  store_le(at + 32, header.model_hash);
-  store_le(at + 40, header.period_ns);
-  store_le(at + 44, header.flags);
-  store_le(at + 48, header.settings.stiffness.raw());
-  store_le(at + 52, header.settings.damping.raw());
-  store_le(at + 56, header.settings.force_limit.raw());
-  store_le(at + 60, header.settings.ramp_ticks);
+  store_run(header, at);
   store_le(at + 92, crc32(at, 92));
   return bytes;
 }
@@ -56,22 +65,7 @@ Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint
   if (load_le<std::uint32_t>(at + 8) != kHeaderBytes || load_le<std::uint32_t>(at + 12) != kRecordBytes) return Error::kBadHeader;
 
   TraceHeader header;
-  header.record_count = load_le<std::uint64_t>(at + 16);
-  header.blob_hash = load_le<std::uint64_t>(at + 24);
-  header.model_hash = load_le<std::uint64_t>(at + 32);
-  header.period_ns = load_le<std::uint32_t>(at + 40);
-  header.flags = load_le<std::uint32_t>(at + 44);
-  header.settings.stiffness = Stiffness::from_raw(load_le<std::int32_t>(at + 48));
-  header.settings.damping = Damping::from_raw(load_le<std::int32_t>(at + 52));
-  header.settings.force_limit = Newton::from_raw(load_le<std::int32_t>(at + 56));
-  header.settings.ramp_ticks = load_le<std::uint32_t>(at + 60);
-
-  const bool settings_valid = header.settings.stiffness >= Stiffness{} && header.settings.stiffness <= Stiffness::of(100) &&
-                              header.settings.damping >= Damping{} && header.settings.force_limit > Newton{} &&
-                              header.settings.force_limit <= Newton::of(100) && header.settings.ramp_ticks <= 100'000;
-  const bool known_flags = (header.flags & ~(kHasOutputs | kEncoderCounts)) == 0;
-  if (!settings_valid || !known_flags || header.period_ns < 100'000 || header.period_ns > 4'000'000) return Error::kBadHeader;
-
+  if (!load_run(at, header) || (header.flags & ~(kHasOutputs | kEncoderCounts)) != 0) return Error::kBadHeader;
   const std::uint64_t record_bytes = file_bytes - kHeaderBytes;
   if (header.record_count > record_bytes / kRecordBytes) return Error::kTruncated;
   if (header.record_count * kRecordBytes != record_bytes) return Error::kBadSize;

@@ -59,6 +59,16 @@ TraceRecordBytes encode(const TraceRecord& record);
 /// fails     kBadRecord: an undefined flag, a reserved byte that is not zero, a fresh sample with an age
 Result<TraceRecord> decode_record(std::span<const std::uint8_t, trace_layout::kRecordBytes> bytes);
 
+/// Bytes 16 to 63 of a header: counts, hashes, period, flags and settings stand there in every major version.
+void store_run(const TraceHeader& header, std::uint8_t* bytes);
+/// returns   false when the period or a setting is outside SPEC's range; flags are the version's business
+bool load_run(const std::uint8_t* bytes, TraceHeader& header);
+
+/// The major version of a trace that begins with these bytes.
+///
+/// fails     kBadMagic
+Result<std::uint16_t> trace_major(std::span<const std::uint8_t> bytes);
+
 /// The rolling hash over everything that a run saw and said. Equal chains mean equal histories.
 ///
 /// tick      yes: `extend` costs one XXH64 of 56 bytes

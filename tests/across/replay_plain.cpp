@@ -10,11 +10,14 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "firmware/core/device_tick.h"
 #include "firmware/core/tick.h"
 #include "shared/blob.h"
+#include "shared/device_trace.h"
 #include "shared/trace.h"
 
 namespace {
@@ -42,34 +45,74 @@ int refuse(const char* file, const char* why) {
   return 1;
 }
 
-int replay(const char* blob_name, const char* trace_name) {
-  const Image blob(read_file(blob_name)), trace(read_file(trace_name));
-  const Result<BlobView> field = BlobView::parse(blob.span());
-  if (!field) return refuse(blob_name, describe(field.error()));
-  const Result<TraceHeader> header = decode_header(trace.span(), trace.bytes);
-  if (!header) return refuse(trace_name, describe(header.error()));
-  if (!header->has_outputs()) return refuse(trace_name, describe(Error::kNoOutputs));
-  if (header->blob_hash != field->hash()) return refuse(trace_name, describe(Error::kWrongBlob));
+/// How each major version is read and run; see SPEC.md, sections 3 and 5.
+struct Hip {
+  static constexpr std::size_t kHeaderBytes = trace_layout::kHeaderBytes;
+  static constexpr std::size_t kRecordBytes = trace_layout::kRecordBytes;
+  static Result<TraceHeader> decode(const Image& trace) { return decode_header(trace.span(), trace.bytes); }
+  static Result<TraceRecord> decode(std::span<const std::uint8_t, kRecordBytes> bytes) { return decode_record(bytes); }
+  static const TraceHeader& run(const TraceHeader& header) { return header; }
 
-  const core::TickModel model = core::make_model(header->settings, header->period_ns, *field);
+  Hip(const BlobView& blob, const TraceHeader& header)
+      : field(blob), model(core::make_model(header.settings, header.period_ns, blob)), chain(header, header.blob_hash) {}
+  TickOutput step(const TickInput& in) { return core::tick(in, field, model, state); }
+
+  const BlobView& field;
+  core::TickModel model;
   core::TickState state;
-  Chain chain(*header, header->blob_hash);
+  Chain chain;
+};
+
+struct Wire {
+  static constexpr std::size_t kHeaderBytes = device_trace_layout::kHeaderBytes;
+  static constexpr std::size_t kRecordBytes = device_trace_layout::kRecordBytes;
+  static Result<DeviceTraceHeader> decode(const Image& trace) { return decode_device_header(trace.span(), trace.bytes); }
+  static Result<DeviceTraceRecord> decode(std::span<const std::uint8_t, kRecordBytes> bytes) { return decode_device_record(bytes); }
+  static const TraceHeader& run(const DeviceTraceHeader& header) { return header.run; }
+
+  Wire(const BlobView& blob, const DeviceTraceHeader& header)
+      : field(blob), model(core::make_device_model(header.device, header.run.settings, header.run.period_ns)), chain(header) {}
+  DeviceOutput step(const DeviceInput& in) { return core::device_tick(in, in.field_generation == 0 ? nullptr : &field, model, state); }
+
+  const BlobView& field;
+  core::DeviceTickModel model;
+  core::DeviceState state;
+  DeviceChain chain;
+};
+
+template <class Kind>
+int replay(const BlobView& field, const Image& trace, const char* trace_name) {
+  const auto header = Kind::decode(trace);
+  if (!header) return refuse(trace_name, describe(header.error()));
+  const TraceHeader& run = Kind::run(*header);
+  if (!run.has_outputs()) return refuse(trace_name, describe(Error::kNoOutputs));
+  if (run.blob_hash != field.hash()) return refuse(trace_name, describe(Error::kWrongBlob));
+
+  Kind kind(field, *header);
   std::string first_difference = "null";
   const auto started = std::chrono::steady_clock::now();
-  const std::uint8_t* at = trace.span().data() + trace_layout::kHeaderBytes;
-  for (std::uint64_t n = 0; n < header->record_count; ++n, at += trace_layout::kRecordBytes) {
-    const Result<TraceRecord> record =
-        decode_record(std::span<const std::uint8_t, trace_layout::kRecordBytes>(at, trace_layout::kRecordBytes));
+  const std::uint8_t* at = trace.span().data() + Kind::kHeaderBytes;
+  for (std::uint64_t n = 0; n < run.record_count; ++n, at += Kind::kRecordBytes) {
+    const auto record = Kind::decode(std::span<const std::uint8_t, Kind::kRecordBytes>(at, Kind::kRecordBytes));
     if (!record) return refuse(trace_name, describe(record.error()));
-    const TickOutput output = core::tick(record->input, *field, model, state);
-    const bool equal = chain.extend(record->input, output) == record->chain && output == record->output;
+    const auto output = kind.step(record->input);
+    const bool equal = kind.chain.extend(record->input, output) == record->chain && output == record->output;
     if (!equal && first_difference == "null") first_difference = std::to_string(n);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   std::printf("{\"ticks\": %llu, \"seconds\": %.3f, \"hash\": \"%016llx\", \"first_difference\": %s}\n",
-              static_cast<unsigned long long>(header->record_count), seconds, static_cast<unsigned long long>(chain.value()),
+              static_cast<unsigned long long>(run.record_count), seconds, static_cast<unsigned long long>(kind.chain.value()),
               first_difference.c_str());
   return first_difference == "null" ? 0 : 3;
+}
+
+int replay(const char* blob_name, const char* trace_name) {
+  const Image blob(read_file(blob_name)), trace(read_file(trace_name));
+  const Result<BlobView> field = BlobView::parse(blob.span());
+  if (!field) return refuse(blob_name, describe(field.error()));
+  const Result<std::uint16_t> major = trace_major(trace.span());
+  if (!major) return refuse(trace_name, describe(major.error()));
+  return *major == device_trace_layout::kMajor ? replay<Wire>(*field, trace, trace_name) : replay<Hip>(*field, trace, trace_name);
 }
 
 }  // namespace
