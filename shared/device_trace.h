@@ -32,7 +32,7 @@ using DeviceTraceHeaderBytes = std::array<std::uint8_t, device_trace_layout::kHe
 using DeviceTraceRecordBytes = std::array<std::uint8_t, device_trace_layout::kRecordBytes>;
 
 struct DeviceTraceHeader {
-  TraceHeader run;  ///< its model_hash is that of `device`; blob_hash 0 = no field was loaded, or, without outputs, any blob
+  TraceHeader run;  ///< its model_hash is that of `device`; blob_hash 0 = no field was loaded, or any blob
   DeviceModel device;
 
   bool has_outputs() const { return run.has_outputs(); }

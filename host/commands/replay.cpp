@@ -41,14 +41,21 @@ void print_text(const evaluate::ReplayReport& report, bool checked) {
   if (checked && !report.first_difference) std::printf("check        equal to the recorded outputs, every bit\n");
 }
 
+template <class Format>
+evaluate::ReplayReport replay_file(const BlobView& field, const Options& options) {
+  const auto trace = evaluate::TraceFile<Format>::read(options.trace);
+  std::optional<evaluate::TraceFileWriter<Format>> writer;
+  if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(field, trace.header()));
+  const evaluate::ReplayReport report = evaluate::replay(field, trace, options.check, writer ? &*writer : nullptr);
+  if (writer) writer->finish();
+  return report;
+}
+
 void run(const Options& options) {
   const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
-  const evaluate::Trace trace = evaluate::Trace::read(options.trace);
-  std::optional<evaluate::TraceWriter> writer;
-  if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(blob.view, trace.header()));
-
-  const evaluate::ReplayReport report = evaluate::replay(blob.view, trace, options.check, writer ? &*writer : nullptr);
-  if (writer) writer->finish();
+  const bool at_the_wire = evaluate::trace_major(options.trace) == evaluate::WireFormat::kMajor;
+  const evaluate::ReplayReport report =
+      at_the_wire ? replay_file<evaluate::WireFormat>(blob.view, options) : replay_file<evaluate::HipFormat>(blob.view, options);
   if (options.json) {
     print_json(report);
   } else {
@@ -67,7 +74,7 @@ void add_replay(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("replay", "Run the core over a trace; the same blob and inputs give the same hash on every machine");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
-  command->add_option("TRACE", options->trace, "the recorded hand (.trace)")->required();
+  command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
   command->add_option("-o,--out", options->out, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");

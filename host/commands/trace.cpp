@@ -15,9 +15,12 @@
 #include "host/evaluate/motion_csv.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
+#include "host/evaluate/replay.h"
 #include "host/evaluate/resample.h"
 #include "host/evaluate/trace_diff.h"
 #include "host/evaluate/trace_file.h"
+#include "host/evaluate/wire_hand.h"
+#include "shared/device_model.h"
 #include "shared/trace.h"
 
 namespace isotouch::commands {
@@ -165,15 +168,47 @@ void import_table(const ImportOptions& options) {
   report(options.trace.out, ticks, options.trace.header());
 }
 
+struct WireOptions {
+  fs::path blob;
+  fs::path hand;
+  fs::path out;
+  std::string device = "libnifalcon";
+};
+
+/// What a device would have sent, and what its tick answers.
+void make_wire(const WireOptions& options) {
+  const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
+  const evaluate::Trace hand = evaluate::Trace::read(options.hand);
+  const DeviceModel model = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+  DeviceTraceHeader header{hand.header(), model};
+  header.run.flags = 0;
+  evaluate::DeviceRun run(blob.view, header);
+  evaluate::DeviceTraceWriter writer(options.out, run.header());
+  evaluate::WireHand wire(model);
+  for (std::size_t tick = 0; tick < hand.size(); ++tick) {
+    const TraceRecord recorded = hand.record(tick);
+    DeviceTraceRecord record = run.step(wire(recorded.input, 1));
+    record.arrival_ns = recorded.arrival_ns;
+    writer.append(record);
+  }
+  writer.finish();
+  report(options.out, hand.size(), header.run);
+  if (wire.out_of_reach() > 0) {
+    std::fprintf(stderr, "%llu ticks lay out of the device's reach, the last place was kept\n",
+                 static_cast<unsigned long long>(wire.out_of_reach()));
+  }
+}
+
 struct DiffOptions {
   fs::path a;
   fs::path b;
   bool json = false;
 };
 
-void compare_traces(const DiffOptions& options) {
-  const auto a = evaluate::Trace::read(options.a);
-  const auto b = evaluate::Trace::read(options.b);
+template <class Format>
+void compare_files(const DiffOptions& options) {
+  const auto a = evaluate::TraceFile<Format>::read(options.a);
+  const auto b = evaluate::TraceFile<Format>::read(options.b);
   const std::optional<evaluate::Difference> difference = evaluate::first_difference(a, b);
   if (options.json) {
     nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};
@@ -186,6 +221,11 @@ void compare_traces(const DiffOptions& options) {
     throw ComparisonFailed(options.a.string() + " and " + options.b.string() + " differ first at tick " + std::to_string(difference->tick) +
                            " in " + difference->field);
   }
+}
+
+void compare_traces(const DiffOptions& options) {
+  const bool at_the_wire = evaluate::trace_major(options.a) == evaluate::WireFormat::kMajor;
+  at_the_wire ? compare_files<evaluate::WireFormat>(options) : compare_files<evaluate::HipFormat>(options);
 }
 
 void add_make(CLI::App& trace) {
@@ -219,6 +259,18 @@ void add_import(CLI::App& trace) {
   command->callback([options] { import_table(*options); });
 }
 
+void add_wire(CLI::App& trace) {
+  auto options = std::make_shared<WireOptions>();
+  CLI::App* command = trace.add_subcommand("wire", "A recorded hand as a device's packets, with what the tick of that device answers");
+  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("HAND", options->hand, "the recorded hand (.trace)")->required();
+  command->add_option("-o,--out", options->out, "the trace to write")->required();
+  command->add_option("--device", options->device, "the published numbers of the device")
+      ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
+      ->capture_default_str();
+  command->callback([options] { make_wire(*options); });
+}
+
 void add_diff(CLI::App& trace) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* command =
@@ -236,6 +288,7 @@ void add_trace(CLI::App& app) {
   trace->require_subcommand(1);
   add_make(*trace);
   add_import(*trace);
+  add_wire(*trace);
   add_diff(*trace);
 }
 

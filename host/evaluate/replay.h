@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/core/device_tick.h"
 #include "firmware/core/tick.h"
 #include "host/evaluate/trace_diff.h"
 #include "host/evaluate/trace_file.h"
@@ -34,6 +35,25 @@ class Run {
   Chain chain_;
 };
 
+/// The same for the tick of a device.
+class DeviceRun {
+ public:
+  /// field     stays alive as long as the run; loaded in the ticks whose input names a field
+  /// header    model, period and settings of the run
+  DeviceRun(const BlobView& field, const DeviceTraceHeader& header);
+
+  DeviceTraceRecord step(const DeviceInput& input);
+  std::uint64_t hash() const { return chain_.value(); }
+  const DeviceTraceHeader& header() const { return header_; }
+
+ private:
+  const BlobView& field_;
+  DeviceTraceHeader header_;
+  core::DeviceTickModel model_;
+  core::DeviceState state_;
+  DeviceChain chain_;
+};
+
 struct ReplayReport {
   std::uint64_t ticks = 0;
   double seconds = 0.0;  ///< wall clock of all ticks with their chain
@@ -43,14 +63,16 @@ struct ReplayReport {
 
 /// Runs a trace's inputs.
 ///
-/// check     compares every tick with the recorded outputs and chain, and stops looking, not running, at the first that differs. Its field
-/// is an
+/// check     compares every tick with the recorded outputs and chain, and stops looking, not running, at the first that differs. Its field is an
 ///           output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
 /// out       nullptr, or takes every record, with the input's arrival times
-/// fails     InputError: inputs are encoder counts; with `check`, no outputs or no records, or another blob
+/// fails     InputError: inputs are encoder counts of an unknown device; a second field where the trace names one; with `check`, no outputs or no
+///           records, or another blob
 ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
+ReplayReport replay(const BlobView& field, const DeviceTrace& trace, bool check, DeviceTraceWriter* out = nullptr);
 
 /// The header that a trace of this replay has: for the writer.
 TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs);
+DeviceTraceHeader replay_header(const BlobView& field, const DeviceTraceHeader& inputs);
 
 }  // namespace isotouch::evaluate

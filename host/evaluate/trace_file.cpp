@@ -12,13 +12,7 @@
 
 namespace isotouch::evaluate {
 
-using namespace trace_layout;
-
 namespace {
-
-constexpr std::size_t kOutputBegin = 16;
-constexpr std::size_t kOutputEnd = 64;
-constexpr std::size_t kChainAt = 56;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
 
@@ -26,79 +20,117 @@ void write_bytes(std::ofstream& out, const std::uint8_t* data, std::size_t size)
   out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
 }
 
+/// A whole trace of the other kind is no broken file, only in the wrong place.
+const char* other_kind(std::span<const std::uint8_t> bytes, std::uint16_t expected) {
+  const Result<std::uint16_t> major = isotouch::trace_major(bytes);
+  if (!major || *major == expected) return nullptr;
+  if (*major == WireFormat::kMajor)
+    return "holds a device's packets, not positions of the hand; only replay and trace diff take such a trace";
+  if (*major == HipFormat::kMajor) return "holds positions of the hand, not a device's packets; give two traces of one kind";
+  return nullptr;
+}
+
 }  // namespace
 
-Trace Trace::read(const std::filesystem::path& file) {
+std::uint16_t trace_major(const std::filesystem::path& file) {
+  std::array<std::uint8_t, 6> head{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  if (in.gcount() == 0) refuse(file, "cannot be read as a trace file; check the path and its permissions");
+  const Result<std::uint16_t> major = isotouch::trace_major(std::span(head.data(), static_cast<std::size_t>(in.gcount())));
+  if (!major) refuse(file, std::string("not usable as a trace: ") + describe(major.error()) + "; make or record it again");
+  return *major;
+}
+
+template <class Format>
+TraceFile<Format> TraceFile<Format>::read(const std::filesystem::path& file) {
   std::error_code failed;
   const std::uint64_t file_bytes = std::filesystem::file_size(file, failed);
   std::ifstream in(file, std::ios::binary);
   if (failed || !in) refuse(file, "cannot be read as a trace file; check the path and its permissions");
 
-  std::array<std::uint8_t, kHeaderBytes> head{};
+  std::array<std::uint8_t, Format::kHeaderBytes> head{};
   in.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
-  const auto got = static_cast<std::size_t>(in.gcount());
-  const Result<TraceHeader> header = decode_header({head.data(), got}, file_bytes);
+  const std::span<const std::uint8_t> got(head.data(), static_cast<std::size_t>(in.gcount()));
+  if (const char* wrong = other_kind(got, Format::kMajor)) refuse(file, wrong);
+  const Result<typename Format::Header> header = Format::decode(got, file_bytes);
   if (!header) refuse(file, std::string("not usable as a trace: ") + describe(header.error()) + "; make or record it again");
 
-  Trace trace;
+  TraceFile trace;
   trace.file_ = file;
   trace.header_ = *header;
-  trace.bytes_.resize(file_bytes - kHeaderBytes);
+  trace.bytes_.resize(file_bytes - Format::kHeaderBytes);
   in.read(reinterpret_cast<char*>(trace.bytes_.data()), static_cast<std::streamsize>(trace.bytes_.size()));
   if (static_cast<std::size_t>(in.gcount()) != trace.bytes_.size()) refuse(file, "changed while it was read; try again");
 
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const std::uint8_t* bytes = trace.at(tick);
-    const std::string place = "record " + std::to_string(tick) + " at byte " + std::to_string(kHeaderBytes + tick * kRecordBytes);
-    if (!decode_record(std::span<const std::uint8_t, kRecordBytes>(bytes, kRecordBytes))) {
+    const std::string place =
+        "record " + std::to_string(tick) + " at byte " + std::to_string(Format::kHeaderBytes + tick * Format::kRecordBytes);
+    if (!Format::decode(std::span<const std::uint8_t, Format::kRecordBytes>(bytes, Format::kRecordBytes))) {
       refuse(file, place + " holds an undefined value (buttons, freshness, age or reserved bytes); make or record the trace again");
     }
-    if (!trace.header_.has_outputs() && std::any_of(bytes + kOutputBegin, bytes + kOutputEnd, [](std::uint8_t b) { return b != 0; })) {
+    const auto is_set = [](std::uint8_t b) { return b != 0; };
+    if (!trace.header_.has_outputs() && std::any_of(bytes + Format::kOutputAt, bytes + Format::kChainAt + 8, is_set)) {
       refuse(file, place + " holds an output though the header says that none are recorded; make or record the trace again");
     }
   }
   return trace;
 }
 
-TraceRecord Trace::record(std::size_t tick) const {
-  return *decode_record(std::span<const std::uint8_t, kRecordBytes>(at(tick), kRecordBytes));
+template <class Format>
+typename Format::Record TraceFile<Format>::record(std::size_t tick) const {
+  return *Format::decode(std::span<const std::uint8_t, Format::kRecordBytes>(at(tick), Format::kRecordBytes));
 }
 
-std::uint64_t Trace::chain(std::size_t tick) const { return load_le<std::uint64_t>(at(tick) + kChainAt); }
-
-bool Trace::chain_follows(std::size_t tick) const {
-  const std::uint64_t before = tick == 0 ? Chain(header_, header_.blob_hash).value() : chain(tick - 1);
-  return chain(tick) == hash64(at(tick), kRecordChainBytes, before);
+template <class Format>
+std::uint64_t TraceFile<Format>::chain(std::size_t tick) const {
+  return load_le<std::uint64_t>(at(tick) + Format::kChainAt);
 }
 
-TraceWriter::TraceWriter(std::filesystem::path file, const TraceHeader& header)
+template <class Format>
+bool TraceFile<Format>::chain_follows(std::size_t tick) const {
+  const std::uint64_t before = tick == 0 ? Format::first_chain(header_) : chain(tick - 1);
+  return chain(tick) == hash64(at(tick), Format::kChainAt, before);
+}
+
+template <class Format>
+TraceFileWriter<Format>::TraceFileWriter(std::filesystem::path file, const typename Format::Header& header)
     : file_(std::move(file)), part_(file_.string() + ".part"), header_(header) {
-  header_.record_count = 0;
+  Format::run(header_).record_count = 0;
   out_.open(part_, std::ios::binary | std::ios::trunc);
   if (!out_) refuse(file_, "cannot be written; check that the folder exists and is writable");
-  write_bytes(out_, encode(header_).data(), kHeaderBytes);
+  write_bytes(out_, encode(header_).data(), Format::kHeaderBytes);
 }
 
-TraceWriter::~TraceWriter() {
+template <class Format>
+TraceFileWriter<Format>::~TraceFileWriter() {
   if (finished_) return;
   out_.close();
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);
 }
 
-void TraceWriter::append(const TraceRecord& record) {
-  write_bytes(out_, encode(record).data(), kRecordBytes);
-  ++header_.record_count;
+template <class Format>
+void TraceFileWriter<Format>::append(const typename Format::Record& record) {
+  write_bytes(out_, encode(record).data(), Format::kRecordBytes);
+  ++Format::run(header_).record_count;
 }
 
-void TraceWriter::finish() {
+template <class Format>
+void TraceFileWriter<Format>::finish() {
   out_.seekp(0);
-  write_bytes(out_, encode(header_).data(), kHeaderBytes);
+  write_bytes(out_, encode(header_).data(), Format::kHeaderBytes);
   out_.close();
   std::error_code failed;
   if (out_) std::filesystem::rename(part_, file_, failed);
   if (!out_ || failed) refuse(file_, "could not be written to its end; check the free space and the permissions");
   finished_ = true;
 }
+
+template class TraceFile<HipFormat>;
+template class TraceFile<WireFormat>;
+template class TraceFileWriter<HipFormat>;
+template class TraceFileWriter<WireFormat>;
 
 }  // namespace isotouch::evaluate

@@ -9,6 +9,8 @@
 
 #include "host/error.h"
 #include "host/evaluate/motion.h"
+#include "host/evaluate/trace_diff.h"
+#include "host/evaluate/wire_hand.h"
 #include "tests/support/field_image.h"
 #include "tests/support/scratch_folder.h"
 
@@ -128,9 +130,111 @@ TEST(Replay, RefusesToCheckWhatCannotBeCompared) {
   writer.finish();
   EXPECT_THROW(replay(image.view(), Trace::read(folder.path() / "counts.trace"), false), InputError) << "encoder counts";
 
-  TraceWriter empty(folder.path() / "empty.trace", replay_header(image.view(), {}));
+  TraceWriter empty(folder.path() / "empty.trace", replay_header(image.view(), TraceHeader{}));
   empty.finish();
   EXPECT_THROW(replay(image.view(), Trace::read(folder.path() / "empty.trace"), true), InputError) << "no records";
+}
+
+/// The tour as packets of a device that is switched on, gets its field and loses some packets, with what its tick answered.
+std::filesystem::path recorded_wire(const ScratchFolder& folder, const BlobView& field) {
+  const Trace hand = Trace::read(inputs(folder, field));
+  const DeviceTraceHeader header{hand.header(), libnifalcon_model()};
+  DeviceRun run(field, header);
+  WireHand wire(header.device);
+  const std::filesystem::path file = folder.path() / "wire.trace";
+  DeviceTraceWriter writer(file, run.header());
+  for (std::size_t tick = 0; tick < hand.size(); ++tick) {
+    DeviceInput input = wire(hand.record(tick).input, tick < 40 ? 0 : 7);
+    if (tick < 10) input = DeviceInput{};
+    if (tick % 500 > 495) input.fresh = false, input.age = static_cast<std::uint16_t>(tick % 500 - 495);
+    if (tick == 3000) input.commands = kCommandStop;
+    if (tick == 3100) input.commands = kCommandResume;
+    writer.append(run.step(input));
+  }
+  writer.finish();
+  return file;
+}
+
+TEST(Replay, OfADeviceEqualsWhatItRecorded) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const DeviceTrace trace = DeviceTrace::read(recorded_wire(folder, image.view()));
+  const ReplayReport report = replay(image.view(), trace, true);
+  EXPECT_FALSE(report.first_difference.has_value());
+  EXPECT_EQ(report.ticks, 5000U);
+  EXPECT_EQ(report.hash, trace.chain(4999));
+  int touching = 0;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TickOutput out = trace.record(tick).output.tick;
+    touching += (out.status & kContact) != 0 && out.words != TickOutput{}.words ? 1 : 0;
+  }
+  EXPECT_GT(touching, 500);
+}
+
+TEST(Replay, OfADeviceNamesTickAndFieldOfAChange) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const std::string bytes = bytes_of(recorded_wire(folder, image.view()));
+  const std::pair<std::size_t, const char*> fields[] = {
+      {0, "input"},    {16, "input"},   {24, "hip.x"},   {30, "hip.y"},   {32, "hip.z"},    {36, "proxy.x"},  {40, "proxy.y"},
+      {44, "proxy.z"}, {48, "force.x"}, {52, "force.y"}, {56, "force.z"}, {60, "words[0]"}, {62, "words[1]"}, {64, "words[2]"},
+      {66, "state"},   {68, "status"},  {72, "faults"},  {74, "flags"},   {75, "buttons"},  {80, "chain"}};
+  for (const auto& [byte, name] : fields) {
+    for (const std::size_t tick : {600U, 4000U}) {
+      std::string flipped = bytes;
+      char& target = flipped[224 + 96 * tick + byte];
+      target = static_cast<char>(target ^ 1);
+      const ReplayReport report = replay(image.view(), DeviceTrace::read(folder.write("flipped.trace", flipped)), true);
+      ASSERT_TRUE(report.first_difference) << name;
+      EXPECT_EQ(report.first_difference->tick, tick) << name;
+      EXPECT_EQ(report.first_difference->field, name);
+    }
+  }
+}
+
+TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherBlob) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const std::string bytes = bytes_of(recorded_wire(folder, image.view()));
+  std::string swapped = bytes;
+  swapped[224 + 96 * 300 + 20] = 8;
+  const DeviceTrace trace = DeviceTrace::read(folder.write("swapped.trace", swapped));
+  EXPECT_THROW(replay(image.view(), trace, false), InputError);
+  const test::FieldImage other = ball(19);
+  EXPECT_THROW(replay(other.view(), DeviceTrace::read(folder.write("whole.trace", bytes)), true), InputError);
+}
+
+TEST(Replay, ATraceOfTheOtherKindIsRefusedByName) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const std::filesystem::path wire = recorded_wire(folder, image.view());
+  const std::filesystem::path hip = inputs(folder, image.view());
+  EXPECT_EQ(trace_major(hip), 1);
+  EXPECT_EQ(trace_major(wire), 2);
+  EXPECT_THROW(Trace::read(wire), InputError);
+  EXPECT_THROW(DeviceTrace::read(hip), InputError);
+  EXPECT_THROW(trace_major(folder.write("empty.trace", "")), InputError);
+  EXPECT_THROW(trace_major(folder.write("other.trace", "something else")), InputError);
+}
+
+TEST(Replay, TwoRecordingsOfADeviceAreComparedByTheirChains) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const DeviceTrace a = DeviceTrace::read(recorded_wire(folder, image.view()));
+  DeviceRun run(image.view(), a.header());
+  DeviceTraceWriter writer(folder.path() / "b.trace", run.header());
+  for (std::size_t tick = 0; tick < a.size(); ++tick) {
+    DeviceInput input = a.record(tick).input;
+    if (tick == 2345) input.commands = kCommandStop;
+    writer.append(run.step(input));
+  }
+  writer.finish();
+  const DeviceTrace b = DeviceTrace::read(folder.path() / "b.trace");
+  EXPECT_FALSE(first_difference(a, a).has_value());
+  const auto difference = first_difference(a, b);
+  ASSERT_TRUE(difference.has_value());
+  EXPECT_EQ(difference->tick, 2345U);
+  EXPECT_EQ(difference->field, "commands");
 }
 
 }  // namespace
