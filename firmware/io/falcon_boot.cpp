@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "firmware/io/falcon_device.h"
 #include "firmware/io/falcon_stream.h"
 #include "firmware/io/ft232.h"
 
@@ -101,14 +102,15 @@ class Boot {
     return request({ft232::kPurge1, ft232::kPurge2}) && probe(BootStage::kStart);
   }
 
-  /// Asks for a reply to a packet without force, with the red LED of a device that is not homed.
+  /// Asks for a reply to a packet without force, with the red LED of a device that is not homed. A boot loader that took an A of an earlier packet for its
+  /// own repeats what it hears: what looks like the packet itself is no reply, and every other packet differs in one LED.
   bool probe(BootStage stage) {
-    const FalconPacket packet = encode(FalconCommand{{}, kFalconHoming | kFalconRed});
     FalconStream stream;
     for (int i = 0; i < settings_.probe_tries; ++i) {
-      if (!told(stage, stage == BootStage::kStart ? image_.size() : 0) || !send(packet)) return false;
+      const std::uint8_t flags = kFalconHoming | kFalconRed | (i % 2 == 0 ? 0 : kFalconGreen);
+      if (!told(stage, stage == BootStage::kStart ? image_.size() : 0) || !send(encode(FalconCommand{{}, flags}))) return false;
       for (const std::int64_t until = clock_.now_ns() + kProbeWait; clock_.now_ns() < until && !failed_;) {
-        if (stream.feed(read(until)) > 0) return true;
+        if (stream.feed(read(until)) > 0 && !is_echo(stream.newest(), {{}, flags})) return true;
       }
     }
     return false;

@@ -17,6 +17,10 @@ constexpr std::int64_t kMs = 1'000'000;
 
 }  // namespace
 
+bool is_echo(const FalconReply& reply, const FalconCommand& command) {
+  return reply.counts == command.words && reply.buttons == command.flags && reply.homed == 0;
+}
+
 FalconDevice::FalconDevice(FalconLink& link, loop::Clock& clock, const DeviceSettings& settings)
     : link_(link), clock_(clock), settings_(settings) {
   begin();
@@ -42,7 +46,12 @@ Exchange FalconDevice::exchange(const std::array<std::int16_t, 3>& words) {
   }
   counts_.clamped += !result.rested && command.words != words ? 1U : 0U;
   result.fresh = send(command) && await_reply();
+  if (result.fresh && is_echo(stream_.newest(), command)) {
+    ++counts_.echoes;
+    result.fresh = false;
+  }
   if (result.fresh) {
+    last_ = stream_.newest();
     silent_ = 0;
     suspect_ = std::max(suspect_ - 1, 0);
     note_homed();
@@ -52,7 +61,7 @@ Exchange FalconDevice::exchange(const std::array<std::int16_t, 3>& words) {
     suspect_ = kSuspectFor;
     homed_replies_ = 0;
   }
-  result.reply = stream_.newest();
+  result.reply = last_;
   result.homed = homed_;
   result.lost = gone_ || silent_ >= settings_.lost_after;
   return result;
@@ -106,7 +115,7 @@ bool FalconDevice::await_reply() {
 }
 
 void FalconDevice::note_homed() {
-  homed_replies_ = stream_.newest().homed == kAllHomed ? homed_replies_ + 1 : 0;
+  homed_replies_ = last_.homed == kAllHomed ? homed_replies_ + 1 : 0;
   homed_ = homed_ || homed_replies_ >= kHomedReplies;
 }
 

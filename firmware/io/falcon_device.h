@@ -20,9 +20,13 @@ struct DeviceCounts {
   std::uint64_t exchanges = 0;
   std::uint64_t timeouts = 0;  ///< exchanges without a reply
   std::uint64_t late = 0;      ///< replies found when none was awaited; none of them is taken for the answer to a newer packet
+  std::uint64_t echoes = 0;    ///< packets that came back as they were sent: a boot loader, not firmware; they count as timeouts too
   std::uint64_t clamped = 0;   ///< exchanges with a word outside ±4095
   StreamCounts stream;
 };
+
+/// True when a reply is no more than the command itself: the boot loader of the device repeats what it hears.
+bool is_echo(const FalconReply& reply, const FalconCommand& command);
 
 /// What one exchange brought.
 struct Exchange {
@@ -66,6 +70,7 @@ class FalconDevice {
   DeviceSettings settings_;
   FalconStream stream_;
   DeviceCounts counts_;
+  FalconReply last_;
   int silent_ = 0;         ///< exchanges in a row
   int suspect_ = 0;        ///< exchanges for which a late reply may still come
   int homed_replies_ = 0;  ///< in a row

@@ -38,23 +38,24 @@ class FakeClock final : public loop::Clock {
 
 /// What a real board was seen to do, or may do, beyond the plain order of things.
 struct Faults {
-  bool present = true;         ///< false: unplugged
-  bool wall_power = true;      ///< false: the USB chip lives, nobody behind it does
-  int mute_handshakes = 0;     ///< so many questions stay without an answer
-  int mute_attempts = 0;       ///< so many attempts (rises of DTR) stay without any answer
-  int wrong_echoes = 0;        ///< so many pieces come back with a changed byte
-  int lost_autobauds = 0;      ///< so many times A is not answered
-  Bytes before_answer;         ///< stray bytes in front of the handshake's answer
-  Bytes before_autobaud;       ///< in front of the A that comes back
-  Bytes before_first_echo;     ///< in front of the first piece's echo
-  Bytes after_handshake;       ///< late bytes that come some milliseconds after the answer
-  bool byte_by_byte = false;   ///< every answer comes in packets of one byte
-  bool empty_packets = true;   ///< the latency timer's packets without data
-  bool mute_firmware = false;  ///< loaded, but it never answers
-  int mute_replies = 0;        ///< so many packets stay without a reply
-  int late_replies = 0;        ///< so many replies come after 7 ms
-  int stall_controls = 0;      ///< so many control requests are refused
-  bool short_writes = false;   ///< takes at most five bytes at a time
+  bool present = true;          ///< false: unplugged
+  bool wall_power = true;       ///< false: the USB chip lives, nobody behind it does
+  int mute_handshakes = 0;      ///< so many questions stay without an answer
+  int mute_attempts = 0;        ///< so many attempts (rises of DTR) stay without any answer
+  int wrong_echoes = 0;         ///< so many pieces come back with a changed byte
+  int lost_autobauds = 0;       ///< so many times A is not answered
+  Bytes before_answer;          ///< stray bytes in front of the handshake's answer
+  Bytes before_autobaud;        ///< in front of the A that comes back
+  Bytes before_first_echo;      ///< in front of the first piece's echo
+  Bytes after_handshake;        ///< late bytes that come some milliseconds after the answer
+  bool byte_by_byte = false;    ///< every answer comes in packets of one byte
+  bool empty_packets = true;    ///< the latency timer's packets without data
+  bool echoes_packets = false;  ///< before its firmware is loaded, its boot loader repeats run-time packets
+  bool mute_firmware = false;   ///< loaded, but it never answers
+  int mute_replies = 0;         ///< so many packets stay without a reply
+  int late_replies = 0;         ///< so many replies come after 7 ms
+  int stall_controls = 0;       ///< so many control requests are refused
+  bool short_writes = false;    ///< takes at most five bytes at a time
 };
 
 class FakeFalcon final : public io::FalconLink {
@@ -164,6 +165,8 @@ class FakeFalcon final : public io::FalconLink {
         answer_packet();
         packet_.erase(packet_.begin(), packet_.begin() + kFalconPacketBytes);
       }
+    } else if (faults.echoes_packets && baud_ == 0x0002) {
+      send(Bytes(data.begin(), data.end()));
     } else if (dtr_ && baud_ == 0x4138) {
       question_.insert(question_.end(), data.begin(), data.end());
       if (question_.size() < 3) return;

@@ -47,7 +47,8 @@ struct Desk {
 
 const std::vector<std::string> kPurges = {"40 00 01 00 00 00 00 00", "40 00 02 00 00 00 00 00"};
 const std::string kLatency1 = "40 09 01 00 00 00 00 00", kBaudRun = "40 03 02 00 00 00 00 00";
-const std::string kProbe = "> 3c 41 41 41 41 41 41 41 41 41 41 41 41 4a 41 3e";
+const std::string kProbe = "> 3c 41 41 41 41 41 41 41 41 41 41 41 41 4a 41 3e",
+                  kOtherProbe = "> 3c 41 41 41 41 41 41 41 41 41 41 41 41 4c 41 3e";
 
 std::vector<std::string> joined(std::initializer_list<std::vector<std::string>> parts) {
   std::vector<std::string> all;
@@ -77,15 +78,9 @@ TEST(FalconBoot, SendsEveryRequestInItsOrder) {
     pieces.push_back("> " + test::hex(std::span(desk.image).subspan(at, std::min<std::size_t>(62, desk.image.size() - at))));
   }
   ASSERT_EQ(pieces.size(), 4U);
-  EXPECT_EQ(desk.falcon.log, joined({kPurges,
-                                     normal_mode(),
-                                     std::vector<std::string>(10, kProbe),
-                                     kPurges,
-                                     firmware_mode,
-                                     pieces,
-                                     normal_mode(),
-                                     kPurges,
-                                     {kProbe}}));
+  std::vector<std::string> probes;
+  for (int i = 0; i < 5; ++i) probes.insert(probes.end(), {kProbe, kOtherProbe});
+  EXPECT_EQ(desk.falcon.log, joined({kPurges, normal_mode(), probes, kPurges, firmware_mode, pieces, normal_mode(), kPurges, {kProbe}}));
   EXPECT_EQ(desk.falcon.uploaded, desk.image);
   EXPECT_EQ(report.attempts, 1);
   EXPECT_EQ(report.stray_bytes, 0U);
@@ -98,6 +93,20 @@ TEST(FalconBoot, LeavesRunningFirmwareAlone) {
   EXPECT_EQ(desk.falcon.log, joined({kPurges, normal_mode(), {kProbe}}));
   desk.image.clear();
   EXPECT_EQ(desk.run().outcome, BootOutcome::kAlreadyRunning);
+}
+
+TEST(FalconBoot, TakesNoEchoForAReply) {
+  Desk desk;
+  desk.falcon.faults.echoes_packets = true;
+  EXPECT_EQ(desk.run().outcome, BootOutcome::kLoaded);
+}
+
+TEST(FalconBoot, AReplyThatLooksLikeAnEchoIsAReplyTheSecondTime) {
+  Desk desk;
+  desk.falcon.running = true;
+  desk.falcon.reply.buttons = 9;
+  EXPECT_EQ(desk.run().outcome, BootOutcome::kAlreadyRunning);
+  EXPECT_EQ(desk.falcon.log, joined({kPurges, normal_mode(), {kProbe, kOtherProbe}}));
 }
 
 TEST(FalconBoot, LoadsRunningFirmwareAnewWhenAsked) {

@@ -120,6 +120,19 @@ TEST(FalconDevice, IsLostAtOnceWhenUnplugged) {
   desk.device.rest();
 }
 
+TEST(FalconDevice, TakesNoEchoForAReply) {
+  Desk desk;
+  desk.device.exchange({});
+  desk.falcon.running = false;  // its power was away for a moment
+  desk.falcon.faults.echoes_packets = true;
+  const Exchange echoed = desk.device.exchange({-500, 20, 30});
+  EXPECT_FALSE(echoed.fresh);
+  EXPECT_EQ(echoed.reply, desk.falcon.reply) << "the old one";
+  for (int i = 2; i <= 20; ++i) EXPECT_EQ(desk.device.exchange({}).lost, i == 20) << i;
+  EXPECT_EQ(desk.device.counts().echoes, 20U);
+  EXPECT_EQ(desk.device.counts().timeouts, 20U);
+}
+
 TEST(FalconDevice, CutsWordsAtTheDevicesLimit) {
   Desk desk;
   desk.device.exchange({4096, -4096, 32767});
