@@ -16,10 +16,10 @@ namespace isotouch::io {
 enum class SessionState : std::uint8_t { kSearching, kBooting, kRunning };
 
 struct SessionSettings {
-  BootSettings boot;
+  BootSettings boot = {.attempts = 3};  ///< then the device is opened anew and booted again, for as long as it takes
   DeviceSettings device;
   std::int64_t search_ns = 250'000'000;   ///< between two looks for the device
-  std::int64_t retry_ns = 2'000'000'000;  ///< after a boot that failed
+  std::int64_t retry_ns = 1'000'000'000;  ///< after a boot that failed
   std::int64_t nap_ns = 10'000'000;       ///< longest wait of one step while searching
 };
 

@@ -88,7 +88,9 @@ TEST(FalconSession, TriesToBootAgainUntilTheWallPowerIsThere) {
   EXPECT_FALSE(desk.reaches(SessionState::kRunning));
   EXPECT_EQ(desk.session.last_boot().outcome, BootOutcome::kNoHandshake);
   desk.falcon.faults.wall_power = true;
+  const std::int64_t began = desk.clock.now;
   EXPECT_TRUE(desk.reaches(SessionState::kRunning));
+  EXPECT_LT(desk.clock.now - began, 2'000'000'000);
 }
 
 TEST(FalconSession, AnUnplugWhileBootingLeadsBackToTheSearch) {
