@@ -1,0 +1,128 @@
+/// falcon-sim: a Falcon of numbers behind a local socket, or on a virtual machine's USB.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hil/falcon_sim/event_loop.h"
+#include "hil/falcon_sim/socket_face.h"
+#include "hil/falcon_sim/usbredir_face.h"
+
+namespace {
+
+using namespace isotouch::falcon_sim;
+using namespace isotouch::falcon_model;
+namespace fs = std::filesystem;
+
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2 };
+
+struct Options {
+  fs::path socket, usbredir, faults;
+  std::string hand = "rest", pace = "real", geometry = "libnifalcon";
+  std::vector<std::string> quirks;
+  Settings device;
+};
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void add_options(CLI::App& app, Options& o) {
+  app.add_option("--socket", o.socket, "listen at this local socket");
+  app.add_option("--usbredir", o.usbredir, "listen at this local socket for QEMU's usb-redir");
+  app.add_option("--hand", o.hand, "what the hand does once the device is homed: " + list(motion_names()) + ", none, or a trace file")
+      ->capture_default_str();
+  app.add_option("--faults", o.faults, "a file with one fault a line: at PACKET FAULT [ARGUMENTS]");
+  app.add_option("--quirk", o.quirks, "what devices do beside the rule, may be given several times: " + list(quirk_names()));
+  app.add_option("--pace", o.pace, "real: on frames of 1 ms; lockstep: at once")
+      ->check(CLI::IsMember({"real", "lockstep"}))
+      ->capture_default_str();
+  app.add_option("--serial", o.device.strings.serial, "the serial number, letters and digits")->capture_default_str();
+  app.add_option("--geometry", o.geometry, "which published numbers")
+      ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
+      ->capture_default_str();
+  app.add_option("--mass", o.device.mechanism.mass_kg, "at the grip, kg")->check(CLI::Range(0.01, 10.0))->capture_default_str();
+  app.add_option("--damping", o.device.mechanism.damping_n_s_per_m, "at the grip, N s/m")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--hand-stiffness", o.device.hand.stiffness_n_per_mm, "of the hand, N/mm")
+      ->check(CLI::Range(0.0, 5.0))
+      ->capture_default_str();
+  app.add_option("--step-ms", o.device.step_ms, "of the mechanism per packet, ms")->check(CLI::Range(0.1, 10.0))->capture_default_str();
+  app.add_option("--hold-ms", o.device.hold_ms, "a torque lasts so long without a packet, ms")
+      ->check(CLI::Range(1.0, 10000.0))
+      ->capture_default_str();
+}
+
+Path hand_path(const std::string& hand) {
+  if (hand == "none") return {};
+  for (const std::string& name : motion_names()) {
+    if (hand == name) return scripted_path(name);
+  }
+  if (!fs::exists(hand)) throw std::runtime_error("--hand " + hand + ": neither a motion (" + list(motion_names()) + ", none) nor a file");
+  return recorded_path(hand);
+}
+
+Settings settings_of(const Options& o) {
+  Settings settings = o.device;
+  const std::string& serial = settings.strings.serial;
+  const bool plain = std::all_of(serial.begin(), serial.end(),
+                                 [](char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
+  if (serial.empty() || serial.size() > 16 || !plain) throw std::runtime_error("--serial " + serial + ": write 1 to 16 letters and digits");
+  if (o.geometry == "martin-hillier") {
+    settings.mechanism.geometry = martin_hillier_geometry();
+    settings.mechanism.transmission = martin_hillier_transmission();
+  }
+  for (const std::string& quirk : o.quirks) set_quirk(settings.quirks, quirk);
+  settings.path = hand_path(o.hand);
+  if (!o.faults.empty()) {
+    std::ifstream in(o.faults);
+    if (!in) throw std::runtime_error(o.faults.string() + ": cannot be opened");
+    settings.faults = read_faults(in, o.faults.string());
+  }
+  return settings;
+}
+
+void run(const Options& o) {
+  if (o.socket.empty() && o.usbredir.empty()) throw std::runtime_error("give --socket PATH, --usbredir PATH or both");
+  const Pace pace = o.pace == "real" ? Pace::kReal : Pace::kLockstep;
+  if (!o.usbredir.empty() && pace == Pace::kLockstep)
+    throw std::runtime_error("--usbredir needs --pace real: a kernel's USB has frames of its own");
+  PacedDevice device(SimulatedFalcon(settings_of(o)), pace);
+  catch_end_signals();
+  std::vector<std::unique_ptr<Face>> faces;
+  if (!o.socket.empty()) faces.push_back(std::make_unique<SocketFace>(o.socket, device));
+  if (!o.usbredir.empty()) faces.push_back(make_usbredir_face(o.usbredir, device));
+  std::printf("falcon-sim: ready\n");
+  std::fflush(stdout);
+  serve_faces(faces);
+  const Vector p = device.falcon().mechanism().position_mm();
+  std::printf("falcon-sim: %llu packets, board %s, grip at %.3f %.3f %.3f mm\n", static_cast<unsigned long long>(device.falcon().packets()),
+              name_of(device.falcon().board().state()), p.x, p.y, p.z);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"A simulated Falcon: chip, boot loader, firmware, mechanism and the hand that holds it. Ends on SIGTERM."};
+  Options options;
+  add_options(app, options);
+  try {
+    app.parse(argc, argv);
+    run(options);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongUsage;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "falcon-sim: %s\n", e.what());
+    return kBadInput;
+  }
+}

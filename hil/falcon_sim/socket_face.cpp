@@ -1,0 +1,97 @@
+#include "hil/falcon_sim/socket_face.h"
+
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+
+namespace isotouch::falcon_sim {
+
+SocketFace::SocketFace(const std::filesystem::path& path, PacedDevice& device)
+    : listener_(path, SOCK_SEQPACKET), device_(device), buffer_(kLargestMessage + 1) {}
+
+void SocketFace::wait_for(std::vector<pollfd>& wanted) const {
+  if (!client_) {
+    wanted.push_back({listener_.get(), POLLIN, 0});
+  } else {
+    wanted.push_back({client_.get(), static_cast<short>(pending_ ? 0 : POLLIN), 0});  // a client that leaves is told in any case
+  }
+}
+
+std::optional<Time> SocketFace::due() const {
+  if (!client_ || !pending_) return std::nullopt;
+  return deadline(*pending_);
+}
+
+Time SocketFace::deadline(const Pending& pending) const {
+  const Time ready = device_.ready(pending.asked);
+  if (pending.request.timeout_ms == 0) return ready;
+  return std::min(ready, pending.asked + std::chrono::milliseconds(pending.request.timeout_ms));
+}
+
+void SocketFace::serve(Time now) {
+  if (!client_) welcome();
+  while (client_) {
+    if (pending_) {
+      if (now < deadline(*pending_)) {
+        char none = 0;  // still there?
+        if (::recv(client_.get(), &none, 1, MSG_PEEK | MSG_DONTWAIT) == 0) client_.close();
+        return;
+      }
+      finish_read(now);
+    } else if (!serve_one(now)) {
+      return;
+    }
+  }
+}
+
+/// Lets the next client in, unless the device is unplugged: then the door closes again at once.
+void SocketFace::welcome() {
+  client_ = listener_.accept();
+  pending_.reset();
+  if (client_ && !device_.falcon().open()) client_.close();
+}
+
+void SocketFace::finish_read(Time now) {
+  const Pending pending = *pending_;
+  pending_.reset();
+  if (!device_.falcon().present()) {
+    send(read_answer(kGone, {}));
+  } else if (now < device_.ready(pending.asked)) {
+    send(read_answer(kTimedOut, {}));
+  } else {
+    send(read_answer(kOk, device_.falcon().read(pending.request.capacity)));
+  }
+}
+
+/// One request, if one is there.
+bool SocketFace::serve_one(Time now) {
+  const ssize_t size = ::recv(client_.get(), buffer_.data(), buffer_.size(), MSG_DONTWAIT);
+  if (size < 0 && (errno == EAGAIN || errno == EINTR)) return false;
+  if (size <= 0) {
+    client_.close();
+    return false;
+  }
+  const std::span<const std::uint8_t> message(buffer_.data(), static_cast<std::size_t>(size));
+  if (const auto request = parse_read(message)) {
+    pending_ = Pending{*request, now};
+    return true;
+  }
+  const Bytes reply = answer(message, device_, now);
+  if (reply.empty()) {
+    std::fprintf(stderr, "falcon-sim: a request that begins with %d and has %zd bytes is none of the socket's; its client is dropped\n",
+                 message[0], size);
+    client_.close();
+    return false;
+  }
+  send(reply);
+  return true;
+}
+
+void SocketFace::send(const Bytes& reply) {
+  const bool sent = ::send(client_.get(), reply.data(), reply.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(reply.size());
+  if (!sent || says_gone(reply)) client_.close();
+}
+
+}  // namespace isotouch::falcon_sim

@@ -1,0 +1,11 @@
+#include <stdexcept>
+
+#include "hil/falcon_sim/usbredir_face.h"
+
+namespace isotouch::falcon_sim {
+
+std::unique_ptr<Face> make_usbredir_face(const std::filesystem::path&, PacedDevice&) {
+  throw std::runtime_error("this falcon-sim was built without usbredir; configure with -DISOTOUCH_USBREDIR=ON");
+}
+
+}  // namespace isotouch::falcon_sim
