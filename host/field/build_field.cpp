@@ -45,6 +45,12 @@ std::vector<std::string> Repair::warnings() const {
   if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
   if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points stand for left out");
   if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points stand for filled");
+  if (rim.samples > 0) {
+    const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
+    list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +
+                   rounded(rim.place.x()) + ", " + rounded(rim.place.y()) + ", " + rounded(rim.place.z()) +
+                   ") mm in the workspace; the field closes them with surface that nobody scanned");
+  }
   return list;
 }
 
@@ -59,6 +65,11 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   Scan scan(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
   Repair mended;
   mended.turned = turn_contradicted(scan);
+  if (repair != nullptr) {
+    mended.rim = open_rim(scan);
+    mended.rim.length *= grid.edge;
+    mended.rim.place = grid.origin + grid.edge * mended.rim.place;
+  }
 
   progress.begin("local models");
   // A scan that is open at a cut goes on along its own direction; the box closes it.

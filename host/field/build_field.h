@@ -8,6 +8,7 @@
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
 #include "host/field/debris.h"
+#include "host/field/open_rim.h"
 #include "host/field/progress.h"
 
 namespace isotouch::field {
@@ -21,6 +22,7 @@ constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 struct Repair {
   std::size_t turned = 0;  ///< normals that nearly all neighbours contradicted
   Debris debris;           ///< pieces and cavities that no sample stands for
+  OpenRim rim;             ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
   std::vector<std::string> warnings() const;
 };
 

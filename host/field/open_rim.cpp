@@ -1,0 +1,113 @@
+#include "host/field/open_rim.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "host/field/angle.h"
+#include "host/field/parallel.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGap = 140 * std::numbers::pi / 180;
+constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is farther off shows that the surface turns away
+constexpr std::size_t kFewest = 12;  // samples a rim
+
+/// The widest sector, as an angle, that the neighbours leave empty in the sample's tangent plane; 0 where one of them lies round an edge.
+double widest_gap(const Scan& scan, std::size_t sample) {
+  const Vector3d& normal = scan.normals()[sample];
+  int least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vector3d u = normal.cross(Vector3d::Unit(least)).normalized();
+  const Vector3d v = normal.cross(u);
+  std::array<double, Scan::kListed> angles{};
+  std::size_t count = 0;
+  for (const Neighbour& neighbour : scan.around(sample)) {
+    if (neighbour.index == sample) continue;
+    if (scan.normals()[neighbour.index].dot(normal) < kTurned) return 0;
+    const Vector3d step = scan.positions()[neighbour.index] - scan.positions()[sample];
+    angles[count++] = angle_of(step.dot(v), step.dot(u));
+  }
+  if (count == 0) return 0;
+  const auto end = angles.begin() + static_cast<std::ptrdiff_t>(count);
+  std::sort(angles.begin(), end);
+  double widest = angles[0] + 2 * std::numbers::pi - angles[count - 1];
+  for (std::size_t i = 1; i < count; ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest;
+}
+
+/// Two neighbours on a rim.
+struct Link {
+  double squared_length;
+  std::uint32_t a, b;
+  auto operator<=>(const Link&) const = default;
+};
+
+/// Samples that hang together.
+struct Chain {
+  std::size_t samples = 0;
+  double length = 0;
+  double last = 0;  ///< the longest link, which stands for the one that closes the ring
+  Vector3d sum = Vector3d::Zero();
+};
+
+}  // namespace
+
+OpenRim open_rim(const Scan& scan) {
+  std::vector<std::uint8_t> on_rim(scan.size());
+  in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) on_rim[i] = widest_gap(scan, i) > kGap ? 1 : 0;
+  });
+  std::vector<Link> links;
+  for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
+    if (on_rim[i] == 0) continue;
+    for (const Neighbour& neighbour : scan.around(i)) {
+      if (neighbour.index != i && on_rim[neighbour.index] != 0)
+        links.push_back({neighbour.squared_distance, std::min(i, neighbour.index), std::max(i, neighbour.index)});
+    }
+  }
+  std::sort(links.begin(), links.end());
+  std::vector<std::uint32_t> above(scan.size());
+  std::iota(above.begin(), above.end(), 0U);
+  const auto root = [&](std::uint32_t i) {
+    while (above[i] != i) i = above[i] = above[above[i]];
+    return i;
+  };
+  std::vector<Chain> chains(scan.size());
+  for (const Link& link : links) {
+    const std::uint32_t a = root(link.a), b = root(link.b);
+    if (a == b) continue;
+    above[b] = a;
+    chains[a].last = std::sqrt(link.squared_length);
+    chains[a].length += chains[b].length + chains[a].last;
+  }
+  for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
+    if (on_rim[i] == 0) continue;
+    Chain& chain = chains[root(i)];
+    ++chain.samples;
+    chain.sum += scan.positions()[i];
+  }
+  OpenRim rim;
+  double longest = 0;
+  for (const Chain& chain : chains) {
+    if (chain.samples < kFewest) continue;
+    rim.samples += chain.samples;
+    rim.length += chain.length + chain.last;
+    if (chain.length <= longest) continue;
+    longest = chain.length;
+    rim.place = chain.sum / static_cast<double>(chain.samples);
+  }
+  return rim;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,22 @@
+/// Where a scan ends in the open: seen from its samples alone.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "host/field/scan.h"
+
+namespace isotouch::field {
+
+struct OpenRim {
+  std::size_t samples = 0;                          ///< on rims
+  double length = 0;                                ///< of all rims together, the scan's unit; within a fifth or so
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
+};
+
+/// A sample is on a rim when its neighbours, seen in its tangent plane, leave a wide sector empty and none of them shows that the surface turns
+/// away there: that is an edge or a tip, not an end. Rim samples that are neighbours hang together; the length is that of their shortest spanning
+/// tree, closed to a ring. What hangs together in fewer than a dozen samples is chance.
+OpenRim open_rim(const Scan& scan);
+
+}  // namespace isotouch::field

@@ -1,0 +1,66 @@
+#include "host/field/open_rim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "host/cloud/shapes.h"
+
+namespace isotouch::field {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The samples of a shape on one side of a plane across z.
+cloud::OrientedPoints below(const std::string& name, double z, std::size_t points) {
+  const cloud::OrientedPoints all = cloud::sample_shape(cloud::shape(name), points);
+  cloud::OrientedPoints part;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.positions[i].z() > z) continue;
+    part.positions.push_back(all.positions[i]);
+    part.normals.push_back(all.normals[i]);
+  }
+  return part;
+}
+
+TEST(OpenRim, NoShapeOfOursIsOpen) {
+  for (const std::string& name : cloud::shape_names()) {
+    for (const std::size_t points : {1500U, 4000U}) {
+      const OpenRim rim = open_rim(Scan(cloud::sample_shape(cloud::shape(name), points)));
+      EXPECT_EQ(rim.samples, 0U) << name << " of " << points;
+    }
+  }
+}
+
+TEST(OpenRim, OfAHemisphereIsItsEquator) {
+  const double equator = 2 * M_PI * 80;
+  for (const std::size_t points : {1000U, 4000U, 16000U}) {
+    const OpenRim rim = open_rim(Scan(below("sphere", 0, points)));
+    EXPECT_NEAR(rim.length, equator, 0.2 * equator) << points;
+    EXPECT_LT(rim.place.norm(), 8) << points;
+  }
+}
+
+TEST(OpenRim, OfATubeCutLengthwiseIsBothCircles) {
+  const double circles = 2 * M_PI * (70 - 25) + 2 * M_PI * (70 + 25);
+  const OpenRim rim = open_rim(Scan(below("torus", 0, 8000)));
+  EXPECT_NEAR(rim.length, circles, 0.2 * circles);
+}
+
+TEST(OpenRim, AHoleOfAFewSamplesIsNone) {
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 4000);
+  cloud::OrientedPoints pricked;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if ((points.positions[i] - Vector3d(0, 0, 80)).norm() < 5) continue;
+    pricked.positions.push_back(points.positions[i]);
+    pricked.normals.push_back(points.normals[i]);
+  }
+  ASSERT_LT(pricked.size(), points.size());
+  EXPECT_EQ(open_rim(Scan(std::move(pricked))).samples, 0U);
+}
+
+}  // namespace
+}  // namespace isotouch::field
