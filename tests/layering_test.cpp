@@ -42,7 +42,7 @@ const std::map<std::string, Rule> kRules = {
     {"hil/falcon_model", {{}}},  // a mistake shared with what it is to find would hide itself
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
     {"tests/support", {{"firmware/core", "shared"}}},
-    {"tests/across", {{"host", "firmware/core", "shared", "tests/support"}}},
+    {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
     {"tests", {{"tests/support"}}},
 };
 

@@ -11,30 +11,17 @@
 
 #include "firmware/core/field_sampler.h"
 #include "host/cloud/random.h"
-#include "host/commands/commands.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
 #include "host/vdb/level_set.h"
+#include "tests/host/commands/run_command.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
 namespace {
 
+using commands::run_command;
 using Eigen::Vector3d;
-
-void run(const std::string& arguments) {
-  CLI::App app;
-  commands::add_build(app);
-  commands::add_export(app);
-  ::testing::internal::CaptureStdout();
-  try {
-    app.parse(arguments);
-  } catch (...) {
-    ::testing::internal::GetCapturedStdout();
-    throw;
-  }
-  ::testing::internal::GetCapturedStdout();
-}
 
 Vec3<Voxel> index_of(const evaluate::OpenBlob& blob, const Vector3d& place) {
   return evaluate::nearest<Voxel>(Vector3d((place - evaluate::real(blob.view.origin)) / evaluate::real(blob.view.edge)));
@@ -82,7 +69,7 @@ class LevelSetAcross : public ::testing::Test {
 
 TEST_F(LevelSetAcross, a_sphere_of_openvdb_is_felt_as_a_sphere) {
   make_sphere("a.vdb");
-  run("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm");
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm");
   const auto blob = evaluate::open_blob(file("a.itf"));
   EXPECT_NEAR(evaluate::real(blob.view.edge), 0.2, 1e-6);
   EXPECT_EQ(evaluate::real(blob.view.band), 3);
@@ -95,7 +82,7 @@ TEST_F(LevelSetAcross, a_sphere_of_openvdb_is_felt_as_a_sphere) {
 TEST_F(LevelSetAcross, a_turned_or_refined_sphere_is_still_felt_as_one) {
   make_sphere("a.vdb", 0.4);
   for (const char* size : {"", " --voxel 0.13mm", " --grid 50"}) {
-    run("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm" + size);
+    run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm" + size);
     const Errors errors = against_sphere(evaluate::open_blob(file("a.itf")), 7);
     EXPECT_LT(errors.distance_voxel, 0.02) << size;
     EXPECT_LT(errors.normal_deg, 0.5) << size;
@@ -104,8 +91,8 @@ TEST_F(LevelSetAcross, a_turned_or_refined_sphere_is_still_felt_as_one) {
 
 TEST_F(LevelSetAcross, an_export_holds_what_the_core_samples_at_every_node) {
   make_sphere("a.vdb");
-  run("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
-  run("export " + file("a.itf") + " -o " + file("b.vdb"));
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
+  run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
   const auto blob = evaluate::open_blob(file("a.itf"));
   openvdb::io::File reader(file("b.vdb"));
   reader.open(false);
@@ -137,9 +124,9 @@ TEST_F(LevelSetAcross, an_export_holds_what_the_core_samples_at_every_node) {
 
 TEST_F(LevelSetAcross, a_blob_comes_back_from_an_export_to_a_five_hundredth_of_a_voxel) {
   make_sphere("a.vdb");
-  run("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
-  run("export " + file("a.itf") + " -o " + file("b.vdb"));
-  run("build " + file("b.vdb") + " -o " + file("b.itf") + " --units mm");
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
+  run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
+  run_command("build " + file("b.vdb") + " -o " + file("b.itf") + " --units mm");
   const auto first = evaluate::open_blob(file("a.itf"));
   const auto second = evaluate::open_blob(file("b.itf"));
   EXPECT_EQ(second.view.edge.raw(), first.view.edge.raw());

@@ -8,27 +8,14 @@
 #include <numbers>
 #include <string>
 
-#include "host/commands/commands.h"
+#include "tests/host/commands/run_command.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
 namespace {
 
-/// What the commands print with --json.
-nlohmann::json run(const std::string& arguments) {
-  CLI::App app;
-  commands::add_build(app);
-  commands::add_compare(app);
-  commands::add_scan(app);
-  testing::internal::CaptureStdout();
-  try {
-    app.parse(arguments);
-  } catch (...) {
-    testing::internal::GetCapturedStdout();
-    throw;
-  }
-  return nlohmann::json::parse(testing::internal::GetCapturedStdout());
-}
+/// What a command prints with --json.
+nlohmann::json run(const std::string& arguments) { return nlohmann::json::parse(commands::run_command(arguments)); }
 
 struct RoundTrip {
   nlohmann::json scan, compare;

@@ -1,15 +1,19 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/commands/commands.h"
 #include "host/error.h"
+#include "tests/host/commands/run_command.h"
 
 namespace isotouch::commands {
 namespace {
@@ -30,22 +34,7 @@ class Build : public ::testing::Test {
 
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// What the command printed on standard output.
-  static std::string run(const std::string& arguments) {
-    CLI::App app;
-    add_build(app);
-    add_info(app);
-    add_export(app);
-    add_compare(app);
-    ::testing::internal::CaptureStdout();
-    try {
-      app.parse(arguments);
-    } catch (...) {
-      ::testing::internal::GetCapturedStdout();
-      throw;
-    }
-    return ::testing::internal::GetCapturedStdout();
-  }
+  static std::string run(const std::string& arguments) { return run_command(arguments); }
 
  private:
   fs::path folder_;
@@ -182,6 +171,27 @@ TEST_F(Build, what_a_file_is_taken_for_can_be_said) {
   EXPECT_THROW(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --as mesh"), InputError);
   EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as soup"), CLI::ParseError);
   run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as mesh --grid 20");
+}
+
+TEST_F(Build, an_open_scan_is_closed_and_its_rim_told) {
+  const cloud::OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 4000);
+  cloud::OrientedPoints half;
+  for (std::size_t i = 0; i < sphere.size(); ++i) {
+    if (sphere.positions[i].z() > 0) continue;
+    half.positions.push_back(sphere.positions[i]);
+    half.normals.push_back(sphere.normals[i]);
+  }
+  cloud::write_ply(file("half.ply"), half);
+  const auto json = nlohmann::json::parse(run("build " + file("half.ply") + " -o " + file("h.itf") + " --grid 80 --json"));
+  ASSERT_EQ(json["warnings"].size(), 1U);
+  const auto warning = json["warnings"][0].get<std::string>();
+  const std::string start = "the scan is open: its rims are about ";
+  ASSERT_EQ(warning.rfind(start, 0), 0U) << warning;
+  const double equator = M_PI * 70;
+  EXPECT_NEAR(std::stod(warning.substr(start.size())), equator, 0.15 * equator);
+  const auto info = nlohmann::json::parse(run("info " + file("h.itf") + " --surface --json"));
+  EXPECT_EQ(info["components"], 1);
+  EXPECT_NEAR(info["volume_mm3"].get<double>(), 2.0 / 3 * M_PI * 35 * 35 * 35, 0.25 * 2.0 / 3 * M_PI * 35 * 35 * 35);
 }
 
 TEST_F(Build, bad_input_leaves_the_old_blob) {

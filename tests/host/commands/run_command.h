@@ -1,0 +1,26 @@
+/// The tool's commands in the test's own process.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host/commands/commands.h"
+
+namespace isotouch::commands {
+
+/// What `isotouch` with these arguments, separated by spaces, prints on standard output. Lets pass what it throws.
+inline std::string run_command(const std::string& arguments) {
+  CLI::App app;
+  for (const auto add : {add_build, add_info, add_export, add_compare, add_scan}) add(app);
+  ::testing::internal::CaptureStdout();
+  try {
+    app.parse(arguments);
+  } catch (...) {
+    ::testing::internal::GetCapturedStdout();
+    throw;
+  }
+  return ::testing::internal::GetCapturedStdout();
+}
+
+}  // namespace isotouch::commands
