@@ -45,6 +45,13 @@ bool border_is_outside(const BlobView& view) {
   return true;
 }
 
+/// True when every stored brick has a stiffness, and no constant one.
+bool is_stiffness_table(const BlobView& view) {
+  const std::uint8_t* parts = view.stiffness_parts;
+  return parts[kOutside] == 0 && parts[kInside] == 0 &&
+         std::none_of(parts + kInside + 1, parts + view.brick_count, [](std::uint8_t part) { return part == 0; });
+}
+
 }  // namespace
 
 Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
@@ -91,14 +98,17 @@ Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   if (view.node_count < 2 || view.brick_count < 2) return Error::kBadHeader;
   const std::uint64_t nodes_at = align64(kHeaderBytes + 4 * root_cells);
   const std::uint64_t bricks_at = align64(nodes_at + std::uint64_t{view.node_count} * kBricksPerNode * 4);
+  const std::uint64_t bricks_end = bricks_at + std::uint64_t{view.brick_count} * kSamplesPerBrick * 2;
+  const auto table_at = load_le<std::uint32_t>(at + kStiffnessTableAt);
   if (load_le<std::uint32_t>(at + kRootOffsetAt) != kHeaderBytes || load_le<std::uint32_t>(at + kNodeOffsetAt) != nodes_at ||
-      load_le<std::uint32_t>(at + kBrickOffsetAt) != bricks_at ||
-      total != bricks_at + std::uint64_t{view.brick_count} * kSamplesPerBrick * 2) {
+      load_le<std::uint32_t>(at + kBrickOffsetAt) != bricks_at || (table_at != 0 && table_at != bricks_end) ||
+      total != bricks_end + (table_at != 0 ? view.brick_count : 0)) {
     return Error::kBadSize;
   }
   view.root = reinterpret_cast<const std::uint32_t*>(at + kHeaderBytes);
   view.nodes = reinterpret_cast<const std::uint32_t*>(at + nodes_at);
   view.bricks = reinterpret_cast<const std::int16_t*>(at + bricks_at);
+  if (table_at != 0) view.stiffness_parts = at + table_at;
 
   if (!std::all_of(view.root, view.root + root_cells, [&](std::uint32_t n) { return n < view.node_count; })) return Error::kBadIndex;
   const std::uint32_t* nodes_end = view.nodes + std::size_t{view.node_count} * kBricksPerNode;
@@ -106,6 +116,7 @@ Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   if (!all_equal(view.nodes, kOutside) || !all_equal(view.nodes + kBricksPerNode, kInside)) return Error::kBadIndex;
   if (!all_equal(view.bricks, view.band.raw()) || !all_equal(view.bricks + kSamplesPerBrick, -view.band.raw())) return Error::kBadIndex;
   if (!border_is_outside(view)) return Error::kBadIndex;
+  if (view.stiffness_parts != nullptr && !is_stiffness_table(view)) return Error::kBadIndex;
   return view;
 }
 

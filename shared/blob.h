@@ -17,7 +17,8 @@ namespace isotouch {
 namespace blob_layout {
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'B'};
 inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 1;
+inline constexpr std::uint16_t kMinor = 1;  ///< of an image without a stiffness table
+inline constexpr std::uint16_t kMinorWithTable = 2;
 inline constexpr std::size_t kMajorAt = 4;
 inline constexpr std::size_t kMinorAt = 6;
 inline constexpr std::size_t kHeaderBytesAt = 8;
@@ -47,7 +48,7 @@ inline constexpr std::size_t kAdvisedStiffnessAt = 156;
 inline constexpr std::size_t kAdvisedPeriodAt = 160;
 inline constexpr std::size_t kAdvisedDampingAt = 164;
 inline constexpr std::size_t kAdvisedDelayAt = 168;
-inline constexpr std::size_t kReservedAt = 144;
+inline constexpr std::size_t kStiffnessTableAt = 172;
 inline constexpr std::size_t kHeaderBytes = 256;
 
 inline constexpr int kBrickShift = 2;  ///< 4 samples a side
@@ -57,6 +58,7 @@ inline constexpr std::size_t kBricksPerNode = 64;
 inline constexpr std::uint32_t kMaxSize = 4096;
 inline constexpr std::uint32_t kOutside = 0;  ///< number of the brick, and of the node, that is far outside throughout
 inline constexpr std::uint32_t kInside = 1;   ///< the same, far inside
+inline constexpr int kFullStiffness = 255;    ///< in the stiffness table: as much as the header says
 
 template <class T>
 constexpr T align64(T bytes) {  // in the caller's width: a hostile size must not wrap where std::size_t has 32 bits
@@ -75,7 +77,7 @@ struct BlobView {
   MmPerVoxel edge;
   VoxelPerMm inverse_edge;
   Distance band;
-  Stiffness stiffness;
+  Stiffness stiffness;                      ///< the largest, where there is a table of it
   std::array<std::int32_t, 3> size{};       ///< samples along x, y, z
   std::array<std::int32_t, 3> root_size{};  ///< nodes along x, y, z
   std::uint32_t node_count = 0;
@@ -83,23 +85,30 @@ struct BlobView {
   const std::uint32_t* root = nullptr;
   const std::uint32_t* nodes = nullptr;
   const std::int16_t* bricks = nullptr;
+  const std::uint8_t* stiffness_parts = nullptr;  ///< of each brick, in 255ths of `stiffness`, 0 for bricks 0 and 1; nullptr = one for all
   std::span<const std::uint8_t> image;
 
   /// Checks `image` completely and returns the view on it.
   ///
   /// image     8-byte aligned, stays alive and unchanged as long as the view is used
   /// fails     kMisaligned, kTruncated, kBadMagic, kBadVersion, kBadHeader (a field outside SPEC's range), kBadSize (layout not as SPEC computes
-  ///           it), kBadChecksum, kBadIndex (an entry outside its table; a constant node or brick that is not; a border that is not far outside)
+  ///           it), kBadChecksum, kBadIndex (an entry outside its table; a constant node or brick that is not; a border that is not far outside; a
+  ///           stiffness for a constant brick, or none for another)
   /// tick      no: it reads the whole image
   static Result<BlobView> parse(std::span<const std::uint8_t> image);
 
-  /// The 64 coefficients of the brick that holds sample (i, j, k), each index within [0, size).
-  const std::int16_t* brick(std::int32_t i, std::int32_t j, std::int32_t k) const {
+  /// The number of the brick that holds sample (i, j, k), each index within [0, size).
+  std::uint32_t brick_number(std::int32_t i, std::int32_t j, std::int32_t k) const {
     using namespace blob_layout;
     const auto cell = (((k >> kNodeShift) * root_size[1]) + (j >> kNodeShift)) * root_size[0] + (i >> kNodeShift);
     const auto slot = (((k >> kBrickShift) & 3) << 4) | (((j >> kBrickShift) & 3) << 2) | ((i >> kBrickShift) & 3);
     const std::uint32_t node = root[cell];
-    return bricks + std::size_t{nodes[node * kBricksPerNode + static_cast<std::size_t>(slot)]} * kSamplesPerBrick;
+    return nodes[node * kBricksPerNode + static_cast<std::size_t>(slot)];
+  }
+
+  /// Its 64 coefficients.
+  const std::int16_t* brick(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    return bricks + std::size_t{brick_number(i, j, k)} * blob_layout::kSamplesPerBrick;
   }
 
   /// The coefficient of one sample, each index within [0, size).

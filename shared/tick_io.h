@@ -49,7 +49,7 @@ struct TickOutput {
 
 /// What a person may set; part of the trace's header and of the chain.
 struct TickSettings {
-  Stiffness stiffness;                   ///< 0 = the blob's
+  Stiffness stiffness;                   ///< the largest of the surface; 0 = the blob's
   Damping damping;                       ///< between proxy and HIP; 0 = pure spring
   Newton force_limit = Newton::of(8.0);  ///< the Falcon gives about 9 N
   std::uint32_t ramp_ticks = 50;         ///< from no force to full force where contact did not begin at rest

@@ -45,7 +45,7 @@ Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns) {
   return coupling;
 }
 
-Force couple(const Contact& contact, const Coupling& coupling, CouplingState& state) {
+Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state) {
   const Vec3<Mm> stretch = mul<Mm>(contact.stretch, coupling.edge);
   const Vec3<Mm> change = stretch - state.last_stretch;
   state.last_stretch = stretch;
@@ -57,7 +57,7 @@ Force couple(const Contact& contact, const Coupling& coupling, CouplingState& st
   Force force;
   force.ramping = in_ramp;
   if (!contact.touching) return force;
-  const Vec3<Newton> full = mul<Newton>(stretch, coupling.stiffness) + mul<Newton>(change, coupling.damping);
+  const Vec3<Newton> full = mul<Newton>(stretch, stiffness) + mul<Newton>(change, coupling.damping);
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
   force.newton = limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited);
   return force;

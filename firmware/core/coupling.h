@@ -20,7 +20,7 @@ using RampPart = Fixed<Unit<0, 0, 0, 0>, 30>;
 /// Prepared constants, see `make_coupling`.
 struct Coupling {
   MmPerVoxel edge;
-  Stiffness stiffness;
+  Stiffness stiffness;  ///< the largest, where the blob has a table of it
   DampingPerTick damping;
   Newton force_limit;
   std::uint32_t ramp_ticks = 0;
@@ -39,7 +39,7 @@ struct Force {
 };
 
 /// settings     damping is clamped to 127 N/mm · period
-/// stiffness    used when the settings name none
+/// field        gives the stiffness when the settings name none; where they do, a table of stiffness still says how much of it is felt where
 /// tick         no: divides
 Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
 
@@ -52,8 +52,9 @@ Coupling for_field(const Coupling& prepared, const BlobView& field);
 /// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
 /// or had not arrived.
 ///
+/// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the blob's table says there
 /// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and stretches below 2047 mm, beyond which they saturate
 /// tick      yes: constant cost, no division
-Force couple(const Contact& contact, const Coupling& coupling, CouplingState& state);
+Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state);
 
 }  // namespace isotouch::core

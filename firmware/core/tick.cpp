@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/core/stiffness_at.h"
+
 namespace isotouch::core {
 
 namespace {
@@ -36,7 +38,8 @@ TickModel for_field(const TickModel& prepared, const BlobView& field) { return {
 TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& model, TickState& state) {
   const Vec3<Mm> hip = clamp_to_reach(in.hip);
   const Contact contact = step_proxy(to_index(hip, field), field, state.proxy);
-  const Force force = couple(contact, model.coupling, state.coupling);
+  const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
+  const Force force = couple(contact, stiffness, model.coupling, state.coupling);
 
   TickOutput out;
   out.proxy = contact.touching || contact.following ? to_workspace(contact.proxy, field) : hip;

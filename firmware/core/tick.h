@@ -16,7 +16,7 @@ struct TickModel {
 
 /// settings     as in the trace's header
 /// period_ns    the tick period, 100,000 to 4,000,000
-/// field        gives the stiffness when the settings name none
+/// field        gives the largest stiffness when the settings name none
 /// tick         no: divides
 TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
 

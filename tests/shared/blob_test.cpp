@@ -89,6 +89,17 @@ Image valid_image() {
   return image;
 }
 
+constexpr std::size_t kTableAt = kTotal;
+
+/// The same with a table of stiffness behind the bricks.
+Image image_with_table() {
+  Image image = valid_image().resized(kTotal + kBricks);
+  image.put<std::uint16_t>(6, 2).put<std::uint64_t>(16, kTotal + kBricks).put<std::uint32_t>(172, kTableAt);
+  for (std::uint32_t brick = 2; brick < kBricks; ++brick) image.put<std::uint8_t>(kTableAt + brick, static_cast<std::uint8_t>(25 * brick));
+  image.seal();
+  return image;
+}
+
 /// Reads all that the view may be asked for. The sum keeps the compiler from skipping it.
 std::int64_t read_everything(const BlobView& view) {
   std::int64_t sum = 0;
@@ -128,6 +139,45 @@ TEST(Blob, EverySampleIsFoundThroughTheTree) {
         ASSERT_EQ(view->coefficient(i, j, k), expected) << i << " " << j << " " << k;
       }
     }
+  }
+}
+
+TEST(Blob, ATableOfStiffnessIsFoundBehindTheBricks) {
+  const Image image = image_with_table();
+  const Result<BlobView> view = BlobView::parse(image.bytes());
+  ASSERT_TRUE(view) << describe(view.error());
+  ASSERT_EQ(view->stiffness_parts, image.bytes().data() + kTableAt);
+  EXPECT_EQ(view->stiffness_parts[view->brick_number(5, 1, 1)], 75) << "brick 3";
+  EXPECT_EQ(view->stiffness_parts[view->brick_number(5, 5, 5)], 225) << "brick 9";
+  EXPECT_EQ(BlobView::parse(valid_image().bytes())->stiffness_parts, nullptr);
+}
+
+TEST(Blob, EveryMalformedTableOfStiffnessIsRefused) {
+  using I = Image;
+  const std::vector<std::pair<Error, std::function<void(I&)>>> cases = {
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, 0); }},
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, kTableAt - 1); }},
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, kTableAt + 1); }},
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, kBricksAt); }},
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, ~0U); }},
+      {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(88, kBricks - 1); }},
+      {Error::kBadIndex, [](I& i) { i.put<std::uint8_t>(kTableAt, 1); }},
+      {Error::kBadIndex, [](I& i) { i.put<std::uint8_t>(kTableAt + 1, 255); }},
+      {Error::kBadIndex, [](I& i) { i.put<std::uint8_t>(kTableAt + 2, 0); }},
+      {Error::kBadIndex, [](I& i) { i.put<std::uint8_t>(kTableAt + kBricks - 1, 0); }},
+  };
+  for (std::size_t n = 0; n < cases.size(); ++n) {
+    Image image = image_with_table();
+    cases[n].second(image);
+    image.seal();
+    const Result<BlobView> parsed = BlobView::parse(image.bytes());
+    ASSERT_FALSE(parsed) << n;
+    EXPECT_EQ(parsed.error(), cases[n].first) << n << ": " << describe(parsed.error());
+  }
+  for (const std::size_t size : {kTotal, kTotal + kBricks - 1, kTotal + kBricks + 1}) {
+    Image image = image_with_table().resized(size);
+    image.put<std::uint64_t>(16, size).seal();
+    EXPECT_FALSE(BlobView::parse(image.bytes())) << size;
   }
 }
 

@@ -44,6 +44,7 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   std::vector<std::uint32_t> nodes(2 * kBricksPerNode, kOutside);
   std::fill(nodes.begin() + kBricksPerNode, nodes.end(), kInside);
   std::vector<std::uint32_t> root;
+  std::vector<std::uint8_t> parts(2);
   for (std::size_t cell = 0; cell < cells; ++cell) {
     root.push_back(static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
     const std::array<std::size_t, 3> corner = {16 * (cell % roots[0]), 16 * (cell / roots[0] % roots[1]),
@@ -66,19 +67,24 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
       } else {
         nodes.push_back(static_cast<std::uint32_t>(bricks.size() / kSamplesPerBrick));
         bricks.insert(bricks.end(), brick.begin(), brick.end());
+        Point centre{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          centre[axis] = 1.5 + static_cast<double>(corner[axis] + 4 * ((slot >> (2 * axis)) & 3));
+        if (options.stiffness_part) parts.push_back(static_cast<std::uint8_t>(options.stiffness_part(centre)));
       }
     }
   }
 
   const std::size_t nodes_at = align64(kHeaderBytes + 4 * root.size());
   const std::size_t bricks_at = align64(nodes_at + 4 * nodes.size());
-  const std::size_t total = bricks_at + 2 * bricks.size();
+  const std::size_t table_at = bricks_at + 2 * bricks.size();
+  const std::size_t total = table_at + (options.stiffness_part ? parts.size() : 0);
   words_.resize((total + 7) / 8);
   auto* at = reinterpret_cast<std::uint8_t*>(words_.data());
   const auto put = [at](std::size_t offset, auto value) { store_le(at + offset, value); };
   std::copy(kMagic.begin(), kMagic.end(), at);
   put(kMajorAt, kMajor);
-  put(kMinorAt, kMinor);
+  put(kMinorAt, options.stiffness_part ? kMinorWithTable : kMinor);
   put(kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
   put(kTotalBytesAt, std::uint64_t{total});
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -99,6 +105,10 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   std::memcpy(at + kHeaderBytes, root.data(), 4 * root.size());
   std::memcpy(at + nodes_at, nodes.data(), 4 * nodes.size());
   std::memcpy(at + bricks_at, bricks.data(), 2 * bricks.size());
+  if (options.stiffness_part) {
+    put(kStiffnessTableAt, static_cast<std::uint32_t>(table_at));
+    std::copy(parts.begin(), parts.end(), at + table_at);
+  }
   put(kChecksumAt, crc32(at + kTotalBytesAt, total - kTotalBytesAt));
 
   const Result<BlobView> view = BlobView::parse({at, total});

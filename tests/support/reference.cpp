@@ -36,6 +36,25 @@ ReferenceSample reference_sample(const BlobView& field, const Point& index) {
   return sample;
 }
 
+double reference_stiffness_part(const BlobView& field, const Point& index) {
+  const Point place = (index - Point{1.5, 1.5, 1.5}) * 0.25;
+  std::array<std::int32_t, 3> before{};
+  for (std::size_t axis = 0; axis < 3; ++axis) before[axis] = static_cast<std::int32_t>(std::floor(place[axis]));
+  double sum = 0, known = 0;
+  for (std::int32_t n = 0; n < 8; ++n) {
+    std::array<std::int32_t, 3> cell{};
+    double weight = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      cell[axis] = before[axis] + ((n >> axis) & 1);
+      weight *= 1 - std::abs(place[axis] - cell[axis]);
+    }
+    const int part = field.stiffness_parts[field.brick_number(4 * cell[0], 4 * cell[1], 4 * cell[2])];
+    sum += weight * part / 255;
+    known += part > 0 ? weight : 0;
+  }
+  return sum / known;
+}
+
 Point reference_step(const Point& pull, const ReferenceSample& s) {
   const auto shortened = [](const Point& v, double limit) { return length(v) > limit ? v * (limit / length(v)) : v; };
   constexpr double slide_limit = 1.25, restore_first = 32, min_bend = 0.5;

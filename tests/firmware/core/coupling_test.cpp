@@ -39,7 +39,7 @@ TEST(Coupling, IsASpringOfTheBlobsStiffness) {
     CouplingState state;
     state.ramp = coupling.ramp_ticks;
     const Point stretch = random.in_ball(25.0);
-    const Force force = couple(contact_with(stretch), coupling, state);
+    const Force force = couple(contact_with(stretch), coupling.stiffness, coupling, state);
     EXPECT_FALSE(force.limited || force.ramping);
     worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(stretch)) * (0.34 * 0.8)));
   }
@@ -53,14 +53,14 @@ TEST(Coupling, TheSettingsStiffnessComesBeforeTheBlobs) {
   const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
   CouplingState state;
   state.ramp = coupling.ramp_ticks;
-  EXPECT_NEAR(newton(couple(contact_with({0, 0, 3}), coupling, state)).z, 3.0, 0.0001);
+  EXPECT_NEAR(newton(couple(contact_with({0, 0, 3}), coupling.stiffness, coupling, state)).z, 3.0, 0.0001);
 }
 
 TEST(Coupling, WithoutContactThereIsNoForceInTheSameTick) {
   const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
   CouplingState state;
-  couple(contact_with({5, 0, 0}), coupling, state);
-  const Force left = couple(Contact{}, coupling, state);
+  couple(contact_with({5, 0, 0}), coupling.stiffness, coupling, state);
+  const Force left = couple(Contact{}, coupling.stiffness, coupling, state);
   EXPECT_EQ(left.newton, Vec3<Newton>{});
   EXPECT_FALSE(left.limited || left.ramping);
 }
@@ -75,7 +75,7 @@ TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
     CouplingState state;
     state.ramp = coupling.ramp_ticks;
     const Point stretch = random.in_ball(i % 2 == 0 ? 4000.0 : 20.0);
-    const Force force = couple(contact_with(stretch), coupling, state);
+    const Force force = couple(contact_with(stretch), coupling.stiffness, coupling, state);
     const double spring = test::length(stretch) * 0.34 * 0.8;
     if (spring < 2.49) {
       EXPECT_FALSE(force.limited);
@@ -95,8 +95,8 @@ TEST(Coupling, DampingFollowsTheChangeOfStretch) {
   const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
   CouplingState state;
   state.ramp = coupling.ramp_ticks;
-  couple(contact_with({0, 0, 2}), coupling, state);
-  const Force force = couple(contact_with({0, 0, 2.2}), coupling, state);
+  couple(contact_with({0, 0, 2}), coupling.stiffness, coupling, state);
+  const Force force = couple(contact_with({0, 0, 2.2}), coupling.stiffness, coupling, state);
   EXPECT_NEAR(newton(force).z, 2.2 * 0.5 * 0.8 + 0.002 * (0.2 * 0.5) / 0.001, 0.0005);  // spring, and 100 mm/s times b
 }
 
@@ -107,23 +107,23 @@ TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
   CouplingState state;
   Contact away;
   away.following = true;
-  couple(away, coupling, state);
+  couple(away, coupling.stiffness, coupling, state);
   double last = 0;
   for (int t = 1; t <= 10; ++t) {
-    const Force force = couple(contact_with({4, 0, 0}), coupling, state);
+    const Force force = couple(contact_with({4, 0, 0}), coupling.stiffness, coupling, state);
     EXPECT_TRUE(force.ramping);
     EXPECT_NEAR(newton(force).x, 1.6 * t / 10, 0.0005);
     EXPECT_LE(newton(force).x - last, 0.161);  // no jump
     last = newton(force).x;
   }
-  EXPECT_FALSE(couple(contact_with({4, 0, 0}), coupling, state).ramping);
+  EXPECT_FALSE(couple(contact_with({4, 0, 0}), coupling.stiffness, coupling, state).ramping);
 }
 
 TEST(Coupling, ContactThatBeginsAtRestHasItsFullForceAtOnce) {
   const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.5, 0.8));
   CouplingState state;
-  couple(Contact{}, coupling, state);  // at the HIP, in free space
-  const Force force = couple(contact_with({0.5, 0, 0}), coupling, state);
+  couple(Contact{}, coupling.stiffness, coupling, state);  // at the HIP, in free space
+  const Force force = couple(contact_with({0.5, 0, 0}), coupling.stiffness, coupling, state);
   EXPECT_FALSE(force.ramping);
   EXPECT_NEAR(newton(force).x, 0.2, 0.0001);
 }
