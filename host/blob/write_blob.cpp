@@ -88,6 +88,17 @@ void store_certificate(std::uint8_t* at, const Certificate& certificate) {
   store_le(at + kAdvisedDelayAt, certificate.delay_ticks);
 }
 
+/// Each stored brick's stiffness in 255ths of the largest, and none for bricks 0 and 1.
+std::vector<std::uint8_t> stiffness_table(const std::vector<double>& stiffness, const std::vector<std::size_t>& stored) {
+  if (stiffness.empty()) return {};
+  const double unit = *std::max_element(stiffness.begin(), stiffness.end()) / kFullStiffness;
+  std::vector<std::uint8_t> table(2);
+  for (const std::size_t b : stored) {
+    table.push_back(static_cast<std::uint8_t>(std::clamp(std::floor(stiffness[b] / unit + 0.5), 1.0, double{kFullStiffness})));
+  }
+  return table;
+}
+
 }  // namespace
 
 Image write_blob(field::BandField field, const BlobInfo& info) {
@@ -105,7 +116,9 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
 
   const std::size_t nodes_at = align64(kHeaderBytes + 4 * tree.root.size());
   const std::size_t bricks_at = align64(nodes_at + 4 * tree.nodes.size());
-  const std::size_t bytes = bricks_at + sizeof(Coefficients) * (tree.stored.size() + 2);
+  const std::size_t bricks_end = bricks_at + sizeof(Coefficients) * (tree.stored.size() + 2);
+  const std::vector<std::uint8_t> table = stiffness_table(held.stiffness, tree.stored);
+  const std::size_t bytes = bricks_end + table.size();
   if (bytes > std::numeric_limits<std::uint32_t>::max()) {
     throw InputError("the field needs " + std::to_string(bytes) + " bytes, a blob holds 4 GB; choose a larger --voxel or a smaller --band");
   }
@@ -118,6 +131,10 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
   store_le(at + kRootOffsetAt, static_cast<std::uint32_t>(kHeaderBytes));
   store_le(at + kNodeOffsetAt, static_cast<std::uint32_t>(nodes_at));
   store_le(at + kBrickOffsetAt, static_cast<std::uint32_t>(bricks_at));
+  if (!table.empty()) {
+    store_le(at + kMinorAt, kMinorWithTable);
+    store_le(at + kStiffnessTableAt, static_cast<std::uint32_t>(bricks_end));
+  }
 
   static_assert(std::endian::native == std::endian::little, "tables are copied as they are");
   std::memcpy(at + kHeaderBytes, tree.root.data(), 4 * tree.root.size());
@@ -132,7 +149,8 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
   brick.fill(static_cast<std::int16_t>(-band));
   append(brick);
   for (const std::size_t b : tree.stored) append(coefficients[b]);
-  assert(brick_at == at + bytes);
+  assert(brick_at == at + bricks_end);
+  std::copy(table.begin(), table.end(), brick_at);
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, bytes - kTotalBytesAt));
 
   if (!BlobView::parse(image.bytes())) {  // the one thing that a field can still have wrong

@@ -16,7 +16,7 @@ enum class Method : std::uint32_t { kDefault = 0, kPublished = 1 };
 
 /// What the image says beside the distances.
 struct BlobInfo {
-  double stiffness_n_per_mm = 0.8;
+  double stiffness_n_per_mm = 0.8;  ///< the largest, where the field has one for each brick: they are scaled to it
   std::uint64_t source_hash = 0;
   Method method = Method::kDefault;
   std::uint32_t point_count = 0;

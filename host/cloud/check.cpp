@@ -22,6 +22,7 @@ constexpr double kLongestNormal = 2.0;
 constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
 constexpr double kDoubtful = 0.3;
+constexpr double kStiffest = 100.0;  // N/mm, what a blob holds
 
 /// Brings the normals to unit length in their places.
 void make_unit_normals(const std::string& name, Model& model, CloudReport& report) {
@@ -35,6 +36,10 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
     if (!(length >= kShortestNormal && length <= kLongestNormal)) {
       throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
                        " instead of 1; normalise the normals");
+    }
+    if (!model.stiffness.empty() && !(model.stiffness[i] > 0.0 && model.stiffness[i] <= kStiffest)) {
+      throw InputError(name + ": " + model.place(i) + ": the stiffness is " + std::to_string(model.stiffness[i]) +
+                       " N/mm; it must be above 0 and at most 100");
     }
     if (std::abs(length - 1.0) > kUnitTolerance) ++report.renormalised;
     model.normals[i] /= length;
@@ -65,10 +70,14 @@ std::vector<std::uint32_t> by_place(const std::vector<Vector3d>& positions) {
 void merge_duplicates(OrientedPoints& points, CloudReport& report) {
   const std::vector<std::uint32_t> order = by_place(points.positions);
   std::vector<std::uint8_t> stays(points.size(), 1);
+  const bool has_stiffness = !points.stiffness.empty();
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     Vector3d sum = Vector3d::Zero();
-    for (end = begin; end < order.size() && points.positions[order[end]] == points.positions[order[begin]]; ++end)
+    double stiffness = 0.0;
+    for (end = begin; end < order.size() && points.positions[order[end]] == points.positions[order[begin]]; ++end) {
       sum += points.normals[order[end]];
+      if (has_stiffness) stiffness += points.stiffness[order[end]];
+    }
     const std::size_t together = end - begin;
     if (together == 1) continue;
     for (std::size_t i = begin; i < end; ++i) stays[order[i]] = 0;
@@ -76,18 +85,21 @@ void merge_duplicates(OrientedPoints& points, CloudReport& report) {
       report.contradictory += together;
     } else {
       report.merged += together - 1;
-      stays[order[begin]] = 1;  // the first point of each place, with the mean normal
+      stays[order[begin]] = 1;  // the first point of each place, with the means
       points.normals[order[begin]] = sum.normalized();
+      if (has_stiffness) points.stiffness[order[begin]] = stiffness / static_cast<double>(together);
     }
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stays.size(); ++i) {
     if (stays[i] == 0) continue;
     points.positions[kept] = points.positions[i];
+    if (has_stiffness) points.stiffness[kept] = points.stiffness[i];
     points.normals[kept++] = points.normals[i];
   }
   points.positions.resize(kept);
   points.normals.resize(kept);
+  if (has_stiffness) points.stiffness.resize(kept);
 }
 
 /// What nanoflann wants to know about the points.
@@ -174,7 +186,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
                      " points have no normals; estimate outward normals in a point-cloud program and save them with the points");
   }
   make_unit_normals(name, model, report);
-  OrientedPoints points{std::move(model.positions), std::move(model.normals)};
+  OrientedPoints points{std::move(model.positions), std::move(model.normals), std::move(model.stiffness)};
   merge_duplicates(points, report);
   if (points.size() < kFewestPoints) {
     throw InputError(name + ": only " + times(points.size(), "usable point", "usable points") +

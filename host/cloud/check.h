@@ -33,14 +33,14 @@ struct CloudReport {
 /// Checks and mends, in this order:
 ///
 /// normals      a length from 1/2 to 2 is brought to 1 (further off it is refused: it may not be a normal at all)
-/// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals; when that mean is
+/// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals and stiffnesses; when that mean is
 ///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out
 /// direction    outside is where the cloud ends: for 98 directions the outermost point is asked whether its normal points that way. On a closed
 ///              surface it does, whatever the sampling, the cavities or the holes elsewhere. Where most say no, all normals are turned round
 ///
 /// name      of the file, for the sentences
 /// fails     InputError: no points, no normals, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
-///           fewer than 8 points left
+///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
 
 /// The share of agreement between -1 (all inward) and 1 (all outward), as described above.

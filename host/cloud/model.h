@@ -16,6 +16,7 @@ struct Model {
   std::vector<Eigen::Vector3d> normals;             ///< finite; one for each position, or none at all
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are cut into fans
+  std::vector<double> stiffness = {};               ///< N/mm, finite; one for each position, or none at all
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

@@ -1,4 +1,4 @@
-/// A scan: points with outward unit normals.
+/// A scan: points with outward unit normals, and with a stiffness where it was measured.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +9,7 @@ namespace isotouch::cloud {
 struct OrientedPoints {
   std::vector<Eigen::Vector3d> positions;  ///< in the file's units, or mm in the workspace after `Placement`
   std::vector<Eigen::Vector3d> normals;    ///< unit length, outward
+  std::vector<double> stiffness = {};      ///< of the surface, N/mm, above 0 and at most 100; one for each position, or none at all
 
   std::size_t size() const { return positions.size(); }
 };

@@ -112,15 +112,15 @@ class BinaryRows {
 };
 
 /// What becomes of a property.
-enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kCorners };
+enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kStiffness, kCorners };
 
 Use use_of(const PlyElement& element, const PlyProperty& property) {
   if (element.name == "face" && property.count_type) {
     return property.name == "vertex_indices" || property.name == "vertex_index" ? Use::kCorners : Use::kSkip;
   }
   if (element.name != "vertex") return Use::kSkip;
-  constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
-  constexpr std::array<std::string_view, 6> kLongNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  constexpr std::array<std::string_view, 7> kNames = {"x", "y", "z", "nx", "ny", "nz", "stiffness"};
+  constexpr std::array<std::string_view, 7> kLongNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z", "stiffness"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (property.name == kNames[i] || property.name == kLongNames[i]) return static_cast<Use>(1 + i);
   }
@@ -132,10 +132,24 @@ void add_polygon(Model& model, const std::vector<std::uint32_t>& corners) {
   for (std::size_t i = 2; i < corners.size(); ++i) model.faces.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
+/// What each row of an element holds.
+struct RowUses {
+  std::vector<Use> uses;  ///< one for each property
+  bool has_normals = false;
+  bool has_stiffness = false;
+
+  explicit RowUses(const PlyElement& element) {
+    for (const PlyProperty& property : element.properties) uses.push_back(use_of(element, property));
+    const auto has = [&](Use use) { return std::find(uses.begin(), uses.end(), use) != uses.end(); };
+    has_normals = has(Use::kNormalX) && has(Use::kNormalY) && has(Use::kNormalZ);
+    has_stiffness = has(Use::kStiffness);
+  }
+};
+
 template <class Rows>
-void read_row(Rows& rows, const PlyElement& element, const std::vector<Use>& uses, std::size_t vertex_count, Model& model,
-              bool has_normals) {
-  std::array<double, 6> vertex{};
+void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::size_t vertex_count, Model& model) {
+  const std::vector<Use>& uses = row.uses;
+  std::array<double, 7> vertex{};
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const PlyProperty& property = element.properties[i];
@@ -159,7 +173,8 @@ void read_row(Rows& rows, const PlyElement& element, const std::vector<Use>& use
   }
   if (element.name == "vertex") {
     model.positions.emplace_back(vertex[0], vertex[1], vertex[2]);
-    if (has_normals) model.normals.emplace_back(vertex[3], vertex[4], vertex[5]);
+    if (row.has_normals) model.normals.emplace_back(vertex[3], vertex[4], vertex[5]);
+    if (row.has_stiffness) model.stiffness.push_back(vertex[6]);
     if (const auto line = rows.line()) model.lines.push_back(*line);
   }
   add_polygon(model, corners);
@@ -176,17 +191,14 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
       throw InputError(name + ": the header declares " + std::to_string(element.count) + " rows of element " + quote(element.name) +
                        ", more than the file has room for; it was cut short, or the count is wrong");
     }
-    std::vector<Use> uses;
-    for (const PlyProperty& property : element.properties) uses.push_back(use_of(element, property));
-    const auto uses_it = [&](Use use) { return std::find(uses.begin(), uses.end(), use) != uses.end(); };
-    const bool has_normals = uses_it(Use::kNormalX) && uses_it(Use::kNormalY) && uses_it(Use::kNormalZ);
+    const RowUses uses(element);
     if (element.name == "vertex") {
       model.positions.reserve(element.count);
-      if (has_normals) model.normals.reserve(element.count);
+      if (uses.has_normals) model.normals.reserve(element.count);
     }
     for (std::size_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
-      read_row(rows, element, uses, vertex_count, model, has_normals);
+      read_row(rows, element, uses, vertex_count, model);
       rows.end_row();
     }
   }
@@ -233,18 +245,22 @@ void write_ply(const std::filesystem::path& file, const OrientedPoints& points, 
   std::string header = "ply\nformat binary_little_endian 1.0\n";
   if (!comment.empty()) header += "comment " + comment + '\n';
   header += "element vertex " + std::to_string(points.size()) + '\n';
-  for (const char* property : {"x", "y", "z", "nx", "ny", "nz"}) header += std::string("property double ") + property + '\n';
+  std::vector<const char*> properties = {"x", "y", "z", "nx", "ny", "nz"};
+  if (!points.stiffness.empty()) properties.push_back("stiffness");
+  for (const char* property : properties) header += std::string("property double ") + property + '\n';
   header += "end_header\n";
   std::vector<std::uint8_t> bytes(header.begin(), header.end());
-  bytes.resize(header.size() + points.size() * 48);
+  bytes.resize(header.size() + points.size() * properties.size() * 8);
   std::uint8_t* at = bytes.data() + header.size();
+  const auto append = [&at](double value) {
+    store_le(at, std::bit_cast<std::uint64_t>(value));
+    at += 8;
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (const Vector3d* v : {&points.positions[i], &points.normals[i]}) {
-      for (const double value : *v) {
-        store_le(at, std::bit_cast<std::uint64_t>(value));
-        at += 8;
-      }
+      for (const double value : *v) append(value);
     }
+    if (!points.stiffness.empty()) append(points.stiffness[i]);
   }
   write_file(file, bytes.data(), bytes.size());
 }

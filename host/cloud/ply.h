@@ -11,10 +11,10 @@
 
 namespace isotouch::cloud {
 
-/// Takes `x y z`, `nx ny nz` (or `normal_x ...`) of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
+/// Takes `x y z`, `nx ny nz` (or `normal_x ...`) and `stiffness` of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
 ///
 /// name      of the file, for the sentences
-/// returns   a model; without normals or faces where the file has none
+/// returns   a model; without normals, stiffness or faces where the file has none
 /// fails     InputError with the line, or for binary files the element's number: bad grammar, unknown types, counts that the file cannot hold,
 ///           a body that is too short or too long, numbers that are not finite, faces that refer to no vertex
 /// source    G. Turk, "The PLY Polygon File Format", 1994

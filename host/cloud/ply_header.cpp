@@ -102,6 +102,7 @@ void check_vertex(const std::string& name, const PlyHeader& header) {
   for (const char* axis : {"x", "y", "z"}) {
     if (!has(axis)) throw InputError(name + ": element 'vertex' has no property '" + axis + "'; points need x, y and z");
   }
+  has("stiffness");
   for (const auto& normal : {std::array{"nx", "ny", "nz"}, std::array{"normal_x", "normal_y", "normal_z"}}) {
     const auto present = std::count_if(normal.begin(), normal.end(), has);
     if (present != 0 && present != 3) {

@@ -91,9 +91,10 @@ void add_build(CLI::App& app) {
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 4 unless given");
   band->check(CLI::Range(1.0, 7.99));
-  command->add_option("--stiffness", options->stiffness, "of the surface, such as 0.8N/mm")
-      ->transform(quantity(kStiffness, 0.001, 100))
-      ->capture_default_str();
+  command
+      ->add_option("--stiffness", options->stiffness,
+                   "of the surface, such as 0.8N/mm, which it is unless given; where the points have a stiffness of their own, the largest")
+      ->transform(quantity(kStiffness, 0.001, 100));
   CLI::Option* fit =
       command->add_option("--fit", options->fit_mm, "scale the longest side to this length, such as 70mm")->capture_default_str();
   fit->transform(quantity(kLength, 1, 1000));

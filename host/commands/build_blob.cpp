@@ -17,11 +17,13 @@
 #include "host/cloud/read_mesh.h"
 #include "host/commands/progress_bar.h"
 #include "host/error.h"
+#include "host/field/brick_stiffness.h"
 #include "host/field/build_field.h"
 #include "host/field/closed_mesh.h"
 #include "host/field/make_grid.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
+#include "host/field/nearest.h"
 #include "host/field/parallel.h"
 #include "host/published/build.h"
 #include "host/vdb/level_set.h"
@@ -73,7 +75,13 @@ Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progres
 
   if (options.method == blob::Method::kPublished) {
     const published::Built built = published::build(points, grid_round(options, points.positions, published::kMargin), progress);
-    return {published::to_band_field(built.levels), built.inside_nodes, std::move(points)};
+    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(points)};
+    if (!made.points.stiffness.empty()) {
+      std::vector<Eigen::Vector3d> places;
+      for (const Eigen::Vector3d& p : made.points.positions) places.push_back(made.field.grid.to_index(p));
+      made.field.stiffness = field::brick_stiffness(made.field.bricks, made.points.stiffness, field::Nearest(places));
+    }
+    return made;
   }
   const double band = options.band_voxels();
   const field::Grid grid = grid_round(options, points.positions, field::field_margin(band));
@@ -187,17 +195,19 @@ BuiltBlob build_blob(const BuildOptions& options) {
   }
 
   progress.begin("blob");
-  const blob::BlobInfo info{options.stiffness, report.source_hash, options.method, static_cast<std::uint32_t>(report.points),
+  const std::vector<double>& stiffness = made.field.stiffness;
+  const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
+  const blob::BlobInfo info{options.stiffness.value_or(own), report.source_hash, options.method, static_cast<std::uint32_t>(report.points),
                             report.placement};
   evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(std::move(made.field), info), options.out.string());
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = blob::pack(blob.view);
   const double advised = blob::certificate_of(blob.view).stiffness_n_per_mm;
-  if (options.stiffness > advised && !options.quiet) {
+  if (info.stiffness_n_per_mm > advised && !options.quiet) {
     std::fprintf(
         stderr,
         "isotouch: a stiffness of %g N/mm may feed energy into the hand; up to %.3g N/mm is safe with the device that `info` assumes\n",
-        options.stiffness, advised);
+        info.stiffness_n_per_mm, advised);
   }
   progress.begin("write");
   cloud::write_file(options.out, packed.data(), packed.size());

@@ -27,8 +27,8 @@ struct BuildOptions {
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
   std::optional<double> band = {};
-  double stiffness = 0.8;
-  std::string units = {};  ///< empty = fit
+  std::optional<double> stiffness = {};  ///< the largest, N/mm; 0.8 unless the points have one of their own
+  std::string units = {};                ///< empty = fit
   double fit_mm = 70.0;
   unsigned threads = 0;  ///< 0 = as many as there are processors
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone

@@ -63,6 +63,17 @@ void print_surface(const BlobView& view) {
   if (pieces.size() > kShown) std::printf("             and %zu smaller ones\n", pieces.size() - kShown);
 }
 
+/// The least and the largest of the surface, N/mm.
+struct StiffnessRange {
+  double least, largest;
+
+  explicit StiffnessRange(const BlobView& view) : least(real(view.stiffness)), largest(least) {
+    if (view.stiffness_parts == nullptr || view.brick_count == 2) return;
+    const std::uint8_t* parts = view.stiffness_parts;
+    least *= static_cast<double>(*std::min_element(parts + 2, parts + view.brick_count)) / blob_layout::kFullStiffness;
+  }
+};
+
 void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
   const blob::Certificate promise = blob::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
@@ -77,6 +88,8 @@ void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface)
       {"band_voxels", real(view.band)}, {"bricks", view.brick_count},  {"hash", evaluate::hash_text(view.hash())},
       {"version", version(view)},       {"wire_bytes", wire_bytes},    {"dense_float_bytes", blob::dense_float_bytes(view)},
       {"certificate", certificate}};
+  const StiffnessRange stiffness(view);
+  json["stiffness_n_per_mm"] = {{"least", stiffness.least}, {"largest", stiffness.largest}};
   if (with_surface) add_surface(view, json);
   std::printf("%s\n", json.dump(2).c_str());
 }
@@ -97,7 +110,12 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
   std::printf("voxel        %.6f mm\n", real(view.edge));
   std::printf("workspace    (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f) mm\n", origin.x(), origin.y(), origin.z(), far.x(), far.y(), far.z());
   std::printf("band         ±%g voxels = ±%.3f mm\n", real(view.band), real(view.band) * real(view.edge));
-  std::printf("stiffness    %g N/mm\n", real(view.stiffness));
+  const StiffnessRange stiffness(view);
+  if (view.stiffness_parts == nullptr) {
+    std::printf("stiffness    %g N/mm\n", stiffness.largest);
+  } else {
+    std::printf("stiffness    %.3g to %.3g N/mm over the surface\n", stiffness.least, stiffness.largest);
+  }
   std::printf("transform    workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   const blob::Certificate promise = blob::certificate_of(view);
   if (promise.largest_slope > 0.0) {

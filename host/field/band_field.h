@@ -27,8 +27,9 @@ struct Brick {
 /// Every brick that holds a sample with |distance| <= band is listed; the others are wholly outside or wholly inside the object.
 struct BandField {
   Grid grid;
-  double band = 4.0;          ///< half width, voxels
-  std::vector<Brick> bricks;  ///< sorted by cell: z, then y, then x
+  double band = 4.0;                   ///< half width, voxels
+  std::vector<Brick> bricks;           ///< sorted by cell: z, then y, then x
+  std::vector<double> stiffness = {};  ///< of the surface near each brick, N/mm; none where it is the same everywhere
 };
 
 }  // namespace isotouch::field

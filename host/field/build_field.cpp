@@ -7,6 +7,7 @@
 
 #include "host/error.h"
 #include "host/field/agreement.h"
+#include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
 #include "host/field/surface.h"
 #include "host/field/thinning.h"
@@ -87,6 +88,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
   mended.debris = drop_debris(field, scan.positions());
+  if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;
   return field;

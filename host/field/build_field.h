@@ -29,7 +29,8 @@ struct Repair {
 /// points    workspace, mm; unit outward normals; at least 8
 /// grid      covers the points with a margin of at least band + 3 voxels on every side; with less than `field_margin` bulges are cut short
 /// band      half width, voxels, 1 to 7.99
-/// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside
+/// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside. A stiffness of each
+///           brick where the points have one
 /// repair    where given, is told what was mended
 /// fails     InputError when there are too few points, when the grid is too small, or when the points do not bound a body
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr);

@@ -19,6 +19,7 @@ class Scan {
 
   const std::vector<Eigen::Vector3d>& positions() const { return points_.positions; }
   const std::vector<Eigen::Vector3d>& normals() const { return points_.normals; }
+  const std::vector<double>& stiffness() const { return points_.stiffness; }
   std::size_t size() const { return points_.size(); }
   const Nearest& tree() const { return tree_; }
   /// The nearest samples of a sample, ascending, all of a small set.

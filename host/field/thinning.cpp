@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace isotouch::field {
@@ -64,6 +65,11 @@ class Cell {
       const std::uint32_t chosen = *std::min_element(group.members.begin(), group.members.end(), farther);
       kept.positions.push_back(points.positions[chosen]);
       kept.normals.push_back(points.normals[chosen]);
+      if (!points.stiffness.empty()) {
+        const auto add = [&](double sum_so_far, std::uint32_t member) { return sum_so_far + points.stiffness[member]; };
+        kept.stiffness.push_back(std::accumulate(group.members.begin(), group.members.end(), 0.0, add) /
+                                 static_cast<double>(group.members.size()));
+      }
     }
     groups_.clear();
   }

@@ -5,7 +5,8 @@
 
 namespace isotouch::field {
 
-/// Keeps one sample of every group that shares a cell and a direction: the one nearest to the group's mean, so no sample is moved off the surface.
+/// Keeps one sample of every group that shares a cell and a direction: the one nearest to the group's mean, so no sample is moved off the surface;
+/// its stiffness is the group's mean.
 /// A group whose normals oppose one three times its size is taken for stray normals and left out; two sides of a thin part, of like size, both stay.
 ///
 /// points    index coordinates, voxels; unit normals

@@ -91,6 +91,14 @@ TEST(Packed, the_very_image_comes_back) {
   }
 }
 
+TEST(Packed, a_stiffness_table_comes_back_too) {
+  field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
+  for (const field::Brick& brick : field.bricks) field.stiffness.push_back(1.0 + brick.cell.cast<double>().sum());
+  const Image image = write_blob(field, {});
+  ASSERT_NE(BlobView::parse(image.bytes())->stiffness_parts, nullptr);
+  EXPECT_TRUE(same(unpack(packed(image), "it"), image));
+}
+
 TEST(Packed, a_ball_of_that_size_takes_so_many_bits) {
   const Image image = write_blob(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
   const double samples = 64.0 * BlobView::parse(image.bytes())->brick_count;

@@ -96,6 +96,32 @@ TEST(WriteBlob, any_band_in_the_format_is_accepted) {
   }
 }
 
+TEST(WriteBlob, a_stiffness_of_each_brick_becomes_a_table_of_parts_of_the_largest) {
+  field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
+  const Image without = write_blob(field, {});
+  for (const field::Brick& brick : field.bricks) field.stiffness.push_back(brick.cell.x() < 6 ? 0.001 : brick.cell.x() < 7 ? 0.6 : 1.2);
+  BlobInfo info;
+  info.stiffness_n_per_mm = 1.2;
+  const Image image = write_blob(field, info);
+  const auto view = BlobView::parse(image.bytes());
+  ASSERT_TRUE(view.has_value());
+  ASSERT_NE(view->stiffness_parts, nullptr);
+  EXPECT_EQ(image.size(), without.size() + view->brick_count);
+  EXPECT_EQ(BlobView::parse(without.bytes())->stiffness_parts, nullptr);
+  int soft = 0, middle = 0, hard = 0;
+  for (const field::Brick& brick : field.bricks) {
+    const Eigen::Vector3i at = 4 * brick.cell;
+    if ((at.array() >= field.grid.size.array()).any()) continue;
+    const std::uint32_t number = view->brick_number(at.x(), at.y(), at.z());
+    if (number < 2) continue;
+    const int part = view->stiffness_parts[number];
+    const int x = brick.cell.x();
+    ASSERT_EQ(part, x < 6 ? 1 : x < 7 ? 128 : 255) << "rounded, and 1 at least";
+    (x < 6 ? soft : x < 7 ? middle : hard) += 1;
+  }
+  EXPECT_GT(std::min({soft, middle, hard}), 20);
+}
+
 std::string refusal(const field::BandField& field, const BlobInfo& info = {}) {
   try {
     write_blob(field, info);

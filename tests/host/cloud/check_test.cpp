@@ -10,6 +10,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/read_cloud.h"
 #include "host/cloud/shapes.h"
+#include "host/error.h"
 
 namespace isotouch::cloud {
 namespace {
@@ -115,6 +116,42 @@ TEST(Check, normals_nearly_of_unit_length_are_brought_to_it) {
   EXPECT_EQ(report.renormalised, 1U);
   EXPECT_NEAR(checked.normals[3].norm(), 1.0, 1e-15);
   EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
+}
+
+TEST(Check, points_at_one_place_share_their_mean_stiffness) {
+  OrientedPoints cloud = sample_shape(shape("torus"), 100, 1);
+  for (std::size_t i = 0; i < cloud.size(); ++i) cloud.stiffness.push_back(0.5 + 0.001 * static_cast<double>(i));
+  for (const double stiffness : {2.0, 3.0}) {
+    cloud.positions.push_back(cloud.positions[7]);
+    cloud.normals.push_back(cloud.normals[7]);
+    cloud.stiffness.push_back(stiffness);
+  }
+  Model model = model_of(cloud);
+  model.stiffness = cloud.stiffness;
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model, report);
+  ASSERT_EQ(checked.stiffness.size(), 100U);
+  EXPECT_NEAR(checked.stiffness[7], (0.507 + 2.0 + 3.0) / 3, 1e-12);
+  EXPECT_EQ(checked.stiffness[8], 0.508);
+  EXPECT_TRUE(check("cloud", model_of(cloud), report).stiffness.empty());
+}
+
+TEST(Check, a_stiffness_that_no_surface_has_is_refused_with_its_place) {
+  Model model = model_of(sample_shape(shape("torus"), 100, 1));
+  for (const double wrong : {0.0, -1.0, 100.001, 1e300}) {
+    model.stiffness.assign(100, 0.8);
+    model.stiffness[41] = wrong;
+    CloudReport report;
+    try {
+      check("cloud.ply", model, report);
+      ADD_FAILURE() << wrong;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), ::testing::HasSubstr("cloud.ply: point 42: the stiffness is"));
+    }
+  }
+  model.stiffness[41] = 100.0;
+  CloudReport report;
+  EXPECT_EQ(check("cloud.ply", model, report).stiffness[41], 100.0);
 }
 
 }  // namespace

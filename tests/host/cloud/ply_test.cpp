@@ -93,5 +93,21 @@ TEST(Ply, what_is_written_is_read_to_the_last_bit) {
   EXPECT_EQ(model.normals, points.normals);
 }
 
+TEST(Ply, a_stiffness_is_read_and_written_back) {
+  const Model model = read(
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float stiffness\nproperty float x\nproperty float y\nproperty float z\n"
+      "property float nx\nproperty float ny\nproperty float nz\nend_header\n0.5 1 2 3 0 0 1\n1.25 -4.5 5 6 0 -1 0\n");
+  expect_the_two_points(model);
+  EXPECT_EQ(model.stiffness, (std::vector<double>{0.5, 1.25}));
+
+  const ScratchFolder folder;
+  write_ply(folder.path() / "points.ply", {model.positions, model.normals, model.stiffness});
+  const Model again = read_ply("points.ply", read_file(folder.path() / "points.ply"));
+  expect_the_two_points(again);
+  EXPECT_EQ(again.stiffness, model.stiffness);
+  write_ply(folder.path() / "points.ply", {model.positions, model.normals, {}});
+  EXPECT_TRUE(read_ply("points.ply", read_file(folder.path() / "points.ply")).stiffness.empty());
+}
+
 }  // namespace
 }  // namespace isotouch::cloud

@@ -61,7 +61,7 @@ TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
 
   const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
   EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes",
-                                                  "dense_float_bytes", "certificate"}));
+                                                  "dense_float_bytes", "certificate", "stiffness_n_per_mm"}));
   EXPECT_EQ(info["hash"], json["hash"]);
   EXPECT_EQ(info["bytes"], json["bytes"]);
   EXPECT_EQ(info["wire_bytes"], fs::file_size(file("t.itf")));
@@ -209,6 +209,23 @@ TEST_F(Build, info_says_which_file_is_no_blob_and_why) {
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("torus.ply"));
     EXPECT_THAT(e.what(), HasSubstr("not a file of this kind"));
+  }
+}
+
+TEST_F(Build, the_stiffness_of_the_points_reaches_the_blob) {
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("torus"), 400);
+  for (const auto& p : points.positions) points.stiffness.push_back(p.x() < 0 ? 0.4 : 1.2);
+  cloud::write_ply(file("soft.ply"), points, "test");
+  for (const std::string method : {"default", "published"}) {
+    run("build " + file("soft.ply") + " -o " + file("s.itf") + " --grid 40 --method " + method);
+    const auto info = nlohmann::ordered_json::parse(run("info " + file("s.itf") + " --json"));
+    EXPECT_EQ(info["version"], "1.2");
+    EXPECT_NEAR(info["stiffness_n_per_mm"]["least"].get<double>(), 0.4, 0.004) << method;
+    EXPECT_NEAR(info["stiffness_n_per_mm"]["largest"].get<double>(), 1.2, 0.0001) << method;
+    run("build " + file("soft.ply") + " -o " + file("s.itf") + " --grid 40 --stiffness 0.6 --method " + method);
+    const auto scaled = nlohmann::ordered_json::parse(run("info " + file("s.itf") + " --json"));
+    EXPECT_NEAR(scaled["stiffness_n_per_mm"]["least"].get<double>(), 0.2, 0.002) << method;
+    EXPECT_NEAR(scaled["stiffness_n_per_mm"]["largest"].get<double>(), 0.6, 0.0001) << method;
   }
 }
 

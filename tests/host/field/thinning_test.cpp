@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "host/cloud/random.h"
@@ -65,6 +66,17 @@ TEST(Thinned, DoesNotDependOnTheOrderOfThePoints) {
   const auto before = thinned(points, 1.0).positions;
   std::reverse(points.positions.begin(), points.positions.end());
   EXPECT_EQ(thinned(points, 1.0).positions, before);
+}
+
+TEST(Thinned, AKeptSampleHasTheMeanStiffnessOfItsGroup) {
+  cloud::OrientedPoints points;
+  add_sheet(points, 0.5, Vector3d::UnitZ(), 20000, 5);
+  for (const Vector3d& p : points.positions) points.stiffness.push_back(1.0 + 0.1 * p.x());
+  const auto kept = thinned(points, 1.0);
+  ASSERT_EQ(kept.stiffness.size(), kept.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    EXPECT_NEAR(kept.stiffness[i], 1.0 + 0.1 * (std::floor(kept.positions[i].x()) + 0.5), 0.02);
+  }
 }
 
 }  // namespace
