@@ -58,6 +58,7 @@ inline constexpr std::size_t kBricksPerNode = 64;
 inline constexpr std::uint32_t kMaxSize = 4096;
 inline constexpr std::uint32_t kOutside = 0;  ///< number of the brick, and of the node, that is far outside throughout
 inline constexpr std::uint32_t kInside = 1;   ///< the same, far inside
+inline constexpr int kSlopeBits = 16;         ///< fraction bits of the largest slope
 inline constexpr int kFullStiffness = 255;    ///< in the stiffness table: as much as the header says
 
 template <class T>
@@ -78,6 +79,7 @@ struct BlobView {
   VoxelPerMm inverse_edge;
   Distance band;
   Stiffness stiffness;                      ///< the largest, where there is a table of it
+  Ratio free_share = Ratio::of(1);          ///< how much of a distance is surely free way: 1 / the largest slope where that is above 1
   std::array<std::int32_t, 3> size{};       ///< samples along x, y, z
   std::array<std::int32_t, 3> root_size{};  ///< nodes along x, y, z
   std::uint32_t node_count = 0;

@@ -33,7 +33,7 @@ Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& st
   renew_reach(hip - state.hip, state.steps);
   state.hip = hip;
   for (int step = 0; step < kProxySteps; ++step) {
-    step_towards(hip, state.sample, state.steps, state.point);
+    step_towards(hip, state.sample, field.free_share, state.steps, state.point);
     sample_field(field, state.point, state.sample);
   }
 

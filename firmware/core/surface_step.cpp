@@ -156,10 +156,10 @@ void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
       Voxel::from_raw(static_cast<std::int32_t>(std::clamp(2 * size_of(raw(motion)), std::int64_t{memory.reach.raw()}, kSlideLimit)));
 }
 
-void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory, Vec3<Voxel>& point) {
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio free_share, StepMemory& memory, Vec3<Voxel>& point) {
   const LocalField at(sample);
   const Raw3 pull = raw(hip) - raw(point);
-  const std::int64_t free_way = std::max<std::int64_t>(at.distance, 0);
+  const std::int64_t free_way = (std::max<std::int64_t>(at.distance, 0) * free_share.raw()) >> Ratio::kFractionBits;
   const std::int64_t buried = std::max<std::int64_t>(-at.distance, 0);
   const std::int64_t safe = free_way + kSlideLimit;  // a surface may be this far away, and one step may end that deep
   const std::int64_t clearance = at.clearance(pull);

@@ -30,8 +30,10 @@ void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory);
 /// Moves `point`, where the sample was taken, one step towards the point of the surface, or of free space, closest to the HIP.
 ///
 /// In free space: to the HIP. Where the HIP is behind the surface: onto the surface and along it, by one step of sequential quadratic programming
-/// with the field's second derivatives. Never longer than is safe, the distance to the surface and 1.25 voxels more; the part along the surface
+/// with the field's second derivatives. Never longer than is safe, the surely free way to the surface and 1.25 voxels more; the part along the surface
 /// gets shorter the deeper the point is inside, so that steps in an acute crease cannot add up to a passage, and it is halved where it turns back.
-void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory, Vec3<Voxel>& point);
+///
+/// free_share     how much of a distance outside is surely free way, BlobView::free_share
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio free_share, StepMemory& memory, Vec3<Voxel>& point);
 
 }  // namespace isotouch::core

@@ -18,6 +18,7 @@ struct FieldOptions {
   double edge_mm = 0.34;
   double band = 4.0;
   double stiffness = 0.8;
+  double largest_slope = 0.0;  ///< as a certificate tells it; 0 = no certificate
   Point origin_mm = {-20.0, -20.0, -20.0};
   std::function<int(const Point&)> stiffness_part = nullptr;  ///< 1 to 255 at a brick's centre, index coordinates; a table where given
   bool prefilter = true;  ///< coefficients whose spline passes near the samples, φ - (sum of second differences) / 8

@@ -165,6 +165,35 @@ TEST(ProxyHeavy, TenThousandStabsThroughAPlateNeverReachItsOtherSide) {
   EXPECT_GT(deepest, -0.05);
 }
 
+/// Stabs, fast ones too, at a plate of 3 voxels whose field claims three times its distance; how many passed.
+int stabs_through_an_overstated_plate(double certified_slope) {
+  Random random(37);
+  int passed = 0;
+  for (int body = 0; body < 10; ++body) {
+    const Point normal = random.direction(), centre = random.in_box(0.5) + Point{48, 48, 48};
+    const FieldImage image(
+        {96, 96, 96},
+        [&](const Point& p) { return 3 * std::max(std::abs(test::dot(p - centre, normal)) - 1.5, test::length(p - centre) - 42.0); },
+        {.largest_slope = certified_slope});
+    for (int stab = 0; stab < 300; ++stab) {
+      const Point hit = centre + random.in_ball(4.0), above = hit + normal * random.uniform(12, 16), beyond = hit - normal * 12.0;
+      Hand hand(image.view());
+      bool wrong = false;
+      hand.move_to(above);
+      hand.move(above, beyond, random.uniform(0.3, 8.0), [&](const Point&, const Contact& contact) {
+        wrong = wrong || test::dot(test::to_point(contact.proxy) - centre, normal) < 0;
+      });
+      passed += wrong ? 1 : 0;
+    }
+  }
+  return passed;
+}
+
+TEST(ProxyHeavy, AFieldThatOverstatesItsDistancesIsNotJumpedWhenItsCertificateSaysSo) {
+  EXPECT_EQ(stabs_through_an_overstated_plate(3.3), 0);
+  EXPECT_GT(stabs_through_an_overstated_plate(0.0), 30) << "the danger that this test is about";
+}
+
 /// Three plates of 4 voxels through one centre, their normals at `degrees` to each other.
 struct CrossedPlates {
   Point centre;

@@ -29,7 +29,7 @@ FieldImage torus_and_box() {
 
 Point step_from(const Vec3<Voxel>& point, const Vec3<Voxel>& hip, const FieldSample& sample, StepMemory& memory) {
   Vec3<Voxel> moved = point;
-  step_towards(hip, sample, memory, moved);
+  step_towards(hip, sample, Ratio::of(1), memory, moved);
   return test::to_point(moved) - test::to_point(point);
 }
 
@@ -79,7 +79,7 @@ TEST(SurfaceStep, InFreeSpaceReachesTheHipExactly) {
   const Vec3<Voxel> point = test::to_voxel({5.0, 5.0, 5.0}), hip = test::to_voxel({6.123, 4.517, 5.902});
   StepMemory memory;
   Vec3<Voxel> moved = point;
-  step_towards(hip, sample_field(image.view(), point), memory, moved);
+  step_towards(hip, sample_field(image.view(), point), Ratio::of(1), memory, moved);
   EXPECT_EQ(moved, hip);
 }
 
@@ -94,6 +94,29 @@ TEST(SurfaceStep, IsNeverLongerThanTheDistanceAndTheSlide) {
     StepMemory memory;
     EXPECT_LT(test::length(step_from(point, hip, sample, memory)), test::to_double(sample.distance) + 1.2501);
   }
+}
+
+TEST(SurfaceStep, WhereTheFieldIsSteepItCoversNoMoreThanIsSurelyFree) {
+  const FieldImage image({72, 64, 40},
+                         [](const Point& p) {
+                           return 2 * (test::length(p - Point{36, 32, 20}) - 9.0);
+                         },
+                         {.largest_slope = 2.5});
+  ASSERT_NEAR(image.view().free_share.raw(), (1 << 30) / 2.5, 2000.0);
+  Random random(24);
+  double longest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3<Voxel> point = test::to_voxel({random.uniform(2, 69), random.uniform(2, 61), random.uniform(2, 37)});
+    const FieldSample sample = sample_field(image.view(), point);
+    if (sample.distance < Voxel{}) continue;
+    StepMemory memory;
+    Vec3<Voxel> moved = point;
+    step_towards(point + test::to_voxel(random.in_ball(300.0)), sample, image.view().free_share, memory, moved);
+    const double beyond = test::length(test::to_point(moved) - test::to_point(point)) - test::to_double(sample.distance) / 2.5;
+    EXPECT_LT(beyond, 1.2501);
+    longest = std::max(longest, beyond);
+  }
+  EXPECT_GT(longest, 1.24);
 }
 
 TEST(SurfaceStep, SurvivesTheWildestField) {
