@@ -9,28 +9,30 @@ namespace isotouch {
 
 /// Why data was refused, or a device did not do what it was asked to. `describe` gives the sentence's core; the caller adds file and place.
 enum class Error : std::uint8_t {
-  kTruncated,    ///< fewer bytes than the header promises
-  kBadMagic,     ///< not a file of this kind
-  kBadVersion,   ///< a major version that this program does not know
-  kBadHeader,    ///< a header field outside its range
-  kBadSize,      ///< the sizes in the header contradict each other or the file
-  kBadChecksum,  ///< the bytes were changed after they were written
-  kBadIndex,     ///< a table entry points outside its table
-  kMisaligned,   ///< the memory image does not start on an 8-byte boundary
-  kBadRecord,    ///< a trace record with an undefined bit or value
-  kWrongBlob,    ///< the trace was recorded on another blob
-  kNoOutputs,    ///< the trace holds inputs only
-  kBadFrame,     ///< the compressed part of a packed blob does not hold what its header promises
-  kTimedOut,     ///< a device did not answer in time
-  kGone,         ///< a device was unplugged, or the other end of a connection went away
-  kStalled,      ///< a device refused a request
-  kNotFound,     ///< no such device
-  kNotAllowed,   ///< this user may not open the device
-  kBusy,         ///< another program holds the device
-  kUnsuitable,   ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
-  kNoUsb,        ///< this machine offers no USB to programs
-  kBadPacket,    ///< a device packet that lost or changed bytes on its way
-  kBadModel,     ///< a device model with a number outside its range
+  kTruncated,       ///< fewer bytes than the header promises
+  kBadMagic,        ///< not a file of this kind
+  kBadVersion,      ///< a major version that this program does not know
+  kBadHeader,       ///< a header field outside its range
+  kBadSize,         ///< the sizes in the header contradict each other or the file
+  kBadChecksum,     ///< the bytes were changed after they were written
+  kBadIndex,        ///< a table entry points outside its table
+  kMisaligned,      ///< the memory image does not start on an 8-byte boundary
+  kBadRecord,       ///< a trace record with an undefined bit or value
+  kWrongBlob,       ///< the trace was recorded on another blob
+  kNoOutputs,       ///< the trace holds inputs only
+  kBadFrame,        ///< the compressed part of a packed blob does not hold what its header promises
+  kTooStiff,        ///< stiffer than the device can render without feeding energy into the hand
+  kBadCertificate,  ///< a certificate that contradicts itself or the blob
+  kTimedOut,        ///< a device did not answer in time
+  kGone,            ///< a device was unplugged, or the other end of a connection went away
+  kStalled,         ///< a device refused a request
+  kNotFound,        ///< no such device
+  kNotAllowed,      ///< this user may not open the device
+  kBusy,            ///< another program holds the device
+  kUnsuitable,      ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
+  kNoUsb,           ///< this machine offers no USB to programs
+  kBadPacket,       ///< a device packet that lost or changed bytes on its way
+  kBadModel,        ///< a device model with a number outside its range
 };
 
 constexpr const char* describe(Error error) {
@@ -47,6 +49,8 @@ constexpr const char* describe(Error error) {
     case Error::kWrongBlob: return "the trace was recorded on another blob";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
+    case Error::kTooStiff: return "its stiffness would feed energy into the hand";
+    case Error::kBadCertificate: return "its certificate contradicts itself or the samples";
     case Error::kTimedOut: return "it did not answer in time";
     case Error::kGone: return "it was unplugged or its connection was closed";
     case Error::kStalled: return "it refused a request";

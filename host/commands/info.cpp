@@ -22,6 +22,7 @@
 #include "host/evaluate/real.h"
 #include "host/evaluate/zero_surface.h"
 #include "shared/bytes.h"
+#include "shared/certificate.h"
 #include "shared/packed_blob.h"
 
 namespace isotouch::commands {
@@ -129,6 +130,9 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
     }
     std::printf("advisable    up to %.2f N/mm at %.0f Hz, %g N·s/m of device damping, a delay of %u ticks\n", promise.stiffness_n_per_mm,
                 1e9 / promise.period_ns, 1000.0 * promise.damping_ns_per_mm, promise.delay_ticks);
+    if (const CertificateCheck check = check_certificate(view, assumed_loop(view), {}); !check.accepted) {
+      std::printf("             %s\n", describe(check.error));
+    }
   }
   std::printf("bricks       %u of 4 × 4 × 4 samples, in %u nodes\n", view.brick_count, view.node_count);
 }

@@ -10,8 +10,10 @@
 #include "host/commands/commands.h"
 #include "host/evaluate/hash_text.h"
 #include "host/evaluate/open_blob.h"
+#include "host/evaluate/real.h"
 #include "host/evaluate/replay.h"
 #include "host/evaluate/trace_file.h"
+#include "shared/certificate.h"
 
 namespace isotouch::commands {
 
@@ -41,9 +43,25 @@ void print_text(const evaluate::ReplayReport& report, bool checked) {
   if (checked && !report.first_difference) std::printf("check        equal to the recorded outputs, every bit\n");
 }
 
+/// Says so where this blob with these settings would feed energy into the hand, on the device that its certificate assumes.
+void warn(const Options& options, const BlobView& field, std::uint32_t period_ns, Stiffness stiffness) {
+  Loop loop = assumed_loop(field);
+  if (loop.damping == Damping{}) return;
+  loop.period_ns = period_ns;
+  const CertificateCheck check = check_certificate(field, loop, stiffness);
+  if (check.accepted) return;
+  std::fprintf(stderr, "isotouch: %s: %s", options.blob.string().c_str(), describe(check.error));
+  if (check.error == Error::kTooStiff) {
+    std::fprintf(stderr, "; with this trace's period up to %.3g N/mm is safe on the device that `info` assumes",
+                 evaluate::real(check.stiffness));
+  }
+  std::fprintf(stderr, "\n");
+}
+
 template <class Format>
 evaluate::ReplayReport replay_file(const BlobView& field, const Options& options) {
   const auto trace = evaluate::TraceFile<Format>::read(options.trace);
+  warn(options, field, trace.header().period_ns, trace.header().settings.stiffness);
   std::optional<evaluate::TraceFileWriter<Format>> writer;
   if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(field, trace.header()));
   const evaluate::ReplayReport report = evaluate::replay(field, trace, options.check, writer ? &*writer : nullptr);

@@ -1,0 +1,83 @@
+#include "shared/certificate.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "shared/bytes.h"
+
+namespace isotouch {
+
+namespace {
+
+using namespace blob_layout;
+
+/// The header's numbers, in its formats.
+struct Stored {
+  std::uint32_t slope, wall, stiffness;
+  Loop loop;
+
+  explicit Stored(const std::uint8_t* header) {
+    const auto field = [header](std::size_t at) { return load_le<std::uint32_t>(header + at); };
+    slope = field(kLargestSlopeAt);
+    wall = field(kThinnestWallAt);
+    stiffness = field(kAdvisedStiffnessAt);
+    const auto damping = std::min(field(kAdvisedDampingAt), std::uint32_t{INT32_MAX});
+    loop = {field(kAdvisedPeriodAt), Damping::from_raw(static_cast<std::int32_t>(damping)), field(kAdvisedDelayAt)};
+  }
+};
+
+/// The stiffness may be rounded down, and stand for a damping that was rounded up: one unit either way.
+bool stiffness_follows(const Stored& stored) {
+  Loop less = stored.loop;
+  less.damping = Damping::from_raw(std::max(less.damping.raw() - 1, 0));
+  const std::int64_t low = std::int64_t{largest_stiffness(less).raw()} - 1, high = std::int64_t{largest_stiffness(stored.loop).raw()} + 1;
+  return stored.stiffness >= low && stored.stiffness <= high;
+}
+
+/// The largest difference of two neighbouring coefficients within one of the stored bricks, 12 fraction bits: the slope is no smaller.
+std::int32_t largest_difference(const BlobView& field) {
+  std::int32_t most = 0;
+  const std::int16_t* end = field.bricks + std::size_t{field.brick_count} * kSamplesPerBrick;
+  for (const std::int16_t* brick = field.bricks + 2 * kSamplesPerBrick; brick != end; brick += kSamplesPerBrick) {
+    for (std::size_t n = 0; n < kSamplesPerBrick; ++n) {
+      const auto rise = [&](std::size_t step) {
+        return brick[n + step] > brick[n] ? brick[n + step] - brick[n] : brick[n] - brick[n + step];
+      };
+      if ((n & 3) < 3) most = std::max(most, rise(1));
+      if ((n & 12) < 12) most = std::max(most, rise(4));
+      if (n < 48) most = std::max(most, rise(16));
+    }
+  }
+  return most;
+}
+
+bool agrees_with_itself(const BlobView& field) {
+  const Stored stored(field.image.data());
+  if (stored.slope == 0) return true;  // no certificate
+  constexpr int kGained = kSlopeBits - Distance::kFractionBits;
+  const std::int64_t widest = std::int64_t{field.band.raw()} * 2 * (1 << kGained);  // both numbers have 16 fraction bits
+  return stiffness_follows(stored) && stored.wall <= widest && stored.slope >= std::int64_t{largest_difference(field)} * (1 << kGained);
+}
+
+}  // namespace
+
+Loop assumed_loop(const BlobView& field) { return Stored(field.image.data()).loop; }
+
+Stiffness largest_stiffness(const Loop& loop) {
+  if (loop.damping <= Damping{} || loop.period_ns == 0) return {};
+  constexpr std::uint64_t kNanosecond = 1'000'000'000;
+  constexpr int kSpare = Damping::kFractionBits - Stiffness::kFractionBits;
+  const std::uint64_t twice = 2 * static_cast<std::uint64_t>(loop.damping.raw()) * kNanosecond;               // below 2^62
+  const std::uint64_t time = (2 * std::uint64_t{loop.delay_ticks} + 1) * std::min(loop.period_ns, 1U << 30);  // below 2^64
+  return Stiffness::from_raw(saturate32(static_cast<std::int64_t>((twice / time) >> kSpare)));
+}
+
+CertificateCheck check_certificate(const BlobView& field, const Loop& loop, Stiffness wanted) {
+  if (!agrees_with_itself(field)) return {false, Error::kBadCertificate, {}};
+  const Stiffness largest = largest_stiffness(loop);
+  const Stiffness rendered = wanted > Stiffness{} ? wanted : field.stiffness;
+  if (rendered > largest) return {false, Error::kTooStiff, largest};
+  return {true, {}, largest};
+}
+
+}  // namespace isotouch
