@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <istream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
