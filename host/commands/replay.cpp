@@ -44,11 +44,11 @@ void print_text(const evaluate::ReplayReport& report, bool checked) {
 }
 
 /// Says so where this blob with these settings would feed energy into the hand, on the device that its certificate assumes.
-void warn(const Options& options, const BlobView& field, std::uint32_t period_ns, Stiffness stiffness) {
+void warn(const Options& options, const BlobView& field, const TraceHeader& run) {
   Loop loop = assumed_loop(field);
   if (loop.damping == Damping{}) return;
-  loop.period_ns = period_ns;
-  const CertificateCheck check = check_certificate(field, loop, stiffness);
+  loop.period_ns = run.period_ns;
+  const CertificateCheck check = check_certificate(field, loop, run.settings.stiffness);
   if (check.accepted) return;
   std::fprintf(stderr, "isotouch: %s: %s", options.blob.string().c_str(), describe(check.error));
   if (check.error == Error::kTooStiff) {
@@ -61,7 +61,7 @@ void warn(const Options& options, const BlobView& field, std::uint32_t period_ns
 template <class Format>
 evaluate::ReplayReport replay_file(const BlobView& field, const Options& options) {
   const auto trace = evaluate::TraceFile<Format>::read(options.trace);
-  warn(options, field, trace.header().period_ns, trace.header().settings.stiffness);
+  warn(options, field, Format::run(trace.header()));
   std::optional<evaluate::TraceFileWriter<Format>> writer;
   if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(field, trace.header()));
   const evaluate::ReplayReport report = evaluate::replay(field, trace, options.check, writer ? &*writer : nullptr);
