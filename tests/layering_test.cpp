@@ -43,6 +43,7 @@ const std::map<std::string, Rule> kRules = {
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
     {"tests/support", {{"firmware/core", "shared"}}},
     {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
+    {"tests/driver", {{"firmware/io", "firmware/loop", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests", {{"tests/support"}}},
 };
 

@@ -18,6 +18,9 @@ Bytes packet_of(const FalconReply& reply) {
   return {packet.begin(), packet.end()};
 }
 
+/// 0 to count − 1.
+std::size_t below(Random& random, std::size_t count) { return static_cast<std::size_t>(random.bits() % count); }
+
 FalconReply random_reply(Random& random) {
   FalconReply reply;
   for (std::int16_t& count : reply.counts) count = static_cast<std::int16_t>(random.bits());
@@ -144,15 +147,15 @@ TEST(FalconStream, EveryByteOfARandomStreamIsAccountedFor) {
     std::size_t bytes = 0;
     for (int i = 0; i < 200; ++i) {
       Bytes data;
-      for (std::uint64_t k = random.bits() % 4; k > 0; --k) {
+      for (std::uint64_t k = below(random, 4); k > 0; --k) {
         Bytes piece = packet_of(random_reply(random));
-        if (random.bits() % 4 == 0)
-          piece[random.bits() % 16] = static_cast<std::uint8_t>(random.bits() % 4 == 0 ? 0x3C + 2 * (random.bits() % 2) : random.bits());
-        if (random.bits() % 4 == 0) piece.resize(random.bits() % 17);
+        if (below(random, 4) == 0)
+          piece[below(random, 16)] = static_cast<std::uint8_t>(below(random, 4) == 0 ? 0x3C + 2 * below(random, 2) : random.bits());
+        if (below(random, 4) == 0) piece.resize(below(random, 17));
         data = data + piece;
       }
       bytes += data.size();
-      const std::size_t cut = data.empty() ? 0 : random.bits() % data.size();
+      const std::size_t cut = data.empty() ? 0 : below(random, data.size());
       feed(stream, part(data, 0, cut));
       feed(stream, part(data, cut, data.size()));
     }
@@ -179,11 +182,11 @@ TEST(FalconStream, KnownDamageIsCountedExactly) {
   for (int i = 0; i < 5000; ++i) {
     const FalconReply reply = random_reply(random);
     Bytes packet = packet_of(reply);
-    switch (random.bits() % 4) {
+    switch (below(random, 4)) {
       case 0: packet.erase(packet.begin() + 5, packet.begin() + 7), ++cut; break;  // the 14 bytes of real devices
-      case 1: packet[1 + random.bits() % 12] = 0x51, ++corrupt; break;
+      case 1: packet[1 + below(random, 12)] = 0x51, ++corrupt; break;
       case 2: {
-        const std::size_t noise = random.bits() % 5;
+        const std::size_t noise = below(random, 5);
         packet = Bytes(noise, 0x13) + packet;
         skipped += noise;
         [[fallthrough]];
@@ -194,7 +197,7 @@ TEST(FalconStream, KnownDamageIsCountedExactly) {
   }
   std::size_t replies = 0;
   for (std::size_t at = 0; at < data.size();) {
-    const std::size_t size = std::min<std::size_t>(random.bits() % 100, data.size() - at);
+    const std::size_t size = std::min<std::size_t>(below(random, 100), data.size() - at);
     replies += feed(stream, part(data, at, at + size));
     at += size;
   }
@@ -212,9 +215,8 @@ TEST(FalconStream, RandomBytesNeverLeaveItStuck) {
   Random random(6);
   FalconStream stream;
   for (int i = 0; i < 20000; ++i) {
-    Bytes transfer(random.bits() % 200);
-    for (std::uint8_t& byte : transfer)
-      byte = static_cast<std::uint8_t>(random.bits() % 3 == 0 ? 0x3C + random.bits() % 24 : random.bits());
+    Bytes transfer(below(random, 200));
+    for (std::uint8_t& byte : transfer) byte = static_cast<std::uint8_t>(below(random, 3) == 0 ? 0x3C + below(random, 24) : random.bits());
     transfer.shrink_to_fit();  // so that the address sanitizer sees the first byte beyond
     stream.feed(transfer);
     if (i % 100 != 0) continue;

@@ -90,7 +90,7 @@ TEST(FirmwareImage, RandomBytesAreReadWithinTheirBounds) {
   for (int i = 0; i < 20000; ++i) {
     Bytes image = legal();
     image.resize(22);
-    const std::size_t more = random.bits() % 64;
+    const auto more = static_cast<std::size_t>(random.bits() % 64);
     for (std::size_t k = 0; k < more; ++k) image.push_back(static_cast<std::uint8_t>(random.bits() % 3));
     image.shrink_to_fit();  // so that the address sanitizer sees the first byte beyond
     const ImageReport report = check_image(image);
