@@ -81,7 +81,7 @@ Result<std::size_t> SimLink::write(std::span<const std::uint8_t> data, std::uint
 Result<std::size_t> SimLink::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
   const std::size_t capacity = std::min<std::size_t>(buffer.size(), kLongestWrite) / kUsbPacket * kUsbPacket;
   store_le(&message_[1], static_cast<std::uint16_t>(capacity));
-  store_le(&message_[3], timeout_ms);
+  store_le(&message_[3], std::max(timeout_ms, 1U));  // to the simulator, as on USB, 0 is for ever
   const Result<std::span<const std::uint8_t>> data = ask_for_status('I', 7, timeout_ms);
   if (!data) return data.error();
   if (data->size() > capacity) return gone();

@@ -3,7 +3,7 @@
 ///   'D' → 'd' device descriptor of 18 bytes, then manufacturer, product, serial: u8 length and ASCII each
 ///   'C' setup of 8 bytes → 'c' status, data
 ///   'O' data → 'o' status, u16 accepted
-///   'I' u16 capacity, u32 timeout_ms → 'i' status, data as the FT232R frames it
+///   'I' u16 capacity, u32 timeout_ms, never 0 → 'i' status, data as the FT232R frames it
 ///
 /// status: 0 done, 1 stalled, 2 timed out, 3 gone. Little-endian. After "gone" the simulator closes; a replugged device is a new connection.
 #pragma once

@@ -99,11 +99,13 @@ TEST(SimLink, SpeaksTheContractByteForByte) {
   Bytes buffer(130);
   EXPECT_EQ(link.read(buffer, 0x01020304).value(), 3U);
   EXPECT_EQ(buffer[2], 0x41);
+  EXPECT_EQ(link.read(buffer, 0).value(), 3U);
   const std::vector<Bytes> expected = {{'D'},
                                        {'C', 0x40, 0x03, 0x38, 0x41, 0, 0, 0, 0},
                                        {'C', 0xC0, 5, 0, 0, 0, 0, 2, 0},
                                        {'O', 0x0A, 0x43, 0x0D},
-                                       {'I', 128, 0, 0x04, 0x03, 0x02, 0x01}};
+                                       {'I', 128, 0, 0x04, 0x03, 0x02, 0x01},
+                                       {'I', 128, 0, 1, 0, 0, 0}};
   EXPECT_EQ(requests, expected);
   link.close();
 }
