@@ -1,0 +1,75 @@
+/// The two sides of a device. The tick sees a `Device`: the newest reply, and a place to leave words. Who really talks to hardware is a `Port`, which
+/// blocks; `exchange_thread.h` joins them by a thread of its own, `direct_device.h` without one.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "shared/falcon_packet.h"
+
+namespace isotouch::loop {
+
+/// A time that never comes.
+inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+
+/// What the device said last. Times are a Clock's.
+struct Sample {
+  FalconPacket packet{};            ///< as it came; all zero before the first
+  std::uint64_t number = 0;         ///< counts replies from 1; 0 = none yet. The same number = the same sample
+  std::int64_t sent_ns = 0;         ///< when the command that it answers was handed to the link
+  std::int64_t arrival_ns = 0;      ///< when it was there
+  std::int64_t word_delay_ns = -1;  ///< from the sample that its command's words were made of, to `sent_ns`; -1 = not known
+};
+
+/// What the tick asks of the device.
+struct Command {
+  FalconCommand falcon;
+  std::uint64_t tick = 0;        ///< number of the tick that made it, from 1; 0 = none yet
+  std::uint64_t sample = 0;      ///< number of the sample that its words were made of
+  std::int64_t arrival_ns = -1;  ///< when that sample arrived
+};
+
+/// The tick's side.
+class Device {
+ public:
+  virtual ~Device() = default;
+
+  /// Waits until there is a sample that `newest` has not returned yet, at the latest until `until_ns`; that is the tick's only wait.
+  ///
+  /// returns   false: none came
+  /// tick      yes: the one blocking call
+  virtual bool wait(std::int64_t until_ns) = 0;
+
+  /// tick      yes
+  virtual Sample newest() = 0;
+
+  /// Leaves a command; an older one that was not sent yet is forgotten.
+  ///
+  /// tick      yes
+  virtual void leave(const Command& command) = 0;
+};
+
+/// What one exchange of a port came to.
+enum class Answer : std::uint8_t {
+  kReply,   ///< the device answered
+  kSilent,  ///< it was asked and did not answer
+  kAbsent,  ///< there is no device to ask yet, or no longer: looked for, or brought up
+  kEnd,     ///< there will be no more, for good: a recording is over
+};
+
+/// The hardware's side, used by one thread.
+class Port {
+ public:
+  virtual ~Port() = default;
+
+  /// Sends one command and waits for its reply; or does a piece of the work that leads to a device that answers.
+  ///
+  /// reply     changed by kReply only
+  /// fails     never; waits for at most about 10 ms while a device runs, up to seconds while it is brought up
+  virtual Answer exchange(const FalconCommand& command, FalconPacket& reply) = 0;
+
+  /// Forces to zero, at once and for good. For every way out.
+  virtual void rest() = 0;
+};
+
+}  // namespace isotouch::loop

@@ -1,0 +1,65 @@
+#include "firmware/loop/field_slots.h"
+
+namespace isotouch::loop {
+
+namespace {
+constexpr std::size_t kLine = 64;
+std::size_t whole_lines(std::size_t bytes) { return (bytes + kLine - 1) / kLine * kLine; }
+}  // namespace
+
+FieldSlots::FieldSlots(std::size_t bytes) : capacity_(bytes), memory_((2 * whole_lines(bytes) + kLine) / sizeof(std::uint64_t)) {
+  auto* at = reinterpret_cast<std::uint8_t*>(memory_.data());
+  at += (kLine - reinterpret_cast<std::uintptr_t>(at) % kLine) % kLine;
+  places_ = {at, at + whole_lines(bytes)};
+}
+
+bool FieldSlots::free() const { return published_.load(std::memory_order_relaxed) == acknowledged_.load(std::memory_order_acquire); }
+
+std::span<std::uint8_t> FieldSlots::begin(std::size_t bytes) {
+  receiving_ = 0;
+  if (bytes == 0 || bytes > capacity_ || !free()) return {};
+  receiving_ = bytes;
+  const std::uint32_t used = published_.load(std::memory_order_relaxed) & kSlot;
+  return {places_[used == 0 ? 1 : 0], bytes};
+}
+
+Result<std::uint32_t> FieldSlots::commit() {
+  if (receiving_ == 0) return Error::kTruncated;
+  const std::uint32_t slot = (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0;
+  const auto view = BlobView::parse({places_[slot], receiving_});
+  receiving_ = 0;
+  if (!view) return view.error();
+  views_[slot] = *view;
+  publish(slot);
+  return generation_;
+}
+
+bool FieldSlots::clear() {
+  if (!free()) return false;
+  receiving_ = 0;
+  publish(kNone);
+  return true;
+}
+
+ActiveField FieldSlots::published() const {
+  const std::uint32_t word = published_.load(std::memory_order_relaxed);
+  if ((word & kSlot) == kNone) return {};
+  return {&views_[word & kSlot], word >> 2};
+}
+
+ActiveField FieldSlots::field() {
+  const std::uint32_t word = published_.load(std::memory_order_acquire);
+  if (word != active_) {
+    active_ = word;
+    acknowledged_.store(word, std::memory_order_release);
+  }
+  if ((word & kSlot) == kNone) return {};
+  return {&views_[word & kSlot], word >> 2};
+}
+
+void FieldSlots::publish(std::uint32_t slot) {
+  generation_ = generation_ % ((1U << 30) - 1) + 1;
+  published_.store(generation_ << 2 | slot, std::memory_order_release);
+}
+
+}  // namespace isotouch::loop

@@ -1,0 +1,90 @@
+/// Two places for a field: the tick feels one while the other is filled. Two atomic words, no lock.
+///
+///   empty      upload: `begin` with a size that fits        → receiving
+///   receiving  upload: `commit`, BlobView::parse succeeded  → verified, published by a generation
+///   verified   tick: `field` at the start of a tick         → active; the other one retires
+///   retiring   upload: has seen the tick's acknowledgement  → empty
+///
+/// A lost connection leaves `receiving` without effect; a refused image is never seen by the tick.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shared/blob.h"
+#include "shared/result.h"
+
+namespace isotouch::loop {
+
+/// The field of one tick.
+struct ActiveField {
+  const BlobView* view = nullptr;  ///< nullptr: none
+  std::uint32_t generation = 0;    ///< 0 = none; another number = another field
+};
+
+class FieldSlots {
+ public:
+  /// bytes     largest image, each; both places are allocated and touched here and never again
+  explicit FieldSlots(std::size_t bytes);
+
+  std::size_t capacity() const { return capacity_; }
+
+  // --- upload: one thread at a time ---
+
+  /// True when `begin` would succeed: no place still waits for the tick to leave it.
+  bool free() const;
+
+  /// Claims the place that the tick does not use. What was received there and not committed is forgotten.
+  ///
+  /// bytes     of the unpacked image, at most `capacity()`
+  /// returns   where to write the image, 64-byte aligned; empty: too large, or the tick has not taken the last field over yet
+  std::span<std::uint8_t> begin(std::size_t bytes);
+
+  /// Checks what was received and hands it to the tick.
+  ///
+  /// returns   the generation by which the tick will know it
+  /// fails     as BlobView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
+  Result<std::uint32_t> commit();
+
+  /// Gives up what was begun.
+  void abandon() { receiving_ = 0; }
+
+  /// Takes the field away from the tick: it goes on without one.
+  ///
+  /// returns   false: the tick has not taken the last field over yet
+  bool clear();
+
+  /// The generation that the tick has taken over; equal to that of `commit` once the new field is felt.
+  std::uint32_t acknowledged() const { return acknowledged_.load(std::memory_order_acquire) >> 2; }
+
+  /// The newest published field, also when the tick has not taken it over yet. Valid until the next `begin`.
+  ActiveField published() const;
+
+  // --- tick ---
+
+  /// The field of this tick; takes a new one over.
+  ///
+  /// tick      yes
+  ActiveField field();
+
+ private:
+  static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
+
+  void publish(std::uint32_t slot);
+
+  std::size_t capacity_;
+  std::vector<std::uint64_t> memory_;
+  std::array<std::uint8_t*, 2> places_{};
+  std::array<BlobView, 2> views_{};
+  std::size_t receiving_ = 0;  ///< bytes; 0 = nothing was begun
+  std::uint32_t generation_ = 0;
+  std::atomic<std::uint32_t> published_{kNone};
+  std::atomic<std::uint32_t> acknowledged_{kNone};
+  std::uint32_t active_ = kNone;  ///< the tick's own
+};
+
+}  // namespace isotouch::loop

@@ -1,0 +1,64 @@
+/// The loop around the tick: waits for the device, says how old its sample is, ticks, leaves the words, counts. It does not allocate, lock, or block
+/// but in `Device::wait` and in sleeping until the tick's time.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/core/device_tick.h"
+#include "firmware/loop/clock.h"
+#include "firmware/loop/commands.h"
+#include "firmware/loop/device.h"
+#include "firmware/loop/field_slots.h"
+#include "firmware/loop/latest.h"
+#include "firmware/loop/pace.h"
+#include "firmware/loop/tick_record.h"
+#include "firmware/loop/tick_stats.h"
+
+namespace isotouch::loop {
+
+/// Everything that the tick exchanges with other threads. One static table, made before the first tick.
+struct Neighbours {
+  FieldSlots& fields;
+  Commands& commands;
+  TraceRing& trace;           ///< every tick; a full ring loses records, never time
+  Latest<TickRecord>& shown;  ///< the newest tick, for one reader
+  TickStats& stats;
+};
+
+struct LoopSettings {
+  DeviceModel device;
+  TickSettings tick;
+  std::uint32_t period_ns = 1'000'000;  ///< 100,000 to 4,000,000
+  bool lockstep = false;                ///< wait for every reply without a due time: a run is then a pure function of the device's answers
+};
+
+class Loop {
+ public:
+  static constexpr std::uint64_t kFaultsEvery = 1024;
+
+  /// device, clock and everything in `neighbours` live longer
+  Loop(const LoopSettings& settings, Device& device, Clock& clock, const Neighbours& neighbours);
+
+  /// Waits for the next tick's time, and ticks.
+  ///
+  /// returns   false: in lockstep, no reply will come any more, and there was no tick
+  bool step();
+
+  /// Ticks until told to stop, or until `step` returns false. `stop` is read once a tick.
+  void run(const std::atomic<bool>& stop);
+
+ private:
+  bool wait_for_tick();
+  DeviceInput look(const Sample& sample, std::uint32_t missed);
+
+  LoopSettings settings_;
+  core::DeviceTickModel model_;
+  Device& device_;
+  Clock& clock_;
+  Neighbours neighbours_;
+  core::DeviceState state_;
+  Pace pace_;
+};
+
+}  // namespace isotouch::loop

@@ -1,0 +1,22 @@
+/// One tick as the loop saw it: what goes to recordings and to whoever watches.
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/loop/ring.h"
+#include "shared/device_io.h"
+
+namespace isotouch::loop {
+
+struct TickRecord {
+  std::uint64_t number = 0;  ///< of the tick, from 1; 0 = none yet
+  std::int64_t start_ns = 0;
+  std::int64_t arrival_ns = 0;  ///< of the newest packet; 0 = none yet
+  DeviceInput in;
+  DeviceOutput out;
+};
+
+/// From the tick to the recorder.
+using TraceRing = Ring<TickRecord>;
+
+}  // namespace isotouch::loop
