@@ -29,16 +29,22 @@ struct Command {
   std::int64_t arrival_ns = -1;  ///< when that sample arrived
 };
 
+/// Why a wait ended.
+enum class Wake : std::uint8_t {
+  kReply,  ///< there is a sample that `newest` has not returned yet
+  kDue,    ///< none came
+  kEnd,    ///< none will come any more
+};
+
 /// The tick's side.
 class Device {
  public:
   virtual ~Device() = default;
 
-  /// Waits until there is a sample that `newest` has not returned yet, at the latest until `until_ns`; that is the tick's only wait.
+  /// Waits for a reply, at the latest until `until_ns`.
   ///
-  /// returns   false: none came
-  /// tick      yes: the one blocking call
-  virtual bool wait(std::int64_t until_ns) = 0;
+  /// tick      yes: the one blocking call beside the clock's
+  virtual Wake wait(std::int64_t until_ns) = 0;
 
   /// tick      yes
   virtual Sample newest() = 0;

@@ -49,8 +49,8 @@ class Loop {
   void run(const std::atomic<bool>& stop);
 
  private:
-  bool wait_for_tick();
   DeviceInput look(const Sample& sample, std::uint32_t missed);
+  void count_own_costs();
 
   LoopSettings settings_;
   core::DeviceTickModel model_;
@@ -59,6 +59,11 @@ class Loop {
   Neighbours neighbours_;
   core::DeviceState state_;
   Pace pace_;
+  std::uint64_t ticks_ = 0;
+  std::uint64_t seen_ = 0;  ///< number of the newest sample that a tick has had
+  std::uint32_t age_ = 0;   ///< ticks since a sample was fresh, those that were left out included
+  std::uint32_t generation_ = 0;
+  std::uint64_t faults_before_ = 0, allocations_before_ = 0;  ///< the first tick's
 };
 
 }  // namespace isotouch::loop

@@ -1,0 +1,20 @@
+#include "firmware/loop/direct_device.h"
+
+namespace isotouch::loop {
+
+Wake DirectDevice::wait(std::int64_t /*until_ns*/) {
+  FalconPacket packet{};
+  const std::int64_t sent = clock_.now_ns();
+  Answer answer = Answer::kAbsent;
+  while (answer == Answer::kAbsent) {
+    if (stop_.load(std::memory_order_relaxed)) return Wake::kEnd;
+    answer = port_.exchange(command_.falcon, packet);
+  }
+  if (answer == Answer::kEnd) return Wake::kEnd;
+  clock_.sleep_until_ns(sent + period_ns_);
+  if (answer == Answer::kSilent) return Wake::kDue;
+  sample_ = {packet, sample_.number + 1, sent, clock_.now_ns(), command_.arrival_ns < 0 ? -1 : sent - command_.arrival_ns};
+  return Wake::kReply;
+}
+
+}  // namespace isotouch::loop

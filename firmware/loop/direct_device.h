@@ -1,0 +1,33 @@
+/// Joins the tick to a port without a thread and without time: every wait is one exchange, and the virtual clock moves on by one period for it. What
+/// the tick sees is then a pure function of what the port answers.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/loop/device.h"
+#include "firmware/loop/virtual_clock.h"
+
+namespace isotouch::loop {
+
+class DirectDevice final : public Device {
+ public:
+  /// port, clock, stop   live longer; `stop` ends a search for a device that is not there
+  DirectDevice(Port& port, VirtualClock& clock, std::int64_t period_ns, const std::atomic<bool>& stop)
+      : port_(port), clock_(clock), period_ns_(period_ns), stop_(stop) {}
+
+  /// One exchange with the command that was left. No tick passes while there is no device.
+  Wake wait(std::int64_t until_ns) override;
+  Sample newest() override { return sample_; }
+  void leave(const Command& command) override { command_ = command; }
+
+ private:
+  Port& port_;
+  VirtualClock& clock_;
+  std::int64_t period_ns_;
+  const std::atomic<bool>& stop_;
+  Sample sample_;
+  Command command_;
+};
+
+}  // namespace isotouch::loop

@@ -1,0 +1,55 @@
+#include "firmware/loop/exchange_thread.h"
+
+namespace isotouch::loop {
+
+Wake ExchangeThread::wait(std::int64_t until_ns) {
+  for (;;) {
+    const std::uint32_t heard = replies_.count();
+    if (samples_.get().number != taken_) return Wake::kReply;
+    if (ended_.load(std::memory_order_acquire)) return Wake::kEnd;
+    if (clock_.now_ns() >= until_ns) return Wake::kDue;
+    replies_.wait(heard, until_ns);
+  }
+}
+
+Sample ExchangeThread::newest() {
+  const Sample& sample = samples_.get();
+  taken_ = sample.number;
+  return sample;
+}
+
+void ExchangeThread::leave(const Command& command) {
+  commands_.put(command);
+  words_.ring();
+}
+
+void ExchangeThread::serve(const std::atomic<bool>& stop) {
+  Sample sample;
+  while (!stop.load(std::memory_order_relaxed)) {
+    const Command command = commands_.get();
+    FalconPacket packet{};
+    const std::int64_t sent = clock_.now_ns();
+    const Answer answer = port_.exchange(command.falcon, packet);
+    if (answer == Answer::kEnd) break;
+    if (answer != Answer::kReply) continue;
+    const bool first_with_it = command.sample == sample.number && command.arrival_ns >= 0;
+    sample = {packet, sample.number + 1, sent, clock_.now_ns(), first_with_it ? sent - command.arrival_ns : -1};
+    samples_.put(sample);
+    replies_.ring();
+    await_words(sample);
+  }
+  port_.rest();
+  ended_.store(true, std::memory_order_release);
+  replies_.ring();
+}
+
+void ExchangeThread::await_words(const Sample& sample) {
+  const std::int64_t until = sample.sent_ns + refresh_ns_;
+  for (;;) {
+    const std::uint32_t heard = words_.count();
+    if (commands_.get().sample >= sample.number || clock_.now_ns() >= until) return;
+    words_.wait(heard, until);
+  }
+}
+
+}  // namespace isotouch::loop

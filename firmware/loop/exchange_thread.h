@@ -1,0 +1,45 @@
+/// Joins the tick to a port by a thread of its own: what talks to hardware may allocate and block, the tick may not. Values pass through `Latest`, two
+/// doorbells say that there is something new.
+///
+/// After a reply the thread waits for the words that the tick makes of it and sends them at once; so the device's rate and the tick's are one. A tick
+/// that does not come in time does not stop the packets: the device is asked again with the newest words.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/loop/clock.h"
+#include "firmware/loop/device.h"
+#include "firmware/loop/doorbell.h"
+#include "firmware/loop/latest.h"
+
+namespace isotouch::loop {
+
+class ExchangeThread final : public Device {
+ public:
+  /// port, clock   live longer; the clock is CLOCK_MONOTONIC
+  /// refresh_ns    longest time between two commands while the tick is silent
+  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns) : port_(port), clock_(clock), refresh_ns_(refresh_ns) {}
+
+  // The tick's side.
+  Wake wait(std::int64_t until_ns) override;
+  Sample newest() override;
+  void leave(const Command& command) override;
+
+  /// The thread's whole life: exchanges until told to stop or until the port ends, and leaves the device without force.
+  void serve(const std::atomic<bool>& stop);
+
+ private:
+  void await_words(const Sample& sample);
+
+  Port& port_;
+  Clock& clock_;
+  std::int64_t refresh_ns_;
+  Latest<Sample> samples_;
+  Latest<Command> commands_;
+  Doorbell replies_, words_;
+  std::atomic<bool> ended_{false};
+  std::uint64_t taken_ = 0;  ///< number of the newest sample that the tick has had
+};
+
+}  // namespace isotouch::loop

@@ -1,0 +1,95 @@
+#include "firmware/loop/loop.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "firmware/loop/realtime.h"
+
+namespace isotouch::loop {
+
+Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Neighbours& neighbours)
+    : settings_(settings),
+      model_(core::make_device_model(settings.device, settings.tick, settings.period_ns)),
+      device_(device),
+      clock_(clock),
+      neighbours_(neighbours),
+      pace_(settings.period_ns, clock.now_ns()) {}
+
+bool Loop::step() {
+  const Wake wake = device_.wait(settings_.lockstep ? kNever : pace_.due_ns());
+  if (wake == Wake::kEnd) return false;
+  const bool replied = wake == Wake::kReply;
+  Sample sample = device_.newest();
+  const std::int64_t wanted = settings_.lockstep ? clock_.now_ns() : replied ? pace_.start_ns(sample.arrival_ns) : pace_.due_ns();
+  if (wanted > clock_.now_ns()) {
+    clock_.sleep_until_ns(wanted);
+    sample = device_.newest();
+  }
+  const std::int64_t start = clock_.now_ns();
+  const std::uint32_t missed = settings_.lockstep ? 0 : pace_.begin(wanted, replied, start);
+
+  TickRecord record;
+  record.number = ++ticks_;
+  record.start_ns = start;
+  record.arrival_ns = sample.arrival_ns;
+  record.in = look(sample, missed);
+  const ActiveField field = neighbours_.fields.field();
+  record.in.commands = neighbours_.commands.take();
+  record.in.field_generation = field.generation;
+  record.out = core::device_tick(record.in, field.view, model_, state_);
+  device_.leave(
+      {{record.out.tick.words, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
+
+  TickStats& stats = neighbours_.stats;
+  stats.tick_time.add(clock_.now_ns() - start);
+  stats.wake_delay.add(start - wanted);
+  stats.ticks.add();
+  stats.by_reply.add(replied && wanted == sample.arrival_ns ? 1 : 0);
+  stats.late.add(missed > 0 ? 1 : 0);
+  stats.missed.add(missed);
+  stats.field_swaps.add(field.generation != generation_ ? 1 : 0);
+  generation_ = field.generation;
+  neighbours_.trace.push(record);
+  neighbours_.shown.put(record);
+  count_own_costs();
+  return true;
+}
+
+void Loop::run(const std::atomic<bool>& stop) {
+  while (!stop.load(std::memory_order_relaxed) && step()) {
+  }
+}
+
+/// What the wire holds for this tick, and how old it is.
+DeviceInput Loop::look(const Sample& sample, std::uint32_t missed) {
+  TickStats& stats = neighbours_.stats;
+  DeviceInput in;
+  in.packet = sample.packet;
+  in.fresh = sample.number != seen_;
+  if (in.fresh) {
+    stats.samples_lost.add(sample.number - seen_ - 1);
+    stats.round_trip.add(sample.arrival_ns - sample.sent_ns);
+    if (sample.word_delay_ns >= 0) stats.word_delay.add(sample.word_delay_ns);
+    age_ = 0;
+  } else {
+    age_ = std::min<std::uint32_t>(age_ + 1 + std::min(missed, 0xFFFFU), 0xFFFF);
+  }
+  (in.fresh ? stats.fresh : stats.stale).add();
+  seen_ = sample.number;
+  in.age = static_cast<std::uint16_t>(age_);
+  if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
+  return in;
+}
+
+/// Page faults and allocations of this thread since its first tick. The system is asked rarely; the question does not block.
+void Loop::count_own_costs() {
+  if (ticks_ == 1) {
+    faults_before_ = page_faults_of_thread();
+    allocations_before_ = allocations_of_thread;
+  } else if (ticks_ % kFaultsEvery == 0) {
+    neighbours_.stats.page_faults.set(page_faults_of_thread() - faults_before_);
+  }
+  neighbours_.stats.allocations.set(allocations_of_thread - allocations_before_);
+}
+
+}  // namespace isotouch::loop

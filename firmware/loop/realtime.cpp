@@ -1,0 +1,48 @@
+#include "firmware/loop/realtime.h"
+
+#include <malloc.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cstddef>
+
+namespace isotouch::loop {
+
+thread_local std::uint64_t allocations_of_thread = 0;
+
+unsigned become_realtime(int priority, int core) {
+  unsigned refused = 0;
+  if (core >= 0) {
+    cpu_set_t cores;
+    CPU_ZERO(&cores);
+    if (core < CPU_SETSIZE) CPU_SET(static_cast<std::size_t>(core), &cores);
+    if (pthread_setaffinity_np(pthread_self(), sizeof cores, &cores) != 0) refused |= kRefusedCore;
+  }
+  if (priority > 0) {
+    sched_param wish{};
+    wish.sched_priority = priority;
+    if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) != 0) refused |= kRefusedPriority;
+  }
+  return refused;
+}
+
+unsigned lock_memory() {
+  mallopt(M_TRIM_THRESHOLD, -1);
+  mallopt(M_MMAP_MAX, 0);
+  return mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? 0U : unsigned{kRefusedMemory};
+}
+
+void touch_stack() {
+  volatile unsigned char stack[kTouchedStack];
+  for (std::size_t i = 0; i < sizeof stack; i += 1024) stack[i] = 0;
+}
+
+std::uint64_t page_faults_of_thread() {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return static_cast<std::uint64_t>(usage.ru_minflt) + static_cast<std::uint64_t>(usage.ru_majflt);
+}
+
+}  // namespace isotouch::loop

@@ -1,0 +1,37 @@
+/// What a thread asks of the system to be in time, and what it cost the system since. Without the privilege the wish is refused and the thread runs on.
+#pragma once
+
+#include <cstdint>
+
+namespace isotouch::loop {
+
+/// What was refused, as bits; 0 = everything was granted.
+enum Refusals : unsigned {
+  kRefusedPriority = 1U << 0,
+  kRefusedCore = 1U << 1,
+  kRefusedMemory = 1U << 2,
+};
+
+/// The calling thread's.
+///
+/// priority  of SCHED_FIFO, 1 to 99; 0 = the ordinary scheduler
+/// core      the one it runs on, from 0; -1 = any
+/// returns   Refusals
+unsigned become_realtime(int priority, int core);
+
+/// Locks all memory of the program, now and later, and keeps freed memory: nothing is paged out or given back.
+///
+/// returns   Refusals
+unsigned lock_memory();
+
+/// Touches this much of the calling thread's stack, so that no later call is the first to use it.
+void touch_stack();
+inline constexpr int kTouchedStack = 256 * 1024;
+
+/// Minor and major faults of the calling thread since it began. Asks the system; does not block.
+std::uint64_t page_faults_of_thread();
+
+/// Allocations of the calling thread since it began; counted by programs that replace malloc, else always 0.
+extern thread_local std::uint64_t allocations_of_thread;
+
+}  // namespace isotouch::loop
