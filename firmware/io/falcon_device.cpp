@@ -7,8 +7,6 @@ namespace isotouch::io {
 namespace {
 
 constexpr std::int16_t kMostWord = 4095;
-constexpr std::uint8_t kAllHomed = 7;
-constexpr int kHomedReplies = 2;
 constexpr int kSuspectFor = 8;  // a late reply is at most some milliseconds late
 constexpr int kEmptyPackets = 4;
 constexpr int kRestPackets = 3;
@@ -30,39 +28,36 @@ void FalconDevice::begin() {
   stream_.restart();
   silent_ = 0;
   suspect_ = kSuspectFor;
-  homed_replies_ = 0;
-  homed_ = gone_ = false;
+  gone_ = false;
 }
 
-Exchange FalconDevice::exchange(const std::array<std::int16_t, 3>& words) {
+Exchange FalconDevice::exchange(const FalconCommand& command) {
   ++counts_.exchanges;
   if (suspect_ > 0) drain();
   Exchange result;
   result.rested = silent_ > 0;
-  FalconCommand command;
-  command.flags = static_cast<std::uint8_t>(kFalconHoming | (homed_ ? kFalconBlue : kFalconRed));
-  for (std::size_t i = 0; i < words.size() && !result.rested; ++i) {
-    command.words[i] = std::clamp<std::int16_t>(words[i], -kMostWord, kMostWord);
+  FalconCommand sent = {{}, command.flags};
+  for (std::size_t i = 0; i < sent.words.size() && !result.rested; ++i) {
+    sent.words[i] = std::clamp<std::int16_t>(command.words[i], -kMostWord, kMostWord);
   }
-  counts_.clamped += !result.rested && command.words != words ? 1U : 0U;
-  result.fresh = send(command) && await_reply();
-  if (result.fresh && is_echo(stream_.newest(), command)) {
+  counts_.clamped += !result.rested && sent.words != command.words ? 1U : 0U;
+  result.fresh = send(sent) && await_reply();
+  if (result.fresh && is_echo(stream_.newest(), sent)) {
     ++counts_.echoes;
     result.fresh = false;
   }
   if (result.fresh) {
     last_ = stream_.newest();
+    last_packet_ = stream_.newest_packet();
     silent_ = 0;
     suspect_ = std::max(suspect_ - 1, 0);
-    note_homed();
   } else {
     ++counts_.timeouts;
     ++silent_;
     suspect_ = kSuspectFor;
-    homed_replies_ = 0;
   }
   result.reply = last_;
-  result.homed = homed_;
+  result.packet = last_packet_;
   result.lost = gone_ || silent_ >= settings_.lost_after;
   return result;
 }
@@ -112,11 +107,6 @@ bool FalconDevice::await_reply() {
     return true;
   }
   return false;
-}
-
-void FalconDevice::note_homed() {
-  homed_replies_ = last_.homed == kAllHomed ? homed_replies_ + 1 : 0;
-  homed_ = homed_ || homed_replies_ >= kHomedReplies;
 }
 
 }  // namespace isotouch::io

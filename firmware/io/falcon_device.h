@@ -1,7 +1,6 @@
-/// A Falcon whose firmware runs: motor words out, the newest reply in. It has no opinion on force.
+/// A Falcon whose firmware runs: a command out, the newest reply in. It has no opinion on force, lights or homing.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "firmware/io/falcon_link.h"
@@ -31,27 +30,26 @@ bool is_echo(const FalconReply& reply, const FalconCommand& command);
 /// What one exchange brought.
 struct Exchange {
   FalconReply reply;    ///< the newest valid one; an old one when not fresh
+  FalconPacket packet;  ///< the same as it came
   bool fresh = false;   ///< it came in this exchange
-  bool homed = false;   ///< all three axes have been seen homed in two replies in a row, now or earlier
   bool rested = false;  ///< zeros were sent in place of the words, because the exchange before brought no reply
   bool lost = false;    ///< unplugged, or silent for too long: bring it up again
 };
 
-/// Every packet carries the homing flag, which existing firmware wants to see set, and the LED: red until homed, then blue.
 class FalconDevice {
  public:
   /// link, clock   live longer
   FalconDevice(FalconLink& link, loop::Clock& clock, const DeviceSettings& settings = {});
 
-  /// A device that has just come up: not homed, not lost; the counts go on.
+  /// A device that has just come up: not lost; the counts go on.
   void begin();
 
-  /// Sends the words and waits for the reply.
+  /// Sends the command and waits for the reply.
   ///
-  /// words     motor words; outside ±4095 they are cut there, as the vendor's own driver does
+  /// command   words outside ±4095 are cut there, as the vendor's own driver does
   /// fails     never; see `Exchange`
   /// real time waits up to `reply_ns`; allocates nothing itself, the link may
-  Exchange exchange(const std::array<std::int16_t, 3>& words);
+  Exchange exchange(const FalconCommand& command);
 
   /// Three packets without force, LEDs off. For every way out; harmless on a device that is lost.
   void rest();
@@ -63,7 +61,6 @@ class FalconDevice {
   std::size_t hear(std::uint32_t timeout_ms);
   void drain();
   bool await_reply();
-  void note_homed();
 
   FalconLink& link_;
   loop::Clock& clock_;
@@ -71,10 +68,10 @@ class FalconDevice {
   FalconStream stream_;
   DeviceCounts counts_;
   FalconReply last_;
-  int silent_ = 0;         ///< exchanges in a row
-  int suspect_ = 0;        ///< exchanges for which a late reply may still come
-  int homed_replies_ = 0;  ///< in a row
-  bool homed_ = false, gone_ = false, empty_ = false;
+  FalconPacket last_packet_{};
+  int silent_ = 0;   ///< exchanges in a row
+  int suspect_ = 0;  ///< exchanges for which a late reply may still come
+  bool gone_ = false, empty_ = false;
 };
 
 }  // namespace isotouch::io

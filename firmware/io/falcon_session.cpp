@@ -17,14 +17,14 @@ FalconSession::FalconSession(FalconLink& link, loop::Clock& clock, std::span<con
 
 FalconSession::~FalconSession() { stop(); }
 
-Exchange FalconSession::step(const std::array<std::int16_t, 3>& words) {
+Exchange FalconSession::step(const FalconCommand& command) {
   Exchange result;
   result.lost = true;
   switch (state_) {
     case SessionState::kSearching: search(); break;
     case SessionState::kBooting: bring_up(); break;
     case SessionState::kRunning:
-      result = device_.exchange(words);
+      result = device_.exchange(command);
       if (!result.lost) break;
       ++losses_;
       trouble_ = Error::kGone;

@@ -1,7 +1,6 @@
 /// Find, boot, run, and again after an unplug: the one thing that the USB thread calls.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,11 +34,11 @@ class FalconSession {
   FalconSession(const FalconSession&) = delete;
   FalconSession& operator=(const FalconSession&) = delete;
 
-  /// Does the next piece of work: looks for the device, or boots it, or makes one exchange with these words.
+  /// Does the next piece of work: looks for the device, or boots it, or makes one exchange with this command.
   ///
   /// returns   what the exchange brought; without one, not fresh and lost
   /// real time in kRunning as `FalconDevice::exchange`; searching waits up to `nap_ns`, booting seconds
-  Exchange step(const std::array<std::int16_t, 3>& words);
+  Exchange step(const FalconCommand& command);
 
   /// Forces to zero, LEDs off, device given back.
   void stop();

@@ -49,6 +49,7 @@ bool FalconStream::take(std::uint8_t byte) {
     return false;
   }
   newest_ = *reply;
+  newest_packet_ = packet_;
   return true;
 }
 

@@ -32,6 +32,8 @@ class FalconStream {
 
   /// The last valid reply; a default one before the first.
   const FalconReply& newest() const { return newest_; }
+  /// The same as it came; all zero before the first.
+  const FalconPacket& newest_packet() const { return newest_packet_; }
   const StreamCounts& counts() const { return counts_; }
 
   /// Forgets a packet that has begun; for a moment at which the other side lost its place too.
@@ -44,6 +46,7 @@ class FalconStream {
   std::size_t size_ = 0;        ///< bytes of the packet that has begun; 0 = none has
   bool begun_earlier_ = false;  ///< in a transfer before this one
   FalconReply newest_;
+  FalconPacket newest_packet_{};
   StreamCounts counts_;
 };
 

@@ -33,7 +33,7 @@ TEST(FalconDevice, ExchangesWordsForAReply) {
   Desk desk;
   const Exchange exchange = desk.device.exchange({1000, -2000, 4095});
   EXPECT_TRUE(exchange.fresh);
-  EXPECT_FALSE(exchange.lost || exchange.homed || exchange.rested);
+  EXPECT_FALSE(exchange.lost || exchange.rested);
   EXPECT_EQ(exchange.reply, desk.falcon.reply);
   ASSERT_EQ(desk.falcon.commands.size(), 1U);
   EXPECT_EQ(desk.falcon.commands[0].words, (Words{1000, -2000, 4095}));
@@ -41,27 +41,14 @@ TEST(FalconDevice, ExchangesWordsForAReply) {
   EXPECT_EQ(desk.device.counts().timeouts, 0U);
 }
 
-TEST(FalconDevice, IsRedUntilHomedInTwoRepliesInARowAndBlueEverAfter) {
+TEST(FalconDevice, HandsFlagsOutAndPacketsInAsTheyAre) {
   Desk desk;
-  const std::uint8_t homed[] = {0, 7, 3, 7, 0, 7, 7, 7, 0, 0};
-  const bool blue_after[] = {false, false, false, false, false, false, true, true, true, true};
-  for (int i = 0; i < 10; ++i) {
-    desk.falcon.reply.homed = homed[i];
-    EXPECT_EQ(desk.device.exchange({}).homed, blue_after[i]) << i;
-    EXPECT_EQ(desk.falcon.commands.back().flags, kFalconHoming | (i > 0 && blue_after[i - 1] ? kFalconBlue : kFalconRed)) << i;
+  for (const std::uint8_t flags : std::array<std::uint8_t, 4>{0, 1, 5, 14}) {
+    desk.falcon.reply = {{-516, 17, 4}, flags, 3};
+    const Exchange exchange = desk.device.exchange({{1, 2, 3}, flags});
+    EXPECT_EQ(desk.falcon.commands.back().flags, flags);
+    EXPECT_EQ(exchange.packet, encode(desk.falcon.reply));
   }
-  desk.device.begin();
-  EXPECT_FALSE(desk.device.exchange({}).homed);
-}
-
-TEST(FalconDevice, AMissingReplyBreaksTheRowOfHomedOnes) {
-  Desk desk;
-  desk.falcon.reply.homed = 7;
-  desk.device.exchange({});
-  desk.falcon.faults.mute_replies = 1;
-  EXPECT_FALSE(desk.device.exchange({}).homed);
-  EXPECT_FALSE(desk.device.exchange({}).homed);
-  EXPECT_TRUE(desk.device.exchange({}).homed);
 }
 
 TEST(FalconDevice, RestsOnceAfterAMissingReply) {
