@@ -41,7 +41,7 @@ const std::map<std::string, Rule> kRules = {
     {"host", {{}}},
     {"hil/falcon_model", {{}}},  // a mistake shared with what it is to find would hide itself
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
-    {"tests/support", {{"firmware/core", "shared"}}},
+    {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
     {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
     {"tests/driver", {{"firmware/io", "firmware/loop", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests", {{"tests/support"}}},

@@ -20,13 +20,14 @@ bool Loop::step() {
   if (wake == Wake::kEnd) return false;
   const bool replied = wake == Wake::kReply;
   Sample sample = device_.newest();
-  const std::int64_t wanted = settings_.lockstep ? clock_.now_ns() : replied ? pace_.start_ns(sample.arrival_ns) : pace_.due_ns();
+  const std::int64_t arrival = sample.arrival_ns;
+  const std::int64_t wanted = settings_.lockstep ? clock_.now_ns() : replied ? pace_.start_ns(arrival) : pace_.due_ns();
   if (wanted > clock_.now_ns()) {
     clock_.sleep_until_ns(wanted);
     sample = device_.newest();
   }
   const std::int64_t start = clock_.now_ns();
-  const std::uint32_t missed = settings_.lockstep ? 0 : pace_.begin(wanted, replied, start);
+  const std::uint32_t missed = settings_.lockstep ? 0 : pace_.begin(replied ? arrival : Pace::kNoReply, start);
 
   TickRecord record;
   record.number = ++ticks_;
@@ -44,7 +45,7 @@ bool Loop::step() {
   stats.tick_time.add(clock_.now_ns() - start);
   stats.wake_delay.add(start - wanted);
   stats.ticks.add();
-  stats.by_reply.add(replied && wanted == sample.arrival_ns ? 1 : 0);
+  stats.by_reply.add(replied && wanted == arrival ? 1 : 0);
   stats.late.add(missed > 0 ? 1 : 0);
   stats.missed.add(missed);
   stats.field_swaps.add(field.generation != generation_ ? 1 : 0);

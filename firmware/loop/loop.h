@@ -27,8 +27,8 @@ struct Neighbours {
 };
 
 struct LoopSettings {
-  DeviceModel device;
-  TickSettings tick;
+  DeviceModel device = libnifalcon_model();
+  TickSettings tick = {};
   std::uint32_t period_ns = 1'000'000;  ///< 100,000 to 4,000,000
   bool lockstep = false;                ///< wait for every reply without a due time: a run is then a pure function of the device's answers
 };

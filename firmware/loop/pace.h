@@ -3,7 +3,8 @@
 ///
 ///   a reply that comes around the expected moment e starts its tick at once, and draws e along by at most a 64th of a period a tick
 ///   a reply that is early by up to half a period waits until e less that 64th: after one late reply the phase comes back
-///   a reply that is earlier belongs to a device faster than the tick: the tick begins at e, by its own clock
+///   a reply that is earlier is one of a device faster than the tick, or came just too late for the tick before: the tick begins at e, by its own
+///   clock, which lags by a 512th, so that a device of the tick's own rate is met again within some hundred ticks
 ///   no reply by e and a quarter: the tick begins there, with a stale sample, and e stays on its grid
 #pragma once
 
@@ -22,30 +23,33 @@ class Pace {
 
   /// When a tick should begin, whose reply arrived at that time. May lie in the future: then it sleeps until there.
   std::int64_t start_ns(std::int64_t arrival_ns) const {
-    if (arrival_ns < expected_ - period_ / 2) return expected_;
+    if (too_early(arrival_ns)) return expected_;
     const std::int64_t earliest = expected_ - period_ / kPull;
     return arrival_ns < earliest ? earliest : arrival_ns;
   }
 
   /// Notes that a tick has begun, and moves on to the next one.
   ///
-  /// start_ns    when it should have begun: `start_ns(arrival)`, or `due_ns()` without a reply
-  /// replied     a reply started it
+  /// arrival_ns  of the reply that it began with; kNoReply: it began because it was due
   /// now_ns      when it began
   /// returns     whole periods by which it is late: so many ticks are left out
-  std::uint32_t begin(std::int64_t start_ns, bool replied, std::int64_t now_ns) {
-    if (replied) {
-      const std::int64_t off = start_ns - expected_, most = period_ / kPull;
-      expected_ += off > most ? most : off < -most ? -most : off;
+  std::uint32_t begin(std::int64_t arrival_ns, std::int64_t now_ns) {
+    if (arrival_ns != kNoReply) {
+      const std::int64_t off = start_ns(arrival_ns) - expected_, most = period_ / kPull;
+      expected_ += too_early(arrival_ns) ? period_ / kLag : off > most ? most : off;
     }
     const std::int64_t behind = now_ns > expected_ ? (now_ns - expected_) / period_ : 0;
     expected_ += (behind + 1) * period_;
     return behind > kMost ? kMost : static_cast<std::uint32_t>(behind);
   }
 
+  static constexpr std::int64_t kNoReply = -1;
+
  private:
-  static constexpr std::int64_t kPull = 64;
+  static constexpr std::int64_t kPull = 64, kLag = 512;
   static constexpr std::uint32_t kMost = 1'000'000'000;
+
+  bool too_early(std::int64_t arrival_ns) const { return arrival_ns < expected_ - period_ / 2; }
 
   std::int64_t period_;
   std::int64_t expected_;

@@ -1,0 +1,101 @@
+#include "firmware/loop/exchange_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <time.h>  // NOLINT(modernize-deprecated-headers): clock_gettime
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+namespace isotouch::loop {
+namespace {
+
+class Monotonic final : public Clock {
+ public:
+  std::int64_t now_ns() override {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  }
+  void sleep_until_ns(std::int64_t when_ns) override {
+    while (now_ns() < when_ns) std::this_thread::yield();
+  }
+};
+
+/// Answers at once, so many times.
+class QuickPort final : public Port {
+ public:
+  explicit QuickPort(int replies) : left_(replies) {}
+  Answer exchange(const FalconCommand& command, FalconPacket& reply) override {
+    if (left_-- == 0) return Answer::kEnd;
+    commands.push_back(command);
+    reply = encode(FalconReply{{static_cast<std::int16_t>(commands.size()), 0, 0}, 0, 0});
+    return Answer::kReply;
+  }
+  void rest() override { ++rests; }
+  std::vector<FalconCommand> commands;
+  int rests = 0;
+
+ private:
+  int left_;
+};
+
+constexpr std::int64_t kLong = 60'000'000'000;
+
+TEST(ExchangeThread, EveryReplyMeetsItsTickAndEveryWordIsSentOnce) {
+  QuickPort port(2000);
+  Monotonic clock;
+  ExchangeThread device(port, clock, kLong);
+  const std::atomic<bool> stop{false};
+  std::thread thread([&] { device.serve(stop); });
+  std::int16_t tick = 0;
+  while (device.wait(kNever) == Wake::kReply) {
+    const Sample sample = device.newest();
+    ++tick;
+    ASSERT_EQ(sample.number, static_cast<std::uint64_t>(tick));
+    ASSERT_EQ(decode_reply(sample.packet)->counts[0], tick);
+    EXPECT_EQ(sample.word_delay_ns >= 0, tick > 1);
+    EXPECT_GE(sample.arrival_ns, sample.sent_ns);
+    device.leave({{{tick, 0, 0}, 0}, static_cast<std::uint64_t>(tick), sample.number, sample.arrival_ns});
+  }
+  thread.join();
+  EXPECT_EQ(tick, 2000);
+  ASSERT_EQ(port.commands.size(), 2000U);
+  for (std::size_t i = 0; i < port.commands.size(); ++i) ASSERT_EQ(port.commands[i].words[0], static_cast<std::int16_t>(i));
+  EXPECT_EQ(port.rests, 1);
+}
+
+TEST(ExchangeThread, ASilentTickDoesNotStopThePackets) {
+  QuickPort port(50);
+  Monotonic clock;
+  ExchangeThread device(port, clock, 100'000);
+  const std::atomic<bool> stop{false};
+  device.leave({{{7, 7, 7}, 1}, 1, 0, -1});
+  device.serve(stop);
+  ASSERT_EQ(port.commands.size(), 50U);
+  for (const FalconCommand& command : port.commands) EXPECT_EQ(command, (FalconCommand{{7, 7, 7}, 1}));
+  EXPECT_EQ(device.newest().number, 50U);
+}
+
+TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {
+  QuickPort port(0);
+  Monotonic clock;
+  ExchangeThread device(port, clock, 0);
+  const std::int64_t due = clock.now_ns() + 2'000'000;
+  EXPECT_EQ(device.wait(due), Wake::kDue);
+  EXPECT_GE(clock.now_ns(), due);
+}
+
+TEST(ExchangeThread, LeavesTheDeviceWithoutForceWhenToldToStop) {
+  QuickPort port(1 << 30);
+  Monotonic clock;
+  ExchangeThread device(port, clock, 0);
+  std::atomic<bool> stop{true};
+  device.serve(stop);
+  EXPECT_EQ(port.rests, 1);
+  EXPECT_EQ(device.wait(kNever), Wake::kEnd);
+}
+
+}  // namespace
+}  // namespace isotouch::loop

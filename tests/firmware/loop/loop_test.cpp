@@ -1,0 +1,231 @@
+#include "firmware/loop/loop.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "tests/support/alloc_guard.h"
+#include "tests/support/fake_device.h"
+#include "tests/support/falcon_twin.h"
+#include "tests/support/field_image.h"
+
+namespace isotouch::loop {
+namespace {
+
+using test::FakeDevice;
+using test::Point;
+
+constexpr Point kOrigin = {0, 0, 125};
+
+std::vector<std::uint8_t> ball() {
+  return test::FieldImage({64, 64, 64},
+                          [](const Point& p) {
+                            return test::length(p * 0.4 - Point{12, 12, 12}) / 0.4 - 20.0;
+                          },
+                          {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}})
+      .bytes();
+}
+
+/// A homed grip at a place of the workspace.
+FalconPacket grip_at(const Point& place) {
+  static const test::FalconSet set = test::falcon_sets()[0];
+  return encode(FalconReply{test::nearest_counts(set.twin, place + kOrigin).value(), 0, 7});
+}
+
+struct Bench {
+  explicit Bench(const LoopSettings& wish = {}, std::size_t ring = 1 << 12)
+      : trace(ring), settings(wish), loop(settings, device, clock, {fields, commands, trace, shown, stats}) {}
+
+  VirtualClock clock;
+  FakeDevice device{clock};
+  FieldSlots fields{1 << 20};
+  Commands commands;
+  TraceRing trace;
+  Latest<TickRecord> shown;
+  TickStats stats;
+  LoopSettings settings;
+  Loop loop;
+
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(loop.step());
+  }
+  TickRecord step() {
+    EXPECT_TRUE(loop.step());
+    return shown.get();
+  }
+  void load(const std::vector<std::uint8_t>& image) {
+    std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
+    ASSERT_TRUE(fields.commit());
+  }
+  SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.tick.state); }
+};
+
+TEST(Loop, RepliesStartTheTicksAndEachIsFresh) {
+  Bench bench;
+  bench.steps(1000);
+  EXPECT_EQ(bench.stats.ticks.value(), 1000U);
+  EXPECT_EQ(bench.stats.fresh.value(), 1000U);
+  EXPECT_GE(bench.stats.by_reply.value(), 990U);
+  EXPECT_EQ(bench.stats.late.value(), 0U);
+  EXPECT_EQ(bench.stats.samples_lost.value(), 0U);
+  EXPECT_EQ(bench.device.commands, 1000U);
+  EXPECT_EQ(bench.clock.now_ns(), 1'000'000'000);
+  EXPECT_EQ(bench.shown.get().arrival_ns, bench.clock.now_ns());
+  EXPECT_EQ(bench.stats.round_trip.read().total, 1000U);
+}
+
+TEST(Loop, WithoutARepliesTheTickStartsWhenItIsDueAndTheSampleAges) {
+  Bench bench;
+  bench.steps(100);
+  const std::int64_t before = bench.shown.get().start_ns;
+  bench.device.mute = 3;
+  for (std::uint16_t age = 0; age <= 3; ++age) {
+    const TickRecord record = bench.step();
+    EXPECT_EQ(record.in.fresh, age == 0);  // the command of the tick before the silence is answered still
+    EXPECT_EQ(record.in.age, age);
+    EXPECT_EQ(record.in.packet, encode(FalconReply{}));
+    EXPECT_EQ(record.start_ns, before + (age + 1) * 1'000'000 + (age == 0 ? 0 : 250'000));
+  }
+  const TickRecord back = bench.step();
+  EXPECT_TRUE(back.in.fresh);
+  EXPECT_EQ(back.in.age, 0);
+  EXPECT_EQ(bench.stats.stale.value(), 3U);
+  EXPECT_EQ(bench.stats.largest_age.value(), 3U);
+}
+
+TEST(Loop, BeforeTheFirstReplyThereIsNoPacketAndTheWordsRest) {
+  Bench bench;
+  bench.device.mute = 1'000'000;
+  bench.device.newest();
+  Bench silent;
+  for (int i = 0; i < 50; ++i) {
+    const TickRecord record = bench.step();
+    if (record.in.fresh) continue;  // the one question of the beginning
+    EXPECT_EQ(record.out.tick.words, (std::array<std::int16_t, 3>{}));
+  }
+}
+
+TEST(Loop, ATickFasterThanTheDeviceSeesStaleSamplesInBetween) {
+  Bench bench({.period_ns = 100'000});
+  bench.steps(100);
+  const std::uint64_t fresh = bench.stats.fresh.value();
+  bench.steps(10'000);
+  EXPECT_NEAR(double(bench.stats.fresh.value() - fresh), 1000.0, 10.0);
+  EXPECT_LE(bench.stats.largest_age.value(), 10U);
+  EXPECT_EQ(bench.stats.late.value(), 0U);
+}
+
+TEST(Loop, ATickSlowerThanTheDeviceTakesTheNewestSampleAndCountsTheOthers) {
+  Bench bench({.period_ns = 4'000'000});
+  bench.device.keeps_asking = true;
+  bench.steps(1000);
+  EXPECT_EQ(bench.stats.stale.value(), 0U);
+  EXPECT_NEAR(double(bench.stats.samples_lost.value()), 3000.0, 40.0);
+  EXPECT_LE(bench.clock.now_ns() - bench.shown.get().arrival_ns, 1'000'000);
+  EXPECT_NEAR(double(bench.clock.now_ns()), 4e9 * 513 / 512, 1e7);
+}
+
+TEST(Loop, ATickThatIsLateLeavesWholePeriodsOutAndSaysSo) {
+  Bench bench;
+  bench.steps(10);
+  bench.device.mute = 1'000'000;
+  bench.step();
+  bench.device.stall_ns = 5'000'000;
+  const TickRecord record = bench.step();
+  EXPECT_EQ(bench.stats.late.value(), 1U);
+  EXPECT_EQ(bench.stats.missed.value(), 5U);
+  EXPECT_EQ(record.in.age, 6U) << "ages are counted in periods, ticked or not";
+  EXPECT_EQ(bench.step().in.age, 7U);
+  EXPECT_EQ(bench.stats.late.value(), 1U);
+  EXPECT_EQ(bench.stats.wake_delay.read().largest_ns, 5'000'000U);
+}
+
+TEST(Loop, AnAgeDoesNotWrap) {
+  Bench bench;
+  bench.steps(3);
+  bench.device.mute = 1'000'000;
+  bench.step();
+  bench.device.stall_ns = 100'000'000'000'000;
+  EXPECT_EQ(bench.step().in.age, 0xFFFFU);
+  EXPECT_EQ(bench.step().in.age, 0xFFFFU);
+}
+
+TEST(Loop, ARequestReachesOneTick) {
+  Bench bench;
+  bench.steps(5);
+  bench.commands.ask(kCommandStop);
+  bench.commands.ask(kCommandRestart);
+  EXPECT_EQ(bench.step().in.commands, kCommandStop | kCommandRestart);
+  EXPECT_EQ(bench.step().in.commands, 0);
+}
+
+TEST(Loop, WordsFollowTheHandOnceAFieldIsLoaded) {
+  Bench bench;
+  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
+  bench.steps(200);
+  EXPECT_EQ(bench.state(), SupervisorState::kIdle);
+  bench.load(ball());
+  bench.steps(400);
+  EXPECT_EQ(bench.state(), SupervisorState::kActive);
+  EXPECT_EQ(bench.stats.field_swaps.value(), 1U);
+  EXPECT_EQ(bench.fields.acknowledged(), 1U);
+  EXPECT_EQ(bench.device.last.falcon.words, (std::array<std::int16_t, 3>{}));
+  std::vector<FalconPacket> way;
+  for (int i = 0; i < 300; ++i) way.push_back(grip_at({11.0 - 0.02 * i, 0, 0}));
+  bench.device.answer = [&way, i = std::size_t{0}](const Command&) mutable { return way[std::min(i++, way.size() - 1)]; };
+  bench.steps(300);
+  const TickRecord record = bench.step();
+  EXPECT_NE(record.out.tick.status & kContact, 0U);
+  EXPECT_GT(record.out.tick.force.x, Newton::of(1.0));
+  EXPECT_EQ(bench.device.last.falcon.words, record.out.tick.words);
+  EXPECT_NE(bench.device.last.falcon.words, (std::array<std::int16_t, 3>{}));
+  EXPECT_EQ(bench.device.last.falcon.flags, record.out.packet_flags);
+  EXPECT_EQ(bench.device.last.tick, record.number);
+}
+
+TEST(Loop, AFullRingLosesRecordsAndNoTicks) {
+  Bench bench({}, 16);
+  bench.steps(100);
+  EXPECT_EQ(bench.trace.lost(), 84U);
+  EXPECT_EQ(bench.stats.ticks.value(), 100U);
+  TickRecord record;
+  for (std::uint64_t i = 1; i <= 16; ++i) {
+    ASSERT_TRUE(bench.trace.pop(record));
+    EXPECT_EQ(record.number, i);
+  }
+}
+
+TEST(Loop, EndsWithTheDeviceOrWhenToldTo) {
+  Bench bench;
+  bench.device.end_after = 20;
+  const std::atomic<bool> go{false}, stop{true};
+  bench.loop.run(stop);
+  EXPECT_EQ(bench.stats.ticks.value(), 0U);
+  bench.loop.run(go);
+  EXPECT_EQ(bench.stats.ticks.value(), 20U);
+}
+
+TEST(LoopHeavy, AMillionTicksAllocateNothing) {
+  Bench bench;
+  bench.load(ball());
+  std::vector<FalconPacket> way;
+  for (int i = 0; i < 2000; ++i) way.push_back(grip_at({9 - 3 * std::sin(i * 0.00314159), 2 * std::sin(i * 0.0251327), 0}));
+  bench.device.answer = [&way, i = std::size_t{0}](const Command&) mutable { return way[i++ % way.size()]; };
+  bench.steps(500);
+  EXPECT_EQ(bench.state(), SupervisorState::kActive);
+  TickRecord record;
+  std::uint64_t contacts = 0;
+  const test::AllocGuard guard;
+  for (int i = 0; i < 1'000'000; ++i) {
+    bench.loop.step();
+    bench.trace.pop(record);
+    contacts += record.out.tick.status & kContact;
+  }
+  EXPECT_EQ(guard.count(), 0U);
+  EXPECT_GT(contacts, 300'000U);
+  EXPECT_EQ(bench.state(), SupervisorState::kActive);
+}
+
+}  // namespace
+}  // namespace isotouch::loop
