@@ -30,6 +30,7 @@ const std::map<std::string, Rule> kRules = {
     {"firmware/core", {{"shared"}, true}},
     {"firmware/loop", {{"firmware/core", "shared"}}},
     {"firmware/io", {{"firmware/loop", "shared"}}},
+    {"firmware/settings", {{"firmware/io", "firmware/loop", "shared"}}},
     {"host/cloud", {{"host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
     {"host/vdb", {{"host/field", "host/cloud", "host/error.h", "shared"}}},

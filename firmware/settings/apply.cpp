@@ -1,0 +1,82 @@
+#include "firmware/settings/apply.h"
+
+#include <cmath>
+
+namespace isotouch::settings {
+
+namespace {
+
+template <class T>
+T fixed(double value) {
+  return T::from_raw(static_cast<std::int32_t>(std::llround(std::ldexp(value, T::kFractionBits))));
+}
+
+Angle angle(double degrees) { return Angle::from_raw(static_cast<std::uint32_t>(std::llround(std::ldexp(degrees / 360, 32)))); }
+
+AnglePerCount per_count(double gear_ratio) {
+  constexpr double kCountsPerTurn = 1280;
+  return AnglePerCount::from_raw(static_cast<std::int32_t>(std::llround(std::ldexp(1 / (kCountsPerTurn * gear_ratio), 40))));
+}
+
+std::uint8_t led(const std::string& colour) {
+  if (colour == "red") return kFalconRed;
+  if (colour == "green") return kFalconGreen;
+  if (colour == "blue") return kFalconBlue;
+  return 0;
+}
+
+std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
+
+}  // namespace
+
+Result<DeviceModel> device_model(const Settings& settings, const std::string& serial) {
+  DeviceModel model = settings.geometry == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+  const auto calibration = settings.calibrations.find(serial);
+  for (std::size_t i = 0; i < model.legs.size(); ++i) {
+    DeviceLeg& leg = model.legs[i];
+    if (settings.gear_ratio) leg.per_count = per_count(*settings.gear_ratio);
+    if (settings.angle_at_zero_deg) leg.at_zero = angle(*settings.angle_at_zero_deg);
+    if (calibration != settings.calibrations.end()) leg.at_zero = angle(calibration->second.angle_at_zero_deg[i]);
+  }
+  if (settings.torque_per_word_nmm) model.word_torque = fixed<NewtonMmPerWord>(*settings.torque_per_word_nmm);
+  const auto& origin = settings.workspace_origin_mm;
+  model.workspace_origin = {fixed<Mm>(origin[0]), fixed<Mm>(origin[1]), fixed<Mm>(origin[2])};
+  model.word_limit = settings.word;
+  model.word_slew = settings.word_slew;
+  model.penetration_limit = fixed<Mm>(settings.penetration_mm);
+  model.speed_limit = fixed<MmPerS>(settings.speed_mm_s);
+  model.hold_ticks = static_cast<std::uint32_t>(settings.hold_ticks);
+  model.fault_age_ns = static_cast<std::uint32_t>(ns_of_ms(settings.fault_age_ms));
+  model.count_jump = settings.count_jump;
+  model.ramp_ticks = static_cast<std::uint32_t>(settings.ramp_after_rest_ticks);
+  model.homing_flag = settings.keep_homing_flag ? std::uint8_t{kFalconHoming} : std::uint8_t{0};
+  model.led_homing = led(settings.led_homing);
+  model.led_idle = led(settings.led_idle);
+  model.led_active = led(settings.led_active);
+  return decode_model(encode(model));
+}
+
+TickSettings tick_settings(const Settings& settings) {
+  TickSettings tick;
+  tick.stiffness = fixed<Stiffness>(settings.stiffness.value_or(0));
+  tick.damping = fixed<Damping>(settings.damping);
+  tick.force_limit = fixed<Newton>(settings.force_limit_n);
+  tick.ramp_ticks = static_cast<std::uint32_t>(settings.ramp_ticks);
+  return tick;
+}
+
+std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
+
+io::SessionSettings session_settings(const Settings& settings) {
+  io::SessionSettings session;
+  session.boot.attempts = settings.attempts;
+  session.boot.ignore_echo = settings.ignore_echo;
+  session.boot.always_upload = settings.always_upload;
+  session.device.reply_ns = ns_of_ms(settings.reply_ms);
+  session.device.lost_after = settings.lost_after;
+  return session;
+}
+
+std::size_t field_bytes(const Settings& settings) { return static_cast<std::size_t>(std::llround(settings.field_mb * 1e6)); }
+
+}  // namespace isotouch::settings

@@ -1,0 +1,28 @@
+/// From settings as a person writes them to the integers of device, tick and session: the one place where a decimal number becomes fixed point.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "firmware/io/falcon_session.h"
+#include "firmware/loop/loop.h"
+#include "firmware/settings/settings.h"
+
+namespace isotouch::settings {
+
+/// serial    of the device, for its calibration; empty: unknown
+/// fails     kBadModel: values that are fine one by one make no device together
+Result<DeviceModel> device_model(const Settings& settings, const std::string& serial);
+
+TickSettings tick_settings(const Settings& settings);
+
+/// returns   the tick's period, 100,000 to 4,000,000
+std::uint32_t period_ns(const Settings& settings);
+
+io::SessionSettings session_settings(const Settings& settings);
+
+/// Largest unpacked field.
+std::size_t field_bytes(const Settings& settings);
+
+}  // namespace isotouch::settings

@@ -1,0 +1,181 @@
+#include "firmware/settings/read_settings.h"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "firmware/settings/table.h"
+
+#define TOML_EXCEPTIONS 0
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wnull-dereference"
+#endif
+#include <toml++/toml.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+namespace isotouch::settings {
+
+namespace {
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(10);
+  text << value;
+  return text.str();
+}
+
+std::string in_quotes(std::string_view text) { return std::string("'").append(text).append("'"); }
+
+/// Reads one value into its member; returns what it must be instead, empty when it is that.
+struct Take {
+  const toml::node& node;
+  const Setting& setting;
+  Settings& settings;
+
+  std::string range() const {
+    const std::string unit = setting.unit.empty() ? "" : std::string(" ").append(setting.unit);
+    return std::string("from ").append(number(setting.low)).append(" to ").append(number(setting.high)).append(unit);
+  }
+  bool inside(double value) const { return value >= setting.low && value <= setting.high; }
+  static std::optional<double> number_of(const toml::node& node) { return node.is_number() ? node.value<double>() : std::nullopt; }
+
+  std::string operator()(double Settings::*member) const {
+    const auto value = number_of(node);
+    if (!value || !inside(*value)) return "a number " + range();
+    settings.*member = *value;
+    return {};
+  }
+  std::string operator()(std::optional<double> Settings::*member) const {
+    const auto value = number_of(node);
+    if (!value || !inside(*value)) return "a number " + range();
+    settings.*member = *value;
+    return {};
+  }
+  std::string operator()(int Settings::*member) const {
+    const auto value = node.is_integer() ? node.value<std::int64_t>() : std::nullopt;
+    if (!value || *value < static_cast<std::int64_t>(setting.low) || *value > static_cast<std::int64_t>(setting.high)) {
+      return "a whole number " + range();
+    }
+    settings.*member = static_cast<int>(*value);
+    return {};
+  }
+  std::string operator()(bool Settings::*member) const {
+    if (!node.is_boolean()) return "true or false";
+    settings.*member = *node.value<bool>();
+    return {};
+  }
+  std::string operator()(std::string Settings::*member) const {
+    if (!node.is_string()) return setting.choices.empty() ? "a text in quotes" : "one of " + std::string(setting.choices);
+    const std::string value = *node.value<std::string>();
+    if (!setting.choices.empty()) {
+      const std::string choices = std::string("|").append(setting.choices).append("|");
+      if (value.empty() || value.find('|') != std::string::npos ||
+          choices.find(std::string("|").append(value).append("|")) == std::string::npos) {
+        return "one of " + std::string(setting.choices);
+      }
+    }
+    settings.*member = value;
+    return {};
+  }
+  std::string operator()(std::array<double, 3> Settings::*member) const {
+    const std::string wanted = "three numbers in brackets, each " + range();
+    const toml::array* array = node.as_array();
+    if (array == nullptr || array->size() != 3) return wanted;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = number_of(*array->get(i));
+      if (!value || !inside(*value)) return wanted;
+      (settings.*member)[i] = *value;
+    }
+    return {};
+  }
+};
+
+class Reader {
+ public:
+  Reader(const std::string& name, Settings& settings) : name_(name), settings_(settings) {}
+
+  std::string read(const toml::table& file) const {
+    for (const auto& [key, node] : file) {
+      const std::string_view section = key.str();
+      const toml::table* entries = node.as_table();
+      if (section == "calibration" && entries != nullptr) {
+        if (auto complaint = read_calibrations(*entries); !complaint.empty()) return complaint;
+      } else if (entries == nullptr) {
+        return at(key) + in_quotes(section) + " stands in no section; " + advice();
+      } else {
+        bool known = false;
+        for (const Setting& setting : table()) known |= setting.section == section;
+        if (!known) return at(key) + "there is no section " + in_quotes(section) + "; " + advice();
+        if (auto complaint = read_section(section, *entries); !complaint.empty()) return complaint;
+      }
+    }
+    return {};
+  }
+
+ private:
+  static std::string advice() { return "'isotouchd --print-config' lists all settings"; }
+  std::string at(const toml::key& key) const { return name_ + ":" + std::to_string(key.source().begin.line) + ": "; }
+
+  std::string read_section(std::string_view section, const toml::table& entries) const {
+    for (const auto& [key, node] : entries) {
+      const Setting* setting = find(section, key.str());
+      if (setting == nullptr) {
+        return at(key) + "there is no setting " + in_quotes(key.str()) + " in section " + in_quotes(section) + "; " + advice();
+      }
+      const std::string wanted = std::visit(Take{node, *setting, settings_}, setting->member);
+      if (!wanted.empty()) return at(key) + std::string(section) + "." + std::string(key.str()) + " must be " + wanted;
+    }
+    return {};
+  }
+
+  std::string read_calibrations(const toml::table& serials) const {
+    for (const auto& [serial, node] : serials) {
+      const toml::table* entries = node.as_table();
+      if (entries == nullptr) return at(serial) + "a calibration stands in a section of its own, [calibration.SERIAL]";
+      Calibration calibration;
+      for (const auto& [key, value] : *entries) {
+        if (key.str() != "angle_at_zero_deg") {
+          return at(key) + "there is no setting " + in_quotes(key.str()) + " in a calibration; it may hold angle_at_zero_deg";
+        }
+        static constexpr Setting kAngles{
+            "calibration", "angle_at_zero_deg", &Settings::workspace_origin_mm, "degrees", -180, 180, {}, {}, {}};
+        Settings place;
+        const std::string wanted = Take{value, kAngles, place}(&Settings::workspace_origin_mm);
+        if (!wanted.empty()) return at(key) + "angle_at_zero_deg must be " + wanted;
+        calibration.angle_at_zero_deg = place.workspace_origin_mm;
+      }
+      if (entries->empty())
+        return at(serial) + "the calibration of " + in_quotes(serial.str()) + " is empty; give it angle_at_zero_deg or leave it out";
+      settings_.calibrations[std::string(serial.str())] = calibration;
+    }
+    return {};
+  }
+
+  const std::string& name_;
+  Settings& settings_;
+};
+
+}  // namespace
+
+std::string parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+  const toml::parse_result result = toml::parse(text, name);
+  if (!result) {
+    const toml::parse_error& error = result.error();
+    return name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " + std::string(error.description());
+  }
+  return Reader(name, settings).read(result.table());
+}
+
+std::string read_settings(const std::string& path, Settings& settings) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  if (!file.good() && !file.eof()) return path + ": it cannot be read; give the name of a settings file";
+  return parse_settings(text, path, settings);
+}
+
+}  // namespace isotouch::settings

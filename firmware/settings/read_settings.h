@@ -1,0 +1,20 @@
+/// From a TOML file to settings. A key that is not in the table, a value of another kind or outside its range is refused, never ignored.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "firmware/settings/settings.h"
+
+namespace isotouch::settings {
+
+/// text        the file's content
+/// name        of the file, for complaints
+/// settings    changed by what the file names; undefined content when refused
+/// returns     empty; or one sentence with file, line, what is wrong and what would be right
+std::string parse_settings(std::string_view text, const std::string& name, Settings& settings);
+
+/// The same for a file of that name.
+std::string read_settings(const std::string& path, Settings& settings);
+
+}  // namespace isotouch::settings

@@ -1,0 +1,77 @@
+/// What a person may set for the daemon: one TOML file, every setting optional. `table.h` says each one's name, unit, range and default.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace isotouch::settings {
+
+/// What was measured on one device: replaces what the geometry set says.
+struct Calibration {
+  std::array<double, 3> angle_at_zero_deg{};  ///< arm angle at count 0, legs 1 to 3
+
+  bool operator==(const Calibration&) const = default;
+};
+
+/// Values as a person writes them; empty ones are the geometry set's or the blob's.
+struct Settings {
+  // [loop]
+  double tick_hz = 1000;
+  int priority = 80;
+  int exchange_priority = 85;
+  int core = -1;
+  bool lock_memory = true;
+  double refresh_ms = 2.5;
+
+  // [device]
+  std::string geometry = "libnifalcon";
+  std::optional<double> torque_per_word_nmm;
+  std::optional<double> gear_ratio;
+  std::optional<double> angle_at_zero_deg;
+  std::array<double, 3> workspace_origin_mm = {0, 0, 125};
+  bool keep_homing_flag = true;
+  std::string led_homing = "red";
+  std::string led_idle = "blue";
+  std::string led_active = "green";
+
+  // [boot]
+  std::string firmware;
+  bool ignore_echo = false;
+  bool always_upload = false;
+  int attempts = 10;
+  double reply_ms = 5;
+  int lost_after = 20;
+
+  // [feel]
+  std::optional<double> stiffness;
+  double damping = 0;
+  double force_limit_n = 8;
+  int ramp_ticks = 50;
+
+  // [limits]
+  int word = 4095;
+  int word_slew = 1'000'000;
+  double penetration_mm = 20;
+  double speed_mm_s = 2000;
+  int hold_ticks = 3;
+  double fault_age_ms = 100;
+  int count_jump = 400;
+  int ramp_after_rest_ticks = 200;
+  double field_mb = 64;
+
+  // [files]
+  std::string field;
+  std::string record;
+  std::string control;
+  std::string state;
+  double before_fault_s = 5;
+
+  // [calibration.SERIAL]
+  std::map<std::string, Calibration> calibrations;
+
+  bool operator==(const Settings&) const = default;
+};
+
+}  // namespace isotouch::settings

@@ -1,0 +1,92 @@
+#include "firmware/settings/apply.h"
+
+#include <gtest/gtest.h>
+
+namespace isotouch::settings {
+namespace {
+
+TEST(ApplySettings, TheDefaultsAreThoseOfTheLayersBelow) {
+  const Settings settings;
+  EXPECT_EQ(*device_model(settings, ""), libnifalcon_model());
+  EXPECT_EQ(tick_settings(settings), TickSettings{});
+  EXPECT_EQ(period_ns(settings), 1'000'000U);
+  const io::SessionSettings session = session_settings(settings), plain;
+  EXPECT_EQ(session.boot.attempts, plain.boot.attempts);
+  EXPECT_EQ(session.boot.ignore_echo, plain.boot.ignore_echo);
+  EXPECT_EQ(session.boot.always_upload, plain.boot.always_upload);
+  EXPECT_EQ(session.device.reply_ns, plain.device.reply_ns);
+  EXPECT_EQ(session.device.lost_after, plain.device.lost_after);
+}
+
+TEST(ApplySettings, TheOtherGeometryIsTheOtherModel) {
+  Settings settings;
+  settings.geometry = "martin-hillier";
+  EXPECT_EQ(*device_model(settings, ""), martin_hillier_model());
+}
+
+TEST(ApplySettings, NumbersOfAPublishedSetWrittenOutAreThatSet) {
+  Settings settings;
+  settings.gear_ratio = 110.0 / 14.25;
+  settings.angle_at_zero_deg = 35;
+  settings.torque_per_word_nmm = 0.1;
+  const DeviceModel model = *device_model(settings, ""), set = libnifalcon_model();
+  EXPECT_EQ(model.word_torque, set.word_torque);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(model.legs[i].at_zero, set.legs[i].at_zero);
+    EXPECT_NEAR(model.legs[i].per_count.raw(), set.legs[i].per_count.raw(), 1);
+  }
+}
+
+TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
+  Settings settings;
+  settings.workspace_origin_mm = {1, -2.5, 110};
+  settings.word = 2000;
+  settings.word_slew = 5000;
+  settings.penetration_mm = 7.5;
+  settings.speed_mm_s = 1500;
+  settings.hold_ticks = 5;
+  settings.fault_age_ms = 12.5;
+  settings.count_jump = 99;
+  settings.ramp_after_rest_ticks = 11;
+  settings.keep_homing_flag = false;
+  settings.led_homing = "none";
+  settings.led_idle = "green";
+  settings.led_active = "red";
+  settings.stiffness = 1.5;
+  settings.damping = 0.001;
+  settings.force_limit_n = 4;
+  settings.ramp_ticks = 7;
+  settings.tick_hz = 250;
+  const DeviceModel model = *device_model(settings, "");
+  EXPECT_EQ(model.workspace_origin, (Vec3<Mm>{Mm::of(1), Mm::of(-2.5), Mm::of(110)}));
+  EXPECT_EQ(model.word_limit, 2000);
+  EXPECT_EQ(model.word_slew, 5000);
+  EXPECT_EQ(model.penetration_limit, Mm::of(7.5));
+  EXPECT_EQ(model.speed_limit, MmPerS::of(1500));
+  EXPECT_EQ(model.hold_ticks, 5U);
+  EXPECT_EQ(model.fault_age_ns, 12'500'000U);
+  EXPECT_EQ(model.count_jump, 99);
+  EXPECT_EQ(model.ramp_ticks, 11U);
+  EXPECT_EQ(model.homing_flag, 0);
+  EXPECT_EQ(model.led_homing, 0);
+  EXPECT_EQ(model.led_idle, kFalconGreen);
+  EXPECT_EQ(model.led_active, kFalconRed);
+  const TickSettings tick = tick_settings(settings);
+  EXPECT_EQ(tick.stiffness, Stiffness::of(1.5));
+  EXPECT_EQ(tick.damping, Damping::of(0.001));
+  EXPECT_EQ(tick.force_limit, Newton::of(4));
+  EXPECT_EQ(tick.ramp_ticks, 7U);
+  EXPECT_EQ(period_ns(settings), 4'000'000U);
+  EXPECT_EQ(field_bytes(settings), 64'000'000U);
+}
+
+TEST(ApplySettings, ACalibrationIsThatOfItsSerialOnly) {
+  Settings settings;
+  settings.angle_at_zero_deg = 40;
+  settings.calibrations["A"] = {{34, 35, 36}};
+  EXPECT_EQ((*device_model(settings, "A")).legs[2].at_zero, Angle::degrees(36));
+  EXPECT_EQ((*device_model(settings, "B")).legs[2].at_zero, Angle::degrees(40));
+}
+
+}  // namespace
+}  // namespace isotouch::settings
