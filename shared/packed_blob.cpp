@@ -1,11 +1,13 @@
 #include "shared/packed_blob.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 #include "shared/image_parts.h"
+#include "shared/zstd_frame.h"
 
 namespace isotouch {
 
@@ -40,6 +42,11 @@ Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
   if (!parts) return parts.error();
   if (samples != parts->samples()) return Error::kBadSize;
   if (packed.residual_bytes() > std::uint64_t{packed.frame.size()} << kMaxRatioShift) return Error::kBadSize;
+  const std::optional<ZstdFrame> frame = read_zstd_frame(packed.frame);
+  if (!frame || frame->content_bytes != packed.residual_bytes() || frame->window_bytes > std::uint64_t{1} << kWindowShift ||
+      frame->dictionary != 0) {
+    return Error::kBadFrame;
+  }
   return packed;
 }
 

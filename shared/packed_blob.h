@@ -1,11 +1,13 @@
 /// The wire and disk form of a blob (SPEC.md, section 4): what its header says, checked before anything is unpacked.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "shared/hash64.h"
 #include "shared/residuals.h"
 #include "shared/result.h"
 
@@ -40,15 +42,31 @@ struct PackedBlob {
 
   std::uint64_t residual_bytes() const { return image_bytes - image_header.size(); }
 
-  /// Checks everything that can be checked without unpacking; the frame's own header is left to who unpacks it.
+  /// Checks everything that can be checked without unpacking.
   ///
   /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader, kBadSize (sizes that contradict each other, or an image larger than the frame can
-  ///           hold), kBadChecksum
+  ///           hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it)
   /// tick      no: it reads all bytes
   static Result<PackedBlob> parse(std::span<const std::uint8_t> bytes);
 
   /// True when the bytes begin like a packed blob.
   static bool has_magic(std::span<const std::uint8_t> bytes);
 };
+
+/// The image in a packed form: the one that was packed, by its hash. Whether it is a good blob is told by BlobView::parse.
+///
+/// residuals   memory to work in, `packed.residual_bytes()`
+/// image       8-byte aligned, `packed.image_bytes`; written
+/// decompress  unpacks a zstd frame: (frame, out) → bytes written, another number than the size of `out` when it fails
+/// fails       kBadFrame, kBadChecksum (the image is not the one that was packed), and as `restore`
+template <class Decompress>
+Result<std::span<const std::uint8_t>> unpack(const PackedBlob& packed, std::span<std::uint8_t> residuals, std::span<std::uint8_t> image,
+                                             Decompress&& decompress) {
+  if (decompress(packed.frame, residuals) != residuals.size()) return Error::kBadFrame;
+  std::copy(packed.image_header.begin(), packed.image_header.end(), image.begin());
+  const auto restored = restore(residuals, packed.stream_sizes, image);
+  if (restored && hash64(image.data(), image.size()) != packed.image_hash) return Error::kBadChecksum;
+  return restored;
+}
 
 }  // namespace isotouch

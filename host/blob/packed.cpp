@@ -10,7 +10,6 @@
 #include "host/error.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
-#include "shared/hash64.h"
 #include "shared/packed_blob.h"
 #include "shared/residuals.h"
 
@@ -32,22 +31,6 @@ std::size_t compress(std::span<const std::uint8_t> residuals, std::span<std::uin
   const std::size_t written = ZSTD_compress2(context.get(), out.data(), out.size(), residuals.data(), residuals.size());
   if (ZSTD_isError(written) != 0) throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(written));
   return written;
-}
-
-/// The window that a frame asks for, bytes (RFC 8878, 3.1.1.1); the frame is known to have a complete header.
-std::uint64_t window_bytes(std::span<const std::uint8_t> frame, std::uint64_t content_bytes) {
-  constexpr std::size_t kDescriptorAt = 4;
-  if ((frame[kDescriptorAt] & 0x20U) != 0) return content_bytes;  // a single segment is its own window
-  const std::uint64_t base = std::uint64_t{1} << (10 + (frame[kDescriptorAt + 1] >> 3));
-  return base + base / 8 * (frame[kDescriptorAt + 1] & 7U);
-}
-
-/// True when the bytes are one frame as SPEC.md 4.1 wants it.
-bool is_good_frame(std::span<const std::uint8_t> frame, std::uint64_t content_bytes) {
-  return ZSTD_getFrameContentSize(frame.data(), frame.size()) == content_bytes &&
-         ZSTD_getDictID_fromFrame(frame.data(), frame.size()) == 0 &&
-         window_bytes(frame, content_bytes) <= std::uint64_t{1} << kWindowShift &&
-         ZSTD_findFrameCompressedSize(frame.data(), frame.size()) == frame.size();
 }
 
 }  // namespace
@@ -79,17 +62,14 @@ Image unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
   };
   const Result<PackedBlob> packed = PackedBlob::parse(bytes);
   if (!packed) throw refuse(packed.error());
-  if (!is_good_frame(packed->frame, packed->residual_bytes())) throw refuse(Error::kBadFrame);
 
   const auto residual_bytes = static_cast<std::size_t>(packed->residual_bytes());
   const auto residuals = std::make_unique_for_overwrite<std::uint8_t[]>(residual_bytes);
-  const std::size_t got = ZSTD_decompress(residuals.get(), residual_bytes, packed->frame.data(), packed->frame.size());
-  if (got != residual_bytes) throw refuse(Error::kBadFrame);
   Image image(static_cast<std::size_t>(packed->image_bytes));
-  std::copy(packed->image_header.begin(), packed->image_header.end(), image.data());
-  const auto restored = restore({residuals.get(), residual_bytes}, packed->stream_sizes, {image.data(), image.size()});
-  if (!restored) throw refuse(restored.error());
-  if (hash64(image.data(), image.size()) != packed->image_hash) throw refuse(Error::kBadChecksum);
+  const auto unpacked =
+      isotouch::unpack(*packed, {residuals.get(), residual_bytes}, {image.data(), image.size()},
+                       [](auto frame, auto out) { return ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size()); });
+  if (!unpacked) throw refuse(unpacked.error());
   return image;
 }
 

@@ -15,10 +15,15 @@ namespace {
 constexpr std::uint32_t kImage = 1536;  ///< header, a root of one node, two nodes, three bricks
 constexpr std::size_t kFrame = 40;
 
-/// Byte for byte from SPEC.md 4.1, without the names of packed_layout; the frame is for who unpacks it.
-std::vector<std::uint8_t> valid_bytes() {
+/// Byte for byte from SPEC.md 4.1, without the names of packed_layout; the frame has the right outline and one raw block.
+std::vector<std::uint8_t> valid_bytes(std::uint32_t content_bytes = kImage - 256) {
   std::vector<std::uint8_t> bytes(320 + kFrame);
   std::uint8_t* at = bytes.data();
+  store_le<std::uint32_t>(at + 320, 0xFD2FB528);
+  at[324] = 0x80;           // the content size has four bytes
+  at[325] = (17 - 10) * 8;  // the window 2^17
+  store_le<std::uint32_t>(at + 326, content_bytes);
+  at[330] = (kFrame - 13) * 8 % 256 + 1;  // the last block, raw
   std::memcpy(at, "ITFP", 4);
   store_le<std::uint16_t>(at + 4, 1);
   store_le<std::uint32_t>(at + 8, 320);
@@ -72,11 +77,19 @@ TEST(PackedBlob, EveryByteBehindTheChecksumIsCheckedByIt) {
 TEST(PackedBlob, AnImageThatItsFrameCannotHoldIsRefused) {
   constexpr std::uint64_t kMost = 256 + kFrame * 32768;  // what the checks before allocation leave to a file of 360 bytes
   for (const std::uint64_t more : {0U, 1U, 32768U, 0xF0000000U}) {
-    std::vector<std::uint8_t> bytes = valid_bytes();
+    std::vector<std::uint8_t> bytes = valid_bytes(static_cast<std::uint32_t>(kMost + more - 256));
     store_le<std::uint64_t>(bytes.data() + 24, kMost + more);
     const Result<PackedBlob> packed = PackedBlob::parse(sealed(bytes));
     EXPECT_EQ(packed.has_value(), more == 0) << more;
     EXPECT_TRUE(packed || packed.error() == Error::kBadSize) << more;
+  }
+}
+
+TEST(PackedBlob, AFrameOfAnotherOutlineIsRefused) {
+  for (const std::size_t at : {320U, 324U, 326U, 330U}) {
+    std::vector<std::uint8_t> bytes = valid_bytes();
+    bytes[at] ^= 0x08;
+    EXPECT_EQ(PackedBlob::parse(sealed(bytes)).error(), Error::kBadFrame) << at;
   }
 }
 
