@@ -50,4 +50,19 @@ Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
+void seal_packed(const BlobView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed) {
+  std::uint8_t* at = packed.data();
+  std::fill_n(at, kHeaderBytes, std::uint8_t{0});
+  std::copy(kMagic.begin(), kMagic.end(), at);
+  store_le(at + kMajorAt, kMajor);
+  store_le(at + kMinorAt, kMinor);
+  store_le(at + kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
+  store_le(at + kTotalBytesAt, std::uint64_t{packed.size()});
+  store_le(at + kImageBytesAt, std::uint64_t{image.image.size()});
+  store_le(at + kImageHashAt, image.hash());
+  for (std::size_t stream = 0; stream < sizes.size(); ++stream) store_le(at + kStreamSizesAt + 4 * stream, sizes[stream]);
+  std::copy_n(image.image.begin(), blob_layout::kHeaderBytes, at + kImageHeaderAt);
+  store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, packed.size() - kTotalBytesAt));
+}
+
 }  // namespace isotouch

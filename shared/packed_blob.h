@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shared/blob.h"
 #include "shared/hash64.h"
 #include "shared/residuals.h"
 #include "shared/result.h"
@@ -52,6 +53,13 @@ struct PackedBlob {
   /// True when the bytes begin like a packed blob.
   static bool has_magic(std::span<const std::uint8_t> bytes);
 };
+
+/// Writes the header in front of a frame that stands at `packed_layout::kHeaderBytes` of `packed` already.
+///
+/// image     a checked one
+/// sizes     what `predict` returned for it; the frame holds the residuals
+/// packed    header and frame, nothing behind
+void seal_packed(const BlobView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed);
 
 /// The image in a packed form: the one that was packed, by its hash. Whether it is a good blob is told by BlobView::parse.
 ///

@@ -32,6 +32,9 @@ enum class Error : std::uint8_t {
   kUnsuitable,      ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
   kNoUsb,           ///< this machine offers no USB to programs
   kBadPacket,       ///< a device packet that lost or changed bytes on its way
+  kBadMessage,      ///< a message of the wire that is not as agreed
+  kNoSpace,         ///< a file does not fit any more
+  kStorage,         ///< a file or folder could not be read or written
   kBadModel,        ///< a device model with a number outside its range
 };
 
@@ -60,6 +63,9 @@ constexpr const char* describe(Error error) {
     case Error::kUnsuitable: return "it answers, but not as this device should";
     case Error::kNoUsb: return "this machine offers no USB to programs";
     case Error::kBadPacket: return "the device packet is malformed";
+    case Error::kBadMessage: return "a message is not as both sides agreed";
+    case Error::kNoSpace: return "there is no space left for it";
+    case Error::kStorage: return "the storage failed";
     case Error::kBadModel: return "the device model holds a number outside its range";
   }
   return "unknown error";

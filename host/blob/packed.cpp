@@ -8,8 +8,6 @@
 #include <stdexcept>
 
 #include "host/error.h"
-#include "shared/bytes.h"
-#include "shared/crc32.h"
 #include "shared/packed_blob.h"
 #include "shared/residuals.h"
 
@@ -41,18 +39,7 @@ std::vector<std::uint8_t> pack(const BlobView& view) {
   const StreamSizes sizes = predict(view.image, codes, residuals);
   std::vector<std::uint8_t> packed(kHeaderBytes + ZSTD_compressBound(residuals.size()));
   packed.resize(kHeaderBytes + compress(residuals, std::span(packed).subspan(kHeaderBytes)));
-
-  std::uint8_t* at = packed.data();
-  std::copy(kMagic.begin(), kMagic.end(), at);
-  store_le(at + kMajorAt, kMajor);
-  store_le(at + kMinorAt, kMinor);
-  store_le(at + kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
-  store_le(at + kTotalBytesAt, std::uint64_t{packed.size()});
-  store_le(at + kImageBytesAt, std::uint64_t{view.image.size()});
-  store_le(at + kImageHashAt, view.hash());
-  for (std::size_t stream = 0; stream < sizes.size(); ++stream) store_le(at + kStreamSizesAt + 4 * stream, sizes[stream]);
-  std::copy_n(view.image.begin(), blob_layout::kHeaderBytes, at + kImageHeaderAt);
-  store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, packed.size() - kTotalBytesAt));
+  seal_packed(view, sizes, packed);
   return packed;
 }
 
