@@ -1,0 +1,219 @@
+/// What the bodies of the wire's frames say (SPEC.md, section 6.2). Each message lists its fields once, for reading and for writing; a body may be
+/// longer than its message, because a minor version only adds at the end. No allocation; texts and spans borrow the body.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "shared/bytes.h"
+#include "shared/result.h"
+#include "shared/wire.h"
+
+namespace isotouch::wire {
+
+inline constexpr std::size_t kMaxName = 63;
+inline constexpr std::size_t kMaxSentence = 1000;
+inline constexpr std::size_t kMaxChunk = 1U << 15;
+
+/// One line for people: UTF-8 without control characters.
+struct Text {
+  std::array<char, kMaxName> characters{};
+  std::uint8_t size = 0;
+
+  std::string_view view() const { return {characters.data(), size}; }
+  /// The text as far as it fits; control characters become blanks.
+  static Text of(std::string_view text);
+
+  bool operator==(const Text&) const = default;
+};
+
+/// Fills a message from a body. What does not fit is zero, and `is_good` false from there on.
+class BodyReader {
+ public:
+  explicit BodyReader(std::span<const std::uint8_t> body) : body_(body) {}
+  template <std::integral T>
+  void operator()(T& value) {
+    const auto bytes = take(sizeof(T));
+    value = bytes.empty() ? T{} : load_le<T>(bytes.data());
+  }
+  void operator()(Text& text);
+  /// The rest of the body, whatever its length.
+  void operator()(std::span<const std::uint8_t>& rest) { rest = body_, body_ = {}; }
+  bool is_good() const { return good_; }
+
+ private:
+  std::span<const std::uint8_t> take(std::size_t bytes);
+  std::span<const std::uint8_t> body_;
+  bool good_ = true;
+};
+
+/// Writes a message into a body that has room for it.
+class BodyWriter {
+ public:
+  explicit BodyWriter(std::span<std::uint8_t> body) : body_(body) {}
+  template <std::integral T>
+  void operator()(const T& value) {
+    assert(body_.size() - used_ >= sizeof(T));
+    store_le(&body_[used_], value);
+    used_ += sizeof(T);
+  }
+  void operator()(const Text& text);
+  void operator()(const std::span<const std::uint8_t>& rest);
+  std::size_t used() const { return used_; }
+
+ private:
+  std::span<std::uint8_t> body_;
+  std::size_t used_ = 0;
+};
+
+struct Hello {
+  std::uint16_t major = kMajor, minor = kMinor;
+  static void fields(auto& m, auto& use) { use(m.major), use(m.minor); }
+};
+
+struct Welcome {
+  std::uint16_t major = kMajor, minor = kMinor;
+  std::uint32_t period_ns = 0;    ///< of a tick
+  std::uint64_t image_limit = 0;  ///< bytes of a field's image, at most
+  Text program;                   ///< name and version
+  static void fields(auto& m, auto& use) { use(m.major), use(m.minor), use(m.period_ns), use(m.image_limit), use(m.program); }
+};
+
+struct Begin {
+  std::uint64_t packed_bytes = 0;  ///< of the upload: a packed blob
+  std::uint64_t image_bytes = 0;   ///< of the image that it holds
+  std::uint64_t image_hash = 0;
+  Text name;  ///< for people
+  static void fields(auto& m, auto& use) { use(m.packed_bytes), use(m.image_bytes), use(m.image_hash), use(m.name); }
+};
+
+struct Chunk {
+  std::uint64_t offset = 0;  ///< of the first byte in the upload; chunks come in order
+  std::span<const std::uint8_t> bytes;
+  static void fields(auto& m, auto& use) { use(m.offset), use(m.bytes); }
+};
+
+struct Accepted {
+  std::uint64_t image_hash = 0;
+  std::uint32_t generation = 0;  ///< of the field, as a trace's inputs tell it
+  static void fields(auto& m, auto& use) { use(m.image_hash), use(m.generation); }
+};
+
+/// Upper bounds of so many of the values seen since start: half of them, all but one in a thousand, all.
+struct Quantiles {
+  std::uint32_t p50 = 0, p999 = 0, max = 0;
+};
+
+/// What is measured, in the order of StatusReport; the number of a histogram.
+enum class Measure : std::uint8_t { kWakeup, kTick, kRoundTrip, kDelay };
+inline constexpr std::size_t kMeasures = 4;
+
+struct StatusReport {
+  std::uint16_t state = 0;   ///< SupervisorState
+  std::uint16_t faults = 0;  ///< Faults
+  std::uint32_t generation = 0;
+  std::uint64_t ticks = 0;
+  std::uint64_t late = 0;        ///< ticks that began after their due time by more than the limit
+  std::uint64_t field_hash = 0;  ///< 0 = none
+  std::uint64_t allocations = 0;
+  std::uint64_t page_faults = 0;
+  std::array<Quantiles, kMeasures> measures;  ///< ns; the delay from reply to words in ticks
+  static void fields(auto& m, auto& use) {
+    use(m.state), use(m.faults), use(m.generation), use(m.ticks), use(m.late), use(m.field_hash), use(m.allocations), use(m.page_faults);
+    for (auto& q : m.measures) use(q.p50), use(q.p999), use(q.max);
+  }
+};
+
+struct HistogramRequest {
+  std::uint8_t measure = 0;  ///< Measure
+  static void fields(auto& m, auto& use) { use(m.measure); }
+};
+
+/// One filled class of a histogram: so many values of at most `upper`, and above the class before.
+struct Bin {
+  std::uint32_t upper = 0;
+  std::uint64_t count = 0;
+  static void fields(auto& m, auto& use) { use(m.upper), use(m.count); }
+};
+inline constexpr std::size_t kBinBytes = 12;
+
+struct HistogramReport {
+  std::uint8_t measure = 0;
+  std::uint64_t count = 0;
+  std::span<const std::uint8_t> bins;  ///< of kBinBytes each, by rising `upper`
+  static void fields(auto& m, auto& use) { use(m.measure), use(m.count), use(m.bins); }
+};
+
+struct Subscribe {
+  std::uint32_t every = 0;  ///< one record every so many ticks; 0 = none
+  static void fields(auto& m, auto& use) { use(m.every); }
+};
+
+struct Recording {
+  std::span<const std::uint8_t> header;  ///< of the trace; its record count is 0
+  static void fields(auto& m, auto& use) { use(m.header); }
+};
+
+struct Records {
+  std::uint64_t first_tick = 0;         ///< of the first record
+  std::uint32_t every = 0;              ///< ticks from one record to the next
+  std::uint32_t record_bytes = 0;       ///< of the trace's version
+  std::uint64_t lost = 0;               ///< records that were not sent since the subscription began, because this client read too slowly
+  std::span<const std::uint8_t> bytes;  ///< records of a trace; their chains are zero
+  static void fields(auto& m, auto& use) { use(m.first_tick), use(m.every), use(m.record_bytes), use(m.lost), use(m.bytes); }
+};
+
+/// A stored field.
+struct FieldEntry {
+  std::uint64_t image_hash = 0;
+  std::uint64_t packed_bytes = 0;
+  std::uint8_t active = 0;
+  Text name;
+  static void fields(auto& m, auto& use) { use(m.image_hash), use(m.packed_bytes), use(m.active), use(m.name); }
+};
+
+struct FieldList {
+  std::uint16_t count = 0;
+  std::span<const std::uint8_t> entries;  ///< FieldEntry, one after the other
+  static void fields(auto& m, auto& use) { use(m.count), use(m.entries); }
+};
+
+struct Select {
+  std::uint64_t image_hash = 0;
+  static void fields(auto& m, auto& use) { use(m.image_hash); }
+};
+
+struct Refusal {
+  std::uint8_t request = 0;                ///< Kind that is refused, or that ended
+  std::span<const std::uint8_t> sentence;  ///< UTF-8, at most kMaxSentence bytes: what is wrong and what to do
+  static void fields(auto& m, auto& use) { use(m.request), use(m.sentence); }
+};
+
+/// fails     kBadMessage: the body is shorter than the message, or a text holds control characters
+template <class Message>
+Result<Message> decode(std::span<const std::uint8_t> body) {
+  Message message;
+  BodyReader reader(body);
+  Message::fields(message, reader);
+  if (!reader.is_good()) return Error::kBadMessage;
+  return message;
+}
+
+/// A whole frame with this message.
+///
+/// frame     with room for it: kMaxFrame is always enough
+/// returns   bytes of the frame
+template <class Message>
+std::size_t encode(Kind kind, const Message& message, std::span<std::uint8_t> frame) {
+  BodyWriter writer(frame.subspan(kHeaderBytes));
+  Message::fields(message, writer);
+  return seal_frame(kind, writer.used(), frame);
+}
+
+}  // namespace isotouch::wire
