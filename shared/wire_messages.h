@@ -165,7 +165,7 @@ struct Records {
   std::uint32_t every = 0;              ///< ticks from one record to the next
   std::uint32_t record_bytes = 0;       ///< of the trace's version
   std::uint64_t lost = 0;               ///< records that were not sent since the subscription began, because this client read too slowly
-  std::span<const std::uint8_t> bytes;  ///< records of a trace; their chains are zero
+  std::span<const std::uint8_t> bytes;  ///< records of a trace; the chain is zero where no recording was asked for
   static void fields(auto& m, auto& use) { use(m.first_tick), use(m.every), use(m.record_bytes), use(m.lost), use(m.bytes); }
 };
 

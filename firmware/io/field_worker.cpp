@@ -1,0 +1,66 @@
+#include "firmware/io/field_worker.h"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <utility>
+
+namespace isotouch::io {
+
+FieldWorker::FieldWorker(FieldIntake& intake)
+    : intake_(intake), bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), thread_([this] { run(); }) {}
+
+FieldWorker::~FieldWorker() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_one();
+  thread_.join();
+  ::close(bell_);
+}
+
+void FieldWorker::begin(const FieldWork& work) {
+  idle_ = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    wanted_ = work;
+  }
+  changed_.notify_one();
+}
+
+std::optional<FieldDone> FieldWorker::take() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!done_) return std::nullopt;
+  std::uint64_t rings = 0;
+  (void)!::read(bell_, &rings, sizeof rings);
+  idle_ = true;
+  return std::exchange(done_, std::nullopt);
+}
+
+void FieldWorker::run() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return stop_ || wanted_; });
+    if (stop_) return;
+    const FieldWork wanted = *std::exchange(wanted_, std::nullopt);
+    lock.unlock();
+    FieldDone done = work(wanted);
+    lock.lock();
+    done_ = std::move(done);
+    const std::uint64_t ring = 1;
+    (void)!::write(bell_, &ring, sizeof ring);
+  }
+}
+
+FieldDone FieldWorker::work(const FieldWork& wanted) {
+  FieldDone done{wanted.kind, {}, {}};
+  switch (wanted.kind) {
+    case FieldWork::Kind::kAccept: done.outcome = intake_.accept(wanted.field); break;
+    case FieldWork::Kind::kSelect: done.outcome = intake_.select(wanted.field.image_hash); break;
+    case FieldWork::Kind::kList: done.stored = intake_.stored(); break;
+  }
+  return done;
+}
+
+}  // namespace isotouch::io

@@ -1,0 +1,62 @@
+/// The thread in which uploads are unpacked, checked and stored, so that nobody who wants to stop the device waits for a disk.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "firmware/io/field_intake.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::io {
+
+struct FieldWork {
+  enum class Kind : std::uint8_t { kAccept, kSelect, kList };
+  Kind kind{};
+  wire::Begin field;  ///< kSelect: its hash alone
+};
+
+struct FieldDone {
+  FieldWork::Kind kind{};
+  IntakeOutcome outcome;            ///< of kAccept and kSelect
+  std::vector<StoredField> stored;  ///< of kList
+};
+
+/// One piece of work at a time. Between `begin` and a `take` that returns something the intake belongs to the thread.
+class FieldWorker {
+ public:
+  /// intake    lives longer
+  explicit FieldWorker(FieldIntake& intake);
+  /// Ends what is under way and joins the thread.
+  ~FieldWorker();
+  FieldWorker(const FieldWorker&) = delete;
+  FieldWorker& operator=(const FieldWorker&) = delete;
+
+  bool is_idle() const { return idle_; }
+  /// Only when idle.
+  void begin(const FieldWork& work);
+  /// What has become of it, once; idle again from here on.
+  std::optional<FieldDone> take();
+  /// Readable when there is something to take; for poll.
+  int bell() const { return bell_; }
+
+ private:
+  void run();
+  FieldDone work(const FieldWork& wanted);
+
+  FieldIntake& intake_;
+  int bell_;
+  bool idle_ = true;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<FieldWork> wanted_;
+  std::optional<FieldDone> done_;
+  bool stop_ = false;
+  std::thread thread_;  // last: everything above is there when it begins
+};
+
+}  // namespace isotouch::io
