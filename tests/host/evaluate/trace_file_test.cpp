@@ -115,7 +115,7 @@ TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
       {"empty", [](std::string& b) { b.clear(); }, true, "not a file of this kind"},
       {"not a trace", [](std::string& b) { b[0] = 'X'; }, true, "not a file of this kind"},
       {"half a header", [](std::string& b) { b.resize(50); }, true, "ends before"},
-      {"newer major", [](std::string& b) { b[4] = 2; }, true, "newer than this program"},
+      {"newer major", [](std::string& b) { b[4] = 3; }, true, "newer than this program"},
       {"flipped header bit", [](std::string& b) { b[40] = static_cast<char>(b[40] ^ 4); }, true, "checksum"},
       {"period of zero", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 40, 0U), seal(b); }, true,
        "header field"},
