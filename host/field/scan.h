@@ -1,6 +1,9 @@
 /// The samples of a scan and who is near whom: what every step of the field works on.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,6 +27,9 @@ class Scan {
   const Nearest& tree() const { return tree_; }
   /// The nearest samples of a sample, ascending, all of a small set.
   std::span<const Neighbour> around(std::size_t sample) const { return std::span(lists_).subspan(sample * listed_, listed_); }
+
+  /// The distance to a sample's sixth neighbour, or to the last of a small set: how far apart samples are there.
+  double spacing(std::size_t sample) const { return std::sqrt(around(sample)[std::min<std::size_t>(6, listed_ - 1)].squared_distance); }
 
   void turn_normal(std::size_t sample) { points_.normals[sample] = -points_.normals[sample]; }
 
