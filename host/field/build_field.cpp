@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "host/field/agreement.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
+#include "host/field/isolated.h"
 #include "host/field/surface.h"
 #include "host/field/thinning.h"
 
@@ -43,6 +45,7 @@ std::vector<std::string> Repair::warnings() const {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
   };
   std::vector<std::string> list;
+  if (isolated > 0) list.push_back(times(isolated, "point", "points") + " far from all others left out");
   if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
   if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points stand for left out");
   if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points stand for filled");
@@ -63,8 +66,13 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   if (margin < band + 3.0 - 1e-9) throw InputError("the grid leaves less than band + 3 voxels round the points; choose a larger grid");
 
   progress.begin("normals");
-  Scan scan(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
+  auto all = std::make_unique<Scan>(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
   Repair mended;
+  if (cloud::OrientedPoints kept = without_isolated(*all); kept.size() < all->size()) {
+    mended.isolated = all->size() - kept.size();
+    all = std::make_unique<Scan>(std::move(kept));
+  }
+  Scan& scan = *all;
   mended.turned = turn_contradicted(scan);
   if (repair != nullptr) {
     mended.rim = open_rim(scan);

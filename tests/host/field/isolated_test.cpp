@@ -1,0 +1,54 @@
+#include "host/field/isolated.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+
+namespace isotouch::field {
+namespace {
+
+using Eigen::Vector3d;
+
+TEST(WithoutIsolated, KeepsEverySampleOfASurface) {
+  for (const char* name : {"sphere", "torus", "box", "plate", "capsules"}) {
+    const auto points = cloud::sample_shape(cloud::shape(name), 1500);
+    EXPECT_EQ(without_isolated(Scan(points)).positions, points.positions) << name;
+  }
+}
+
+TEST(WithoutIsolated, KeepsTheSparsePartOfAnUnevenScan) {
+  // At one pole of the sphere ten times as many as at the other.
+  cloud::Random random(3);
+  cloud::OrientedPoints points;
+  const auto even = cloud::sample_shape(cloud::shape("sphere"), 6000);
+  for (std::size_t i = 0; i < even.size(); ++i) {
+    if (random.uniform() > std::pow(10.0, -(even.positions[i].z() + 80.0) / 160.0)) continue;
+    points.positions.push_back(even.positions[i]);
+    points.normals.push_back(even.normals[i]);
+  }
+  EXPECT_EQ(without_isolated(Scan(points)).size(), points.size());
+}
+
+TEST(WithoutIsolated, LeavesOutPointsStrewnInTheAir) {
+  auto points = cloud::sample_shape(cloud::shape("torus"), 1500);
+  const std::size_t sound = points.size();
+  cloud::Random random(5);
+  const cloud::Shape shape = cloud::shape("torus");
+  while (points.size() < sound + 20) {
+    const Vector3d place(260 * random.uniform() - 130, 260 * random.uniform() - 130, 260 * random.uniform() - 130);
+    if (shape.distance(place) < 15.0) continue;
+    points.positions.push_back(place);
+    points.normals.push_back(Vector3d(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5).normalized());
+  }
+  const auto kept = without_isolated(Scan(points));
+  ASSERT_EQ(kept.size(), sound);
+  EXPECT_TRUE(std::equal(kept.positions.begin(), kept.positions.end(), points.positions.begin()));
+  EXPECT_TRUE(std::equal(kept.normals.begin(), kept.normals.end(), points.normals.begin()));
+}
+
+}  // namespace
+}  // namespace isotouch::field
