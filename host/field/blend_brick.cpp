@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/field/enclosure.h"
 #include "host/field/four.h"
 
 namespace isotouch::field {
@@ -98,6 +99,7 @@ void keep_least(std::array<Four, N>& list, Four value) {
 constexpr std::size_t kRows = 4;
 constexpr float kBlockReach = 1.6584F;  // half a block's diagonal, rounded up
 constexpr float kFar = 1e30F;           // squared, of no sample at all
+constexpr float kSuspect = 0.25F;       // a surface less than half as far away as the nearest sample
 constexpr float kNoWeight = 1e-20F;     // where all samples are at one distance, all weigh nothing, and count alike
 
 using Rows = std::array<Four, kRows>;
@@ -209,6 +211,17 @@ void hold_by_balls(const Neighbourhood& around, Rows& value) {
   }
 }
 
+/// Row r of a block, which begins at `place` of the brick.
+void tell_doubt(const Neighbourhood& around, const Rows& value, std::size_t r, std::size_t place, BrickBlend::Doubt& doubt) {
+  const Four nearest = around.nearest[r], limit = static_cast<float>(kDoubt) * (around.border[r] - nearest);
+  if (!any(nearest > limit)) return;
+  for (std::size_t x = 0; x < 4; ++x) {
+    if (!(nearest[x] > limit[x])) continue;
+    doubt.far |= std::uint64_t{1} << (place + x);
+    if (value[r][x] * value[r][x] < kSuspect * nearest[x]) doubt.suspect |= std::uint64_t{1} << (place + x);
+  }
+}
+
 }  // namespace
 
 BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector<LocalModel>& models, const std::vector<EmptyBalls>& balls)
@@ -218,7 +231,7 @@ BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector
 }
 
 __attribute__((target_clones("avx2", "default"), flatten)) std::array<float, 64> BrickBlend::operator()(
-    const Eigen::Vector3d& first, std::span<const Neighbour> candidates) const {
+    const Eigen::Vector3d& first, std::span<const Neighbour> candidates, Doubt& doubt) const {
   const Eigen::Vector3d middle = first + Eigen::Vector3d::Constant(1.5);
   thread_local std::vector<Candidate> near;  // they keep their memory
   thread_local Neighbourhood around;
@@ -234,6 +247,7 @@ __attribute__((target_clones("avx2", "default"), flatten)) std::array<float, 64>
         for (int x = 0; x < 4; ++x) {
           result[static_cast<std::size_t>(((z + (r >> 1)) * 4 + y + (r & 1)) * 4 + x)] = value[static_cast<std::size_t>(r)][x];
         }
+        tell_doubt(around, value, static_cast<std::size_t>(r), static_cast<std::size_t>(((z + (r >> 1)) * 4 + y + (r & 1)) * 4), doubt);
       }
     }
   }

@@ -26,10 +26,16 @@ class BrickBlend {
   /// positions, models, balls   of the samples, in one order; coordinates are voxels
   BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector<LocalModel>& models, const std::vector<EmptyBalls>& balls);
 
+  /// Places that lie far from every sample, one bit each; and those of them where the models see a surface that no sample is near to.
+  struct Doubt {
+    std::uint64_t far = 0, suspect = 0;
+  };
+
   /// Signed distances at first + (i, j, k), 0 <= i, j, k < 4, x fastest; within 1e-4 of `Surface::distance`.
   ///
   /// candidates   more than kBlended samples, among them the kBlended + 1 nearest to each of the 64 places
-  std::array<float, 64> operator()(const Eigen::Vector3d& first, std::span<const Neighbour> candidates) const;
+  /// doubt        is told which places are
+  std::array<float, 64> operator()(const Eigen::Vector3d& first, std::span<const Neighbour> candidates, Doubt& doubt) const;
 
   struct Point {
     float x, y, z;

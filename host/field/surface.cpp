@@ -1,6 +1,7 @@
 #include "host/field/surface.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace isotouch::field {
@@ -19,9 +20,14 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 }  // namespace
 
 Surface::Surface(const Scan& scan, const Box& closing)
-    : scan_(scan), closing_(closing), balls_(empty_balls(scan)), models_(local_models(scan)), brick_(scan.positions(), models_, balls_) {}
+    : scan_(scan),
+      closing_(closing),
+      enclosure_(scan),
+      balls_(empty_balls(scan)),
+      models_(local_models(scan)),
+      brick_(scan.positions(), models_, balls_) {}
 
-double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
+double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest, bool held) const {
   const std::size_t count = std::min(kBlended, nearest.size());
   // With fewer samples than that the farthest one defines the border.
   const double border = nearest.size() > count ? nearest[count].squared_distance : 2.0 * nearest.back().squared_distance;
@@ -38,20 +44,43 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
   }
   // All at one distance: x is the centre of a ball through the samples.
   const double blended = weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
-  return std::max(held_by_balls(blended, x, nearest.first(count), balls_), closing_.distance(x));
+  double distance = held_by_balls(blended, x, nearest.first(count), balls_);
+  if (held) distance = held_by_enclosure(distance, x, nearest.front().squared_distance, border, enclosure_);
+  return std::max(distance, closing_.distance(x));
 }
 
 double Surface::distance(const Eigen::Vector3d& x) const {
   std::vector<Neighbour> nearest;
   scan_.tree().nearest(x, kBlended + 1, nearest);
-  return blend(x, nearest);
+  return blend(x, nearest, true);
+}
+
+bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
+  const double border = nearest[std::min(kBlended, nearest.size() - 1)].squared_distance;
+  if (!in_doubt(nearest.front().squared_distance, border)) return false;
+  std::size_t behind = 0;
+  for (const Neighbour& sample : nearest) behind += scan_.normals()[sample.index].dot(x - scan_.positions()[sample.index]) < 0.0 ? 1U : 0U;
+  return (2 * behind > nearest.size()) != inside;
+}
+
+bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::array<float, 64>& samples) const {
+  bool turned = false;
+  for (; places != 0; places &= places - 1) {
+    const auto s = static_cast<std::size_t>(std::countr_zero(places));
+    const auto held = static_cast<float>(distance(place(first, s)));
+    turned = turned || (held < 0.0F) != (samples[s] < 0.0F);
+    samples[s] = held;
+  }
+  return turned;
 }
 
 BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const {
   const Eigen::Vector3d centre = first + Eigen::Vector3d::Constant(1.5);
   thread_local std::vector<Neighbour> candidates;  // keeps its memory
   scan_.tree().nearest(centre, kBlended + 1, candidates);
-  BrickDistances result{blend(centre, candidates), {}};
+  BrickDistances result{blend(centre, candidates, false), {}};
+  const bool astray = contradicted(result.middle < 0.0, centre, candidates);
+  if (astray) result.middle = blend(centre, candidates, true);
   if (std::abs(result.middle) > reach) return result;
 
   auto& samples = result.samples.emplace();
@@ -60,7 +89,9 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
     return result;
   }
   scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
-  samples = brick_(first, candidates);
+  BrickBlend::Doubt doubt;
+  samples = brick_(first, candidates, doubt);
+  if (hold(first, doubt.suspect, samples) || astray) hold(first, doubt.far, samples);
   if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
     for (std::size_t s = 0; s < samples.size(); ++s)
       samples[s] = std::max(samples[s], static_cast<float>(closing_.distance(place(first, s))));

@@ -8,11 +8,14 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "host/field/blend_brick.h"
 #include "host/field/bricks.h"
+#include "host/field/enclosure.h"
 #include "host/field/scan.h"
 
 namespace isotouch::field {
@@ -41,10 +44,16 @@ class Surface {
   BrickDistances brick(const Eigen::Vector3d& first, double reach) const;
 
  private:
-  double blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
+  double blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest, bool held) const;
+
+  /// Far from every sample, is the sign another than most planes of the nearest samples say?
+  bool contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
+  /// Puts the held distances at the places of a brick whose bits are set. Did one change its sign?
+  bool hold(const Eigen::Vector3d& first, std::uint64_t places, std::array<float, 64>& samples) const;
 
   const Scan& scan_;
   Box closing_;
+  Enclosure enclosure_;
   std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
   BrickBlend brick_;

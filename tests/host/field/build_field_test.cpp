@@ -9,7 +9,10 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
+#include "host/cloud/random.h"
 #include "host/cloud/read_cloud.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
@@ -70,6 +73,144 @@ std::size_t torn_gaps(const BandField& field) {
     torn += differs;
   }
   return torn;
+}
+
+/// The inside of a field on its whole grid, by the sign of every sample; x fastest.
+std::vector<bool> inside(const BandField& field) {
+  const Vector3i size = (field.grid.size + Vector3i::Constant(3)) / 4 * 4;
+  const auto at = [&](int x, int y, int z) { return static_cast<std::size_t>((z * size.y() + y) * size.x() + x); };
+  std::vector<bool> result(at(0, 0, size.z())), known(result.size());
+  for (const Brick& brick : field.bricks) {
+    for (int s = 0; s < 64; ++s) {
+      const Vector3i p = 4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4);
+      result[at(p.x(), p.y(), p.z())] = brick.distance[static_cast<std::size_t>(s)] < 0.0F;
+      known[at(p.x(), p.y(), p.z())] = true;
+    }
+  }
+  for (std::size_t n = 1; n < result.size(); ++n) {
+    if (!known[n] && n % static_cast<std::size_t>(size.x()) != 0) result[n] = result[n - 1];
+  }
+  return result;
+}
+
+/// How many sets of samples of one sign hang together, face to face: first inside, then outside.
+std::pair<int, int> pieces(const std::vector<bool>& inside, const Grid& grid) {
+  const Vector3i size = (grid.size + Vector3i::Constant(3)) / 4 * 4;
+  const std::size_t steps[3] = {1, static_cast<std::size_t>(size.x()), static_cast<std::size_t>(size.x() * size.y())};
+  std::vector<bool> seen(inside.size());
+  std::pair<int, int> count{0, 0};
+  for (std::size_t first = 0; first < inside.size(); ++first) {
+    if (seen[first]) continue;
+    ++(inside[first] ? count.first : count.second);
+    std::vector<std::size_t> front{first};
+    seen[first] = true;
+    while (!front.empty()) {
+      const std::size_t n = front.back();
+      front.pop_back();
+      const auto visit = [&](std::size_t next) {
+        if (seen[next] || inside[next] != inside[n]) return;
+        seen[next] = true;
+        front.push_back(next);
+      };
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto along = static_cast<int>(n / steps[axis]) % size[axis];
+        if (along > 0) visit(n - steps[axis]);
+        if (along + 1 < size[axis]) visit(n + steps[axis]);
+      }
+    }
+  }
+  return count;
+}
+
+/// The five shapes, sampled and then damaged: each must stay one closed body of the same volume.
+void expect_one_body(const char* what, void (*damage)(cloud::OrientedPoints&, cloud::Random&), Repair* repair = nullptr) {
+  for (const char* name : {"sphere", "torus", "box", "capsules"}) {
+    const cloud::Shape shape = cloud::shape(name);
+    auto points = cloud::sample_shape(shape, 3000);
+    cloud::Random random(11);
+    damage(points, random);
+    Progress progress;
+    const auto field = build_field(points, grid_for(points, 1.6, field_margin(kBand)), kBand, progress, repair);
+    EXPECT_EQ(torn_gaps(field), 0U) << what << ' ' << name;
+    const std::vector<bool> body = inside(field);
+    EXPECT_EQ(pieces(body, field.grid), (std::pair{1, 1})) << what << ' ' << name;
+    const auto volume = static_cast<double>(std::count(body.begin(), body.end(), true));
+    double truth = 0.0;
+    for (int z = 0; z < field.grid.size.z(); ++z) {
+      for (int y = 0; y < field.grid.size.y(); ++y) {
+        for (int x = 0; x < field.grid.size.x(); ++x) truth += shape.distance(field.grid.position({x, y, z})) < 0.0;
+      }
+    }
+    EXPECT_NEAR(volume / truth, 1.0, 0.03) << what << ' ' << name;
+  }
+}
+
+Vector3d anywhere(cloud::Random& random, double reach) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+/// Keeps the points that `keep` accepts.
+template <class Keep>
+void thin_out(cloud::OrientedPoints& points, const Keep& keep) {
+  cloud::OrientedPoints kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!keep(points.positions[i])) continue;
+    kept.positions.push_back(points.positions[i]);
+    kept.normals.push_back(points.normals[i]);
+  }
+  points = kept;
+}
+
+TEST(BuildField, MakesOneBodyOfANoisyScan) {
+  expect_one_body("noise", [](cloud::OrientedPoints& points, cloud::Random& random) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points.positions[i] += anywhere(random, 1.0);  // a fifth of the spacing
+      points.normals[i] = (points.normals[i] + anywhere(random, 0.3)).normalized();
+    }
+  });
+}
+
+TEST(BuildField, MakesOneBodyOfAScanWithTurnedNormalsAndCountsThem) {
+  Repair repair;
+  expect_one_body(
+      "turned normals",
+      [](cloud::OrientedPoints& points, cloud::Random& random) {
+        for (auto& normal : points.normals) normal *= random.uniform() < 0.06 ? -1.0 : 1.0;
+      },
+      &repair);
+  EXPECT_NEAR(static_cast<double>(repair.turned), 180.0, 45.0);
+  EXPECT_EQ(repair.warnings().size(), 1U);
+}
+
+TEST(BuildField, MakesOneBodyOfAScanWithStrayPointsAndCountsThem) {
+  Repair repair;
+  expect_one_body(
+      "stray points",
+      [](cloud::OrientedPoints& points, cloud::Random& random) {
+        for (int n = 0; n < 30; ++n) {  // 1 %
+          points.positions.push_back(anywhere(random, 90.0));
+          points.normals.push_back((anywhere(random, 1.0) + Vector3d(1e-3, 0, 0)).normalized());
+        }
+      },
+      &repair);
+  EXPECT_GT(repair.isolated, 5U);
+  EXPECT_FALSE(repair.warnings().empty());
+}
+
+TEST(BuildField, MakesOneBodyOfAnUnevenScan) {
+  expect_one_body("uneven", [](cloud::OrientedPoints& points, cloud::Random& random) {
+    thin_out(points, [&](const Vector3d& p) { return random.uniform() < std::pow(10.0, -(p.x() + 100.0) / 200.0); });
+  });
+}
+
+TEST(BuildField, ClosesSmallHoles) {
+  expect_one_body("holes", [](cloud::OrientedPoints& points, cloud::Random& random) {
+    std::vector<Vector3d> middles;
+    for (int n = 0; n < 5; ++n) middles.push_back(points.positions[random.bits() % points.size()]);
+    thin_out(points, [&](const Vector3d& p) {
+      return std::all_of(middles.begin(), middles.end(), [&](const Vector3d& m) { return (p - m).norm() > 12.0; });  // two spacings
+    });
+  });
 }
 
 TEST(BuildField, HoldsTheDistanceToTheShapesInTheirBand) {

@@ -1,0 +1,60 @@
+/// What the scan as a whole says about a place: is it enclosed?
+///
+/// Every sample stands for the patch of surface nearest to it. The sum of the solid angles of all patches, seen from a place away from them, is the
+/// generalised winding number: 1 in the body, 0 outside, and it changes gradually across a part that nobody scanned. A few stray samples hardly
+/// change it, and a local model that goes astray does not enter.
+///
+/// source    G. Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, Fast winding numbers for soups and clouds, 2018
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "host/field/scan.h"
+
+namespace isotouch::field {
+
+/// The area that each sample stands for: its cell among its neighbours on its tangent plane, as far as the neighbours' spacing reaches.
+std::vector<double> sample_areas(const Scan& scan);
+
+class Enclosure {
+ public:
+  /// scan      at least 1 sample; normals outward
+  explicit Enclosure(const Scan& scan);
+
+  /// The winding number, to a tenth at one spacing from the samples or more; nearer it is smoothed.
+  double operator()(const Eigen::Vector3d& place) const;
+
+ private:
+  struct Dipole {
+    Eigen::Vector3d centre, area;  ///< area along the normal
+  };
+  struct Node {
+    Dipole whole;
+    double far = 0.0;                    ///< squared distance from which on the whole stands for its samples
+    std::uint32_t first = 0, count = 0;  ///< of `samples_`
+    std::uint32_t next = 0;              ///< the node after this one's descendants
+  };
+
+  void add_node(std::uint32_t first, std::uint32_t count);
+
+  std::vector<Dipole> samples_;
+  std::vector<double> softening_;  ///< of a sample, squared: an eighth of the area
+  std::vector<Node> nodes_;        ///< parents before children
+};
+
+inline constexpr double kDoubt = 0.3;
+
+/// Holds a distance to what encloses its place. Next to the samples it stays as it is; the farther the nearest sample is, compared with how the nearest nine
+/// are spread, the more does the winding number count: of a place that is clearly enclosed, or clearly not, it is the sign, whatever the models
+/// say, and its distance from one half stands for the way to the surface.
+///
+/// nearest, ninth   squared distances to the nearest sample and to the ninth
+template <class Number>
+bool in_doubt(Number nearest, Number ninth) {
+  return nearest > static_cast<Number>(kDoubt) * (ninth - nearest);
+}
+double held_by_enclosure(double distance, const Eigen::Vector3d& place, double nearest, double ninth, const Enclosure& enclosure);
+
+}  // namespace isotouch::field
