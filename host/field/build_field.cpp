@@ -95,7 +95,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
-  mended.debris = drop_debris(field, scan.positions());
+  mended.debris = drop_debris(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
   if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;

@@ -14,7 +14,8 @@ namespace isotouch::field {
 
 namespace {
 
-constexpr std::size_t kFewest = 4;  // points that a piece stands on
+constexpr std::uint32_t kFewest = 4;  // points that a piece stands on
+constexpr std::uint32_t kFew = 64;    // with so few the others are asked too
 constexpr float kClear = 1.0F;      // voxels: what is left of a dropped piece, and
 constexpr float kBeside = 0.5F;     // of what lay beside it, is no surface, and none for a spline that swings below its samples
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -143,6 +144,23 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
   return voices;
 }
 
+/// Of the pieces that few points stand for: how many more of their samples lie on the wrong side than on the right one.
+std::vector<std::int64_t> contradiction(const std::vector<Brick>& bricks, Pieces& pieces, const std::vector<std::uint32_t>& voices,
+                                        const std::function<bool(const Eigen::Vector3d&)>& enclosed) {
+  std::vector<std::int64_t> doubt(pieces.count(), 0);
+  for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
+    const std::uint32_t piece = pieces.of(n);
+    if (voices[piece] < kFewest || voices[piece] >= kFew) continue;
+    const Part& part = pieces.parts()[n];
+    for (BrickMask rest = part.samples; rest != 0; rest &= rest - 1) {
+      const int s = std::countr_zero(rest);
+      const Eigen::Vector3d sample = (4 * bricks[part.brick].cell + Eigen::Vector3i(s & 3, s >> 2 & 3, s >> 4)).cast<double>();
+      doubt[piece] += enclosed(sample) == part.inside ? -1 : 1;
+    }
+  }
+  return doubt;
+}
+
 /// What lies face to face with a set of samples, given brick by brick, and the set itself.
 std::vector<BrickMask> with_neighbours(const std::vector<BrickMask>& sets, const Following& next) {
   std::vector<BrickMask> all(sets.size());
@@ -165,17 +183,19 @@ void for_each_sample(BrickMask samples, std::array<float, 64>& distances, const 
 
 }  // namespace
 
-Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points) {
+Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points,
+                   const std::function<bool(const Eigen::Vector3d&)>& enclosed) {
   Debris dropped;
   const Following next = following(field.bricks);
   Pieces pieces(field.bricks, next);
-  const std::vector<std::uint32_t> voices = support(field.bricks, pieces, points);
-  const std::uint32_t far_inside = pieces.beyond(true), far_outside = pieces.beyond(false);
+  std::vector<std::uint32_t> voices = support(field.bricks, pieces, points);
+  voices[pieces.beyond(true)] = voices[pieces.beyond(false)] = kFew;
+  const std::vector<std::int64_t> doubt = contradiction(field.bricks, pieces, voices, enclosed);
   std::vector<BrickMask> is_dropped(field.bricks.size(), 0);
   for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
     const Part& part = pieces.parts()[n];
     const std::uint32_t piece = pieces.of(n);
-    if (piece == far_inside || piece == far_outside || voices[piece] >= kFewest) continue;
+    if (voices[piece] >= kFewest && doubt[piece] <= 0) continue;
     if (piece == n) ++(part.inside ? dropped.pieces : dropped.cavities);
     is_dropped[part.brick] |= part.samples;
     for_each_sample(part.samples, field.bricks[part.brick].distance,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "host/field/band_field.h"
@@ -14,13 +15,15 @@ struct Debris {
   std::size_t cavities = 0;  ///< in the body, filled
 };
 
-/// Turns the sign of every connected set of samples, face to face, that is neither part of the far inside or far outside nor beside four of the
-/// scan's points or more.
+/// Turns the sign of every connected set of samples, face to face, that is no part of the far inside or far outside and lies beside fewer than four of
+/// the scan's points; or beside fewer than sixty-four, where the scan as a whole contradicts most of the set.
 ///
 /// field      bricks sorted by cell; of unlisted bricks each has the sign of the samples that face it
 /// points     of the scan, index coordinates
+/// enclosed   of a place, index coordinates: does the scan as a whole hold it for inside?
 /// returns    what was dropped
 /// source     connected components by union and find: Tarjan, Efficiency of a good but not linear set union algorithm, 1975
-Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points);
+Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points,
+                   const std::function<bool(const Eigen::Vector3d&)>& enclosed);
 
 }  // namespace isotouch::field

@@ -44,7 +44,7 @@ class Enclosure {
   std::vector<Node> nodes_;        ///< parents before children
 };
 
-inline constexpr double kDoubt = 0.3;
+inline constexpr double kDoubt = 0.2;
 
 /// Holds a distance to what encloses its place. Next to the samples it stays as it is; the farther the nearest sample is, compared with how the nearest nine
 /// are spread, the more does the winding number count: of a place that is clearly enclosed, or clearly not, it is the sign, whatever the models

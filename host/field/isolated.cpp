@@ -46,6 +46,7 @@ cloud::OrientedPoints without_isolated(const Scan& scan) {
     if (isolated[i] != 0) continue;
     kept.positions.push_back(scan.positions()[i]);
     kept.normals.push_back(scan.normals()[i]);
+    if (!scan.stiffness().empty()) kept.stiffness.push_back(scan.stiffness()[i]);
   }
   return kept;
 }

@@ -40,6 +40,9 @@ class Surface {
   /// error.
   double distance(const Eigen::Vector3d& x) const;
 
+  /// What the scan as a whole says.
+  const Enclosure& enclosure() const { return enclosure_; }
+
   /// The same at the 4x4x4 points first + (i, j, k), in single precision: to 1e-4 for coordinates in voxels.
   BrickDistances brick(const Eigen::Vector3d& first, double reach) const;
 

@@ -47,10 +47,13 @@ std::size_t inside(const BandField& field, const Vector3d& middle, double radius
   return count;
 }
 
+bool in_ball(const Vector3d& p) { return (p - kMiddle).norm() < kRadius; }
+bool everywhere(const Vector3d&) { return true; }
+
 TEST(DropDebris, DropsWhatNoPointStandsForAndLeavesTheBody) {
   const BandField before = field();
   BandField after = before;
-  const Debris dropped = drop_debris(after, points(0));
+  const Debris dropped = drop_debris(after, points(0), in_ball);
   EXPECT_EQ(dropped.pieces, 1U);
   EXPECT_EQ(dropped.cavities, 1U);
   EXPECT_GT(inside(before, kShard, 2.0), 5U);
@@ -66,8 +69,21 @@ TEST(DropDebris, DropsWhatNoPointStandsForAndLeavesTheBody) {
 TEST(DropDebris, KeepsASmallPieceThatPointsStandFor) {
   BandField after = field();
   const std::size_t before = inside(after, kShard, 2.0);
-  const Debris dropped = drop_debris(after, points(12));
+  const Debris dropped = drop_debris(after, points(12), everywhere);
   EXPECT_EQ(dropped.pieces, 0U);
+  EXPECT_EQ(inside(after, kShard, 2.0), before);
+}
+
+TEST(DropDebris, DropsAPieceOfFewPointsThatTheWholeScanContradicts) {
+  BandField after = field();
+  EXPECT_EQ(drop_debris(after, points(12), in_ball).pieces, 1U);
+  EXPECT_EQ(inside(after, kShard, 2.0), 0U);
+}
+
+TEST(DropDebris, KeepsAPieceOfManyPointsWhateverTheOthersSay) {
+  BandField after = field();
+  const std::size_t before = inside(after, kShard, 2.0);
+  EXPECT_EQ(drop_debris(after, points(80), in_ball).pieces, 0U);
   EXPECT_EQ(inside(after, kShard, 2.0), before);
 }
 
