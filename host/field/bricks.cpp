@@ -69,7 +69,7 @@ class Walk {
         seen.push_back(look.visited);
         if (!look.visited.listed) continue;
         bricks_.push_back(look.brick);
-        push_neighbours(look.visited.key, look.brick.distance, next);
+        push_neighbours(look, next);
       }
       merge(seen);
       front = std::move(next);
@@ -87,13 +87,13 @@ class Walk {
     std::vector<Visited> seen;
     for (const Key key : forced) {
       const auto known = std::lower_bound(visited_.begin(), visited_.end(), Visited{key, false, 0});
-      const Look look = listed(key, *distance_.brick(cell_of(key), std::numeric_limits<double>::infinity()).samples);
+      const Look look = listed(key, *distance_.brick(cell_of(key), std::numeric_limits<double>::infinity()).samples, true);
       bricks_.push_back(look.brick);
       if (known != visited_.end() && known->key == key)
         *known = look.visited;
       else
         seen.push_back(look.visited);
-      push_neighbours(key, look.brick.distance, front);
+      push_neighbours(look, front);
     }
     merge(seen);
     return front;
@@ -108,6 +108,7 @@ class Walk {
   struct Look {
     Visited visited;
     Brick brick;  ///< when it is listed
+    bool jumps = false;
   };
 
   Look look_at(Key key) const {
@@ -117,24 +118,26 @@ class Walk {
     const auto [least, most] = std::minmax_element(d.begin(), d.end());
     if (static_cast<double>(*least) > band_) return {{key, false, 0}, {}};
     if (static_cast<double>(*most) < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
-    return listed(key, d);
+    return listed(key, d, found.jumps);
   }
 
-  static Look listed(Key key, const std::array<float, 64>& d) {
-    Look look{{key, true, 0}, {cell_of(key), d}};
+  static Look listed(Key key, const std::array<float, 64>& d, bool jumps) {
+    Look look{{key, true, 0}, {cell_of(key), d}, jumps};
     for (std::size_t s = 0; s < d.size(); ++s) look.visited.inside |= std::uint64_t{d[s] < 0.0F} << s;
     return look;
   }
 
   /// The neighbours that hold samples of the band, as far as the last two layers before them tell.
-  void push_neighbours(Key key, const std::array<float, 64>& distance, std::vector<Key>& keys) const {
+  void push_neighbours(const Look& look, std::vector<Key>& keys) const {
     constexpr double kBend = 0.5;  // by how much a distance may leave its straight course from one sample to the next
+    const Key key = look.visited.key;
     const Vector3i cell = cell_of(key);
+    const std::array<float, 64>& distance = look.brick.distance;
     const auto near = static_cast<float>(band_ + kBend);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto along = static_cast<Eigen::Index>(axis);
       const auto step = static_cast<std::size_t>(kNext[axis]);
-      bool below = false, above = false;
+      bool below = look.jumps, above = look.jumps;
       for (BrickMask low = kLowFace[axis]; low != 0; low &= low - 1) {
         const float* row = &distance[static_cast<std::size_t>(std::countr_zero(low))];
         below |= std::abs(2.0F * row[0] - row[step]) <= near;

@@ -15,6 +15,7 @@ namespace isotouch::field {
 struct BrickDistances {
   double middle = 0.0;                           ///< at its middle
   std::optional<std::array<float, 64>> samples;  ///< at its samples, x fastest; nothing when the middle is too far from the surface
+  bool jumps = false;                            ///< towards its neighbours the distance may jump
 };
 
 /// A signed distance on a grid, voxels. Called from several threads at once.

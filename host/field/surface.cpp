@@ -92,6 +92,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   BrickBlend::Doubt doubt;
   samples = brick_(first, candidates, doubt);
   if (hold(first, doubt.suspect, samples) || astray) hold(first, doubt.far, samples);
+  result.jumps = doubt.far != 0;  // beside it all of them may be held, or none
   if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
     for (std::size_t s = 0; s < samples.size(); ++s)
       samples[s] = std::max(samples[s], static_cast<float>(closing_.distance(place(first, s))));
