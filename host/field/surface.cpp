@@ -63,11 +63,19 @@ bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<cons
   return (2 * behind > nearest.size()) != inside;
 }
 
-bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::array<float, 64>& samples) const {
+bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates,
+                   std::array<float, 64>& samples) const {
+  thread_local std::vector<double> away;  // squared; keeps its memory
   bool turned = false;
   for (; places != 0; places &= places - 1) {
     const auto s = static_cast<std::size_t>(std::countr_zero(places));
-    const auto held = static_cast<float>(distance(place(first, s)));
+    const Eigen::Vector3d x = place(first, s);
+    away.clear();
+    for (const Neighbour& c : candidates) away.push_back((scan_.positions()[c.index] - x).squaredNorm());
+    const auto ninth = away.begin() + kBlended;
+    std::nth_element(away.begin(), ninth, away.end());
+    const auto held = static_cast<float>(
+        held_by_enclosure(static_cast<double>(samples[s]), x, *std::min_element(away.begin(), ninth), *ninth, enclosure_));
     turned = turned || (held < 0.0F) != (samples[s] < 0.0F);
     samples[s] = held;
   }
@@ -91,7 +99,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
   BrickBlend::Doubt doubt;
   samples = brick_(first, candidates, doubt);
-  if (hold(first, doubt.suspect, samples) || astray) hold(first, doubt.far, samples);
+  if (hold(first, doubt.suspect, candidates, samples) || astray) hold(first, doubt.far & ~doubt.suspect, candidates, samples);
   result.jumps = doubt.far != 0;  // beside it all of them may be held, or none
   if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
     for (std::size_t s = 0; s < samples.size(); ++s)

@@ -51,8 +51,11 @@ class Surface {
 
   /// Far from every sample, is the sign another than most planes of the nearest samples say?
   bool contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
-  /// Puts the held distances at the places of a brick whose bits are set. Did one change its sign?
-  bool hold(const Eigen::Vector3d& first, std::uint64_t places, std::array<float, 64>& samples) const;
+  /// Holds the distances at the places of a brick whose bits are set. Did one change its sign?
+  ///
+  /// candidates   as for `BrickBlend`
+  bool hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates,
+            std::array<float, 64>& samples) const;
 
   const Scan& scan_;
   Box closing_;
