@@ -26,7 +26,6 @@ namespace isotouch::commands {
 namespace {
 
 constexpr double kEdge = 0.34;  // mm a voxel, as in the paper
-constexpr double kBand = 4;     // voxels
 constexpr double kMargin = 4;   // voxels beside the band
 
 /// A sphere that fills a grid with so many samples along each axis.
@@ -34,12 +33,12 @@ struct Sphere {
   field::Grid grid;
   double radius;  // mm
 
-  explicit Sphere(int samples) : radius(kEdge * ((samples - 1) / 2.0 - kBand - kMargin)) {
-    grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, kBand + kMargin);
+  explicit Sphere(int samples) : radius(kEdge * ((samples - 1) / 2.0 - field::kBand - kMargin)) {
+    grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, field::kBand + kMargin);
   }
   evaluate::OpenBlob blob() const {
     const auto distance = [this](const Eigen::Vector3d& p) { return p.norm() - radius; };
-    return evaluate::open_blob(blob::write_blob(field::sample_distance(distance, grid, kBand), {}), "sphere");
+    return evaluate::open_blob(blob::write_blob(field::sample_distance(distance, grid, field::kBand), {}), "sphere");
   }
   published::LevelField levels() const {
     published::Indicator inside(grid, 0);

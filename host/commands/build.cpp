@@ -89,7 +89,7 @@ void add_build(CLI::App& app) {
       command->add_option("--grid", options->grid,
                           "voxels along the longest side of the input's box; 186 unless given, a level set's own voxels where there are");
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
-  CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 4 unless given");
+  CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 3 unless given");
   band->check(CLI::Range(1.0, 7.99));
   command
       ->add_option("--stiffness", options->stiffness,

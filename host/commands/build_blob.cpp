@@ -123,7 +123,7 @@ Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress
   return made;
 }
 
-/// The band that a level set is known in: as asked for, or 4 voxels where there are as many.
+/// The band that a level set is known in: as asked for, or the usual one where there are as many.
 double band_within(const BuildOptions& options, double known) {
   known = std::min(known, 7.99);
   if (known < 1.0 || options.band.value_or(1.0) > known) {
@@ -131,7 +131,7 @@ double band_within(const BuildOptions& options, double known) {
                      " of these voxels to each side of its surface, " + (known < 1.0 ? "at least 1 is" : "more are") +
                      " needed; choose a smaller --band or --voxel, or make its band wider");
   }
-  return options.band.value_or(std::min(4.0, known));
+  return options.band.value_or(std::min(field::kBand, known));
 }
 
 Made from_level_set(const BuildOptions& options, BuildReport& report, field::Progress& progress) {

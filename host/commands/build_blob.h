@@ -33,7 +33,7 @@ struct BuildOptions {
   unsigned threads = 0;  ///< 0 = as many as there are processors
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone
 
-  double band_voxels() const { return band.value_or(4.0); }
+  double band_voxels() const { return band.value_or(field::kBand); }
   int grid_voxels() const { return grid.value_or(186); }
 };
 

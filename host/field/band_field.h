@@ -24,10 +24,14 @@ struct Brick {
   std::array<float, 64> distance;  ///< voxels, negative inside, x fastest; beyond +-band the value only needs the right sign
 };
 
+/// Half width of the band unless another is asked for, voxels; the usual one of narrow-band level sets, too. The proxy stays at the surface, and
+/// on its way there it may go as far as the band is wide in each step.
+inline constexpr double kBand = 3.0;
+
 /// Every brick that holds a sample with |distance| <= band is listed; the others are wholly outside or wholly inside the object.
 struct BandField {
   Grid grid;
-  double band = 4.0;                   ///< half width, voxels
+  double band = kBand;                 ///< half width, voxels
   std::vector<Brick> bricks;           ///< sorted by cell: z, then y, then x
   std::vector<double> stiffness = {};  ///< of the surface near each brick, N/mm; none where it is the same everywhere
 };

@@ -22,7 +22,6 @@ namespace {
 using namespace isotouch;
 
 constexpr std::size_t kPoints = 1000;
-constexpr double kBand = 4.0;
 
 std::uint64_t hash_of(const cloud::Shape& shape, int voxels) {
   const cloud::OrientedPoints drawn = cloud::sample_shape(shape, kPoints);
@@ -30,9 +29,9 @@ std::uint64_t hash_of(const cloud::Shape& shape, int voxels) {
   const cloud::OrientedPoints points = cloud::placed(drawn, placement);
   Eigen::Vector3d low = points.positions.front(), high = low;
   for (const Eigen::Vector3d& p : points.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const field::Grid grid = field::make_grid(low, high, (high - low).maxCoeff() / voxels, field::field_margin(kBand));
+  const field::Grid grid = field::make_grid(low, high, (high - low).maxCoeff() / voxels, field::field_margin(field::kBand));
   field::Progress quiet;
-  const blob::Image image = blob::write_blob(field::build_field(points, grid, kBand, quiet), {});
+  const blob::Image image = blob::write_blob(field::build_field(points, grid, field::kBand, quiet), {});
   return BlobView::parse(image.bytes())->hash();
 }
 
