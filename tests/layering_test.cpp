@@ -31,6 +31,8 @@ const std::map<std::string, Rule> kRules = {
     {"firmware/loop", {{"firmware/core", "shared"}}},
     {"firmware/io", {{"firmware/loop", "shared"}}},
     {"firmware/settings", {{"firmware/io", "firmware/loop", "shared"}}},
+    {"firmware/daemon", {{"firmware/settings", "firmware/io", "firmware/loop", "shared"}}},
+    {"firmware", {{"firmware", "shared"}}},
     {"host/cloud", {{"host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
     {"host/vdb", {{"host/field", "host/cloud", "host/error.h", "shared"}}},

@@ -68,6 +68,15 @@ std::string FieldIntake::begin_with_active() {
   return refusal.empty() ? refusal : "the field that was active last was not loaded: " + refusal;
 }
 
+std::string FieldIntake::begin_with(std::span<const std::uint8_t> packed) {
+  const Result<PackedBlob> header = PackedBlob::parse(packed);
+  if (!header) return unusable(header.error());
+  std::string refusal = unpack(packed, header->image_hash);
+  if (refusal.empty()) refusal = publish(header->image_hash);
+  slots_.abandon();
+  return refusal;
+}
+
 std::vector<StoredField> FieldIntake::stored() { return store_ == nullptr ? std::vector<StoredField>{} : store_->list(); }
 
 /// Into the slot that the tick does not use.

@@ -56,8 +56,8 @@ bool Loop::step() {
   return true;
 }
 
-void Loop::run(const std::atomic<bool>& stop) {
-  while (!stop.load(std::memory_order_relaxed) && step()) {
+void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
+  while (ticks_ < most && !stop.load(std::memory_order_relaxed) && step()) {
   }
 }
 

@@ -45,8 +45,8 @@ class Loop {
   /// returns   false: in lockstep, no reply will come any more, and there was no tick
   bool step();
 
-  /// Ticks until told to stop, or until `step` returns false. `stop` is read once a tick.
-  void run(const std::atomic<bool>& stop);
+  /// Ticks until told to stop, until `step` returns false, or so often. `stop` is read once a tick.
+  void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
 
  private:
   DeviceInput look(const Sample& sample, std::uint32_t missed);

@@ -31,7 +31,7 @@ unsigned become_realtime(int priority, int core) {
 unsigned lock_memory() {
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_MMAP_MAX, 0);
-  return mlockall(MCL_CURRENT | MCL_FUTURE) == 0 ? 0U : unsigned{kRefusedMemory};
+  return mlockall(MCL_CURRENT) == 0 ? 0U : unsigned{kRefusedMemory};
 }
 
 void touch_stack() {

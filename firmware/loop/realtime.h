@@ -19,7 +19,8 @@ enum Refusals : unsigned {
 /// returns   Refusals
 unsigned become_realtime(int priority, int core);
 
-/// Locks all memory of the program, now and later, and keeps freed memory: nothing is paged out or given back.
+/// Locks all memory that the program has, and keeps what is freed from now on: to be called when everything of the tick is made. Memory that other
+/// threads take later is not locked, because a program without the privilege would be refused it.
 ///
 /// returns   Refusals
 unsigned lock_memory();

@@ -40,7 +40,7 @@ struct Settings {
   std::string firmware;
   bool ignore_echo = false;
   bool always_upload = false;
-  int attempts = 10;
+  int attempts = 3;
   double reply_ms = 5;
   int lost_after = 20;
 

@@ -1,0 +1,14 @@
+/// The last resort: when a thread of the program crashes, the device is left without force before the program ends.
+#pragma once
+
+#include <atomic>
+
+namespace isotouch::daemon {
+
+/// From here on a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) sets `stop` and gives the thread that serves the device 50 ms to leave it without
+/// force, before the program ends as it would have. A crash of that very thread helps nobody: then the device's own time limit has to do.
+///
+/// stop      lives as long as the program
+void rest_on_crash(std::atomic<bool>& stop);
+
+}  // namespace isotouch::daemon

@@ -1,0 +1,93 @@
+#include "firmware/daemon/options.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "firmware/io/falcon_list.h"
+#include "firmware/io/relay.h"
+#include "firmware/settings/apply.h"
+#include "firmware/settings/read_settings.h"
+#include "firmware/settings/table.h"
+
+namespace isotouch::daemon {
+
+namespace {
+
+constexpr int kRefused = 1, kWrongUsage = 2;
+
+int complain(const std::string& sentence) {
+  std::fprintf(stderr, "isotouchd: %s\n", sentence.c_str());
+  return kRefused;
+}
+
+/// "usb", "usb:SERIAL", "sim:SOCKET", "replay:FILE"
+bool read_device(const std::string& text, Options& options) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  options.name = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (kind == "usb") {
+    options.device = Options::Device::kUsb;
+    return colon == std::string::npos || !options.name.empty();
+  }
+  options.device = kind == "sim" ? Options::Device::kSimulated : Options::Device::kRecorded;
+  return (kind == "sim" || kind == "replay") && !options.name.empty();
+}
+
+}  // namespace
+
+bool read_options(int argc, char** argv, Options& options, int& exit_code) {
+  CLI::App app("The controller: renders a field to a force-feedback device", "isotouchd");
+  std::string config, check, device = "usb", control, field, record, relay_socket = "/run/isotouch/control";
+  bool print = false, list = false;
+  app.add_option("--config", config, "settings, a TOML file; see --print-config");
+  app.add_option("--check-config", check, "only say whether this settings file is good");
+  app.add_flag("--print-config", print, "only print every setting with its default");
+  app.add_flag("--list", list, "only list the devices that are plugged in");
+  app.add_option("--device", device, "usb, usb:SERIAL, sim:SOCKET (a simulated Falcon), replay:FILE (a recording)")->capture_default_str();
+  app.add_option("--control", control, "listen for the host tool at this local socket");
+  app.add_option("--field", field, "begin with this blob");
+  app.add_option("--record", record, "record from the first tick on");
+  app.add_flag("--lockstep", options.lockstep, "a tick for every packet and no clock: a run is a pure function of what the device answers");
+  app.add_option("--ticks", options.ticks, "end after so many");
+  CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
+  relay->add_option("socket", relay_socket, "its path")->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
+    return false;
+  }
+
+  exit_code = 0;
+  if (relay->parsed()) {
+    const std::string complaint = io::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO);
+    if (!complaint.empty()) exit_code = complain(complaint);
+    return false;
+  }
+  if (print) std::fputs(settings::default_file().c_str(), stdout);
+  if (list) std::printf("%s\n", io::explain(io::list_falcons()).c_str());
+  if (print || list) return false;
+  const std::string& file = check.empty() ? config : check;
+  if (!file.empty()) {
+    std::string complaint = settings::read_settings(file, options.settings);
+    if (complaint.empty() && !settings::device_model(options.settings, {})) complaint = file + ": these numbers make no device together";
+    if (!complaint.empty()) return exit_code = complain(complaint), false;
+  }
+  if (!check.empty()) return std::printf("%s: good\n", check.c_str()), false;
+  if (!read_device(device, options)) {
+    complain("--device " + device + ": write usb, usb:SERIAL, sim:SOCKET or replay:FILE");
+    return exit_code = kWrongUsage, false;
+  }
+  if (!control.empty()) options.settings.control = control;
+  if (!field.empty()) options.settings.field = field;
+  if (!record.empty()) options.settings.record = record;
+  if (options.lockstep && options.device == Options::Device::kUsb) {
+    complain("--lockstep is for simulated and recorded devices");
+    return exit_code = kWrongUsage, false;
+  }
+  return true;
+}
+
+}  // namespace isotouch::daemon

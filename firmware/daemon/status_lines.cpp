@@ -1,0 +1,81 @@
+#include "firmware/daemon/status_lines.h"
+
+#include <cstdio>
+
+#include "firmware/loop/realtime.h"
+
+namespace isotouch::daemon {
+
+namespace {
+
+using Text = char[160];
+
+std::string row(const char* name, const loop::Histogram& histogram) {
+  const loop::Distribution d = histogram.read();
+  if (d.total == 0) return {};
+  const auto us = [&](std::uint32_t per_million) { return d.quantile_ns(per_million) / 1000.0; };
+  Text text;
+  std::snprintf(text, sizeof text, "%-14s p50 %9.1f  p99 %9.1f  p999 %9.1f  max %9.1f us\n", name, us(500'000), us(990'000), us(999'000),
+                d.largest_ns / 1000.0);
+  return text;
+}
+
+unsigned long long whole(const loop::Counter& counter) { return counter.value(); }
+
+}  // namespace
+
+std::string device_line(const io::PortReport& report) {
+  switch (report.state) {
+    case io::SessionState::kSearching:
+      if (report.boots > 0 && !report.boot.running()) return "device: " + io::explain(report.boot);
+      if (report.troubled) return std::string("device: looking for one; ") + describe(report.trouble);
+      return "device: looking for one";
+    case io::SessionState::kBooting: return "device: found, being brought up";
+    case io::SessionState::kRunning: return std::string("device: running, serial ") + report.serial.data();
+  }
+  return {};
+}
+
+std::string supervisor_line(SupervisorState state, std::uint16_t faults) {
+  switch (state) {
+    case SupervisorState::kBoot: return "state: boot, no packet yet";
+    case SupervisorState::kHoming: return "state: homing; pull the grip out as far as it goes, then push it in";
+    case SupervisorState::kIdle: return "state: idle, no field";
+    case SupervisorState::kReady: return "state: ready";
+    case SupervisorState::kActive: return "state: active";
+    case SupervisorState::kHold: return "state: hold, packets are missing or the pose is uncertain";
+    case SupervisorState::kFault: break;
+  }
+  std::string text = "state: fault, no force until resumed:";
+  if ((faults & kFaultStopped) != 0) text += " stopped";
+  if ((faults & kFaultSilent) != 0) text += " silent";
+  if ((faults & kFaultPenetration) != 0) text += " penetration";
+  return text;
+}
+
+std::string refusal_line(unsigned refused) {
+  if (refused == 0) return {};
+  std::string text;
+  const auto add = [&](loop::Refusals bit, const char* name) {
+    if ((refused & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(name);
+  };
+  add(loop::kRefusedPriority, "a real-time priority");
+  add(loop::kRefusedCore, "the processor core");
+  add(loop::kRefusedMemory, "locked memory");
+  return "runs without " + text + ", which this user or machine may not have: ticks may be late; see packaging/isotouchd.service";
+}
+
+std::string figures(const loop::TickStats& stats) {
+  Text text;
+  std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, left out %llu\n",
+                whole(stats.ticks), whole(stats.fresh), whole(stats.stale), whole(stats.largest_age), whole(stats.by_reply),
+                whole(stats.late), whole(stats.missed));
+  std::string all = text;
+  all += row("wake delay", stats.wake_delay) + row("tick", stats.tick_time) + row("round trip", stats.round_trip) +
+         row("reply to word", stats.word_delay);
+  std::snprintf(text, sizeof text, "since the first tick: page faults %llu, allocations %llu\n", whole(stats.page_faults),
+                whole(stats.allocations));
+  return all + text;
+}
+
+}  // namespace isotouch::daemon

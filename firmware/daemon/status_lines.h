@@ -1,0 +1,27 @@
+/// What the daemon says of itself, for people: one line when something changes, figures at the end.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "firmware/io/falcon_port.h"
+#include "firmware/loop/tick_stats.h"
+#include "shared/device_io.h"
+
+namespace isotouch::daemon {
+
+/// How the device is doing; the same text as before when nothing changed.
+std::string device_line(const io::PortReport& report);
+
+/// What the supervisor allows and what a person can do.
+std::string supervisor_line(SupervisorState state, std::uint16_t faults);
+
+/// What the system refused; empty when nothing.
+///
+/// refused   loop::Refusals
+std::string refusal_line(unsigned refused);
+
+/// Several lines: how the ticks began and how long things took.
+std::string figures(const loop::TickStats& stats);
+
+}  // namespace isotouch::daemon

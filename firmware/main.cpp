@@ -1,0 +1,257 @@
+/// isotouchd: wiring only. Options, device, slots, threads, go.
+#include <pthread.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigtimedwait
+#include <sys/stat.h>
+
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "firmware/daemon/crash.h"
+#include "firmware/daemon/options.h"
+#include "firmware/daemon/status_lines.h"
+#include "firmware/io/control_server.h"
+#include "firmware/io/falcon_list.h"
+#include "firmware/io/falcon_port.h"
+#include "firmware/io/falcon_usb.h"
+#include "firmware/io/field_intake.h"
+#include "firmware/io/linux_clock.h"
+#include "firmware/io/linux_folder.h"
+#include "firmware/io/lockstep_clock.h"
+#include "firmware/io/recorder.h"
+#include "firmware/io/replay_port.h"
+#include "firmware/io/sim_link.h"
+#include "firmware/loop/direct_device.h"
+#include "firmware/loop/exchange_thread.h"
+#include "firmware/loop/loop.h"
+#include "firmware/loop/realtime.h"
+#include "firmware/settings/apply.h"
+
+namespace isotouch::daemon {
+namespace {
+
+std::atomic<bool> stop_ticks{false}, stop_exchange{false}, go{false}, ticks_ended{false};
+std::atomic<unsigned> refused{0};
+
+void say(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+int refuse(const std::string& sentence) {
+  std::fprintf(stderr, "isotouchd: %s\n", sentence.c_str());
+  return 1;
+}
+
+/// What stands behind the loop's port: a Falcon over a link, or a recording.
+struct Hardware {
+  std::vector<std::uint8_t> image;
+  std::unique_ptr<loop::Clock> clock;
+  std::unique_ptr<io::FalconLink> link;
+  std::unique_ptr<io::FalconSession> session;
+  std::unique_ptr<io::FalconPort> falcon;
+  std::unique_ptr<io::ReplayPort> replay;
+
+  loop::Port& port() const { return falcon ? static_cast<loop::Port&>(*falcon) : *replay; }
+};
+
+/// returns   one sentence why not
+std::string make_hardware(const Options& options, Hardware& made) {
+  const settings::Settings& settings = options.settings;
+  if (options.lockstep) {
+    made.clock = std::make_unique<io::LockstepClock>();
+  } else {
+    made.clock = std::make_unique<io::LinuxClock>();
+  }
+  if (options.device == Options::Device::kRecorded) {
+    io::WireTrace trace;
+    std::string complaint = io::read_wire_trace(options.name, trace);
+    if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
+    if (complaint.empty()) made.replay = std::make_unique<io::ReplayPort>(std::move(trace), *made.clock);
+    return complaint;
+  }
+  const bool simulated = options.device == Options::Device::kSimulated;
+  std::string complaint;
+  if (!settings.firmware.empty()) {
+    made.image = io::read_image(settings.firmware, complaint);
+  } else if (simulated) {
+    const auto image = io::synthetic_image();
+    made.image.assign(image.begin(), image.end());
+  }
+  if (!complaint.empty()) return complaint;
+  if (simulated) {
+    made.link = std::make_unique<io::SimLink>(options.name);
+  } else {
+    made.link = std::make_unique<io::FalconUsb>(*made.clock, options.name);
+  }
+  made.session = std::make_unique<io::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
+                                                     [](const io::BootProgress&) { return !stop_exchange.load(); });
+  made.falcon = std::make_unique<io::FalconPort>(*made.session, *made.link);
+  return {};
+}
+
+/// The serial whose calibration holds: the one asked for, else that of the only device there.
+std::string serial_of(const Options& options) {
+  if (options.device != Options::Device::kUsb || !options.name.empty() || options.settings.calibrations.empty()) return options.name;
+  const io::UsbListing listing = io::list_falcons();
+  return listing.falcons.size() == 1 ? listing.falcons[0].serial : std::string();
+}
+
+std::string load_field(const std::string& path, io::FieldIntake& intake) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
+  if (bytes.empty()) return path + ": it cannot be read; give a blob that 'isotouch build' made";
+  const std::string refusal = intake.begin_with(bytes);
+  return refusal.empty() ? refusal : path + ": " + refusal;
+}
+
+void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint64_t ticks) {
+  refused |= loop::become_realtime(settings.priority, settings.core);
+  loop::touch_stack();
+  go.wait(false);
+  loop.run(stop_ticks, ticks);
+  ticks_ended = true;
+}
+
+void exchange_thread(const settings::Settings& settings, loop::ExchangeThread& exchange) {
+  refused |= loop::become_realtime(settings.exchange_priority, -1);
+  go.wait(false);
+  exchange.serve(stop_exchange);
+}
+
+/// Says what changes, until a signal comes or the ticks have ended.
+void watch(const Hardware& hardware, const io::Recorder& recorder) {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  const timespec pause{0, 100'000'000};
+  std::string device, supervisor;
+  while (!ticks_ended) {
+    if (hardware.falcon) {
+      const std::string line = device_line(hardware.falcon->shown().get());
+      if (line != device) say(device = line);
+    }
+    const std::string line = supervisor_line(recorder.state(), recorder.faults());
+    if (line != supervisor) say(supervisor = line);
+    if (sigtimedwait(&signals, nullptr, &pause) > 0) return;
+  }
+}
+
+int run(const Options& options) {
+  const settings::Settings& settings = options.settings;
+  const auto model = settings::device_model(settings, serial_of(options));
+  if (!model) return refuse("the settings' numbers make no device together");
+  loop::LoopSettings loop_settings{*model, settings::tick_settings(settings), settings::period_ns(settings), options.lockstep};
+  DeviceTraceHeader header;
+  header.device = *model;
+  header.run.period_ns = loop_settings.period_ns;
+  header.run.settings = loop_settings.tick;
+
+  Hardware hardware;
+  if (const std::string complaint = make_hardware(options, hardware); !complaint.empty()) return refuse(complaint);
+  std::optional<io::LinuxFolder> folder;
+  std::optional<io::FieldStore> store;
+  if (!settings.state.empty()) {
+    folder.emplace(settings.state);
+    if (!folder->is_open()) return refuse(settings.state + ": the state folder cannot be used: " + describe(folder->trouble()));
+    store.emplace(*folder, 8);
+  }
+
+  // Everything that the tick exchanges with other threads.
+  io::LinuxClock real_clock;
+  loop::VirtualClock virtual_clock;
+  loop::FieldSlots fields(settings::field_bytes(settings));
+  loop::Commands commands;
+  const auto ticks_in = [&](double seconds) { return static_cast<std::size_t>(seconds * settings.tick_hz); };
+  loop::TraceRing trace(ticks_in(4)), watched(ticks_in(4));
+  loop::Latest<loop::TickRecord> shown;
+  loop::TickStats stats;
+  std::unique_ptr<loop::ExchangeThread> exchange;
+  std::unique_ptr<loop::DirectDevice> direct;
+  if (options.lockstep) {
+    direct = std::make_unique<loop::DirectDevice>(hardware.port(), virtual_clock, loop_settings.period_ns, stop_ticks);
+  } else {
+    exchange = std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6));
+  }
+  loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
+  loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
+
+  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock, {});
+  if (const std::string refusal = settings.field.empty() ? intake.begin_with_active() : load_field(settings.field, intake);
+      !refusal.empty()) {
+    if (!settings.field.empty()) return refuse(refusal);
+    say(refusal);
+  }
+  const auto hash_of = [&](std::uint32_t generation) { return intake.generation() == generation ? intake.hash() : 0; };
+  io::Recorder recorder({header, settings.state, ticks_in(settings.before_fault_s), ticks_in(0.5)}, trace,
+                        settings.control.empty() ? nullptr : &watched, commands, hash_of, say);
+  if (!settings.record.empty()) {
+    if (const std::string complaint = recorder.start(settings.record); !complaint.empty()) return refuse(complaint);
+  }
+  std::optional<io::ControlServer> control;
+  if (!settings.control.empty()) {
+    io::ControlSettings wish;
+    wish.path = settings.control;
+    wish.program = "isotouchd";
+    wish.recordings = header;
+    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched});
+    if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
+  }
+
+  rest_on_crash(stop_exchange);
+  loop::Loop loop(loop_settings, device, clock, {fields, commands, trace, shown, stats});
+  std::atomic<bool> stop_recorder{false};
+  std::thread records([&] {
+    for (; !stop_recorder; std::this_thread::sleep_for(std::chrono::milliseconds(options.lockstep ? 1 : 50))) recorder.drain();
+  });
+  std::thread exchanges;
+  if (exchange) exchanges = std::thread([&] { exchange_thread(settings, *exchange); });
+  std::thread ticks([&] { tick_thread(settings, loop, options.ticks); });
+  if (settings.lock_memory) refused |= loop::lock_memory();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // both threads have asked for their priorities
+  if (const std::string line = refusal_line(refused); !line.empty()) say(line);
+  go = true;
+  go.notify_all();
+
+  watch(hardware, recorder);
+  stop_exchange = true;
+  stop_ticks = true;
+  if (exchanges.joinable()) exchanges.join();
+  ticks.join();
+  hardware.port().rest();
+  if (control) control->stop();
+  stop_recorder = true;
+  records.join();
+  recorder.drain();
+  recorder.stop();
+  std::fputs(figures(stats).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+}  // namespace isotouch::daemon
+
+int main(int argc, char** argv) {
+  using namespace isotouch::daemon;
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGPIPE);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, `watch` takes them
+  try {
+    Options options;
+    int exit_code = 0;
+    return read_options(argc, argv, options, exit_code) ? run(options) : exit_code;
+  } catch (const std::exception& error) {
+    return refuse(error.what());
+  }
+}
