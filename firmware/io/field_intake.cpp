@@ -2,6 +2,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -68,11 +69,27 @@ std::string FieldIntake::begin_with_active() {
   return refusal.empty() ? refusal : "the field that was active last was not loaded: " + refusal;
 }
 
-std::string FieldIntake::begin_with(std::span<const std::uint8_t> packed) {
-  const Result<PackedBlob> header = PackedBlob::parse(packed);
-  if (!header) return unusable(header.error());
-  std::string refusal = unpack(packed, header->image_hash);
-  if (refusal.empty()) refusal = publish(header->image_hash);
+std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
+  std::uint64_t hash = 0;
+  std::string refusal;
+  if (PackedBlob::has_magic(field)) {
+    const Result<PackedBlob> packed = PackedBlob::parse(field);
+    if (!packed) return unusable(packed.error());
+    hash = packed->image_hash;
+    refusal = unpack(field, hash);
+  } else {
+    const std::span<std::uint8_t> image = slots_.begin(field.size());
+    if (image.empty()) return unusable(Error::kBadSize);
+    std::copy(field.begin(), field.end(), image.begin());
+    const Result<BlobView> view = BlobView::parse(image);
+    if (!view) {
+      refusal = unusable(view.error());
+    } else {
+      hash = view->hash();
+      refusal = check_ ? check_(*view) : std::string();
+    }
+  }
+  if (refusal.empty()) refusal = publish(hash);
   slots_.abandon();
   return refusal;
 }

@@ -57,10 +57,10 @@ class FieldIntake {
   /// returns   a sentence when there should be one and is none
   std::string begin_with_active();
 
-  /// Begins with a packed field that is nowhere stored, instead.
+  /// Begins with a field that is nowhere stored, instead: packed, or an image as it is.
   ///
   /// returns   a sentence when it was not loaded
-  std::string begin_with(std::span<const std::uint8_t> packed);
+  std::string begin_with(std::span<const std::uint8_t> field);
 
   /// What is stored, oldest first; empty without a store.
   std::vector<StoredField> stored();
