@@ -232,6 +232,7 @@ int run(const Options& options) {
   records.join();
   recorder.drain();
   recorder.stop();
+  say("at the end, " + supervisor_line(recorder.state(), recorder.faults()));
   std::fputs(figures(stats).c_str(), stdout);
   return 0;
 }

@@ -1,0 +1,54 @@
+#include "firmware/daemon/status_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "firmware/loop/realtime.h"
+
+namespace isotouch::daemon {
+namespace {
+
+TEST(StatusLines, EveryStateHasALineOfItsOwn) {
+  std::set<std::string> lines;
+  for (std::uint16_t state = 0; state <= 6; ++state) lines.insert(supervisor_line(static_cast<SupervisorState>(state), 0));
+  EXPECT_EQ(lines.size(), 7U);
+  for (const std::string& line : lines) EXPECT_EQ(line.find("state: "), 0U);
+  EXPECT_EQ(supervisor_line(SupervisorState::kFault, kFaultSilent | kFaultStopped), "state: fault, no force until resumed: stopped silent");
+}
+
+TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
+  io::PortReport report;
+  EXPECT_EQ(device_line(report), "device: looking for one");
+  report.troubled = true;
+  report.trouble = Error::kNotFound;
+  EXPECT_EQ(device_line(report), "device: looking for one; no such device is there");
+  report.state = io::SessionState::kBooting;
+  EXPECT_EQ(device_line(report), "device: found, being brought up");
+  report.state = io::SessionState::kRunning;
+  report.serial = {'A', '1'};
+  EXPECT_EQ(device_line(report), "device: running, serial A1");
+  report.state = io::SessionState::kSearching;
+  report.boots = 1;
+  report.boot.outcome = io::BootOutcome::kNoHandshake;
+  EXPECT_EQ(device_line(report), "device: " + io::explain(report.boot));
+}
+
+TEST(StatusLines, ARefusalNamesWhatIsMissing) {
+  EXPECT_EQ(refusal_line(0), "");
+  EXPECT_EQ(refusal_line(loop::kRefusedPriority | loop::kRefusedMemory).find("runs without a real-time priority, locked memory, which"),
+            0U);
+}
+
+TEST(StatusLines, FiguresLeaveOutWhatWasNeverMeasured) {
+  loop::TickStats stats;
+  stats.ticks.add(5);
+  stats.tick_time.add(1'500'000);
+  const std::string text = figures(stats);
+  EXPECT_NE(text.find("ticks 5, fresh 0"), std::string::npos);
+  EXPECT_NE(text.find("max    1500.0 us"), std::string::npos);
+  EXPECT_EQ(text.find("round trip"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace isotouch::daemon

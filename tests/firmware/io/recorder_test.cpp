@@ -1,0 +1,134 @@
+#include "firmware/io/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::io {
+namespace {
+
+/// A recorder whose ticks the test makes.
+struct Bench {
+  explicit Bench(bool keeps = false) {
+    if (keeps) std::filesystem::create_directory(state);
+    DeviceTraceHeader header;
+    header.device = libnifalcon_model();
+    recorder.emplace(
+        RecorderSettings{header, keeps ? state : std::string(), 50, 10, 2}, ring, &watched, commands,
+        [](std::uint32_t generation) { return generation * 1000ULL; }, [this](const std::string& line) { said.push_back(line); });
+  }
+
+  void ticks(int count, std::uint32_t generation = 0, SupervisorState shown = SupervisorState::kIdle) {
+    for (int i = 0; i < count; ++i) {
+      loop::TickRecord tick;
+      tick.number = ++number;
+      tick.in.commands = commands.take();
+      tick.in.field_generation = generation;
+      tick.out.tick.state = static_cast<std::uint16_t>(shown);
+      tick.out.faults = shown == SupervisorState::kFault ? kFaultSilent : 0;
+      ring.push(tick);
+    }
+    recorder->drain();
+  }
+  static WireTrace read(const std::string& file) {
+    WireTrace trace;
+    EXPECT_EQ(read_wire_trace(file, trace), "");
+    return trace;
+  }
+
+  ScratchFolder folder;
+  std::string path = (folder.path() / "a.trace").string(), state = (folder.path() / "state").string();
+  loop::TraceRing ring{1024}, watched{16};
+  loop::Commands commands;
+  std::vector<std::string> said;
+  std::uint64_t number = 0;
+  std::optional<Recorder> recorder;
+};
+
+TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
+  Bench bench;
+  bench.ticks(5);
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(10);
+  bench.recorder->stop();
+  bench.ticks(5);
+  const WireTrace trace = bench.read(bench.path);
+  ASSERT_EQ(trace.records.size(), 10U);
+  EXPECT_EQ(trace.records[0].input.commands, kCommandRestart);
+  EXPECT_EQ(trace.header.run.blob_hash, 0U);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
+}
+
+TEST(Recorder, OneRecordingAtATime) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  EXPECT_EQ(bench.recorder->start("b"), "a recording is under way: " + bench.path);
+}
+
+TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  bench.ticks(4, 7);
+  bench.ticks(2, 0);
+  bench.ticks(5, 8);
+  const WireTrace trace = bench.read(bench.path);
+  EXPECT_EQ(trace.records.size(), 9U);
+  EXPECT_EQ(trace.header.run.blob_hash, 7000U);
+  EXPECT_NE(bench.said.at(0).find("another field was loaded"), std::string::npos);
+}
+
+TEST(Recorder, EndsWhereTheRingLostATick) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  ++bench.number;
+  bench.ticks(3);
+  EXPECT_EQ(bench.read(bench.path).records.size(), 3U);
+  EXPECT_NE(bench.said.at(0).find("ticks were lost"), std::string::npos);
+}
+
+TEST(Recorder, PassesEveryTickOnAsLongAsThereIsRoom) {
+  Bench bench;
+  bench.ticks(20);
+  loop::TickRecord tick;
+  for (std::uint64_t i = 1; i <= 16; ++i) {
+    ASSERT_TRUE(bench.watched.pop(tick));
+    EXPECT_EQ(tick.number, i);
+  }
+  EXPECT_FALSE(bench.watched.pop(tick));
+}
+
+TEST(Recorder, KeepsWhatWasBeforeAFault) {
+  Bench bench(true);
+  const std::string& state = bench.state;
+  bench.ticks(100, 3, SupervisorState::kActive);
+  EXPECT_EQ(bench.recorder->state(), SupervisorState::kActive);
+  bench.ticks(5, 3, SupervisorState::kFault);
+  EXPECT_EQ(bench.recorder->faults(), kFaultSilent);
+  EXPECT_TRUE(std::filesystem::is_empty(state)) << "what comes after it belongs to it";
+  bench.ticks(100, 3, SupervisorState::kFault);
+  const WireTrace trace = bench.read(state + "/fault-1.trace");
+  ASSERT_EQ(trace.records.size(), 60U);
+  EXPECT_EQ(trace.header.run.blob_hash, 3000U);
+  for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(trace.records[i].output.faults, i < 49 ? 0 : kFaultSilent) << i;
+  for (int fault = 0; fault < 3; ++fault) {
+    bench.ticks(20, 3, SupervisorState::kIdle);
+    bench.ticks(20, 3, SupervisorState::kFault);
+  }
+  EXPECT_TRUE(std::filesystem::exists(state + "/fault-2.trace"));
+  EXPECT_FALSE(std::filesystem::exists(state + "/fault-3.trace")) << "a fault that comes and goes does not fill the disk";
+}
+
+TEST(Recorder, AnEndInTheMiddleCompletesWhatIsWritten) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  bench.recorder.reset();
+  EXPECT_EQ(bench.read(bench.path).records.size(), 3U);
+}
+
+}  // namespace
+}  // namespace isotouch::io
