@@ -38,6 +38,7 @@ ControlServer::~ControlServer() {
 
 std::string ControlServer::start() {
   std::string refusal = socket_.open(settings_.path, settings_.mode, settings_.group);
+  stop_ = false;
   if (refusal.empty()) thread_ = std::thread([this] { run(); });
   return refusal;
 }
@@ -48,6 +49,8 @@ void ControlServer::stop() {
   const std::uint64_t ring = 1;
   (void)!::write(bell_, &ring, sizeof ring);
   thread_.join();
+  std::uint64_t rings = 0;
+  (void)!::read(bell_, &rings, sizeof rings);
   for (ControlClient& client : clients_) client.close();
   socket_.close();
 }
@@ -73,7 +76,8 @@ bool ControlServer::wait(bool busy) {
     const bool reads = !client.waiting && !client.leaving && client.wants_more() && client.has_room();
     polled_.push_back({client.socket(), static_cast<short>((reads ? POLLIN : 0) | (client.has_unsent() ? POLLOUT : 0)), 0});
   }
-  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : kNapMs) < 0) return false;
+  const auto nap_ms = static_cast<int>(std::min<std::int64_t>(kNapMs, settings_.patience_ns / 4'000'000 + 1));
+  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : nap_ms) < 0) return false;
   const std::int64_t now = neighbours_.clock.now_ns();
   for (std::size_t i = 0; i < clients_.size(); ++i) {
     if ((polled_[i + 3].revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
