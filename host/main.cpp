@@ -34,6 +34,13 @@ int main(int argc, char** argv) {
   commands::add_bench(app);
   commands::add_render(app);
   commands::add_demo(app);
+  commands::add_upload(app);
+  commands::add_status(app);
+  commands::add_latency(app);
+  commands::add_fields(app);
+  commands::add_record(app);
+  commands::add_stop(app);
+  commands::add_resume(app);
   try {
     app.parse(argc, argv);
     return kDone;

@@ -38,6 +38,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/vdb", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/blob", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
+    {"host/link", {{"host/error.h", "shared"}}},
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},
     {"host/view", {{"host", "firmware/core", "shared"}}},
     {"host/commands", {{"host", "firmware/core", "shared"}}},

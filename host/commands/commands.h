@@ -27,5 +27,12 @@ void add_evaluate(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_render(CLI::App& app);
 void add_demo(CLI::App& app);
+void add_upload(CLI::App& app);
+void add_status(CLI::App& app);
+void add_latency(CLI::App& app);
+void add_fields(CLI::App& app);
+void add_record(CLI::App& app);
+void add_stop(CLI::App& app);
+void add_resume(CLI::App& app);
 
 }  // namespace isotouch::commands

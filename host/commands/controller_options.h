@@ -1,0 +1,38 @@
+/// What all commands that speak with a controller have in common.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "shared/wire_messages.h"
+
+namespace isotouch::commands {
+
+/// --to ADDRESS, required.
+inline void add_address(CLI::App& command, std::string& address) {
+  command.add_option("--to", address, "the controller: unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]")
+      ->required();
+}
+
+/// What a controller measures, in the order of wire::Measure: names, and what a unit is for people.
+struct MeasureName {
+  const char* key;
+  const char* text;
+  bool in_ticks;  ///< else in microseconds
+};
+inline constexpr std::array<MeasureName, wire::kMeasures> kMeasureNames = {{
+    {"wakeup_us", "wake-up", false},
+    {"tick_us", "tick", false},
+    {"round_trip_us", "round trip", false},
+    {"delay_ticks", "sensor to motor", true},
+}};
+
+/// ns → the unit of a measure.
+inline double in_unit(const MeasureName& measure, std::uint32_t ns, std::uint32_t period_ns) {
+  return measure.in_ticks ? static_cast<double>(ns) / std::max(period_ns, std::uint32_t{1}) : static_cast<double>(ns) / 1000.0;
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,75 @@
+/// isotouch record: what a running controller does, as a trace that replays.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "host/commands/commands.h"
+#include "host/commands/controller_options.h"
+#include "host/error.h"
+#include "host/evaluate/hash_text.h"
+#include "host/evaluate/trace_file.h"
+#include "host/link/controller.h"
+#include "shared/device_trace.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::string to;
+  std::filesystem::path out;
+  double seconds = 10;
+  bool json = false;
+};
+
+void run(const Options& options) {
+  using device_trace_layout::kRecordBytes;
+  link::Controller controller(options.to);
+  const double period = controller.welcome().period_ns / 1e9;
+  const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
+  const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
+  std::optional<evaluate::DeviceTraceWriter> writer;
+  std::uint64_t chain = 0;
+  controller.record(
+      ticks,
+      [&](std::span<const std::uint8_t> bytes) {
+        const Result<DeviceTraceHeader> header = decode_device_header(bytes, bytes.size());
+        if (!header) throw refuse("the recording's header cannot be read");
+        writer.emplace(options.out, *header);
+      },
+      [&](std::span<const std::uint8_t> bytes) {
+        if (bytes.size() != kRecordBytes) throw refuse("the recording has another format");
+        const Result<DeviceTraceRecord> record = decode_device_record(bytes.first<kRecordBytes>());
+        if (!record) throw refuse("a record of the recording cannot be read");
+        writer->append(*record);
+        chain = record->chain;
+      });
+  writer->finish();
+  if (options.json) {
+    const nlohmann::ordered_json json{{"ticks", ticks}, {"hash", evaluate::hash_text(chain)}};
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(ticks), evaluate::hash_text(chain).c_str());
+  }
+}
+
+}  // namespace
+
+void add_record(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("record", "Record the ticks of a running controller from now on, as a trace that replays to the bit");
+  add_address(*command, options->to);
+  command->add_option("-o,--out", options->out, "the trace to write (.trace)")->required();
+  command->add_option("--seconds", options->seconds, "how long")->check(CLI::Range(0.001, 86400.0))->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

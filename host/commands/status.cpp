@@ -1,0 +1,91 @@
+/// isotouch status: how a running controller is.
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/commands/commands.h"
+#include "host/commands/controller_options.h"
+#include "host/evaluate/hash_text.h"
+#include "host/link/controller.h"
+#include "shared/device_io.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::string to;
+  bool json = false;
+};
+
+/// SupervisorState in words.
+std::string state_name(std::uint16_t state) {
+  constexpr std::array<const char*, 7> kNames = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
+  return state < kNames.size() ? kNames[state] : "unknown";
+}
+
+/// Faults in words.
+std::vector<std::string> fault_names(std::uint16_t faults) {
+  std::vector<std::string> names;
+  if ((faults & kFaultStopped) != 0) names.emplace_back("stopped");
+  if ((faults & kFaultSilent) != 0) names.emplace_back("silent");
+  if ((faults & kFaultPenetration) != 0) names.emplace_back("penetration");
+  if ((faults & ~(kFaultStopped | kFaultSilent | kFaultPenetration)) != 0) names.emplace_back("unknown");
+  return names;
+}
+
+void print_json(const wire::StatusReport& status, const wire::Welcome& welcome) {
+  nlohmann::ordered_json json{{"program", welcome.program.view()},
+                              {"state", state_name(status.state)},
+                              {"ticks", status.ticks},
+                              {"late", status.late},
+                              {"faults", fault_names(status.faults)},
+                              {"field_hash", nullptr}};
+  if (status.field_hash != 0) json["field_hash"] = evaluate::hash_text(status.field_hash);
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
+    const wire::Quantiles& q = status.measures[i];
+    json[kMeasureNames[i].key] = {{"p50", in(q.p50)}, {"p999", in(q.p999)}, {"max", in(q.max)}};
+  }
+  json["allocations"] = status.allocations;
+  json["page_faults"] = status.page_faults;
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_text(const wire::StatusReport& status, const wire::Welcome& welcome) {
+  std::string state = state_name(status.state);
+  for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
+  std::printf("%-17s%s\n", "state", state.c_str());
+  std::printf("%-17s%s\n", "field", status.field_hash == 0 ? "none" : evaluate::hash_text(status.field_hash).c_str());
+  std::printf("%-17s%llu, of which late %llu\n", "ticks", static_cast<unsigned long long>(status.ticks),
+              static_cast<unsigned long long>(status.late));
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
+    const wire::Quantiles& q = status.measures[i];
+    std::printf("%-17smedian %.1f, 99.9 %% %.1f, largest %.1f %s\n", kMeasureNames[i].text, in(q.p50), in(q.p999), in(q.max),
+                kMeasureNames[i].in_ticks ? "ticks" : "us");
+  }
+  std::printf("%-17s%llu, page faults %llu\n", "allocations", static_cast<unsigned long long>(status.allocations),
+              static_cast<unsigned long long>(status.page_faults));
+}
+
+void run(const Options& options) {
+  link::Controller controller(options.to);
+  const wire::StatusReport status = controller.status();
+  options.json ? print_json(status, controller.welcome()) : print_text(status, controller.welcome());
+}
+
+}  // namespace
+
+void add_status(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("status", "How a running controller is: state, faults, field, times");
+  add_address(*command, options->to);
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

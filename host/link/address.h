@@ -1,0 +1,29 @@
+/// Where a controller is, as written on the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace isotouch::link {
+
+/// `unix:PATH`, or `ssh://[USER@]HOST[:PORT][/SOCKET]`.
+struct Address {
+  std::string text;    ///< as written, for sentences
+  std::string socket;  ///< path of the control socket; over ssh it may be empty: the one that the controller's program knows
+  std::string host;    ///< empty: this machine
+  std::string user;    ///< empty: as ssh chooses
+  std::string port;    ///< empty: as ssh chooses
+
+  bool is_remote() const { return !host.empty(); }
+};
+
+/// fails     InputError: what is wrong with it and how one looks
+Address read_address(const std::string& text);
+
+/// The program that reaches a remote controller, with its arguments: ssh, that runs the relay there. Nothing in an address is taken for an option, or
+/// for more than one word, on either machine.
+///
+/// ssh       name or path of the program
+std::vector<std::string> ssh_command(const Address& address, const std::string& ssh);
+
+}  // namespace isotouch::link

@@ -1,0 +1,134 @@
+#include "host/link/connection.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "host/error.h"
+
+extern char** environ;
+
+namespace isotouch::link {
+
+namespace {
+
+int connect_to(const Address& address) {
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  if (address.socket.size() >= sizeof name.sun_path) {
+    throw InputError(address.text + ": is too long for the path of a socket (at most 107 characters); use a shorter one");
+  }
+  std::copy(address.socket.begin(), address.socket.end(), name.sun_path);
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0) return socket;
+  const std::string why = std::strerror(errno);
+  if (socket >= 0) ::close(socket);
+  throw InputError(address.text + ": no controller answers there (" + why + "); start isotouchd, or check the path and its permissions");
+}
+
+/// Runs ssh with one end of a pair of sockets as its input and output. returns the other end
+int run_ssh(const Address& address, pid_t& child) {
+  const char* chosen = std::getenv("ISOTOUCH_SSH");
+  std::vector<std::string> command = ssh_command(address, chosen != nullptr && *chosen != 0 ? chosen : "ssh");
+  std::vector<char*> words;
+  for (std::string& word : command) words.push_back(word.data());
+  words.push_back(nullptr);
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(address.text + ": " + std::strerror(errno));
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
+  posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
+  const int failed = ::posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (failed == 0) return ends[0];
+  child = -1;
+  ::close(ends[0]);
+  throw InputError(address.text + ": " + command[0] + " cannot be run (" + std::strerror(failed) + "); install an ssh client");
+}
+
+}  // namespace
+
+Connection::Connection(const Address& address) : address_(address), frame_(wire::kMaxFrame), in_(2 * wire::kMaxFrame) {
+  stream_ = address.is_remote() ? run_ssh(address, child_) : connect_to(address);
+}
+
+Connection::~Connection() {
+  if (stream_ >= 0) ::close(stream_);
+  if (child_ <= 0) return;
+  ::kill(child_, SIGTERM);  // all answers are there; a connection that hangs is not waited for
+  ::waitpid(child_, nullptr, 0);
+}
+
+void Connection::send_frame(std::size_t bytes) {
+  for (std::size_t sent = 0; sent < bytes && !broken_;) {
+    const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL);
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken < 0) broken_ = true;  // it may have said why
+    if (taken > 0) sent += static_cast<std::size_t>(taken);
+  }
+}
+
+wire::Frame Connection::receive(int patience_ms) {
+  for (;;) {
+    const auto frame = wire::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
+    if (!frame) {
+      throw InputError(address_.text + ": what answers is no controller of this release (" + describe(frame.error()) +
+                       "); check the address, and that nothing else is printed there at login");
+    }
+    if (frame->size > 0) {
+      used_ += frame->size;
+      return *frame;
+    }
+    if (!read_more(patience_ms)) throw InputError(address_.text + ": the controller does not answer; see whether it runs");
+  }
+}
+
+bool Connection::has_input() {
+  const auto frame = wire::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
+  if (!frame || frame->size > 0) return true;
+  pollfd one{stream_, POLLIN, 0};
+  return ::poll(&one, 1, 0) > 0;
+}
+
+/// returns   false: nothing has come in time
+bool Connection::read_more(int patience_ms) {
+  std::copy(in_.begin() + static_cast<std::ptrdiff_t>(used_), in_.begin() + static_cast<std::ptrdiff_t>(in_size_), in_.begin());
+  in_size_ -= used_;
+  used_ = 0;
+  pollfd one{stream_, POLLIN, 0};
+  const int ready = ::poll(&one, 1, patience_ms);
+  if (ready < 0 && errno == EINTR) return true;
+  if (ready == 0) return false;
+  const ssize_t got = ::recv(stream_, in_.data() + in_size_, in_.size() - in_size_, 0);
+  if (got < 0 && errno == EINTR) return true;
+  if (got <= 0) complain_of_the_end();
+  in_size_ += static_cast<std::size_t>(got);
+  return true;
+}
+
+void Connection::complain_of_the_end() {
+  if (child_ > 0) {
+    int status = 0;
+    ::waitpid(child_, &status, 0);
+    child_ = -1;
+    if (WIFEXITED(status) && WEXITSTATUS(status) != 0) {
+      throw InputError(address_.text + ": ssh ended with status " + std::to_string(WEXITSTATUS(status)) +
+                       " before the controller had answered; see what it said, and that isotouchd is installed there");
+    }
+  }
+  throw InputError(address_.text + ": the controller closed the connection; see whether it still runs");
+}
+
+}  // namespace isotouch::link

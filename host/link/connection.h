@@ -1,0 +1,56 @@
+/// A byte stream to a controller: its local socket, or ssh as a child process. No port is opened and no cryptography is ours.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/link/address.h"
+#include "shared/wire.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::link {
+
+class Connection {
+ public:
+  /// Connects; for a remote controller the program is ISOTOUCH_SSH of the environment, or else ssh.
+  ///
+  /// fails     InputError: what is not there and what to do
+  explicit Connection(const Address& address);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  const Address& address() const { return address_; }
+
+  template <class Message>
+  void send(wire::Kind kind, const Message& message) {
+    send_frame(wire::encode(kind, message, frame_));
+  }
+  void send(wire::Kind kind) { send_frame(wire::seal_frame(kind, 0, frame_)); }
+
+  /// The next frame; valid until the next call.
+  ///
+  /// fails     InputError: the controller is gone, says nothing for so long, or what comes is not of the wire
+  wire::Frame receive(int patience_ms);
+
+  /// True when `receive` would not wait.
+  bool has_input();
+
+ private:
+  void send_frame(std::size_t bytes);
+  bool read_more(int patience_ms);
+  [[noreturn]] void complain_of_the_end();
+
+  Address address_;
+  int stream_ = -1;
+  pid_t child_ = -1;
+  std::vector<std::uint8_t> frame_, in_;
+  std::size_t in_size_ = 0, used_ = 0;
+  bool broken_ = false;  ///< it takes no more; what it said before may still be read
+};
+
+}  // namespace isotouch::link

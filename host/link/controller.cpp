@@ -1,0 +1,121 @@
+#include "host/link/controller.h"
+
+#include <algorithm>
+
+#include "host/error.h"
+
+namespace isotouch::link {
+
+namespace {
+
+using wire::Kind;
+
+constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
+constexpr int kAnswer = 10'000;
+constexpr int kChecking = 120'000;      ///< a large field on a slow disk
+constexpr std::size_t kSentAhead = 16;  ///< chunks without their answers: a far controller is not waited for each time
+
+/// Nothing that a terminal would obey.
+std::string for_people(std::span<const std::uint8_t> bytes) {
+  std::string text(bytes.begin(), bytes.end());
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+Controller::Controller(const std::string& address) : connection_(read_address(address)) {
+  connection_.send(Kind::kHello, wire::Hello{});
+  welcome_ = read<wire::Welcome>(expect(Kind::kWelcome, kGreeting));
+}
+
+wire::StatusReport Controller::status() {
+  connection_.send(Kind::kStatus);
+  return read<wire::StatusReport>(expect(Kind::kStatusReport, kAnswer));
+}
+
+Histogram Controller::histogram(wire::Measure measure) {
+  connection_.send(Kind::kHistogram, wire::HistogramRequest{static_cast<std::uint8_t>(measure)});
+  const auto report = read<wire::HistogramReport>(expect(Kind::kHistogramReport, kAnswer));
+  Histogram histogram{report.count, {}};
+  for (std::size_t at = 0; at + wire::kBinBytes <= report.bins.size(); at += wire::kBinBytes) {
+    histogram.bins.push_back(*wire::decode<wire::Bin>(report.bins.subspan(at, wire::kBinBytes)));
+  }
+  return histogram;
+}
+
+wire::Accepted Controller::upload(const wire::Begin& field, std::span<const std::uint8_t> packed) {
+  connection_.send(Kind::kBegin, field);
+  (void)expect(Kind::kDone, kAnswer);
+  std::size_t unanswered = 0;
+  for (std::size_t at = 0; at < packed.size(); at += wire::kMaxChunk) {
+    connection_.send(Kind::kChunk, wire::Chunk{at, packed.subspan(at, std::min(wire::kMaxChunk, packed.size() - at))});
+    for (++unanswered; unanswered == kSentAhead || (unanswered > 0 && connection_.has_input()); --unanswered)
+      (void)expect(Kind::kDone, kAnswer);
+  }
+  for (; unanswered > 0; --unanswered) (void)expect(Kind::kDone, kAnswer);
+  connection_.send(Kind::kCommit);
+  return read<wire::Accepted>(expect(Kind::kAccepted, kChecking));
+}
+
+std::vector<wire::FieldEntry> Controller::fields() {
+  connection_.send(Kind::kFields);
+  const auto list = read<wire::FieldList>(expect(Kind::kFieldList, kAnswer));
+  std::vector<wire::FieldEntry> fields(list.count);
+  wire::BodyReader entries(list.entries);
+  for (wire::FieldEntry& entry : fields) wire::FieldEntry::fields(entry, entries);
+  if (!entries.is_good()) complain("a list of fields is shorter than it says; install the same release on both sides");
+  return fields;
+}
+
+wire::Accepted Controller::select(std::uint64_t image_hash) {
+  connection_.send(Kind::kSelect, wire::Select{image_hash});
+  return read<wire::Accepted>(expect(Kind::kAccepted, kChecking));
+}
+
+void Controller::stop() {
+  connection_.send(Kind::kStop);
+  (void)expect(Kind::kDone, kAnswer);
+}
+
+void Controller::resume() {
+  connection_.send(Kind::kResume);
+  (void)expect(Kind::kDone, kAnswer);
+}
+
+void Controller::record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
+                        const std::function<void(std::span<const std::uint8_t>)>& record) {
+  connection_.send(Kind::kRecord);
+  header(read<wire::Recording>(expect(Kind::kRecording, kAnswer)).header);
+  std::uint64_t next = 0;
+  for (std::uint64_t taken = 0; taken < ticks;) {
+    const auto records = read<wire::Records>(expect(Kind::kRecords, kAnswer));
+    if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0 || (taken > 0 && records.first_tick != next)) {
+      complain("the recording has a gap; record again");
+    }
+    for (std::size_t at = 0; at < records.bytes.size() && taken < ticks; at += records.record_bytes, ++taken) {
+      record(records.bytes.subspan(at, records.record_bytes));
+    }
+    next = records.first_tick + records.bytes.size() / records.record_bytes;
+  }
+}
+
+/// The answer of that kind. Whatever else comes ends the conversation.
+wire::Frame Controller::expect(Kind kind, int patience_ms) {
+  const wire::Frame frame = connection_.receive(patience_ms);
+  if (frame.kind == kind) return frame;
+  if (frame.kind == Kind::kRefused) complain(for_people(read<wire::Refusal>(frame).sentence));
+  complain("the controller answered something else than was asked; install the same release on both sides");
+}
+
+template <class Message>
+Message Controller::read(const wire::Frame& frame) {
+  const Result<Message> message = wire::decode<Message>(frame.body);
+  if (!message) complain("an answer is shorter than its kind demands; install the same release on both sides");
+  return *message;
+}
+
+void Controller::complain(const std::string& sentence) { throw InputError(connection_.address().text + ": " + sentence); }
+
+}  // namespace isotouch::link

@@ -1,0 +1,60 @@
+/// A running controller, as the host tool speaks with it: each request of the wire is one function.
+///
+/// fails     every function: InputError with the address and one sentence, the controller's own where it refuses
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/link/connection.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::link {
+
+/// How many values were at most `upper`, and above the class before; ns.
+struct Histogram {
+  std::uint64_t count = 0;
+  std::vector<wire::Bin> bins;
+};
+
+class Controller {
+ public:
+  /// Connects and greets.
+  explicit Controller(const std::string& address);
+
+  const wire::Welcome& welcome() const { return welcome_; }
+
+  wire::StatusReport status();
+  Histogram histogram(wire::Measure measure);
+
+  /// Sends a packed blob. It is felt when this returns; when it throws the controller keeps the field before.
+  ///
+  /// packed    as `field` promises
+  wire::Accepted upload(const wire::Begin& field, std::span<const std::uint8_t> packed);
+
+  std::vector<wire::FieldEntry> fields();
+  wire::Accepted select(std::uint64_t image_hash);
+  void stop();
+  void resume();
+
+  /// Records so many ticks from now.
+  ///
+  /// header    called once with the trace's header
+  /// record    called with each record in turn
+  void record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
+              const std::function<void(std::span<const std::uint8_t>)>& record);
+
+ private:
+  wire::Frame expect(wire::Kind kind, int patience_ms);
+  template <class Message>
+  Message read(const wire::Frame& frame);
+  [[noreturn]] void complain(const std::string& sentence);
+
+  Connection connection_;
+  wire::Welcome welcome_;
+};
+
+}  // namespace isotouch::link
