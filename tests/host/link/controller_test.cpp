@@ -1,0 +1,133 @@
+#include "host/link/controller.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::link {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using testing::HasSubstr;
+using wire::Kind;
+
+/// A controller that answers its first client with prepared bytes, whatever it is asked, and goes.
+class Scripted {
+ public:
+  explicit Scripted(Bytes answers) : path_((scratch_.path() / "socket").string()) {
+    sockaddr_un name{};
+    name.sun_family = AF_UNIX;
+    std::copy(path_.begin(), path_.end(), name.sun_path);
+    door_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    EXPECT_EQ(::bind(door_, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
+    EXPECT_EQ(::listen(door_, 1), 0);
+    thread_ = std::thread([this, answers = std::move(answers)] {
+      const int client = ::accept(door_, nullptr, nullptr);
+      (void)::send(client, answers.data(), answers.size(), MSG_NOSIGNAL);
+      ::shutdown(client, SHUT_WR);
+      Bytes heard(4096);
+      while (::recv(client, heard.data(), heard.size(), 0) > 0) continue;
+      ::close(client);
+    });
+  }
+  ~Scripted() {
+    thread_.join();
+    ::close(door_);
+  }
+  std::string address() const { return "unix:" + path_; }
+
+ private:
+  ScratchFolder scratch_;
+  std::string path_;
+  int door_ = -1;
+  std::thread thread_;
+};
+
+template <class Message>
+Bytes frame(Kind kind, const Message& message) {
+  Bytes bytes(wire::kMaxFrame);
+  bytes.resize(wire::encode(kind, message, bytes));
+  return bytes;
+}
+Bytes frame(Kind kind) {
+  Bytes bytes(wire::kHeaderBytes);
+  wire::seal_frame(kind, 0, bytes);
+  return bytes;
+}
+Bytes refusal(const std::string& sentence) {
+  return frame(Kind::kRefused, wire::Refusal{2, {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
+}
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+const Bytes kWelcome = frame(Kind::kWelcome, wire::Welcome{});
+
+/// The sentence with which it ends.
+std::string complaint(const Bytes& answers, const std::function<void(Controller&)>& ask) {
+  const Scripted scripted(answers);
+  try {
+    Controller controller(scripted.address());
+    ask(controller);
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), testing::StartsWith(scripted.address() + ": "));
+    return e.what();
+  }
+  return {};
+}
+
+TEST(Controller, WhatTheControllerRefusesIsPassedOn) {
+  const Bytes field(100'000);
+  const auto upload = [&](Controller& c) { (void)c.upload({field.size(), 1, 2, {}}, field); };
+  EXPECT_THAT(complaint(kWelcome + refusal("too large; make it smaller"), upload), HasSubstr("too large; make it smaller"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kDone) + frame(Kind::kDone) + refusal("no more"), upload), HasSubstr("no more"));
+  EXPECT_THAT(complaint(refusal("user 7 may not"), upload), HasSubstr("user 7 may not"));
+  EXPECT_THAT(complaint(kWelcome + refusal("a\x1b[2Jb\nc"), upload), HasSubstr("a [2Jb c")) << "a terminal obeys none of it";
+}
+
+TEST(Controller, EveryEndAndEveryOddAnswerHasItsSentence) {
+  const auto status = [](Controller& c) { (void)c.status(); };
+  EXPECT_THAT(complaint({}, status), HasSubstr("closed the connection"));
+  EXPECT_THAT(complaint(kWelcome, status), HasSubstr("closed the connection"));
+  EXPECT_THAT(complaint(Bytes{'W', 'e', 'l', 'c', 'o', 'm', 'e'}, status), HasSubstr("nothing else is printed there at login"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kDone), status), HasSubstr("something else than was asked"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kStatusReport), status), HasSubstr("shorter than its kind demands"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kFieldList, wire::FieldList{3, {}}), [](Controller& c) { (void)c.fields(); }),
+              HasSubstr("shorter than it says"));
+}
+
+TEST(Controller, ARecordingWithAGapIsNone) {
+  const Bytes records(20), header(4);
+  const auto record = [](Controller& c) {
+    c.record(
+        5, [](std::span<const std::uint8_t>) {}, [](std::span<const std::uint8_t>) {});
+  };
+  const Bytes begin =
+      kWelcome + frame(Kind::kRecording, wire::Recording{header}) + frame(Kind::kRecords, wire::Records{7, 1, 10, 0, records});
+  EXPECT_EQ(complaint(begin + frame(Kind::kRecords, wire::Records{9, 1, 10, 0, records}) +
+                          frame(Kind::kRecords, wire::Records{11, 1, 10, 0, records}),
+                      record),
+            "");
+  EXPECT_THAT(complaint(begin + frame(Kind::kRecords, wire::Records{10, 1, 10, 0, records}), record), HasSubstr("gap"));
+  EXPECT_THAT(complaint(begin + frame(Kind::kRecords, wire::Records{9, 1, 11, 0, records}), record), HasSubstr("gap"));
+  EXPECT_THAT(complaint(begin + refusal("the recording ended: another field"), record), HasSubstr("another field"));
+}
+
+TEST(Controller, NobodyThereIsSaid) {
+  EXPECT_THROW(Controller("unix:/nowhere/at/all"), InputError);
+  EXPECT_THROW(Controller("unix:" + std::string(200, 'x')), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::link
