@@ -46,6 +46,7 @@ const std::vector<TickInput>& tour() {
 Trace recording(const ScratchFolder& folder) {
   TraceHeader header;
   header.settings.damping = Damping::of(0.001);
+  header.settings.force_limit = Newton::of(2.0);
   evaluate::Run run(capsules().view, header);
   TraceWriter writer(folder.path() / "tour.trace", run.header());
   for (const TickInput& input : tour()) writer.append(run.step(input));

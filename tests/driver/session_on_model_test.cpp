@@ -28,6 +28,8 @@ falcon_model::Settings held(const std::vector<std::string>& quirks, std::vector<
   return settings;
 }
 
+constexpr FalconCommand kSearch{{}, kFalconHoming};  // no force, and the reference marks
+
 struct Desk {
   ModelClock clock;
   ModelLink link;
@@ -36,7 +38,7 @@ struct Desk {
   explicit Desk(falcon_model::Settings settings) : link(std::move(settings), clock) {}
 
   bool comes_up() {
-    for (int i = 0; i < 3000 && session.state() != SessionState::kRunning; ++i) session.step({});
+    for (int i = 0; i < 3000 && session.state() != SessionState::kRunning; ++i) session.step(kSearch);
     return session.state() == SessionState::kRunning;
   }
 };
@@ -69,16 +71,16 @@ TEST(SessionOnModel, BootsWhateverTheDeviceDoesBesideTheRule) {
     EXPECT_EQ(desk.session.last_boot().attempts, c.attempts) << name << "of the last round";
     int fresh = 0;
     Exchange last;
-    for (int i = 0; i < 1000; ++i) fresh += (last = desk.session.step({})).fresh ? 1 : 0;
+    for (int i = 0; i < 1000; ++i) fresh += (last = desk.session.step(kSearch)).fresh ? 1 : 0;
     EXPECT_EQ(fresh, 1000) << name;
-    EXPECT_TRUE(last.homed) << name;
+    EXPECT_EQ(last.reply.homed, 7) << name;
   }
 }
 
 TEST(SessionOnModel, AsksForWallPower) {
   Desk desk(held({"no-wall-power"}));
-  desk.session.step({});
-  desk.session.step({});
+  desk.session.step(kSearch);
+  desk.session.step(kSearch);
   EXPECT_EQ(desk.session.last_boot().outcome, BootOutcome::kNoHandshake);
   EXPECT_EQ(desk.session.state(), SessionState::kSearching);
 }
@@ -94,7 +96,7 @@ TEST(SessionOnModel, CountsEveryFaultOfTheWireForWhatItIs) {
   ASSERT_TRUE(desk.comes_up());
   int fresh = 0, lost = 0;
   for (int i = 0; i < 1000; ++i) {
-    const Exchange exchange = desk.session.step({1, 2, 3});
+    const Exchange exchange = desk.session.step({{1, 2, 3}, kFalconHoming});
     fresh += exchange.fresh ? 1 : 0;
     lost += exchange.lost ? 1 : 0;
   }
@@ -116,7 +118,7 @@ TEST(SessionOnModel, ComesBackAfterUnplugAndAfterLostFirmware) {
   int homed_steps = 0;
   for (int i = 0; i < 6000; ++i) {
     const SessionState before = desk.session.state();
-    homed_steps += desk.session.step({}).homed ? 1 : 0;
+    homed_steps += desk.session.step(kSearch).reply.homed == 7 ? 1 : 0;
     if (before == SessionState::kBooting) boots.push_back(desk.session.last_boot().outcome);
   }
   EXPECT_EQ(desk.session.losses(), 2U);
