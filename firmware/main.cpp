@@ -184,7 +184,8 @@ int run(const Options& options) {
   loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
 
-  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock, {});
+  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
+                         [&](const BlobView& field) { return settings::refusal_of(field, settings); });
   if (const std::string refusal = settings.field.empty() ? intake.begin_with_active() : load_field(settings.field, intake);
       !refusal.empty()) {
     if (!settings.field.empty()) return refuse(refusal);

@@ -1,6 +1,9 @@
 #include "firmware/settings/apply.h"
 
 #include <cmath>
+#include <cstdio>
+
+#include "shared/certificate.h"
 
 namespace isotouch::settings {
 
@@ -66,6 +69,16 @@ TickSettings tick_settings(const Settings& settings) {
 }
 
 std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
+
+std::string refusal_of(const BlobView& field, const Settings& settings) {
+  const Loop loop = {period_ns(settings), fixed<Damping>(settings.damping_n_s_mm), static_cast<std::uint32_t>(settings.delay_ticks)};
+  const CertificateCheck check = check_certificate(field, loop, tick_settings(settings).stiffness);
+  if (check.accepted) return {};
+  if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error);
+  char most[32];
+  std::snprintf(most, sizeof most, "%.3g", std::floor(check.stiffness.raw() / 65.536) / 1000);
+  return std::string("the field is too stiff for this device at this rate; set feel.stiffness to at most ") + most + " N/mm";
+}
 
 io::SessionSettings session_settings(const Settings& settings) {
   io::SessionSettings session;

@@ -8,6 +8,7 @@
 #include "firmware/io/falcon_session.h"
 #include "firmware/loop/loop.h"
 #include "firmware/settings/settings.h"
+#include "shared/blob.h"
 
 namespace isotouch::settings {
 
@@ -19,6 +20,11 @@ TickSettings tick_settings(const Settings& settings);
 
 /// returns   the tick's period, 100,000 to 4,000,000
 std::uint32_t period_ns(const Settings& settings);
+
+/// Whether this device may render a field with these settings.
+///
+/// returns   one sentence why not, with what to do; empty when it may
+std::string refusal_of(const BlobView& field, const Settings& settings);
 
 io::SessionSettings session_settings(const Settings& settings);
 

@@ -31,6 +31,8 @@ struct Settings {
   std::optional<double> gear_ratio;
   std::optional<double> angle_at_zero_deg;
   std::array<double, 3> workspace_origin_mm = {0, 0, 125};
+  double damping_n_s_mm = 0.003;
+  int delay_ticks = 1;
   bool keep_homing_flag = true;
   std::string led_homing = "red";
   std::string led_idle = "blue";

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/field_image.h"
+
 namespace isotouch::settings {
 namespace {
 
@@ -78,6 +80,27 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(tick.ramp_ticks, 7U);
   EXPECT_EQ(period_ns(settings), 4'000'000U);
   EXPECT_EQ(field_bytes(settings), 64'000'000U);
+}
+
+TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
+  const test::FieldImage field({16, 16, 16},
+                               [](const test::Point& p) {
+                                 return test::length(p - test::Point{8, 8, 8}) - 3.0;
+                               },
+                               {.band = 2.0});
+  Settings settings;
+  EXPECT_EQ(refusal_of(field.view(), settings), "");
+  settings.stiffness = 2.5;  // 2 * 0.003 / (3 * 0.001) = 2 would do
+  EXPECT_EQ(refusal_of(field.view(), settings),
+            "the field is too stiff for this device at this rate; set feel.stiffness to at most 2 N/mm");
+  settings.stiffness = 1.99;
+  EXPECT_EQ(refusal_of(field.view(), settings), "");
+  settings.tick_hz = 250;
+  EXPECT_EQ(refusal_of(field.view(), settings),
+            "the field is too stiff for this device at this rate; set feel.stiffness to at most 0.5 N/mm");
+  settings.delay_ticks = 0;
+  settings.damping_n_s_mm = 0.006;
+  EXPECT_EQ(refusal_of(field.view(), settings), "");
 }
 
 TEST(ApplySettings, ACalibrationIsThatOfItsSerialOnly) {
