@@ -90,6 +90,6 @@ io::SessionSettings session_settings(const Settings& settings) {
   return session;
 }
 
-std::size_t field_bytes(const Settings& settings) { return static_cast<std::size_t>(std::llround(settings.field_mb * 1e6)); }
+std::size_t field_bytes(const Settings& settings) { return static_cast<std::size_t>(std::llround(settings.field_mib * 1024 * 1024)); }
 
 }  // namespace isotouch::settings

@@ -61,7 +61,7 @@ struct Settings {
   double fault_age_ms = 100;
   int count_jump = 400;
   int ramp_after_rest_ticks = 200;
-  double field_mb = 64;
+  double field_mib = 16;
 
   // [files]
   std::string field;

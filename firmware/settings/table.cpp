@@ -97,7 +97,7 @@ constexpr Setting kTable[] = {
     {"limits", "fault_age_ms", &S::fault_age_ms, "ms", 1, 1000, {}, "without a fresh sample until that is a fault", {}},
     {"limits", "count_jump", &S::count_jump, "counts", 10, 4000, {}, "change of an encoder in one tick that no hand makes", {}},
     {"limits", "ramp_after_rest_ticks", &S::ramp_after_rest_ticks, "ticks", 1, 100'000, {}, "from no force to full force after a rest", {}},
-    {"limits", "field_mb", &S::field_mb, "MB", 1, 1024, {}, "largest unpacked field; twice as much memory is taken at the start", {}},
+    {"limits", "field_mib", &S::field_mib, "MiB", 1, 1024, {}, "largest unpacked field; twice as much memory is taken at the start", {}},
 
     {"files", "field", &S::field, {}, 0, 0, {}, "blob to begin with; \"\" = none", {}},
     {"files", "record", &S::record, {}, 0, 0, {}, "file for a recording from the first tick on; \"\" = none", {}},

@@ -142,7 +142,8 @@ float thinnest(const Surroundings& distance, const std::array<Direction, 13>& wa
         if (!any(fall >= opposed)) continue;
         const Four next = load(at + way.step), rise = load(at + 2 * way.step) - next;
         const Four wall = (fall + rise) / 2.0F - (here + next);
-        thin = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin) ? wall : thin;
+        const auto thinner = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin);
+        thin = thinner ? wall : thin;
       }
     }
   }

@@ -79,7 +79,7 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(tick.force_limit, Newton::of(4));
   EXPECT_EQ(tick.ramp_ticks, 7U);
   EXPECT_EQ(period_ns(settings), 4'000'000U);
-  EXPECT_EQ(field_bytes(settings), 64'000'000U);
+  EXPECT_EQ(field_bytes(settings), 16U << 20);
 }
 
 TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
