@@ -50,7 +50,7 @@ class FieldIntake {
   IntakeOutcome accept(const wire::Begin& promised);
 
   /// The same for a stored field.
-  IntakeOutcome select(std::uint64_t hash);
+  IntakeOutcome select(std::uint64_t wanted);
 
   /// Begins with the field that was active last; before the tick's first step, does not wait.
   ///
