@@ -1,5 +1,6 @@
 #include "firmware/settings/apply.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -28,6 +29,10 @@ std::uint8_t led(const std::string& colour) {
   return 0;
 }
 
+std::uint32_t ticks_of_ms(double ms, const Settings& settings, std::uint32_t least) {
+  return std::max(static_cast<std::uint32_t>(std::ceil(ms * settings.tick_hz / 1000)), least);
+}
+
 std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
 
 }  // namespace
@@ -48,10 +53,10 @@ Result<DeviceModel> device_model(const Settings& settings, const std::string& se
   model.word_slew = settings.word_slew;
   model.penetration_limit = fixed<Mm>(settings.penetration_mm);
   model.speed_limit = fixed<MmPerS>(settings.speed_mm_s);
-  model.hold_ticks = static_cast<std::uint32_t>(settings.hold_ticks);
+  model.hold_ticks = ticks_of_ms(settings.hold_ms, settings, 2);
   model.fault_age_ns = static_cast<std::uint32_t>(ns_of_ms(settings.fault_age_ms));
   model.count_jump = settings.count_jump;
-  model.ramp_ticks = static_cast<std::uint32_t>(settings.ramp_after_rest_ticks);
+  model.ramp_ticks = ticks_of_ms(settings.ramp_after_rest_ms, settings, 1);
   model.homing_flag = settings.keep_homing_flag ? std::uint8_t{kFalconHoming} : std::uint8_t{0};
   model.led_homing = led(settings.led_homing);
   model.led_idle = led(settings.led_idle);
@@ -64,7 +69,7 @@ TickSettings tick_settings(const Settings& settings) {
   tick.stiffness = fixed<Stiffness>(settings.stiffness.value_or(0));
   tick.damping = fixed<Damping>(settings.damping);
   tick.force_limit = fixed<Newton>(settings.force_limit_n);
-  tick.ramp_ticks = static_cast<std::uint32_t>(settings.ramp_ticks);
+  tick.ramp_ticks = ticks_of_ms(settings.ramp_ms, settings, 1);
   return tick;
 }
 

@@ -50,17 +50,17 @@ struct Settings {
   std::optional<double> stiffness;
   double damping = 0;
   double force_limit_n = 8;
-  int ramp_ticks = 50;
+  double ramp_ms = 50;
 
   // [limits]
   int word = 4095;
   int word_slew = 1'000'000;
   double penetration_mm = 20;
   double speed_mm_s = 2000;
-  int hold_ticks = 3;
+  double hold_ms = 3;
   double fault_age_ms = 100;
   int count_jump = 400;
-  int ramp_after_rest_ticks = 200;
+  double ramp_after_rest_ms = 200;
   double field_mib = 16;
 
   // [files]

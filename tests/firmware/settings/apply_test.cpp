@@ -46,10 +46,10 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   settings.word_slew = 5000;
   settings.penetration_mm = 7.5;
   settings.speed_mm_s = 1500;
-  settings.hold_ticks = 5;
+  settings.hold_ms = 20;
   settings.fault_age_ms = 12.5;
   settings.count_jump = 99;
-  settings.ramp_after_rest_ticks = 11;
+  settings.ramp_after_rest_ms = 44;
   settings.keep_homing_flag = false;
   settings.led_homing = "none";
   settings.led_idle = "green";
@@ -57,7 +57,7 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   settings.stiffness = 1.5;
   settings.damping = 0.001;
   settings.force_limit_n = 4;
-  settings.ramp_ticks = 7;
+  settings.ramp_ms = 28;
   settings.tick_hz = 250;
   const DeviceModel model = *device_model(settings, "");
   EXPECT_EQ(model.workspace_origin, (Vec3<Mm>{Mm::of(1), Mm::of(-2.5), Mm::of(110)}));
@@ -80,6 +80,16 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(tick.ramp_ticks, 7U);
   EXPECT_EQ(period_ns(settings), 4'000'000U);
   EXPECT_EQ(field_bytes(settings), 16U << 20);
+}
+
+TEST(ApplySettings, TimesStayTimesAtAnyRate) {
+  Settings settings;
+  settings.tick_hz = 10'000;
+  EXPECT_EQ((*device_model(settings, "")).hold_ticks, 30U) << "a device of 1 kHz answers every tenth tick";
+  EXPECT_EQ((*device_model(settings, "")).ramp_ticks, 2000U);
+  EXPECT_EQ(tick_settings(settings).ramp_ticks, 500U);
+  settings.tick_hz = 250;
+  EXPECT_EQ((*device_model(settings, "")).hold_ticks, 2U);
 }
 
 TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
