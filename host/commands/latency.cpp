@@ -1,5 +1,6 @@
 /// isotouch latency: the histograms that a running controller keeps.
-#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,14 +19,19 @@ struct Options {
   bool json = false;
 };
 
-/// One line a class, with a bar on a scale that shows a single late tick among millions.
+/// One line for every doubling of the time, with a bar on a scale that shows a single late tick among millions.
 void print_text(const MeasureName& name, const link::Histogram& histogram, std::uint32_t period_ns) {
   std::printf("%s, %llu values, in %s\n", name.text, static_cast<unsigned long long>(histogram.count), name.in_ticks ? "ticks" : "us");
-  for (const wire::Bin& bin : histogram.bins) {
-    std::size_t bits = 0;
-    for (std::uint64_t count = bin.count; count > 0; count /= 2) ++bits;
-    std::printf("  up to %10.2f %12llu %s\n", in_unit(name, bin.upper, period_ns), static_cast<unsigned long long>(bin.count),
-                std::string(bits, '#').c_str());
+  for (auto bin = histogram.bins.begin(); bin != histogram.bins.end();) {
+    const int width = std::bit_width(bin->upper);
+    std::uint64_t count = 0;
+    double upper = 0.0;
+    for (; bin != histogram.bins.end() && std::bit_width(bin->upper) == width; ++bin) {
+      count += bin->count;
+      upper = in_unit(name, bin->upper, period_ns);
+    }
+    std::printf("  up to %10.2f %12llu %s\n", upper, static_cast<unsigned long long>(count),
+                std::string(static_cast<std::size_t>(std::bit_width(count)), '#').c_str());
   }
 }
 
