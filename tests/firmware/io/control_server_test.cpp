@@ -457,9 +457,10 @@ TEST(ControlServer, TenThousandRandomConnectionsDisturbNobody) {
     Speaker speaker(rig.settings.path);
     if (random.bits() % 2 == 0) speaker.send(frames[0]);
     for (std::uint64_t sent = random.bits() % 5; sent > 0; --sent) {
-      std::vector<std::uint8_t> frame = frames[random.bits() % frames.size()];
-      if (random.bits() % 3 == 0) frame[random.bits() % frame.size()] ^= static_cast<std::uint8_t>(1U << random.bits() % 8);
-      if (random.bits() % 3 == 0) frame.resize(random.bits() % frame.size());
+      std::vector<std::uint8_t> frame = frames[static_cast<std::size_t>(random.bits() % frames.size())];
+      if (random.bits() % 3 == 0)
+        frame[static_cast<std::size_t>(random.bits() % frame.size())] ^= static_cast<std::uint8_t>(1U << random.bits() % 8);
+      if (random.bits() % 3 == 0) frame.resize(static_cast<std::size_t>(random.bits() % frame.size()));
       if (random.bits() % 16 == 0) {
         for (std::uint8_t& byte : frame) byte = static_cast<std::uint8_t>(random.bits());
       }
