@@ -37,8 +37,8 @@ TEST(Histogram, QuantilesAreThoseOfTheSortedValuesToASixteenth) {
   EXPECT_EQ(now.total, values.size());
   EXPECT_EQ(now.largest_ns, values.back());
   for (const std::uint32_t share : {1U, 10'000U, 500'000U, 990'000U, 999'000U, 1'000'000U}) {
-    const auto rank = std::max<std::size_t>((values.size() * share + 999'999) / 1'000'000, 1);
-    const double exact = values[rank - 1];
+    const auto rank = std::max<std::uint64_t>((std::uint64_t{values.size()} * share + 999'999) / 1'000'000, 1);
+    const double exact = values[static_cast<std::size_t>(rank - 1)];
     EXPECT_GE(now.quantile_ns(share), exact) << share;
     EXPECT_LE(now.quantile_ns(share), exact * 17 / 16 + 1) << share;
   }
