@@ -33,6 +33,7 @@
 #include "firmware/loop/loop.h"
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/apply.h"
+#include "firmware/settings/control.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -200,7 +201,7 @@ int run(const Options& options) {
   std::optional<io::ControlServer> control;
   if (!settings.control.empty()) {
     io::ControlSettings wish;
-    wish.path = settings.control;
+    if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
     control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched});

@@ -70,6 +70,12 @@ struct Settings {
   std::string state;
   double before_fault_s = 5;
 
+  // [control]
+  std::string control_mode = "0660";
+  std::string control_group;
+  std::string control_users;
+  std::string control_groups;
+
   // [calibration.SERIAL]
   std::map<std::string, Calibration> calibrations;
 

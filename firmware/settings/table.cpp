@@ -97,7 +97,7 @@ constexpr Setting kTable[] = {
     {"limits", "fault_age_ms", &S::fault_age_ms, "ms", 1, 1000, {}, "without a fresh sample until that is a fault", {}},
     {"limits", "count_jump", &S::count_jump, "counts", 10, 4000, {}, "change of an encoder in one tick that no hand makes", {}},
     {"limits", "ramp_after_rest_ms", &S::ramp_after_rest_ms, "ms", 1, 10'000, {}, "from no force to full force after a rest", {}},
-    {"limits", "field_mib", &S::field_mib, "MiB", 1, 1024, {}, "largest unpacked field; twice as much memory is taken at the start", {}},
+    {"limits", "field_mib", &S::field_mib, "MiB", 1, 1024, {}, "largest unpacked field; four times as much memory is taken at the start", {}},
 
     {"files", "field", &S::field, {}, 0, 0, {}, "blob to begin with; \"\" = none", {}},
     {"files", "record", &S::record, {}, 0, 0, {}, "file for a recording from the first tick on; \"\" = none", {}},
@@ -112,6 +112,19 @@ constexpr Setting kTable[] = {
      {},
      "so much of the past is saved to the state folder when a fault comes",
      {}},
+
+    {"control", "mode", &S::control_mode, {}, 0, 0, {}, "permissions of the control socket's file, octal", {}},
+    {"control", "group", &S::control_group, {}, 0, 0, {}, "group of the socket's file; \"\" = the program's", {}},
+    {"control",
+     "users",
+     &S::control_users,
+     {},
+     0,
+     0,
+     {},
+     "who may use it beside root and the program's user: names or numbers, with commas",
+     {}},
+    {"control", "groups", &S::control_groups, {}, 0, 0, {}, "whose members may use it", {}},
 };
 
 std::string number(double value) {
