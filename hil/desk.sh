@@ -31,7 +31,7 @@ within() {
 }
 
 # Is the controller in one of these states, idle|active?
-is_in() { "$bin/isotouch" status --to "$control" --json | grep -qE "\"state\": \"($1)\""; }
+is_in() { "$bin/isotouch" status --to "$control" --json | grep -E "\"state\": \"($1)\"" >/dev/null; }
 
 # A value of the controller's status.
 status_of() { "$bin/isotouch" status --to "$control" --json | sed -nE "s/^ *\"$1\": \"?([^\",]*)\"?,?$/\1/p"; }
