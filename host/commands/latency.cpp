@@ -23,7 +23,7 @@ struct Options {
 void print_text(const MeasureName& name, const link::Histogram& histogram, std::uint32_t period_ns) {
   std::printf("%s, %llu values, in %s\n", name.text, static_cast<unsigned long long>(histogram.count), name.in_ticks ? "ticks" : "us");
   for (auto bin = histogram.bins.begin(); bin != histogram.bins.end();) {
-    const int width = std::bit_width(bin->upper);
+    const auto width = std::bit_width(bin->upper);  // signed or not, by the library
     std::uint64_t count = 0;
     double upper = 0.0;
     for (; bin != histogram.bins.end() && std::bit_width(bin->upper) == width; ++bin) {
