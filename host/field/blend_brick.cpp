@@ -230,8 +230,8 @@ BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector
   for (std::size_t i = 0; i < models.size(); ++i) models_.push_back(as_floats(positions_[i], models[i], balls[i]));
 }
 
-__attribute__((target_clones("avx2", "default"), flatten)) std::array<float, 64> BrickBlend::operator()(
-    const Eigen::Vector3d& first, std::span<const Neighbour> candidates, Doubt& doubt) const {
+ISOTOUCH_WIDEST std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::span<const Neighbour> candidates,
+                                                             Doubt& doubt) const {
   const Eigen::Vector3d middle = first + Eigen::Vector3d::Constant(1.5);
   thread_local std::vector<Candidate> near;  // they keep their memory
   thread_local Neighbourhood around;

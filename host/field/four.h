@@ -9,6 +9,14 @@
 #include <cstdint>
 #include <cstring>
 
+/// Before a function and all that it calls here: compiled twice, and the machine takes what it understands best, a quarter fewer instructions with
+/// AVX2. For gcc on x86-64; clang 14 gives such functions names that other files do not find.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define ISOTOUCH_WIDEST __attribute__((target_clones("avx2", "default"), flatten))
+#else
+#define ISOTOUCH_WIDEST
+#endif
+
 namespace isotouch::field {
 
 using Four = float __attribute__((vector_size(16)));
