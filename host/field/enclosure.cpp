@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -145,7 +146,7 @@ void Enclosure::add_node(std::uint32_t first, std::uint32_t count) {
       }
       return std::lexicographical_compare(a.area.begin(), a.area.end(), b.area.begin(), b.area.end());
     };
-    std::nth_element(samples.begin(), samples.begin() + half, samples.end(), along);
+    std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(half), samples.end(), along);
     add_node(first, half);
     add_node(first + half, count - half);
   }
