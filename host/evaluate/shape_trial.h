@@ -17,8 +17,8 @@
 
 namespace isotouch::evaluate {
 
-inline constexpr double kTrialVoxel = 0.34;  ///< mm, the paper's 300³ over 4 inches; a shape's unit is one voxel
-inline constexpr double kTrialBand = field::kBand;      ///< voxels
+inline constexpr double kTrialVoxel = 0.34;         ///< mm, the paper's 300³ over 4 inches; a shape's unit is one voxel
+inline constexpr double kTrialBand = field::kBand;  ///< voxels
 inline constexpr std::size_t kTrialTruths = 10'000;
 
 /// A shape on the desk: its points, its true surface and its grid, in the workspace.

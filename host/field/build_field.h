@@ -21,9 +21,9 @@ constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 /// What was doubtful about the samples, and mended.
 struct Repair {
   std::size_t isolated = 0;  ///< samples far from all others, left out
-  std::size_t turned = 0;  ///< normals that nearly all neighbours contradicted
-  Debris debris;           ///< pieces and cavities that no sample stands for
-  OpenRim rim;             ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
+  std::size_t turned = 0;    ///< normals that nearly all neighbours contradicted
+  Debris debris;             ///< pieces and cavities that no sample stands for
+  OpenRim rim;               ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
   std::vector<std::string> warnings() const;
 };
 

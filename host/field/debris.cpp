@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint32_t kFewest = 4;  // points that a piece stands on
 constexpr std::uint32_t kFew = 64;    // with so few the others are asked too
-constexpr float kClear = 1.0F;      // voxels: what is left of a dropped piece, and
-constexpr float kBeside = 0.5F;     // of what lay beside it, is no surface, and none for a spline that swings below its samples
+constexpr float kClear = 1.0F;        // voxels: what is left of a dropped piece, and
+constexpr float kBeside = 0.5F;       // of what lay beside it, is no surface, and none for a spline that swings below its samples
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
