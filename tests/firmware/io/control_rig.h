@@ -1,11 +1,13 @@
 /// A control server with everything behind it but the device: the tick is a thread that takes fields over, obeys commands and writes records.
 #pragma once
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
@@ -19,6 +21,7 @@
 #include "firmware/io/control_server.h"
 #include "firmware/io/linux_clock.h"
 #include "tests/firmware/io/crashing_folder.h"
+#include "tests/firmware/io/packed_field.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::io {
@@ -161,5 +164,40 @@ class Speaker {
   int socket_;
   std::vector<std::uint8_t> bytes_;
 };
+
+/// The frames of one upload, in order.
+inline std::vector<std::vector<std::uint8_t>> frames_of(const PackedField& field, std::size_t chunk) {
+  std::vector<std::vector<std::uint8_t>> frames;
+  const auto add = [&](auto write) {
+    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    frame.resize(write(std::span(frame)));
+    frames.push_back(frame);
+  };
+  add([](auto out) { return wire::encode(wire::Kind::kHello, wire::Hello{}, out); });
+  add([&](auto out) { return wire::encode(wire::Kind::kBegin, field.promise, out); });
+  for (std::size_t at = 0; at < field.bytes.size(); at += chunk) {
+    const wire::Chunk piece{at, std::span(field.bytes).subspan(at, std::min(chunk, field.bytes.size() - at))};
+    add([&](auto out) { return wire::encode(wire::Kind::kChunk, piece, out); });
+  }
+  add([](auto out) { return wire::seal_frame(wire::Kind::kCommit, 0, out); });
+  return frames;
+}
+
+/// Sends a field and returns the last answer.
+inline Heard upload(Speaker& speaker, const PackedField& field, std::size_t chunk = 4096) {
+  Heard heard;
+  const auto frames = frames_of(field, chunk);
+  for (const auto& frame : frames) {
+    speaker.send(frame);
+    heard = speaker.hear();
+    if (heard.kind == wire::Kind::kRefused) break;
+  }
+  return heard;
+}
+
+inline void expect_sentence(const Heard& heard, const std::string& about) {
+  EXPECT_THAT(heard.refusal(), testing::HasSubstr(about));
+  EXPECT_THAT(heard.refusal(), testing::HasSubstr("; ")) << "it says what to do";
+}
 
 }  // namespace isotouch::io
