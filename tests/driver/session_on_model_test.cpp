@@ -132,7 +132,7 @@ TEST(SessionOnModel, IsTheSameRunEveryTime) {
     EXPECT_TRUE(desk.comes_up());
     std::vector<std::int16_t> counts;
     for (std::int16_t i = 0; i < 1500; ++i) {
-      const Exchange exchange = desk.session.step({i, static_cast<std::int16_t>(-i), 0});
+      const Exchange exchange = desk.session.step({{i, static_cast<std::int16_t>(-i), 0}});
       counts.insert(counts.end(), exchange.reply.counts.begin(), exchange.reply.counts.end());
     }
     return counts;

@@ -31,7 +31,7 @@ struct Desk {
 
 TEST(FalconDevice, ExchangesWordsForAReply) {
   Desk desk;
-  const Exchange exchange = desk.device.exchange({1000, -2000, 4095});
+  const Exchange exchange = desk.device.exchange({{1000, -2000, 4095}});
   EXPECT_TRUE(exchange.fresh);
   EXPECT_FALSE(exchange.lost || exchange.rested);
   EXPECT_EQ(exchange.reply, desk.falcon.reply);
@@ -53,19 +53,19 @@ TEST(FalconDevice, HandsFlagsOutAndPacketsInAsTheyAre) {
 
 TEST(FalconDevice, RestsOnceAfterAMissingReply) {
   Desk desk;
-  desk.device.exchange({100, 100, 100});
+  desk.device.exchange({{100, 100, 100}});
   desk.falcon.faults.mute_replies = 1;
   const std::int64_t began = desk.clock.now;
-  const Exchange missed = desk.device.exchange({100, 100, 100});
+  const Exchange missed = desk.device.exchange({{100, 100, 100}});
   EXPECT_FALSE(missed.fresh);
   EXPECT_FALSE(missed.lost);
   EXPECT_EQ(missed.reply, desk.falcon.reply) << "the old one";
   EXPECT_GE(desk.clock.now - began, 5'000'000);
   EXPECT_LE(desk.clock.now - began, 6'000'000);
-  const Exchange rested = desk.device.exchange({100, 100, 100});
+  const Exchange rested = desk.device.exchange({{100, 100, 100}});
   EXPECT_TRUE(rested.fresh && rested.rested);
   EXPECT_EQ(desk.falcon.commands.back().words, Words{});
-  EXPECT_FALSE(desk.device.exchange({100, 100, 100}).rested);
+  EXPECT_FALSE(desk.device.exchange({{100, 100, 100}}).rested);
   EXPECT_EQ(desk.falcon.commands.back().words, (Words{100, 100, 100}));
   EXPECT_EQ(desk.device.counts().timeouts, 1U);
 }
@@ -112,7 +112,7 @@ TEST(FalconDevice, TakesNoEchoForAReply) {
   desk.device.exchange({});
   desk.falcon.running = false;  // its power was away for a moment
   desk.falcon.faults.echoes_packets = true;
-  const Exchange echoed = desk.device.exchange({-500, 20, 30});
+  const Exchange echoed = desk.device.exchange({{-500, 20, 30}});
   EXPECT_FALSE(echoed.fresh);
   EXPECT_EQ(echoed.reply, desk.falcon.reply) << "the old one";
   for (int i = 2; i <= 20; ++i) EXPECT_EQ(desk.device.exchange({}).lost, i == 20) << i;
@@ -122,17 +122,17 @@ TEST(FalconDevice, TakesNoEchoForAReply) {
 
 TEST(FalconDevice, CutsWordsAtTheDevicesLimit) {
   Desk desk;
-  desk.device.exchange({4096, -4096, 32767});
+  desk.device.exchange({{4096, -4096, 32767}});
   EXPECT_EQ(desk.falcon.commands.back().words, (Words{4095, -4095, 4095}));
-  desk.device.exchange({4095, -4095, -32768});
+  desk.device.exchange({{4095, -4095, -32768}});
   EXPECT_EQ(desk.falcon.commands.back().words, (Words{4095, -4095, -4095}));
-  desk.device.exchange({4095, -4095, 0});
+  desk.device.exchange({{4095, -4095, 0}});
   EXPECT_EQ(desk.device.counts().clamped, 2U);
 }
 
 TEST(FalconDevice, RestsWithThreePacketsWithoutForceAndLight) {
   Desk desk;
-  desk.device.exchange({500, 500, 500});
+  desk.device.exchange({{500, 500, 500}});
   desk.device.rest();
   ASSERT_EQ(desk.falcon.commands.size(), 4U);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(desk.falcon.commands[i], FalconCommand{});
@@ -177,7 +177,7 @@ TEST(FalconDevice, AllocatesNothingOfItsOwn) {
   FalconDevice device(link, clock);
   std::uint64_t fresh = 0;
   const test::AllocGuard guard;
-  for (int i = 0; i < 100000; ++i) fresh += device.exchange({1, 2, 3}).fresh ? 1U : 0U;
+  for (int i = 0; i < 100000; ++i) fresh += device.exchange({{1, 2, 3}}).fresh ? 1U : 0U;
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_EQ(fresh, 100000U);
 }

@@ -24,7 +24,7 @@ struct Desk {
   bool reaches(SessionState state) {
     for (const std::int64_t until = clock.now + 60'000'000'000; clock.now < until; clock.now += 100'000) {
       if (session.state() == state) return true;
-      session.step({7, 7, 7});
+      session.step({{7, 7, 7}});
     }
     return false;
   }
@@ -42,7 +42,7 @@ TEST(FalconSession, FindsBootsAndRuns) {
   EXPECT_TRUE(desk.session.step({}).lost);
   EXPECT_EQ(desk.session.state(), SessionState::kRunning);
   EXPECT_EQ(desk.session.last_boot().outcome, BootOutcome::kLoaded);
-  const Exchange exchange = desk.session.step({1, 2, 3});
+  const Exchange exchange = desk.session.step({{1, 2, 3}});
   EXPECT_TRUE(exchange.fresh && !exchange.lost);
   EXPECT_FALSE(desk.session.trouble());
 }
@@ -128,7 +128,7 @@ TEST(FalconSession, EndsWithoutForceAndLightAndGivesTheDeviceBack) {
   FakeFalcon falcon(clock);
   {
     FalconSession session(falcon, clock, kImage);
-    for (int i = 0; i < 5; ++i) session.step({100, 100, 100});
+    for (int i = 0; i < 5; ++i) session.step({{100, 100, 100}});
     EXPECT_EQ(falcon.commands.back().words[0], 100);
   }
   ASSERT_GE(falcon.commands.size(), 4U);

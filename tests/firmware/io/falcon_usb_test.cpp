@@ -107,7 +107,7 @@ TEST(FalconUsb, CarriesABootAndAThousandExchangesWithAllTransfersPending) {
     EXPECT_EQ(desk.falcon.uploaded, Bytes(kImage.begin(), kImage.end()));
     for (std::int16_t i = 0; i < 1000; ++i) {
       desk.falcon.reply.counts = {i, 2, 3};
-      EXPECT_EQ(session.step({i, 0, 0}).reply.counts[0], i);
+      EXPECT_EQ(session.step({{i, 0, 0}}).reply.counts[0], i);
       EXPECT_EQ(desk.falcon.commands.back().words[0], i);
     }
     EXPECT_EQ(session.counts().timeouts, 0U);
