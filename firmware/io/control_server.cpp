@@ -182,7 +182,7 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
   }
 }
 
-void ControlServer::hello(ControlClient& client, const wire::Frame& frame) {
+void ControlServer::hello(ControlClient& client, const wire::Frame& frame) const {
   const auto greeting = wire::decode<wire::Hello>(frame.body);
   if (!greeting || greeting->major != wire::kMajor) {
     const std::string theirs = greeting ? std::to_string(greeting->major) : "an unknown version";

@@ -78,7 +78,7 @@ class ControlServer {
   void serve(ControlClient& client);
   bool must_wait(const wire::Frame& frame) const;
   void answer(ControlClient& client, const wire::Frame& frame);
-  void hello(ControlClient& client, const wire::Frame& frame);
+  void hello(ControlClient& client, const wire::Frame& frame) const;
   void begin(ControlClient& client, const wire::Begin& promised);
   void chunk(ControlClient& client, const wire::Chunk& chunk);
   void commit(ControlClient& client);
