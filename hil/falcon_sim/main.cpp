@@ -1,4 +1,4 @@
-/// falcon-sim: a Falcon of numbers behind a local socket, or on a virtual machine's USB.
+/// falcon-sim: a Falcon of numbers behind a local socket, on a virtual machine's USB, or on this machine's own.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +12,7 @@
 
 #include "hil/falcon_sim/event_loop.h"
 #include "hil/falcon_sim/socket_face.h"
+#include "hil/falcon_sim/usbip_face.h"
 #include "hil/falcon_sim/usbredir_face.h"
 
 namespace {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2 };
 
 struct Options {
-  fs::path socket, usbredir, faults;
+  fs::path socket, usbredir, vhci, faults;
   std::string hand = "rest", pace = "real", geometry = "libnifalcon";
   std::vector<std::string> quirks;
   Settings device;
@@ -38,6 +39,8 @@ std::string list(const std::vector<std::string>& names) {
 void add_options(CLI::App& app, Options& o) {
   app.add_option("--socket", o.socket, "listen at this local socket");
   app.add_option("--usbredir", o.usbredir, "listen at this local socket for QEMU's usb-redir");
+  app.add_option("--vhci", o.vhci,
+                 "appear on this machine's own USB; the virtual host controller's folder, /sys/devices/platform/vhci_hcd.0");
   app.add_option("--hand", o.hand, "what the hand does once the device is homed: " + list(motion_names()) + ", none, or a trace file")
       ->capture_default_str();
   app.add_option("--faults", o.faults, "a file with one fault a line: at PACKET FAULT [ARGUMENTS]");
@@ -92,15 +95,17 @@ Settings settings_of(const Options& o) {
 }
 
 void run(const Options& o) {
-  if (o.socket.empty() && o.usbredir.empty()) throw std::runtime_error("give --socket PATH, --usbredir PATH or both");
+  if (o.socket.empty() && o.usbredir.empty() && o.vhci.empty())
+    throw std::runtime_error("no way in: give --socket PATH, --usbredir PATH or --vhci FOLDER");
   const Pace pace = o.pace == "real" ? Pace::kReal : Pace::kLockstep;
-  if (!o.usbredir.empty() && pace == Pace::kLockstep)
-    throw std::runtime_error("--usbredir needs --pace real: a kernel's USB has frames of its own");
+  if ((!o.usbredir.empty() || !o.vhci.empty()) && pace == Pace::kLockstep)
+    throw std::runtime_error("--usbredir and --vhci need --pace real: a kernel's USB has frames of its own");
   PacedDevice device(SimulatedFalcon(settings_of(o)), pace);
   catch_end_signals();
   std::vector<std::unique_ptr<Face>> faces;
   if (!o.socket.empty()) faces.push_back(std::make_unique<SocketFace>(o.socket, device));
   if (!o.usbredir.empty()) faces.push_back(make_usbredir_face(o.usbredir, device));
+  if (!o.vhci.empty()) faces.push_back(make_usbip_face(vhci_port(o.vhci), device));
   std::printf("falcon-sim: ready\n");
   std::fflush(stdout);
   serve_faces(faces);
