@@ -1,0 +1,68 @@
+# Sourced by the scenarios, which the virtual board's shell runs. Every line they print is part of what must be equal in every run of one seed.
+
+set -u
+control=unix:/run/control
+falcon=/sys/devices/platform/vhci_hcd.0
+
+say() { echo "hil: $*"; }
+
+fail() {
+  say "FAILED: $*"
+  sed 's/^/hil: controller: /' /run/controller.log
+  sed 's/^/hil: falcon: /' /run/falcon.log
+  exit 1
+}
+
+# within SECONDS COMMAND...: waits for the command to succeed.
+within() {
+  left=$(($1 * 20))
+  shift
+  until "$@" >/dev/null 2>&1; do
+    [ $left -gt 0 ] || return 1
+    left=$((left - 1))
+    sleep 0.05
+  done
+}
+
+status() { isotouch status --to $control --json; }
+
+# A value of the status, by its key.
+status_of() { status | sed -nE "s/^ *\"$1\": \"?([^\",]*)\"?,?\$/\1/p"; }
+
+is_in() { status | grep -qE "\"state\": \"($1)\""; }
+
+# start_falcon OPTIONS...: plugs the simulated device into the kernel's USB.
+start_falcon() {
+  falcon-sim --vhci $falcon "$@" >/run/falcon.log 2>&1 &
+  falcon_process=$!
+  within 10 grep -q ready /run/falcon.log || fail "the simulated device did not start"
+}
+
+# start_controller OPTIONS...
+start_controller() {
+  isotouchd --config /etc/isotouchd.toml --device usb --control /run/control "$@" >/run/controller.log 2>&1 &
+  controller_process=$!
+  within 10 test -S /run/control || fail "the controller did not start"
+}
+
+homed() { within 60 is_in 'idle|ready|active|hold' || fail "the device was not homed"; }
+
+upload() { isotouch upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 || fail "upload: $(cat /run/upload.log)"; }
+
+# record NAME SECONDS FIELD: records, and wants the core to repeat every word.
+record() {
+  isotouch record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
+  replay_plain "/fields/$3.itf" "/run/$1.trace" >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  say "trace $1 $(cat /run/replay.log)"
+}
+
+# What every scenario ends with: the counts and the delays.
+conclude() {
+  status | sed 's/^/hil: status: /'
+  isotouch latency --to $control | sed 's/^/hil: /'
+  kill $controller_process && wait $controller_process
+  say "controller ended with $?"
+  kill $falcon_process && wait $falcon_process
+  tail -1 /run/falcon.log | sed 's/^/hil: /'
+  say done
+}
