@@ -1,4 +1,4 @@
-/// The blend of local models at the 64 samples of a brick, four at a time.
+/// The blend of local models at the 64 samples of a brick, four or eight at a time.
 ///
 /// The formulas are those of `Surface::distance`, in single precision and relative to the samples. Every lane is rounded by itself, so the
 /// vector width of a machine changes the time and not the bits.
@@ -58,5 +58,16 @@ class BrickBlend {
   std::vector<Eigen::Vector3d> positions_;
   std::vector<Model> models_;
 };
+
+/// A sample near a brick, relative to the brick's middle.
+struct BlendCandidate {
+  const BrickBlend::Model* model;
+  BrickBlend::Point own;
+};
+
+/// What `BrickBlend` does with its candidates, by any machine, and where there are vectors of eight numbers (on x86-64: AVX2) by such a one. Both
+/// give the same bits.
+std::array<float, 64> blend_by_fours(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
+std::array<float, 64> blend_by_eights(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 
 }  // namespace isotouch::field

@@ -1,50 +1,82 @@
-/// Four numbers at once: vectors of a fixed width, which compilers map to what the machine has. Operators act lane by lane, and every lane is
-/// rounded by itself, so the vector width of a machine changes the time and not the bits. The functions are each source's own: sources may be
-/// compiled with different ideas of what is no number.
+/// Some numbers at once: vectors of a fixed width, which compilers map to what the machine has. Operators act lane by lane, and every
+/// lane is rounded by itself, so the vector width of a machine changes the time and not the bits. The functions are each source's own: sources
+/// may be compiled with different ideas of what is no number.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-
-/// Before a function and all that it calls here: compiled twice, and the machine takes what it understands best, a quarter fewer instructions with
-/// AVX2. For gcc on x86-64; clang 14 gives such functions names that other files do not find.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define ISOTOUCH_WIDEST __attribute__((target_clones("avx2", "default"), flatten))
-#else
-#define ISOTOUCH_WIDEST
-#endif
 
 namespace isotouch::field {
 
 using Four = float __attribute__((vector_size(16)));
+using Eight = float __attribute__((vector_size(32)));
+/// What the machine does at once that a source is compiled for.
+#ifdef __AVX2__
+using Lanes = Eight;
+#else
+using Lanes = Four;
+#endif
 
-static inline Four all(float value) { return Four{} + value; }
-static inline Four load(const float* from) {
-  Four v;
+template <class Vector = Four>
+static inline Vector load(const float* from) {
+  Vector v;
   std::memcpy(&v, from, sizeof v);
   return v;
 }
-static inline void store(Four v, float* to) { std::memcpy(to, &v, sizeof v); }
-static inline Four root(Four v) {
-  Four r;
-  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(v[i]);
+template <class Vector>
+static inline void store(Vector v, float* to) {
+  std::memcpy(to, &v, sizeof v);
+}
+template <class Vector = Four>
+static inline Vector all(float value) {
+  return Vector{} + value;
+}
+template <class Vector>
+static inline Vector root(Vector v) {
+  Vector r;
+  for (std::size_t i = 0; i < sizeof v / sizeof v[0]; ++i) r[i] = std::sqrt(v[i]);
   return r;
 }
 /// `b` where one of the two is no number.
-static inline Four lesser(Four a, Four b) { return a < b ? a : b; }
-static inline Four larger(Four a, Four b) { return a > b ? a : b; }
-static inline Four magnitude(Four v) { return larger(v, -v); }
-static inline float least(Four v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); }
-static inline float largest(Four v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); }
-/// Is any lane of a comparison true, or of a number other than +0?
+template <class Vector>
+static inline Vector lesser(Vector a, Vector b) {
+  return a < b ? a : b;
+}
+template <class Vector>
+static inline Vector larger(Vector a, Vector b) {
+  return a > b ? a : b;
+}
+template <class Vector>
+static inline Vector magnitude(Vector v) {
+  return larger(v, -v);
+}
+template <class Vector>
+static inline float least(Vector v) {
+  float value = v[0];
+  for (std::size_t i = 1; i < sizeof v / sizeof v[0]; ++i) value = std::min(value, v[i]);
+  return value;
+}
+template <class Vector>
+static inline float largest(Vector v) {
+  return -least(-v);
+}
+/// Is any lane of a comparison true?
 template <class Vector>
 static inline bool any(Vector v) {
-  using Halves = std::int64_t __attribute__((vector_size(16)));
-  const auto halves = std::bit_cast<Halves>(v);
-  return (halves[0] | halves[1]) != 0;
+#ifdef __AVX__
+  if constexpr (sizeof v == 32) return __builtin_ia32_movmskps256(std::bit_cast<Eight>(v)) != 0;
+#endif
+#ifdef __SSE2__
+  if constexpr (sizeof v == 16) return __builtin_ia32_movmskps(std::bit_cast<Four>(v)) != 0;
+#endif
+  std::uint64_t bits = 0;
+  for (const std::uint64_t part : std::bit_cast<std::array<std::uint64_t, sizeof v / 8>>(v)) bits |= part;
+  return bits != 0;
 }
 
 }  // namespace isotouch::field
