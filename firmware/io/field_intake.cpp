@@ -39,13 +39,15 @@ FieldIntake::~FieldIntake() { ZSTD_freeDCtx(context_); }
 
 IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
   const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
+  const Before before = store_before(promised.image_hash);
   std::string refusal = unpack(packed, promised.image_hash);
   if (refusal.empty() && store_ != nullptr) refusal = keep(promised, packed);
-  return activate(promised.image_hash, std::move(refusal));
+  return activate(promised.image_hash, std::move(refusal), before);
 }
 
 IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
   if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
+  const Before before = store_before(wanted);
   const Result<std::size_t> bytes = store_->read(wanted, upload_);
   if (!bytes && bytes.error() == Error::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
   if (!bytes) return {std::string("the stored field cannot be read: ") + describe(bytes.error()) + "; upload it again", {}};
@@ -54,7 +56,7 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
     const Result<void> switched = store_->set_active(wanted);
     if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; look after the state folder";
   }
-  return activate(wanted, std::move(refusal));
+  return activate(wanted, std::move(refusal), before);
 }
 
 std::string FieldIntake::begin_with_active() {
@@ -96,6 +98,11 @@ std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
 
 std::vector<StoredField> FieldIntake::stored() { return store_ == nullptr ? std::vector<StoredField>{} : store_->list(); }
 
+FieldIntake::Before FieldIntake::store_before(std::uint64_t hash) {
+  if (store_ == nullptr) return {};
+  return {store_->active(), store_->holds(hash)};
+}
+
 /// Into the slot that the tick does not use.
 std::string FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
   const Result<PackedBlob> packed = PackedBlob::parse(bytes);
@@ -127,11 +134,10 @@ std::string FieldIntake::keep(const wire::Begin& field, std::span<const std::uin
 }
 
 /// What was unpacked becomes the tick's, unless something spoke against it.
-IntakeOutcome FieldIntake::activate(std::uint64_t hash, std::string refusal) {
+IntakeOutcome FieldIntake::activate(std::uint64_t hash, std::string refusal, const Before& before) {
+  const std::uint64_t felt = hash_.load(std::memory_order_acquire);
   if (refusal.empty()) refusal = publish(hash);
-  if (refusal.empty() && !was_taken_over()) {
-    refusal = "the field is good, but the controller's loop does not run and has not taken it over; look after the controller";
-  }
+  if (refusal.empty() && !was_taken_over()) refusal = take_back(hash, felt, before);
   slots_.abandon();
   return {std::move(refusal), {hash_.load(std::memory_order_acquire), generation()}};
 }
@@ -142,6 +148,16 @@ std::string FieldIntake::publish(std::uint64_t hash) {
   hash_.store(hash, std::memory_order_release);
   generation_.store(*generation, std::memory_order_release);
   return {};
+}
+
+/// The tick does not come: as if nothing had been sent. returns the refusal; empty: the tick has come after all
+std::string FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
+  if (!slots_.take_back()) return {};
+  hash_.store(felt, std::memory_order_release);
+  generation_.store(slots_.published().generation, std::memory_order_release);
+  std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";
+  if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", and the next start may begin with it";
+  return refusal + "; look after the controller";
 }
 
 bool FieldIntake::was_taken_over() {

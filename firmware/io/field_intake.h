@@ -44,7 +44,8 @@ class FieldIntake {
   /// Where an upload is put together, by whoever lets no other function run meanwhile. Room for the packed form of every image that there may be.
   std::span<std::uint8_t> upload() { return upload_; }
 
-  /// Takes over what stands at the front of `upload()`. Waits until the tick has taken the field over, for at most two seconds.
+  /// Takes over what stands at the front of `upload()`. Waits until the tick has taken the field over, for at most two seconds. What is refused is
+  /// neither felt later nor there at the next start.
   ///
   /// promised  what was said before the bytes came: they must keep it
   IntakeOutcome accept(const wire::Begin& promised);
@@ -70,11 +71,19 @@ class FieldIntake {
   std::uint32_t generation() const { return generation_.load(std::memory_order_acquire); }
 
  private:
+  /// What the store was like before a request.
+  struct Before {
+    std::optional<std::uint64_t> active;
+    bool held = false;  ///< the field that the request is about
+  };
+
+  Before store_before(std::uint64_t hash);
   std::string unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
   std::string keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
-  IntakeOutcome activate(std::uint64_t hash, std::string refusal);
+  IntakeOutcome activate(std::uint64_t hash, std::string refusal, const Before& before);
   std::string publish(std::uint64_t hash);
   bool was_taken_over();
+  std::string take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
 
   loop::FieldSlots& slots_;
   FieldStore* store_;

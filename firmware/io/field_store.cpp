@@ -5,6 +5,8 @@
 #include <cassert>
 #include <charconv>
 
+#include "firmware/io/whole_file.h"
+
 namespace isotouch::io {
 
 namespace {
@@ -92,20 +94,28 @@ Result<void> FieldStore::put(std::uint64_t hash, std::string_view name, std::spa
     if (field.hash == hash) file = field.file;
   }
   if (file.empty()) file = file_name(count + 1, hash, name);
-  const Result<void> written = write_whole(file, packed);
+  const Result<void> written = write(file, packed);
   if (written) drop_oldest(hash);
   return written;
 }
 
-Result<void> FieldStore::set_active(std::uint64_t hash) { return write_whole(kActive, bytes_of(digits(hash, kHashDigits, 16) + "\n")); }
+Result<void> FieldStore::set_active(std::uint64_t hash) { return write(kActive, bytes_of(digits(hash, kHashDigits, 16) + "\n")); }
 
-Result<void> FieldStore::write_whole(const std::string& file, std::span<const std::uint8_t> bytes) {
-  Result<void> done = folder_.write(kPart, bytes);
-  if (done) done = folder_.sync(kPart);
-  if (done) done = folder_.rename(kPart, file);
-  if (done) return folder_.sync_names();
-  (void)folder_.remove(kPart);
-  return done;
+Result<void> FieldStore::take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove) {
+  Result<void> done = before ? set_active(*before) : folder_.remove(kActive);
+  for (const StoredField& field : list()) {
+    if (done && remove && field.hash == hash) done = folder_.remove(field.file);
+  }
+  return done ? folder_.sync_names() : done;
+}
+
+bool FieldStore::holds(std::uint64_t hash) {
+  const std::vector<StoredField> fields = list();
+  return std::any_of(fields.begin(), fields.end(), [&](const StoredField& field) { return field.hash == hash; });
+}
+
+Result<void> FieldStore::write(const std::string& file, std::span<const std::uint8_t> bytes) {
+  return write_whole(folder_, kPart, file, bytes);
 }
 
 /// As many as there are too many; a file that stays because it cannot be removed does no harm.

@@ -54,8 +54,17 @@ class FieldStore {
   /// fails     as `put`; then it is the one before, or, after kStorage, either
   Result<void> set_active(std::uint64_t hash);
 
+  /// The next start begins with the field that was active before, and not with this one; survives a power cut from here on.
+  ///
+  /// before    nothing: with none
+  /// remove    the field itself is taken away, too
+  /// fails     kNotAllowed, kNoSpace, kStorage
+  Result<void> take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove);
+
+  bool holds(std::uint64_t hash);
+
  private:
-  Result<void> write_whole(const std::string& file, std::span<const std::uint8_t> bytes);
+  Result<void> write(const std::string& file, std::span<const std::uint8_t> bytes);
   void drop_oldest(std::uint64_t newest);
 
   Folder& folder_;

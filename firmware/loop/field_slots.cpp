@@ -34,6 +34,12 @@ Result<std::uint32_t> FieldSlots::commit() {
   return generation_;
 }
 
+bool FieldSlots::take_back() {
+  if (free()) return false;
+  publish(acknowledged_.load(std::memory_order_relaxed) & kSlot);
+  return true;
+}
+
 bool FieldSlots::clear() {
   if (!free()) return false;
   receiving_ = 0;

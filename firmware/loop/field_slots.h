@@ -4,6 +4,7 @@
 ///   receiving  upload: `commit`, BlobView::parse succeeded  → verified, published by a generation
 ///   verified   tick: `field` at the start of a tick         → active; the other one retires
 ///   retiring   upload: has seen the tick's acknowledgement  → empty
+///   verified   upload: `take_back`, the tick does not come  → retiring; the active one is published anew
 ///
 /// A lost connection leaves `receiving` without effect; a refused image is never seen by the tick.
 #pragma once
@@ -49,6 +50,11 @@ class FieldSlots {
   /// returns   the generation by which the tick will know it
   /// fails     as BlobView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
   Result<std::uint32_t> commit();
+
+  /// Takes back what `commit` handed over and the tick did not take: it goes on with the field before, by a new generation.
+  ///
+  /// returns   false: the tick has taken it meanwhile, it stays
+  bool take_back();
 
   /// Gives up what was begun.
   void abandon() { receiving_ = 0; }

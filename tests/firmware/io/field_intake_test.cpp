@@ -122,6 +122,43 @@ TEST(FieldIntake, ALoopThatDoesNotRunIsTold) {
   EXPECT_EQ(rig.upload(packed_ball(3)).refusal, "");
 }
 
+TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
+  for (const bool has_old : {false, true}) {
+    Rig rig;
+    const PackedField old = packed_ball(1), late = packed_ball(2);
+    if (has_old) {
+      ASSERT_EQ(rig.upload(old).refusal, "");
+    }
+    const std::uint64_t before = has_old ? old.promise.image_hash : 0;
+    rig.clock.runs = false;
+    EXPECT_THAT(rig.upload(late).refusal, HasSubstr("loop does not run"));
+    EXPECT_EQ(rig.intake.hash(), before);
+    EXPECT_EQ(rig.store.active().value_or(0), before);
+    EXPECT_FALSE(rig.store.holds(late.promise.image_hash));
+    loop::FieldSlots slots(1 << 18);
+    FieldIntake next(slots, &rig.store, rig.clock, {});
+    EXPECT_EQ(next.begin_with_active(), "");
+    EXPECT_EQ(next.hash(), before) << "nor at the next start";
+    rig.clock.runs = true;
+    EXPECT_EQ(rig.felt(), before) << "nor when the loop runs again";
+    EXPECT_EQ(rig.intake.generation(), rig.slots.field().generation);
+    EXPECT_EQ(rig.upload(late).refusal, "");
+    EXPECT_EQ(rig.felt(), late.promise.image_hash);
+  }
+}
+
+TEST(FieldIntake, AChoiceThatTheTickDoesNotTakeIsNoChoice) {
+  Rig rig;
+  const PackedField one = packed_ball(1), two = packed_ball(2);
+  ASSERT_EQ(rig.upload(one).refusal, "");
+  ASSERT_EQ(rig.upload(two).refusal, "");
+  rig.clock.runs = false;
+  EXPECT_THAT(rig.intake.select(one.promise.image_hash).refusal, HasSubstr("loop does not run"));
+  EXPECT_EQ(rig.store.active(), two.promise.image_hash);
+  EXPECT_TRUE(rig.store.holds(one.promise.image_hash)) << "it was there before";
+  EXPECT_EQ(rig.felt(), two.promise.image_hash);
+}
+
 TEST(FieldIntake, TenThousandFieldsWithFlippedBitsLeaveTheOldOne) {
   Rig rig;
   const PackedField old = packed_ball(1), good = packed_ball(2);

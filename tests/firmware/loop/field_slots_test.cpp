@@ -104,6 +104,24 @@ TEST(FieldSlots, AFieldCanBeTakenAway) {
   EXPECT_NE(slots.field().view, nullptr);
 }
 
+TEST(FieldSlots, WhatTheTickDidNotTakeIsTakenBack) {
+  FieldSlots slots(1 << 20);
+  ASSERT_TRUE(upload(slots, image(1)));
+  EXPECT_TRUE(slots.take_back());
+  EXPECT_EQ(slots.field().view, nullptr) << "there was none before";
+  ASSERT_TRUE(upload(slots, image(2)));
+  const std::uint64_t hash = slots.field().view->hash();
+  EXPECT_FALSE(slots.take_back()) << "the tick has it";
+  const std::uint32_t generation = *upload(slots, image(3));
+  EXPECT_TRUE(slots.take_back());
+  EXPECT_TRUE(slots.begin(100).empty()) << "the tick may be reading it at this moment";
+  const ActiveField field = slots.field();
+  ASSERT_NE(field.view, nullptr);
+  EXPECT_EQ(field.view->hash(), hash);
+  EXPECT_GT(field.generation, generation) << "whoever has seen the one taken back sees another one";
+  EXPECT_TRUE(upload(slots, image(3))) << "and the place is free again";
+}
+
 TEST(FieldSlots, NoTickEverSeesHalfAFieldWhileFieldsAreSwapped) {
   FieldSlots slots(1 << 20);
   std::array<std::uint64_t, 4> hashes{};
