@@ -17,6 +17,15 @@ enum DeviceCommands : std::uint8_t {
   kCommandRestart = 1U << 2,  ///< forget everything before this tick: a recording that begins here replays
 };
 
+/// What the safety lines tell, already judged; see `loop/watch.h`. Without lines none is ever set.
+enum DeviceLines : std::uint8_t {
+  kLineStop = 1U << 0,         ///< the emergency stop is pressed, or its wire is broken
+  kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
+};
+
+/// Most periods that `DeviceInput::late` counts.
+inline constexpr std::uint8_t kMostLate = 31;
+
 /// The wire as the loop sees it at the start of a tick. Arrival times stay outside: they are not the same twice.
 struct DeviceInput {
   FalconPacket packet{};               ///< the newest reply, as it came; all zero before the first
@@ -24,6 +33,8 @@ struct DeviceInput {
   std::uint16_t age = 0;               ///< whole ticks since the packet was fresh
   std::uint8_t commands = 0;           ///< DeviceCommands
   std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
+  std::uint8_t lines = 0;              ///< DeviceLines
+  std::uint8_t late = 0;               ///< whole periods that were left out since the tick before, kMostLate = so many or more
 
   bool operator==(const DeviceInput&) const = default;
 };
@@ -33,10 +44,11 @@ enum class SupervisorState : std::uint16_t {
   kBoot = 0,    ///< no valid packet yet
   kHoming = 1,  ///< the counts have no reference: the grip must be pulled out and pushed in once
   kIdle = 2,    ///< the pose is known, no field
-  kReady = 3,   ///< a field is loaded; active in the next tick
+  kReady = 3,   ///< a field is loaded; active in the next tick, or as long as a button is held
   kActive = 4,  ///< forces
-  kHold = 5,    ///< packets are missing or the pose is uncertain: no force; leaves by itself, forces rise by a ramp
-  kFault = 6,   ///< no force until kCommandResume
+  kHold =
+      5,  ///< samples are missing, ticks late, the pose uncertain or the hand too fast: no force; leaves by itself, forces rise by a ramp
+  kFault = 6,  ///< no force until a person resumes: kCommandResume, or a button pressed anew
 };
 
 /// Why the supervisor is in fault; kept until it is resumed.
@@ -44,6 +56,12 @@ enum Faults : std::uint16_t {
   kFaultStopped = 1U << 0,      ///< kCommandStop
   kFaultSilent = 1U << 1,       ///< no valid fresh packet for longer than the model's fault age
   kFaultPenetration = 1U << 2,  ///< the hand is further from the proxy than the model's limit
+  kFaultEncoders = 1U << 3,     ///< the counts jumped while there were forces
+  kFaultPose = 1U << 4,         ///< the pose was uncertain for longer than the fault age: no place that the mechanism reaches
+  kFaultSpeed = 1U << 5,        ///< the hand was too fast for longer than the fault age
+  kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age
+  kFaultEmergency = 1U << 7,    ///< kLineStop
+  kFaultEnable = 1U << 8,       ///< kLineEnableWrong
 };
 
 struct DeviceOutput {

@@ -18,6 +18,7 @@ void for_each_number(Model& m, Use use) {
   use(m.penetration_limit), use(m.speed_limit);
   use(m.hold_ticks), use(m.fault_age_ns), use(m.count_jump), use(m.ramp_ticks);
   use(m.homing_flag), use(m.led_homing), use(m.led_idle), use(m.led_active);
+  use(m.heat_word), use(m.heat_ms), use(m.buttons), use(m.hold_to_run);
 }
 
 template <class T>
@@ -47,7 +48,8 @@ bool is_valid(const DeviceModel& m) {
   valid &= is_within(m.penetration_limit, Mm::of(0.1), Mm::of(200)) && is_within(m.speed_limit, MmPerS::of(1), MmPerS::of(100'000));
   valid &= is_within(m.hold_ticks, 1U, 1000U) && is_within(m.fault_age_ns, 1'000'000U, 1'000'000'000U);
   valid &= is_within(m.count_jump, 10, 4000) && is_within(m.ramp_ticks, 1U, 100'000U);
-  for (const std::uint8_t flags : {m.homing_flag, m.led_homing, m.led_idle, m.led_active}) valid &= flags <= 0x0F;
+  for (const std::uint8_t flags : {m.homing_flag, m.led_homing, m.led_idle, m.led_active, m.buttons}) valid &= flags <= 0x0F;
+  valid &= is_within(m.heat_word, 1, 4095) && is_within(m.heat_ms, 1'000U, 1'000'000U) && m.hold_to_run <= 1;
   return valid;
 }
 

@@ -42,7 +42,7 @@ struct DeviceModel {
   std::int32_t word_limit = 4095;                         ///< largest motor word
   std::int32_t word_slew = 1'000'000;                     ///< largest change of a word, per second
   Mm penetration_limit = Mm::of(20);                      ///< between proxy and HIP; beyond it is a fault
-  MmPerS speed_limit = MmPerS::of(2000);                  ///< of the HIP; beyond it the status tells
+  MmPerS speed_limit = MmPerS::of(2000);                  ///< of the HIP; beyond it the supervisor holds
   std::uint32_t hold_ticks = 3;                           ///< ticks without a fresh sample until the supervisor holds
   std::uint32_t fault_age_ns = 100'000'000;               ///< without a fresh sample until the supervisor is in fault
   std::int32_t count_jump = 400;                          ///< change in one tick that no hand makes
@@ -51,6 +51,10 @@ struct DeviceModel {
   std::uint8_t led_homing = kFalconRed;                   ///< shown in boot, homing and fault
   std::uint8_t led_idle = kFalconBlue;                    ///< shown in idle, ready and hold
   std::uint8_t led_active = kFalconGreen;                 ///< shown in active
+  std::int32_t heat_word = 2000;                          ///< rms of a motor word that the motor stands for ever
+  std::uint32_t heat_ms = 20'000;                         ///< time constant of the motors' warming
+  std::uint8_t buttons = 15;                              ///< mask: which of the grip's buttons resume from fault, and run
+  std::uint8_t hold_to_run = 0;                           ///< 1: forces only while one of these is held
 
   bool operator==(const DeviceModel&) const = default;
 };

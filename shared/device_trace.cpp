@@ -15,6 +15,17 @@ namespace {
 
 constexpr std::uint8_t kEveryCommand = kCommandStop | kCommandResume | kCommandRestart;
 
+/// Byte 16 of a record: bit 0 fresh, bits 1 and 2 lines, bits 3 to 7 late.
+std::uint8_t pack_conditions(const DeviceInput& in) {
+  return static_cast<std::uint8_t>((in.fresh ? 1U : 0U) | ((in.lines & 3U) << 1) | (std::min(in.late, kMostLate) << 3));
+}
+
+void unpack_conditions(std::uint8_t byte, DeviceInput& in) {
+  in.fresh = (byte & 1U) != 0;
+  in.lines = (byte >> 1) & 3U;
+  in.late = static_cast<std::uint8_t>(byte >> 3);
+}
+
 }  // namespace
 
 DeviceTraceHeaderBytes encode(const DeviceTraceHeader& header) {
@@ -62,7 +73,7 @@ DeviceTraceRecordBytes encode(const DeviceTraceRecord& record) {
   DeviceTraceRecordBytes bytes{};
   std::uint8_t* at = bytes.data();
   std::copy(record.input.packet.begin(), record.input.packet.end(), at);
-  store_le(at + 16, static_cast<std::uint8_t>(record.input.fresh ? 1 : 0));
+  store_le(at + 16, pack_conditions(record.input));
   store_le(at + 17, record.input.commands);
   store_le(at + 18, record.input.age);
   store_le(at + 20, record.input.field_generation);
@@ -84,7 +95,7 @@ Result<DeviceTraceRecord> decode_device_record(std::span<const std::uint8_t, kRe
   const std::uint8_t* at = bytes.data();
   DeviceTraceRecord record;
   std::copy_n(at, record.input.packet.size(), record.input.packet.begin());
-  record.input.fresh = (at[16] & 1U) != 0;
+  unpack_conditions(at[16], record.input);
   record.input.commands = at[17];
   record.input.age = load_le<std::uint16_t>(at + 18);
   record.input.field_generation = load_le<std::uint32_t>(at + 20);
@@ -99,7 +110,7 @@ Result<DeviceTraceRecord> decode_device_record(std::span<const std::uint8_t, kRe
   record.output.buttons = at[75];
   record.chain = load_le<std::uint64_t>(at + kChainAt);
   record.arrival_ns = load_le<std::uint64_t>(at + 88);
-  const bool undefined = at[16] > 1 || (at[17] & ~kEveryCommand) != 0 || load_le<std::uint32_t>(at + 76) != 0;
+  const bool undefined = (at[17] & ~kEveryCommand) != 0 || load_le<std::uint32_t>(at + 76) != 0;
   if (undefined || (record.input.fresh && record.input.age != 0)) return Error::kBadRecord;
   return record;
 }

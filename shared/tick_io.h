@@ -35,6 +35,8 @@ enum StatusBits : std::uint32_t {
   kTooFast = 1U << 12,        ///< the HIP is faster than the model's limit
   kWordsLimited = 1U << 13,   ///< the motor words were shortened to the limit, their direction kept
   kSlewLimited = 1U << 14,    ///< the change of the motor words was shortened, its direction kept
+  kHeatLimited = 1U << 20,    ///< the limit of the motor words is lowered, because the motors are warm
+  kLate = 1U << 21,           ///< periods were left out before this tick
 };
 
 struct TickOutput {

@@ -4,21 +4,13 @@
 
 #include "firmware/core/joint_angles.h"
 #include "firmware/core/joint_torques.h"
+#include "firmware/core/longer.h"
 
 namespace isotouch::core {
 
 namespace {
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
-
-/// Is a vector longer than the limit? Components are clamped to 2^30, so that three squares fit 63 bits; the limit is below that.
-template <class Q>
-bool is_longer(const Vec3<Q>& v, Q limit) {
-  const Q most = Q::from_raw(1 << 30);
-  const auto bounded = [most](Q q) { return std::clamp(q, -most, most); };
-  const Vec3<Q> b = {bounded(v.x), bounded(v.y), bounded(v.z)};
-  return dot_raw(b, b) > std::int64_t{limit.raw()} * limit.raw();
-}
 
 /// Another field: nothing that was felt before holds. The proxy begins at the HIP.
 void take_field(const BlobView* field, std::uint32_t generation, const DeviceTickModel& model, DeviceState& state) {
@@ -42,6 +34,8 @@ DeviceTickModel make_device_model(const DeviceModel& device, const TickSettings&
   model.device = device;
   model.mechanism = make_mechanism(device);
   model.motors = make_motors(device, period_ns);
+  model.heat = make_heat_budget(device, period_ns);
+  model.largest_move = make_largest_move(device, period_ns);
   model.supervision = make_supervision(device, period_ns);
   model.rate = PerSecond::from_raw(static_cast<std::int32_t>(1'000'000'000LL * (1 << PerSecond::kFractionBits) / period_ns));
   model.any_field = make_model(settings, period_ns);
@@ -59,6 +53,7 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   if (reading.jumped || !state.reply.homed) {
     state.pose = {};
     state.velocity = {};
+    state.move = {};
     state.tick = {};
   }
   Pose pose;
@@ -66,7 +61,8 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   if (pose.settled) {
     out.hip = pose.hip - model.device.workspace_origin;
     const Vec3<MmPerS> velocity = hip_velocity(out.hip, reading.fresh, model.rate, state.velocity);
-    out.tick.status |= when(is_longer(velocity, model.device.speed_limit), kTooFast);
+    const bool leapt = is_leap(out.hip, reading.fresh, model.largest_move, state.move);
+    out.tick.status |= when(leapt || is_longer(velocity, model.device.speed_limit), kTooFast);
   }
   out.tick.proxy = out.hip;
   const std::uint16_t age = static_cast<std::uint16_t>(std::min(state.reply.stale, 65535U));
@@ -79,24 +75,33 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   Observations seen;
   seen.heard = state.reply.heard;
   seen.homed = state.reply.homed;
+  seen.jumped = reading.jumped;
   seen.pose_settled = pose.settled;
   seen.has_field = field != nullptr;
   seen.new_field = new_field;
   seen.too_deep = (out.tick.status & kContact) != 0 && is_longer(out.tick.proxy - out.hip, model.device.penetration_limit);
+  seen.too_fast = (out.tick.status & kTooFast) != 0;
   seen.stale_ticks = state.reply.stale;
+  seen.late = in.late;
+  seen.lines = in.lines;
+  seen.buttons = state.reply.buttons;
   seen.commands = in.commands;
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
 
   MotorWords words;
   out.tick.force = permission.granted ? mul<Newton>(out.tick.force, permission.part) : Vec3<Newton>{};
-  if (permission.granted) words = motor_words(joint_torques(out.tick.force, pose.statics), model.motors, state.words);
+  const WordLimit limit = word_limit(model.motors, model.heat, state.heat);
+  if (permission.granted) words = motor_words(joint_torques(out.tick.force, pose.statics), limit.motors, state.words);
+  if (!allows_words(state.supervisor.state)) words = {};  // the last gate: whatever was computed
   state.words = out.tick.words = words.words;
+  warm(words.words, model.heat, state.heat);
 
   out.tick.state = static_cast<std::uint16_t>(state.supervisor.state);
   out.tick.status |= when(!reading.fresh, kStale) | when(reading.malformed, kBadReply) | when(reading.jumped, kCountJump) |
                      when(state.reply.homed && !pose.settled, kPoseUncertain) |
                      when(pose.settled && pose.statics.near_singular, kNearSingular) | when(permission.ramping, kRamping) |
-                     when(words.limited, kWordsLimited) | when(words.slew_limited, kSlewLimited);
+                     when(words.limited, kWordsLimited) | when(words.slew_limited, kSlewLimited) | when(limit.lowered, kHeatLimited) |
+                     when(in.late > 0, kLate);
   out.faults = state.supervisor.faults;
   out.packet_flags = packet_flags(state.supervisor.state, model.device);
   return out;

@@ -6,7 +6,9 @@
 
 #include "firmware/core/hip_velocity.h"
 #include "firmware/core/kinematics.h"
+#include "firmware/core/motor_heat.h"
 #include "firmware/core/motor_words.h"
+#include "firmware/core/move_check.h"
 #include "firmware/core/reply_reader.h"
 #include "firmware/core/supervisor.h"
 #include "firmware/core/tick.h"
@@ -21,6 +23,8 @@ struct DeviceTickModel {
   DeviceModel device;
   Mechanism mechanism;
   Motors motors;
+  HeatBudget heat;
+  Mm largest_move;  ///< of the HIP in a tick, at twice the speed limit
   Supervision supervision;
   PerSecond rate;       ///< ticks a second
   TickModel any_field;  ///< what is felt, before a field says its edge and stiffness
@@ -40,6 +44,8 @@ struct DeviceState {
   TickModel felt;  ///< prepared for the field of this generation
   TickState tick;
   std::uint32_t field_generation = 0;
+  MoveState move;
+  MotorHeat heat;
   SupervisorMemory supervisor;
   std::array<std::int16_t, 3> words{};
 };

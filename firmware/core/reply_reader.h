@@ -26,7 +26,7 @@ struct Reading {
 };
 
 /// Takes the newest packet. Where the counts jump while the device does not call itself homed, the reference is lost and homing begins again;
-/// otherwise "homed" stays, because sources disagree on whether the bits do.
+/// otherwise "homed" stays, because sources disagree on whether the bits do. In the packet in which the bits go, an eighth of a jump is one, or counts of zero.
 ///
 /// fails     never: a malformed packet counts as none
 /// tick      yes

@@ -1,7 +1,6 @@
 #include "firmware/core/supervisor.h"
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
 
 namespace isotouch::core {
 
@@ -9,37 +8,52 @@ namespace {
 
 using S = SupervisorState;
 
-/// What a tick found, the gravest first.
-enum class Finding : std::uint8_t { kFaulty, kUnheard, kUnhomed, kUncertain, kNoField, kWell };
-
-/// The next state, by state and finding.
-constexpr std::array<std::array<S, 6>, 7> kNext = {{
-    //            faulty     unheard    unhomed     uncertain   no field    well
-    /* boot   */ {S::kFault, S::kBoot, S::kHoming, S::kHoming, S::kHoming, S::kHoming},
-    /* homing */ {S::kFault, S::kBoot, S::kHoming, S::kHoming, S::kIdle, S::kIdle},
-    /* idle   */ {S::kFault, S::kBoot, S::kHoming, S::kIdle, S::kIdle, S::kReady},
-    /* ready  */ {S::kFault, S::kBoot, S::kHoming, S::kIdle, S::kIdle, S::kActive},
-    /* active */ {S::kFault, S::kBoot, S::kHoming, S::kHold, S::kIdle, S::kActive},
-    /* hold   */ {S::kFault, S::kBoot, S::kHoming, S::kHold, S::kIdle, S::kActive},
-    /* fault  */ {S::kFault, S::kFault, S::kFault, S::kFault, S::kFault, S::kFault},
-}};
+constexpr std::uint32_t kMostTicks = 1'000'000'000;
 
 constexpr std::uint16_t when(bool condition, Faults fault) { return condition ? std::uint16_t{fault} : std::uint16_t{0}; }
 
-/// The causes of a fault in this tick.
-std::uint16_t faults_of(const Observations& seen, const Supervision& limits, const SupervisorMemory& memory) {
-  const bool stopped = (seen.commands & kCommandStop) != 0;
-  const bool silent = seen.heard && seen.stale_ticks > limits.fault_ticks;
-  const bool too_deep = seen.too_deep && memory.state == S::kActive;
-  return static_cast<std::uint16_t>(when(stopped, kFaultStopped) | when(silent, kFaultSilent) | when(too_deep, kFaultPenetration));
+/// Why forces must rest for now.
+struct Doubts {
+  bool stale, pose, speed, late;
+  bool any() const { return stale || pose || speed || late; }
+};
+
+Doubts doubts_of(const Observations& seen, const Supervision& limits, const SupervisorMemory& memory) {
+  return {seen.stale_ticks >= limits.hold_ticks, !seen.pose_settled, seen.too_fast,
+          memory.lateness >= limits.hold_ticks * kLatenessOfAPeriod};
 }
 
-Finding finding(const Observations& seen, const Supervision& limits, std::uint16_t faults) {
+/// The causes of a fault in this tick.
+std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Supervision& limits, const SupervisorMemory& memory) {
+  const bool forces = memory.state == S::kActive || memory.state == S::kHold;
+  const bool too_long = memory.state == S::kHold && memory.held_ticks >= limits.fault_ticks;
+  return static_cast<std::uint16_t>(
+      when((seen.commands & kCommandStop) != 0, kFaultStopped) | when(seen.heard && seen.stale_ticks > limits.fault_ticks, kFaultSilent) |
+      when(seen.too_deep && memory.state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
+      when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) | when(doubts.late && too_long, kFaultLate) |
+      when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable));
+}
+
+Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits) {
   if (faults != 0) return Finding::kFaulty;
+  if (resumed) return Finding::kResumed;
   if (!seen.heard) return Finding::kUnheard;
   if (!seen.homed) return Finding::kUnhomed;
-  if (!seen.pose_settled || seen.stale_ticks >= limits.hold_ticks) return Finding::kUncertain;
-  return seen.has_field ? Finding::kWell : Finding::kNoField;
+  if (doubts.any()) return Finding::kUncertain;
+  if (!seen.has_field) return Finding::kNoField;
+  return limits.hold_to_run && (seen.buttons & limits.buttons) == 0 ? Finding::kReleased : Finding::kWell;
+}
+
+/// The soft start.
+Permission ramped(const Supervision& limits, SupervisorMemory& memory) {
+  Permission permission;
+  permission.granted = true;
+  permission.ramping = memory.ramp < limits.ramp_ticks;
+  if (permission.ramping) ++memory.ramp;
+  permission.part = memory.ramp < limits.ramp_ticks  // at most 2^30
+                        ? ForcePart::from_raw(static_cast<std::int32_t>(memory.ramp) * limits.ramp_part.raw())
+                        : ForcePart::of(1);
+  return permission;
 }
 
 }  // namespace
@@ -50,30 +64,31 @@ Supervision make_supervision(const DeviceModel& device, std::uint32_t period_ns)
   limits.fault_ticks = device.fault_age_ns / period_ns;
   limits.ramp_ticks = device.ramp_ticks;
   limits.ramp_part = ForcePart::from_raw(static_cast<std::int32_t>((1U << 30) / device.ramp_ticks));
+  limits.buttons = device.buttons;
+  limits.hold_to_run = device.hold_to_run != 0;
   return limits;
 }
 
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
-  const std::uint16_t now = faults_of(seen, limits, memory);
-  if (memory.state == S::kFault && now == 0 && (seen.commands & kCommandResume) != 0) {
-    memory.state = S::kIdle;
-    memory.faults = 0;
-  }
-  memory.faults = static_cast<std::uint16_t>(memory.faults | now);
-  memory.state = kNext[static_cast<std::size_t>(memory.state)][static_cast<std::size_t>(finding(seen, limits, now))];
+  const std::uint32_t most_late = 2 * limits.hold_ticks * kLatenessOfAPeriod;  // after a long pause it is well again within that many ticks
+  memory.lateness = seen.late >= kMostLate ? most_late : std::min(memory.lateness + seen.late * kLatenessOfAPeriod, most_late);
+  const Doubts doubts = doubts_of(seen, limits, memory);
+  if (memory.lateness > 0) --memory.lateness;
 
-  Permission permission;
-  permission.granted = memory.state == S::kActive;
-  if (!permission.granted || seen.new_field) {
-    memory.ramp = 0;
-    return permission;
-  }
-  permission.ramping = memory.ramp < limits.ramp_ticks;
-  if (permission.ramping) ++memory.ramp;
-  permission.part = memory.ramp < limits.ramp_ticks  // at most 2^30
-                        ? ForcePart::from_raw(static_cast<std::int32_t>(memory.ramp) * limits.ramp_part.raw())
-                        : ForcePart::of(1);
-  return permission;
+  const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
+  memory.buttons = seen.buttons;
+  const bool asks = (seen.commands & kCommandResume) != 0 || pressed != 0;
+  const std::uint16_t now = faults_of(seen, doubts, limits, memory);
+  const bool resumed = memory.state == S::kFault && asks && now == 0;
+  memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
+  memory.state = next_state(memory.state, finding(seen, doubts, now, resumed, limits));
+  memory.held_ticks = memory.state == S::kHold ? std::min(memory.held_ticks + 1, kMostTicks) : 0;
+
+  if (allows_words(memory.state) && !seen.new_field) return ramped(limits, memory);
+  memory.ramp = 0;
+  Permission none;
+  none.granted = allows_words(memory.state);
+  return none;
 }
 
 }  // namespace isotouch::core

@@ -1,12 +1,14 @@
-/// The last word on every force: a small machine of states, and the ramp by which forces return after rest.
+/// The last word on every force: a small machine of states (`supervisor_table.h`), what counts as a fault, and the ramp by which forces return
+/// after rest.
 ///
-///   boot → homing → idle → ready → active ⇄ hold        any → fault → (resume) idle
+///   boot → homing → idle → ready → active ⇄ hold        any → fault → (a person) idle
 ///
-/// What else may forbid a force (safety lines, motor heat, speed) becomes a member of `Observations` and a row of `faults_of`.
+/// "Limited" is none of its business: forces and words that were shortened change no state.
 #pragma once
 
 #include <cstdint>
 
+#include "firmware/core/supervisor_table.h"
 #include "shared/device_io.h"
 #include "shared/device_model.h"
 #include "shared/units.h"
@@ -22,6 +24,8 @@ struct Supervision {
   std::uint32_t fault_ticks = 0;
   std::uint32_t ramp_ticks = 0;
   ForcePart ramp_part;  ///< 1 / ramp_ticks
+  std::uint8_t buttons = 0;
+  bool hold_to_run = false;
 };
 
 /// tick      no: divides
@@ -31,18 +35,26 @@ Supervision make_supervision(const DeviceModel& device, std::uint32_t period_ns)
 struct Observations {
   bool heard = false;         ///< there was a valid packet
   bool homed = false;         ///< the counts have a reference
+  bool jumped = false;        ///< no hand moved the counts as they changed
   bool pose_settled = false;  ///< the HIP is known
   bool has_field = false;
   bool new_field = false;         ///< another field than in the tick before
   bool too_deep = false;          ///< beyond the penetration limit
+  bool too_fast = false;          ///< beyond the speed limit
   std::uint32_t stale_ticks = 0;  ///< since the last valid fresh packet
+  std::uint32_t late = 0;         ///< periods left out before this tick
+  std::uint8_t lines = 0;         ///< DeviceLines
+  std::uint8_t buttons = 0;       ///< of the newest valid packet
   std::uint8_t commands = 0;      ///< DeviceCommands
 };
 
 struct SupervisorMemory {
   SupervisorState state = SupervisorState::kBoot;
   std::uint16_t faults = 0;
-  std::uint32_t ramp = 0;  ///< ticks of the ramp done
+  std::uint32_t ramp = 0;        ///< ticks of the ramp done
+  std::uint32_t lateness = 0;    ///< see `supervise`
+  std::uint32_t held_ticks = 0;  ///< in hold, in a row
+  std::uint8_t buttons = 0xFF;   ///< of the tick before; at first all, so that a button that is stuck resumes nothing
 };
 
 /// How much of the force is allowed: none but in kActive, there all of it once the ramp is done.
@@ -52,7 +64,12 @@ struct Permission {
   ForcePart part;
 };
 
-/// One step of the machine. A cause of fault outweighs everything, and stays until it is gone and kCommandResume is given.
+/// Lateness is a bucket: each period left out pours in 8, each tick takes out 1, kMostLate fills it. Hold begins at 8 times hold_ticks, by one tick
+/// that is so late or by several in a row that are less so.
+inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
+
+/// One step of the machine. A cause of fault outweighs everything, and stays until it is gone and a person resumes: by kCommandResume, or by
+/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault.
 ///
 /// tick      yes
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory);

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "firmware/loop/realtime.h"
+#include "shared/fault_names.h"
 
 namespace isotouch::daemon {
 
@@ -41,15 +42,16 @@ std::string supervisor_line(SupervisorState state, std::uint16_t faults) {
     case SupervisorState::kBoot: return "state: boot, no packet yet";
     case SupervisorState::kHoming: return "state: homing; pull the grip out as far as it goes, then push it in";
     case SupervisorState::kIdle: return "state: idle, no field";
-    case SupervisorState::kReady: return "state: ready";
+    case SupervisorState::kReady: return "state: ready; hold a button for forces, if they need one";
     case SupervisorState::kActive: return "state: active";
-    case SupervisorState::kHold: return "state: hold, packets are missing or the pose is uncertain";
+    case SupervisorState::kHold:
+      return "state: hold, no force for a moment: samples are missing, ticks late, the pose uncertain or the hand too fast";
     case SupervisorState::kFault: break;
   }
-  std::string text = "state: fault, no force until resumed:";
-  if ((faults & kFaultStopped) != 0) text += " stopped";
-  if ((faults & kFaultSilent) != 0) text += " silent";
-  if ((faults & kFaultPenetration) != 0) text += " penetration";
+  std::string text = "state: fault, no force until resumed by a button or 'isotouch resume'";
+  for (const FaultName& fault : kFaultNames) {
+    if ((faults & fault.fault) != 0) text.append(": ").append(fault.sentence);
+  }
   return text;
 }
 

@@ -16,6 +16,7 @@ Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Nei
       pace_(settings.period_ns, clock.now_ns()) {}
 
 bool Loop::step() {
+  pace_.stay_near(clock_.now_ns());
   const Wake wake = device_.wait(settings_.lockstep ? kNever : pace_.due_ns());
   if (wake == Wake::kEnd) return false;
   const bool replied = wake == Wake::kReply;
@@ -35,7 +36,8 @@ bool Loop::step() {
   record.arrival_ns = sample.arrival_ns;
   record.in = look(sample, missed);
   const ActiveField field = neighbours_.fields.field();
-  record.in.commands = neighbours_.commands.take();
+  record.in.commands = commands();
+  record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
   record.out = core::device_tick(record.in, field.view, model_, state_);
   device_.leave(
@@ -61,6 +63,13 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
   }
 }
 
+/// What is asked of this tick. A restart forgets everything, but it is no way out of a fault: there it comes with a stop.
+std::uint8_t Loop::commands() {
+  const std::uint8_t asked = neighbours_.commands.take();
+  const bool in_fault = state_.supervisor.state == SupervisorState::kFault;
+  return in_fault && (asked & kCommandRestart) != 0 ? static_cast<std::uint8_t>(asked | kCommandStop) : asked;
+}
+
 /// What the wire holds for this tick, and how old it is.
 DeviceInput Loop::look(const Sample& sample, std::uint32_t missed) {
   TickStats& stats = neighbours_.stats;
@@ -78,6 +87,7 @@ DeviceInput Loop::look(const Sample& sample, std::uint32_t missed) {
   (in.fresh ? stats.fresh : stats.stale).add();
   seen_ = sample.number;
   in.age = static_cast<std::uint16_t>(age_);
+  in.late = static_cast<std::uint8_t>(std::min<std::uint32_t>(missed, kMostLate));
   if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
   return in;
 }

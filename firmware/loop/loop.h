@@ -11,6 +11,7 @@
 #include "firmware/loop/device.h"
 #include "firmware/loop/field_slots.h"
 #include "firmware/loop/latest.h"
+#include "firmware/loop/line_state.h"
 #include "firmware/loop/pace.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
@@ -24,6 +25,7 @@ struct Neighbours {
   TraceRing& trace;           ///< every tick; a full ring loses records, never time
   Latest<TickRecord>& shown;  ///< the newest tick, for one reader
   TickStats& stats;
+  const LineState* lines = nullptr;  ///< nullptr: there are none
 };
 
 struct LoopSettings {
@@ -49,6 +51,7 @@ class Loop {
   void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
 
  private:
+  std::uint8_t commands();
   DeviceInput look(const Sample& sample, std::uint32_t missed);
   void count_own_costs();
 

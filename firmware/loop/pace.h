@@ -28,6 +28,11 @@ class Pace {
     return arrival_ns < earliest ? earliest : arrival_ns;
   }
 
+  /// A clock that was set back leaves the next tick's time far ahead: it comes a period from now instead.
+  void stay_near(std::int64_t now_ns) {
+    if (expected_ > now_ns + 2 * period_) expected_ = now_ns + period_;
+  }
+
   /// Notes that a tick has begun, and moves on to the next one.
   ///
   /// arrival_ns  of the reply that it began with; kNoReply: it began because it was due

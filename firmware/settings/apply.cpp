@@ -61,6 +61,10 @@ Result<DeviceModel> device_model(const Settings& settings, const std::string& se
   model.led_homing = led(settings.led_homing);
   model.led_idle = led(settings.led_idle);
   model.led_active = led(settings.led_active);
+  model.heat_word = settings.heat_word;
+  model.heat_ms = static_cast<std::uint32_t>(std::llround(settings.heat_s * 1000));
+  model.buttons = static_cast<std::uint8_t>(settings.button_mask);
+  model.hold_to_run = settings.hold_to_run ? 1 : 0;
   return decode_model(encode(model));
 }
 

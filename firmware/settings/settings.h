@@ -61,7 +61,13 @@ struct Settings {
   double fault_age_ms = 100;
   int count_jump = 400;
   double ramp_after_rest_ms = 200;
+  int heat_word = 2000;
+  double heat_s = 20;
   double field_mib = 16;
+
+  // [buttons]
+  int button_mask = 15;
+  bool hold_to_run = false;
 
   // [files]
   std::string field;

@@ -10,7 +10,7 @@
 #include "host/commands/controller_options.h"
 #include "host/evaluate/hash_text.h"
 #include "host/link/controller.h"
-#include "shared/device_io.h"
+#include "shared/fault_names.h"
 
 namespace isotouch::commands {
 
@@ -30,10 +30,12 @@ std::string state_name(std::uint16_t state) {
 /// Faults in words.
 std::vector<std::string> fault_names(std::uint16_t faults) {
   std::vector<std::string> names;
-  if ((faults & kFaultStopped) != 0) names.emplace_back("stopped");
-  if ((faults & kFaultSilent) != 0) names.emplace_back("silent");
-  if ((faults & kFaultPenetration) != 0) names.emplace_back("penetration");
-  if ((faults & ~(kFaultStopped | kFaultSilent | kFaultPenetration)) != 0) names.emplace_back("unknown");
+  unsigned known = 0;
+  for (const FaultName& fault : kFaultNames) {
+    if ((faults & fault.fault) != 0) names.emplace_back(fault.name);
+    known |= fault.fault;
+  }
+  if ((faults & ~known) != 0) names.emplace_back("unknown");
   return names;
 }
 

@@ -35,7 +35,11 @@ TEST(DeviceModel, StandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::uint32_t>(at + 92), 100'000'000U);
   EXPECT_EQ(at[104], 1);
   EXPECT_EQ(at[107], 2);
-  EXPECT_TRUE(std::all_of(at + 108, at + kDeviceModelBytes, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::int32_t>(at + 108), 2000);
+  EXPECT_EQ(load_le<std::uint32_t>(at + 112), 20'000U);
+  EXPECT_EQ(at[116], 15);
+  EXPECT_EQ(at[117], 0);
+  EXPECT_TRUE(std::all_of(at + 118, at + kDeviceModelBytes, [](std::uint8_t b) { return b == 0; }));
 }
 
 TEST(DeviceModel, EveryByteIsInTheHashOrRefused) {
@@ -50,7 +54,7 @@ TEST(DeviceModel, EveryByteIsInTheHashOrRefused) {
       EXPECT_EQ(read.error(), Error::kBadModel);
       continue;
     }
-    EXPECT_LT(bit / 8, 108U) << "a reserved byte";
+    EXPECT_LT(bit / 8, 118U) << "a reserved byte";
     ++accepted;
     seen.insert(hash(*read));
   }
@@ -74,6 +78,10 @@ TEST(DeviceModel, NumbersThatWouldOverflowTheTickAreRefused) {
   EXPECT_TRUE(refused([](DeviceModel& m) { m.ramp_ticks = 0; }));
   EXPECT_TRUE(refused([](DeviceModel& m) { m.legs[2].per_count = AnglePerCount{}; }));
   EXPECT_TRUE(refused([](DeviceModel& m) { m.led_idle = 0x10; }));
+  EXPECT_TRUE(refused([](DeviceModel& m) { m.heat_word = 0; }));
+  EXPECT_TRUE(refused([](DeviceModel& m) { m.heat_ms = 999; }));
+  EXPECT_TRUE(refused([](DeviceModel& m) { m.buttons = 16; }));
+  EXPECT_TRUE(refused([](DeviceModel& m) { m.hold_to_run = 2; }));
   EXPECT_FALSE(refused([](DeviceModel&) {}));
 }
 

@@ -59,6 +59,10 @@ struct Bench {
     for (int t = 0; t < ticks; ++t) out = at(workspace);
     return out;
   }
+  /// Around the ball, 2 mm above it, from one direction to another.
+  void go_round(const Point& from, const Point& to) {
+    for (int t = 0; t <= 60; ++t) at(kCentre + test::unit(from * (60.0 - t) + to * t) * 10);
+  }
   /// Homed, with the field, active, ramp done, beside the ball.
   void begin() {
     generation = 1;
@@ -106,6 +110,7 @@ TEST(DeviceTick, InContactTheWordsAreThoseOfTheTwin) {
     int compared = 0;
     for (int touch = 0; touch < 40; ++touch) {
       const Point n = random.direction();
+      bench.go_round(touch == 0 ? Point{1, 0, 0} : Point{0, 0, 1}, n);
       for (double r = 10; r > 9; r -= 0.05) bench.at(kCentre + n * r);
       for (double r = 9; r > 5; r -= 0.02) {
         const Point hip = kCentre + n * r;
@@ -123,7 +128,7 @@ TEST(DeviceTick, InContactTheWordsAreThoseOfTheTwin) {
         }
       }
       for (double r = 5; r < 10; r += 0.05) bench.at(kCentre + n * r);
-      bench.rest(kCentre + Point{0, 0, 10}, 20);
+      bench.go_round(n, Point{0, 0, 1});
     }
     EXPECT_GT(compared, 20'000) << set.name;
     EXPECT_LT(worst_word, 0.6) << set.name;  // half is rounding
@@ -216,7 +221,7 @@ TEST(DeviceTick, AMalformedPacketCountsAsNone) {
   }
 }
 
-TEST(DeviceTick, AfterACountJumpThereIsNoForceUntilThePoseIsFoundAgain) {
+TEST(DeviceTick, AJumpUnderForcesIsAFaultAndThePoseIsSoughtAnew) {
   Bench bench;
   bench.begin();
   for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
@@ -224,21 +229,88 @@ TEST(DeviceTick, AfterACountJumpThereIsNoForceUntilThePoseIsFoundAgain) {
   DeviceOutput out = bench(in);
   EXPECT_TRUE(out.tick.status & kCountJump);
   EXPECT_TRUE(out.tick.status & kPoseUncertain);
-  EXPECT_EQ(state_of(out), SupervisorState::kHold);
+  EXPECT_EQ(state_of(out), SupervisorState::kFault);
+  EXPECT_EQ(out.faults, kFaultEncoders);
+  EXPECT_EQ(out.tick.words, Words{});
   int ticks = 1;
-  for (; (out.tick.status & kPoseUncertain) != 0; ++ticks) {
-    EXPECT_EQ(out.tick.words, Words{});
-    out = bench(in);
-  }
+  for (; (out.tick.status & kPoseUncertain) != 0; ++ticks) out = bench(in);
   EXPECT_GE(ticks, 2);
   EXPECT_LE(ticks, 6);
   EXPECT_NEAR(mm(out.hip).z + 125, test::libnifalcon_twin().forward(test::libnifalcon_twin().angles_of({-1200, -1200, -1200}))->z, 0.00001);
+}
 
-  in = packet({0, 0, 0}, 0);  // the device began anew: its counts mean nothing
-  out = bench(in);
-  EXPECT_EQ(state_of(out), SupervisorState::kHoming);
-  for (int t = 0; t < 10; ++t) out = bench(packet({0, 0, 0}, 6));
-  EXPECT_EQ(state_of(out), SupervisorState::kHoming);
+TEST(DeviceTick, HomingLostBeginsAgainWhereverTheCountsWere) {
+  for (const Point& place : {kCentre + Point{7, 0, 0}, Point{10, 0, -3}}) {
+    Bench bench;
+    bench.begin();
+    for (double part = 0; part < 1; part += 0.01) bench.at((kCentre + Point{10, 0, 0}) * (1 - part) + place * part);
+    DeviceOutput out = bench(packet({0, 0, 0}, 0));  // the device began anew: its counts mean nothing
+    EXPECT_EQ(state_of(out), SupervisorState::kHoming);
+    EXPECT_EQ(out.tick.words, Words{});
+    for (int t = 0; t < 10; ++t) out = bench(packet({0, 0, 0}, 6));
+    EXPECT_EQ(state_of(out), SupervisorState::kHoming);
+    EXPECT_EQ(out.faults, 0);
+  }
+}
+
+TEST(DeviceTick, ALeapHoldsAtOnceAndAHandThatIsTooFastAsLongAsItIs) {
+  Bench bench;
+  bench.begin();
+  for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  EXPECT_NE(bench.at(kCentre + Point{7, 0, 0}).tick.words, Words{});
+  DeviceOutput out = bench.at(kCentre + Point{2.9, 0, 0});  // 4.1 m/s, and no more than 250 counts
+  EXPECT_FALSE(out.tick.status & kCountJump);
+  EXPECT_EQ(state_of(out), SupervisorState::kHold);
+  EXPECT_EQ(out.tick.words, Words{});
+  out = bench.rest(kCentre + Point{2.9, 0, 0}, 30);
+  EXPECT_EQ(state_of(out), SupervisorState::kActive);
+  EXPECT_TRUE(out.tick.status & kRamping);
+}
+
+TEST(DeviceTick, LinesAndLatenessAreInputs) {
+  for (const std::uint8_t line : {std::uint8_t{kLineStop}, std::uint8_t{kLineEnableWrong}}) {
+    Bench bench;
+    bench.begin();
+    for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+    DeviceInput in = packet(bench.counts_at(kCentre + Point{7, 0, 0}));
+    in.lines = line;
+    const DeviceOutput out = bench(in);
+    EXPECT_EQ(state_of(out), SupervisorState::kFault);
+    EXPECT_EQ(out.tick.words, Words{});
+    in.commands = kCommandResume;
+    EXPECT_EQ(state_of(bench(in)), SupervisorState::kFault) << "still pressed";
+    in.lines = 0;
+    EXPECT_EQ(state_of(bench(in)), SupervisorState::kIdle);
+  }
+  Bench bench;
+  bench.begin();
+  for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  DeviceInput in = packet(bench.counts_at(kCentre + Point{7, 0, 0}));
+  in.late = 2;
+  DeviceOutput out = bench(in);
+  EXPECT_EQ(state_of(out), SupervisorState::kActive);
+  EXPECT_TRUE(out.tick.status & kLate);
+  EXPECT_EQ(state_of(bench(in)), SupervisorState::kHold);
+  in.late = 0;
+  out = bench.rest(kCentre + Point{7, 0, 0}, 10);
+  EXPECT_EQ(state_of(out), SupervisorState::kActive);
+  EXPECT_TRUE(out.tick.status & kRamping);
+}
+
+TEST(DeviceTick, WarmMotorsGiveLessAndSaySo) {
+  DeviceModel device = libnifalcon_model();
+  device.heat_word = 200;
+  device.heat_ms = 5000;
+  Bench bench(test::falcon_sets()[0], device);
+  bench.begin();
+  for (double r = 10; r > 6; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  EXPECT_GT(bench.at(kCentre + Point{6, 0, 0}).tick.words[1], 300);
+  const DeviceOutput out = bench.rest(kCentre + Point{6, 0, 0}, 30'000);
+  EXPECT_EQ(state_of(out), SupervisorState::kActive) << "a limit is no fault";
+  EXPECT_EQ(out.tick.status & (kHeatLimited | kWordsLimited), std::uint32_t{kHeatLimited} | kWordsLimited);
+  int most = 0;
+  for (const std::int16_t word : out.tick.words) most = std::max(most, std::abs(int{word}));
+  EXPECT_NEAR(most, 200, 5);
 }
 
 TEST(DeviceTick, HomedBitsThatAreDroppedLaterChangeNothing) {

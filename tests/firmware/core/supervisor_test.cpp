@@ -7,9 +7,12 @@ namespace {
 
 using S = SupervisorState;
 
-Supervision limits() {
+constexpr std::uint32_t kHold = 3, kFault = 100;  // ticks
+
+Supervision limits(bool hold_to_run = false) {
   DeviceModel device = libnifalcon_model();
   device.ramp_ticks = 7;
+  device.hold_to_run = hold_to_run ? 1 : 0;
   return make_supervision(device, 1'000'000);
 }
 
@@ -28,27 +31,135 @@ S after(S from, const Observations& seen) {
   return memory.state;
 }
 
+/// Goes through everything that a tick can find and remember; every limit with both its edges. Reports the first that breaks a property.
+struct Exhaustive {
+  std::uint64_t steps = 0, active = 0, resumed = 0;
+  const char* broken = nullptr;
+
+  void check(const Observations& seen, const Supervision& with, const SupervisorMemory& before) {
+    SupervisorMemory memory = before;
+    const Permission permission = supervise(seen, with, memory);
+    ++steps;
+    const bool is_active = memory.state == S::kActive;
+    active += is_active ? 1 : 0;
+    const bool pressed = (seen.buttons & ~before.buttons & with.buttons) != 0;
+    const bool asked = (seen.commands & kCommandResume) != 0 || pressed;
+    const auto demand = [&](bool holds, const char* property) {
+      if (!holds && broken == nullptr) broken = property;
+    };
+    demand(permission.granted == is_active, "words in active alone");
+    demand(is_active || (permission.part == ForcePart{} && !permission.ramping), "no part of a force elsewhere");
+    demand(memory.state <= S::kFault, "a state of the table");
+    demand((memory.faults != 0) == (memory.state == S::kFault), "a fault has a reason, and nothing else has");
+    if (before.state == S::kFault && memory.state != S::kFault) {
+      ++resumed;
+      demand(asked && memory.state == S::kIdle, "only a person leads out of fault, and not to forces");
+    }
+    const bool cause = (seen.commands & kCommandStop) != 0 || seen.lines != 0 || (seen.heard && seen.stale_ticks > kFault);
+    demand(!cause || memory.state == S::kFault, "a cause of fault is one from everywhere");
+    const bool forces = before.state == S::kActive || before.state == S::kHold;
+    demand(!(forces && seen.jumped && seen.homed) || memory.state == S::kFault, "a jump under forces is a fault");
+    demand(!(before.state == S::kActive && seen.too_deep) || memory.state == S::kFault, "a hand too deep is a fault");
+    const bool late = before.lateness + seen.late * kLatenessOfAPeriod >= kHold * kLatenessOfAPeriod;
+    const bool doubt = seen.stale_ticks >= kHold || late || !seen.pose_settled || seen.too_fast;
+    const bool let_go = with.hold_to_run && (seen.buttons & with.buttons) == 0;
+    demand(!is_active || !(doubt || cause || let_go || !seen.heard || !seen.homed || !seen.has_field), "forces only when all is well");
+    demand(!(before.state == S::kHold && doubt && before.held_ticks >= kFault) || seen.stale_ticks >= kHold || memory.state == S::kFault ||
+               !seen.heard || !seen.homed,
+           "a hold does not last");
+    demand(!(is_active && seen.new_field) || permission.part == ForcePart{}, "another field begins without force");
+  }
+};
+
+TEST(Supervisor, WhateverItFindsAndRemembersItsPromisesHold) {
+  Exhaustive all;
+  for (std::uint32_t bits = 0; bits < 256; ++bits) {
+    Observations seen;
+    seen.heard = (bits & 1) != 0, seen.homed = (bits & 2) != 0, seen.jumped = (bits & 4) != 0, seen.pose_settled = (bits & 8) != 0;
+    seen.has_field = (bits & 16) != 0, seen.new_field = (bits & 32) != 0, seen.too_deep = (bits & 64) != 0,
+    seen.too_fast = (bits & 128) != 0;
+    for (const std::uint32_t stale : {0U, kHold - 1, kHold, kFault, kFault + 1}) {
+      for (const std::uint32_t late : {0U, 2U, 3U, 31U}) {
+        for (std::uint32_t outside = 0; outside < 32; ++outside) {  // lines, stop, resume, a button
+          seen.stale_ticks = stale;
+          seen.late = late;
+          seen.lines = static_cast<std::uint8_t>(outside & 3);
+          seen.commands = static_cast<std::uint8_t>((outside >> 2) & 3);
+          seen.buttons = static_cast<std::uint8_t>(outside >> 4);
+          for (std::uint32_t memory = 0; memory < 7 * 32; ++memory) {
+            SupervisorMemory before;
+            before.state = static_cast<S>(memory / 32);
+            before.faults = before.state == S::kFault ? std::uint16_t{kFaultStopped} : std::uint16_t{0};
+            before.ramp = (memory & 1) != 0 ? 7 : 0;
+            before.buttons = (memory & 2) != 0 ? 0xFF : 0;
+            before.held_ticks = (memory & 4) != 0 ? kFault : 0;
+            before.lateness = (memory & 8) != 0 ? kHold * kLatenessOfAPeriod - 1 : 0;
+            static const Supervision kBoth[] = {limits(false), limits(true)};
+            all.check(seen, kBoth[(memory & 16) != 0 ? 1 : 0], before);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(all.broken, nullptr) << all.broken;
+  EXPECT_EQ(all.steps, 256U * 5 * 4 * 32 * 7 * 32);
+  EXPECT_GT(all.active, 1000U);
+  EXPECT_GT(all.resumed, 1000U);
+}
+
 TEST(Supervisor, EveryStateLeadsWhereTheTableSays) {
   Observations unheard, unhomed = well(), uncertain = well(), stale = well(), no_field = well(), stopped = well();
   unhomed.homed = unhomed.pose_settled = false;
   uncertain.pose_settled = false;
-  stale.stale_ticks = 3;
+  stale.stale_ticks = kHold;
   no_field.has_field = false;
   stopped.commands = kCommandStop;
-  const S all[] = {S::kBoot, S::kHoming, S::kIdle, S::kReady, S::kActive, S::kHold, S::kFault};
-  const S on_unhomed[] = {S::kHoming, S::kHoming, S::kHoming, S::kHoming, S::kHoming, S::kHoming, S::kFault};
-  const S on_uncertain[] = {S::kHoming, S::kHoming, S::kIdle, S::kIdle, S::kHold, S::kHold, S::kFault};
-  const S on_no_field[] = {S::kHoming, S::kIdle, S::kIdle, S::kIdle, S::kIdle, S::kIdle, S::kFault};
-  const S on_well[] = {S::kHoming, S::kIdle, S::kReady, S::kActive, S::kActive, S::kActive, S::kFault};
-  for (int i = 0; i < 7; ++i) {
-    EXPECT_EQ(after(all[i], stopped), S::kFault);
-    EXPECT_EQ(after(all[i], unheard), all[i] == S::kFault ? S::kFault : S::kBoot);
-    EXPECT_EQ(after(all[i], unhomed), on_unhomed[i]);
-    EXPECT_EQ(after(all[i], uncertain), on_uncertain[i]);
-    EXPECT_EQ(after(all[i], stale), on_uncertain[i]);
-    EXPECT_EQ(after(all[i], no_field), on_no_field[i]);
-    EXPECT_EQ(after(all[i], well()), on_well[i]);
+  for (const S from : {S::kBoot, S::kHoming, S::kIdle, S::kReady, S::kActive, S::kHold, S::kFault}) {
+    EXPECT_EQ(after(from, stopped), next_state(from, Finding::kFaulty));
+    EXPECT_EQ(after(from, unheard), next_state(from, Finding::kUnheard));
+    EXPECT_EQ(after(from, unhomed), next_state(from, Finding::kUnhomed));
+    EXPECT_EQ(after(from, uncertain), next_state(from, Finding::kUncertain));
+    EXPECT_EQ(after(from, stale), next_state(from, Finding::kUncertain));
+    EXPECT_EQ(after(from, no_field), next_state(from, Finding::kNoField));
+    EXPECT_EQ(after(from, well()), next_state(from, Finding::kWell));
   }
+}
+
+TEST(Supervisor, EachConditionHasItsOwnFault) {
+  const auto fault_of = [](auto change) {
+    SupervisorMemory memory;
+    memory.state = S::kActive;
+    Observations seen = well();
+    change(seen);
+    supervise(seen, limits(), memory);
+    return memory.faults;
+  };
+  EXPECT_EQ(fault_of([](Observations& o) { o.commands = kCommandStop; }), kFaultStopped);
+  EXPECT_EQ(fault_of([](Observations& o) { o.stale_ticks = kFault + 1; }), kFaultSilent);
+  EXPECT_EQ(fault_of([](Observations& o) { o.too_deep = true; }), kFaultPenetration);
+  EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true; }), kFaultEncoders);
+  EXPECT_EQ(fault_of([](Observations& o) { o.lines = kLineStop; }), kFaultEmergency);
+  EXPECT_EQ(fault_of([](Observations& o) { o.lines = kLineEnableWrong; }), kFaultEnable);
+  EXPECT_EQ(fault_of([](Observations& o) { o.jumped = o.homed = false; }), 0);
+  EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true, o.homed = false; }), 0) << "homing begins again, by itself";
+}
+
+TEST(Supervisor, AHoldThatLastsIsAFaultOfItsReason) {
+  const auto fault_of = [](auto change, std::uint32_t ticks) {
+    SupervisorMemory memory;
+    memory.state = S::kActive;
+    Observations seen = well();
+    change(seen);
+    for (std::uint32_t t = 0; t < ticks; ++t) {
+      EXPECT_FALSE(supervise(seen, limits(), memory).granted);
+      EXPECT_EQ(memory.state, t < kFault ? S::kHold : S::kFault);
+    }
+    return memory.faults;
+  };
+  EXPECT_EQ(fault_of([](Observations& o) { o.pose_settled = false; }, kFault), 0);
+  EXPECT_EQ(fault_of([](Observations& o) { o.pose_settled = false; }, kFault + 1), kFaultPose);
+  EXPECT_EQ(fault_of([](Observations& o) { o.too_fast = true; }, kFault + 1), kFaultSpeed);
+  EXPECT_EQ(fault_of([](Observations& o) { o.late = kHold; }, kFault + 1), kFaultLate);
 }
 
 TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
@@ -58,7 +169,7 @@ TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
   seen.too_deep = true;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.faults, kFaultPenetration);
-  seen.stale_ticks = 101;
+  seen.stale_ticks = kFault + 1;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.faults, kFaultPenetration | kFaultSilent);
   seen.commands = kCommandResume;
@@ -72,8 +183,66 @@ TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
   EXPECT_EQ(memory.state, S::kFault) << "stop outweighs resume";
   seen.commands = kCommandResume;
   supervise(seen, limits(), memory);
-  EXPECT_EQ(memory.state, S::kReady);
+  EXPECT_EQ(memory.state, S::kIdle);
   EXPECT_EQ(memory.faults, 0);
+}
+
+TEST(Supervisor, AButtonResumesWhenItIsPressedAnew) {
+  SupervisorMemory memory;
+  memory.state = S::kFault;
+  Observations seen = well();
+  seen.buttons = 2;
+  supervise(seen, limits(), memory);
+  EXPECT_EQ(memory.state, S::kFault) << "held before anything was known: it may be stuck";
+  seen.buttons = 0;
+  supervise(seen, limits(), memory);
+  EXPECT_EQ(memory.state, S::kFault);
+  seen.buttons = 2;
+  supervise(seen, limits(), memory);
+  EXPECT_EQ(memory.state, S::kIdle);
+
+  memory.state = S::kFault;
+  supervise(seen, limits(), memory);
+  EXPECT_EQ(memory.state, S::kFault) << "still held";
+  seen.buttons = 3;
+  Supervision other = limits();
+  other.buttons = 8;
+  supervise(seen, other, memory);
+  EXPECT_EQ(memory.state, S::kFault) << "not one of those that count";
+}
+
+TEST(Supervisor, WhereAButtonMustBeHeldForcesLastAsLongAsItIs) {
+  SupervisorMemory memory;
+  memory.state = S::kReady;
+  Observations seen = well();
+  for (int t = 0; t < 5; ++t) EXPECT_FALSE(supervise(seen, limits(true), memory).granted);
+  seen.buttons = 1;
+  EXPECT_TRUE(supervise(seen, limits(true), memory).granted);
+  EXPECT_TRUE(supervise(seen, limits(true), memory).ramping);
+  seen.buttons = 0;
+  EXPECT_FALSE(supervise(seen, limits(true), memory).granted);
+  EXPECT_EQ(memory.state, S::kReady);
+}
+
+TEST(Supervisor, LateTicksHoldWhenThreePeriodsAreLeftOutAtOnceOrNearlySo) {
+  const auto state_after = [](std::initializer_list<std::uint32_t> lates) {
+    SupervisorMemory memory;
+    memory.state = S::kActive;
+    for (const std::uint32_t late : lates) {
+      Observations seen = well();
+      seen.late = late;
+      supervise(seen, limits(), memory);
+    }
+    return memory.state;
+  };
+  EXPECT_EQ(state_after({2}), S::kActive);
+  EXPECT_EQ(state_after({3}), S::kHold);
+  EXPECT_EQ(state_after({3, 0}), S::kActive) << "leaves by itself";
+  EXPECT_EQ(state_after({1, 1, 1}), S::kActive);
+  EXPECT_EQ(state_after({1, 1, 1, 1}), S::kHold);
+  EXPECT_EQ(state_after({2, 0, 0, 0, 0, 0, 0, 1}), S::kActive);
+  EXPECT_EQ(state_after({31, 0, 0, 0, 0, 0, 0}), S::kHold) << "after a long pause not at once";
+  EXPECT_EQ(state_after({1000, 0}), S::kHold);
 }
 
 TEST(Supervisor, TheRampRisesEvenlyToOneAndBeginsAgainAfterRest) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "firmware/loop/realtime.h"
+#include "shared/fault_names.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -14,7 +15,13 @@ TEST(StatusLines, EveryStateHasALineOfItsOwn) {
   for (std::uint16_t state = 0; state <= 6; ++state) lines.insert(supervisor_line(static_cast<SupervisorState>(state), 0));
   EXPECT_EQ(lines.size(), 7U);
   for (const std::string& line : lines) EXPECT_EQ(line.find("state: "), 0U);
-  EXPECT_EQ(supervisor_line(SupervisorState::kFault, kFaultSilent | kFaultStopped), "state: fault, no force until resumed: stopped silent");
+  EXPECT_EQ(
+      supervisor_line(SupervisorState::kFault, kFaultSilent | kFaultStopped),
+      "state: fault, no force until resumed by a button or 'isotouch resume': it was told to stop: the device did not answer in time; "
+      "look after its cable and supply");
+  std::set<std::string> sentences;
+  for (const FaultName& fault : kFaultNames) sentences.insert(supervisor_line(SupervisorState::kFault, fault.fault));
+  EXPECT_EQ(sentences.size(), 9U);
 }
 
 TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {

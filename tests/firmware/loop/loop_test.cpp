@@ -35,7 +35,7 @@ FalconPacket grip_at(const Point& place) {
 
 struct Bench {
   explicit Bench(const LoopSettings& wish = {}, std::size_t ring = 1 << 12)
-      : trace(ring), settings(wish), loop(settings, device, clock, {fields, commands, trace, shown, stats}) {}
+      : trace(ring), settings(wish), loop(settings, device, clock, {fields, commands, trace, shown, stats, &lines}) {}
 
   VirtualClock clock;
   FakeDevice device{clock};
@@ -44,6 +44,7 @@ struct Bench {
   TraceRing trace;
   Latest<TickRecord> shown;
   TickStats stats;
+  LineState lines;
   LoopSettings settings;
   Loop loop;
 
@@ -139,6 +140,37 @@ TEST(Loop, ATickThatIsLateLeavesWholePeriodsOutAndSaysSo) {
   EXPECT_EQ(bench.step().in.age, 7U);
   EXPECT_EQ(bench.stats.late.value(), 1U);
   EXPECT_EQ(bench.stats.wake_delay.read().largest_ns, 5'000'000U);
+}
+
+TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
+  Bench bench;
+  bench.steps(10);
+  bench.device.stall_ns = 5'000'000;
+  TickRecord record = bench.step();
+  EXPECT_EQ(record.in.late, 5);
+  EXPECT_NE(record.out.tick.status & kLate, 0U);
+  EXPECT_EQ(bench.step().in.late, 0);
+  bench.device.stall_ns = 90'000'000;
+  EXPECT_EQ(bench.step().in.late, kMostLate);
+  EXPECT_EQ(bench.step().in.lines, 0);
+  bench.lines.put(kLineStop);
+  record = bench.step();
+  EXPECT_EQ(record.in.lines, kLineStop);
+  EXPECT_EQ(bench.state(), SupervisorState::kFault);
+}
+
+TEST(Loop, ARecordingBegunInAFaultDoesNotEndIt) {
+  Bench bench;
+  bench.commands.ask(kCommandStop);
+  bench.steps(5);
+  bench.commands.ask(kCommandRestart);
+  EXPECT_EQ(bench.step().in.commands, kCommandRestart | kCommandStop);
+  bench.steps(20);
+  EXPECT_EQ(bench.state(), SupervisorState::kFault);
+  bench.commands.ask(kCommandResume);
+  EXPECT_NE(static_cast<SupervisorState>(bench.step().out.tick.state), SupervisorState::kFault);
+  bench.commands.ask(kCommandRestart);
+  EXPECT_EQ(bench.step().in.commands, kCommandRestart);
 }
 
 TEST(Loop, AnAgeDoesNotWrap) {

@@ -106,5 +106,15 @@ TEST(Pace, ATickThatIsLateByWholePeriodsLeavesThemOut) {
   EXPECT_EQ(pace.begin(9 * kPeriod, 10 * kPeriod), 1U);
 }
 
+TEST(Pace, AClockThatWasSetBackDelaysNoTick) {
+  Pace pace(1'000'000, 500'000'000);
+  pace.stay_near(499'000'000);
+  EXPECT_EQ(pace.due_ns(), 501'250'000) << "within two periods nothing changes";
+  pace.stay_near(100'000'000);
+  EXPECT_EQ(pace.due_ns(), 101'250'000);
+  EXPECT_EQ(pace.begin(101'000'000, 101'000'000), 0U);
+  EXPECT_EQ(pace.due_ns(), 102'250'000);
+}
+
 }  // namespace
 }  // namespace isotouch::loop

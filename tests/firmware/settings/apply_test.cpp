@@ -58,6 +58,10 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   settings.damping = 0.001;
   settings.force_limit_n = 4;
   settings.ramp_ms = 28;
+  settings.heat_word = 1234;
+  settings.heat_s = 7.5;
+  settings.button_mask = 5;
+  settings.hold_to_run = true;
   settings.tick_hz = 250;
   const DeviceModel model = *device_model(settings, "");
   EXPECT_EQ(model.workspace_origin, (Vec3<Mm>{Mm::of(1), Mm::of(-2.5), Mm::of(110)}));
@@ -69,6 +73,10 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(model.fault_age_ns, 12'500'000U);
   EXPECT_EQ(model.count_jump, 99);
   EXPECT_EQ(model.ramp_ticks, 11U);
+  EXPECT_EQ(model.heat_word, 1234);
+  EXPECT_EQ(model.heat_ms, 7500U);
+  EXPECT_EQ(model.buttons, 5);
+  EXPECT_EQ(model.hold_to_run, 1);
   EXPECT_EQ(model.homing_flag, 0);
   EXPECT_EQ(model.led_homing, 0);
   EXPECT_EQ(model.led_idle, kFalconGreen);

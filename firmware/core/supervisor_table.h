@@ -1,0 +1,54 @@
+/// The supervisor's whole behaviour as data: what a tick found leads from one state to the next. A test walks every entry.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "shared/device_io.h"
+
+namespace isotouch::core {
+
+inline constexpr std::size_t kStates = 7;
+
+/// What a tick found, the gravest first: the first that holds counts.
+enum class Finding : std::uint8_t {
+  kFaulty,     ///< a cause of fault
+  kResumed,    ///< in fault alone: its cause is gone and a person asks to go on
+  kUnheard,    ///< no valid packet yet
+  kUnhomed,    ///< the counts have no reference
+  kUncertain,  ///< samples are missing, ticks late, the pose unknown or the hand too fast
+  kNoField,
+  kReleased,  ///< a button must be held, and is not
+  kWell,
+};
+inline constexpr std::size_t kFindings = 8;
+
+namespace supervisor_table_detail {
+using S = SupervisorState;
+inline constexpr S Boo = S::kBoot, Hom = S::kHoming, Idl = S::kIdle, Rea = S::kReady, Act = S::kActive, Hol = S::kHold, Fau = S::kFault;
+
+/// Rows are states, columns findings.
+inline constexpr std::array<std::array<S, kFindings>, kStates> kNext = {{
+    //           faulty resumed unheard unhomed uncertain no field released well
+    /* boot   */ {{Fau, Fau, Boo, Hom, Hom, Hom, Hom, Hom}},
+    /* homing */ {{Fau, Fau, Boo, Hom, Hom, Idl, Idl, Idl}},
+    /* idle   */ {{Fau, Fau, Boo, Hom, Idl, Idl, Rea, Rea}},
+    /* ready  */ {{Fau, Fau, Boo, Hom, Idl, Idl, Rea, Act}},
+    /* active */ {{Fau, Fau, Boo, Hom, Hol, Idl, Rea, Act}},
+    /* hold   */ {{Fau, Fau, Boo, Hom, Hol, Idl, Rea, Act}},
+    /* fault  */ {{Fau, Idl, Fau, Fau, Fau, Fau, Fau, Fau}},
+}};
+}  // namespace supervisor_table_detail
+
+/// fails     never: a state or finding that is none leads to kFault
+/// tick      yes
+constexpr SupervisorState next_state(SupervisorState state, Finding finding) {
+  const auto row = static_cast<std::size_t>(state), column = static_cast<std::size_t>(finding);
+  return row < kStates && column < kFindings ? supervisor_table_detail::kNext[row][column] : SupervisorState::kFault;
+}
+
+/// May there be motor words other than zero?
+constexpr bool allows_words(SupervisorState state) { return state == SupervisorState::kActive; }
+
+}  // namespace isotouch::core

@@ -1,0 +1,30 @@
+/// Why there is no force, in words: the one table that the controller and the host tool print.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "shared/device_io.h"
+
+namespace isotouch {
+
+struct FaultName {
+  std::uint16_t fault;        ///< one of Faults
+  std::string_view name;      ///< for programs
+  std::string_view sentence;  ///< what happened, and what to do before it is resumed
+};
+
+inline constexpr std::array<FaultName, 9> kFaultNames = {{
+    {kFaultStopped, "stopped", "it was told to stop"},
+    {kFaultSilent, "silent", "the device did not answer in time; look after its cable and supply"},
+    {kFaultPenetration, "penetration", "the hand was deeper in the object than it may be; let go, and move out of it"},
+    {kFaultEncoders, "encoders", "the encoders jumped while there were forces; unplug the device, so that it is homed anew"},
+    {kFaultPose, "pose", "the grip was where the arms cannot reach; check geometry and homing of the device"},
+    {kFaultSpeed, "speed", "the grip moved faster than it may for too long; hold it"},
+    {kFaultLate, "late", "ticks came too late for too long; give the controller its priority and a core, or a lower rate"},
+    {kFaultEmergency, "emergency", "the emergency stop is pressed, or its wire is broken; release it"},
+    {kFaultEnable, "enable", "the motors' enable does not read back as it was set; check relay and wires"},
+}};
+
+}  // namespace isotouch
