@@ -24,7 +24,18 @@ constexpr std::size_t kStep[3] = {1, 6, 36};
 template <class Action>
 void for_each_four(std::size_t step, const Action& four) {
   const std::size_t end = std::tuple_size_v<Apron> - step;
-  for (std::size_t n = step; n < end; n += 4) four(std::min(n, end - 4));
+  for (std::size_t n = step; n + 4 <= end; n += 4) four(n);
+  four(end - 4);
+}
+
+float squared(float x) { return x * x; }
+
+/// The largest step to a neighbour along one axis, of all that are known.
+float largest_rise(const Apron& values, std::size_t step) {
+  const auto rise = [&](std::size_t n) { return magnitude(load(&values[n]) - load(&values[n - step])); };
+  Four most{};
+  for (std::size_t n = step; n + 4 <= values.size(); n += 4) most = larger(rise(n), most);
+  return largest(larger(rise(values.size() - 4), most));
 }
 
 /// The larger of the steps to the two neighbours of each value along one axis, zero where none is known (NaN).
@@ -48,16 +59,12 @@ Apron spread(const Apron& values, std::size_t step) {
 /// A bound of |∇φ|² in the cells around the brick's samples, or what is given. A cell reaches half a sample to each side and knows 3x3x3
 /// coefficients.
 float steepest(const Apron& coefficients, float known) {
-  std::array<Apron, 3> rise;
   float at_most = 0.0F;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    rise[axis] = rises(coefficients, kStep[axis]);
-    Four most{};
-    for (std::size_t n = 0; n < rise[axis].size(); n += 4) most = larger(most, load(&rise[axis][n]));
-    at_most += largest(most) * largest(most);
-  }
+  for (const std::size_t step : kStep) at_most += squared(largest_rise(coefficients, step));
   if (at_most <= known) return known;
-  for (std::size_t axis = 0; axis < 3; ++axis) rise[axis] = spread(spread(rise[axis], kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
+  std::array<Apron, 3> rise;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rise[axis] = spread(spread(rises(coefficients, kStep[axis]), kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
   Four most = all(known);
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
@@ -77,7 +84,7 @@ using Surroundings = std::array<float, 512>;
 
 constexpr std::ptrdiff_t surroundings_number(int x, int y, int z) { return ((z + 2) * 8 + y + 2) * 8 + x + 2; }
 
-Surroundings surroundings(const std::vector<Samples>& samples, const Neighbours& around) {
+Surroundings surroundings(const std::vector<field::Brick>& bricks, const Neighbours& around) {
   Surroundings all;
   all.fill(NAN);
   float* out = all.data();
@@ -85,9 +92,9 @@ Surroundings surroundings(const std::vector<Samples>& samples, const Neighbours&
     for (int y = -2; y < 6; ++y, out += 8) {
       const std::uint32_t* row = &around[static_cast<std::size_t>(((z + 4) / 4 * 3 + (y + 4) / 4) * 3)];
       const std::size_t at = sample_number(0, y & 3, z & 3);
-      if (row[0] != kAbsent) std::copy_n(&samples[row[0]][at + 2], 2, out);
-      if (row[1] != kAbsent) std::copy_n(&samples[row[1]][at], 4, out + 2);
-      if (row[2] != kAbsent) std::copy_n(&samples[row[2]][at], 2, out + 6);
+      if (row[0] != kAbsent) std::copy_n(&bricks[row[0]].distance[at + 2], 2, out);
+      if (row[1] != kAbsent) std::copy_n(&bricks[row[1]].distance[at], 4, out + 2);
+      if (row[2] != kAbsent) std::copy_n(&bricks[row[2]].distance[at], 2, out + 6);
     }
   }
   return all;
@@ -156,22 +163,20 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
   return 2.0 * damping_ns_per_mm / ((2.0 * delay_ticks + 1.0) * 1e-9 * period_ns);
 }
 
-Certificate certify(const field::BandField& field, const std::vector<Coefficients>& coefficients) {
-  const std::vector<Neighbours> around = neighbours(field);
-  std::vector<Samples> distances(field.bricks.size()), splines(field.bricks.size());
+Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients) {
+  std::vector<Samples> splines(field.bricks.size());
   std::vector<float> slopes(field.bricks.size()), walls(field.bricks.size());
-  for (std::size_t b = 0; b < distances.size(); ++b) {
-    distances[b] = field.bricks[b].distance;
+  for (std::size_t b = 0; b < splines.size(); ++b) {
     std::transform(coefficients[b].begin(), coefficients[b].end(), splines[b].begin(),
                    [](std::int16_t c) { return static_cast<float>(c) / (1 << Distance::kFractionBits); });
   }
   const auto ways = directions();
   const float none = 2.0F * static_cast<float>(field.band);
-  field::in_parallel(distances.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+  field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     float slope = 0.0F, wall = none;
     for (std::size_t b = begin; b < end; ++b) {
       slopes[b] = slope = steepest(gather(splines, around[b]), slope);
-      if (has_inside(distances[b])) wall = thinnest(surroundings(distances, around[b]), ways, wall);
+      if (has_inside(field.bricks[b].distance)) wall = thinnest(surroundings(field.bricks, around[b]), ways, wall);
       walls[b] = wall;
     }
   });

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/blob/apron.h"
 #include "host/blob/spline.h"
 #include "host/field/band_field.h"
 #include "shared/blob.h"
@@ -26,11 +27,12 @@ struct Certificate {
 double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns);
 
 /// field          as it was sampled
+/// around         its `neighbours`
 /// coefficients   of its spline, one brick for each of the field's
 /// returns        the slope from above: in each cell every component of the gradient is a mean of differences of neighbouring coefficients.
 ///                The wall from two samples on both sides of its middle, where these see it: up to about twice the band, and to 0.3 voxel
 /// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
-Certificate certify(const field::BandField& field, const std::vector<Coefficients>& coefficients);
+Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
 
 /// What a checked image says; all zero where it says nothing (version 1.0).
 Certificate certificate_of(const BlobView& view);

@@ -16,6 +16,9 @@ namespace {
 
 using namespace field;  // numbers by four
 
+/// The brick itself and those that its samples look into.
+constexpr std::size_t kStar[] = {4, 10, 12, 13, 14, 16, 22};
+
 constexpr int kSteps = 12;  // the fillet is at most two voxels wide on each side; a Jacobi step carries one
 
 /// One brick after one step, and whether anything changed. A neighbour beyond the band is NaN, and so is every sum with it: no change.
@@ -38,8 +41,7 @@ bool step(const Apron& apron, float sharpest, Samples& samples) {
 
 }  // namespace
 
-field::BandField round_creases(field::BandField field, float sharpest) {
-  const std::vector<Neighbours> around = neighbours(field);
+field::BandField round_creases(field::BandField field, const std::vector<Neighbours>& around, float sharpest) {
   const auto band = static_cast<float>(field.band);
   std::vector<Samples> now(field.bricks.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
@@ -49,18 +51,20 @@ field::BandField round_creases(field::BandField field, float sharpest) {
   std::vector<std::uint32_t> active(now.size());
   std::iota(active.begin(), active.end(), 0U);
   std::vector<Samples> next = now;
-  for (int n = 0; n < kSteps && !active.empty(); ++n) {
+  std::vector<std::uint8_t> lowered(now.size(), 0);
+  for (int turn = 0; turn < kSteps && !active.empty(); ++turn) {
     std::vector<std::uint8_t> changed(active.size(), 0);
     field::in_parallel(active.size(), 64, [&](std::size_t begin, std::size_t end) {
       for (std::size_t a = begin; a < end; ++a) changed[a] = step(gather(now, around[active[a]]), sharpest, next[active[a]]);
     });
     std::vector<std::uint8_t> wake(now.size(), 0);
     for (std::size_t a = 0; a < active.size(); ++a) {
+      if (changed[a] == 0) continue;
       const std::uint32_t b = active[a];
       now[b] = next[b];
-      if (changed[a] == 0) continue;
-      for (const std::uint32_t neighbour : around[b]) {
-        if (neighbour != kAbsent) wake[neighbour] = 1;
+      lowered[b] = 1;
+      for (const std::size_t n : kStar) {
+        if (around[b][n] != kAbsent) wake[around[b][n]] = 1;
       }
     }
     active.clear();
@@ -69,6 +73,7 @@ field::BandField round_creases(field::BandField field, float sharpest) {
     }
   }
   for (std::size_t b = 0; b < now.size(); ++b) {
+    if (lowered[b] == 0) continue;
     for (std::size_t n = 0; n < 64; ++n) {
       if (!std::isnan(now[b][n])) field.bricks[b].distance[n] = now[b][n];
     }

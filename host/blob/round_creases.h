@@ -5,6 +5,9 @@
 /// below a degree. Convex edges stay as they are: there the proxy does not rest.
 #pragma once
 
+#include <vector>
+
+#include "host/blob/apron.h"
 #include "host/field/band_field.h"
 
 namespace isotouch::blob {
@@ -17,8 +20,9 @@ inline constexpr float kSharpestCrease = 0.6F;
 /// Jacobi steps on that obstacle problem, to within a tenth. Gaps narrower than 2 / sharpest voxels lose some of their width.
 ///
 /// field     bricks sorted by cell
+/// around    its `neighbours`
 /// returns   the same bricks; only samples within the band, with all six neighbours within it, can change, and only downwards
 /// fails     never
-field::BandField round_creases(field::BandField field, float sharpest = kSharpestCrease);
+field::BandField round_creases(field::BandField field, const std::vector<Neighbours>& around, float sharpest = kSharpestCrease);
 
 }  // namespace isotouch::blob

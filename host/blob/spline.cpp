@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/blob/apron.h"
+#include "host/field/brick_mask.h"
 #include "host/field/four.h"
 #include "host/field/parallel.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 using namespace field;  // numbers by four
 
-/// B c at the brick's 64 samples: one axis after the other. NaN wherever one of the 27 coefficients is.
+/// B c at the brick's 64 samples: one axis after the other.
 Samples blur(const Apron& apron) {
   const auto mean = [](const float* at, std::size_t stride) { return 0.75F * load(at) + 0.125F * (load(at - stride) + load(at + stride)); };
   std::array<float, 144> along_x;  // [z][y][x], 6 x 6 x 4
@@ -33,32 +34,44 @@ constexpr double kScale = 1 << 12;
 
 double rounded(double value) { return std::floor(value * kScale + 0.5); }
 
+/// The same of a coefficient.
+std::int16_t rounded_coefficient(float value) {
+  constexpr int kBelow = 1 << 16;  // cutting off a positive number is quicker than `floor`
+  return static_cast<std::int16_t>(static_cast<int>(static_cast<double>(value) * kScale + (0.5 + kBelow)) - kBelow);
+}
+
 /// The band as the blob will hold it: exact in a float, so that what is clamped to it is it.
 float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
 
-/// Per brick one bit a sample: may it be corrected, are it and all its 26 neighbours within the band?
-std::vector<std::uint64_t> correctable(const field::BandField& field, const std::vector<Neighbours>& around) {
-  const float band = rounded_band(field);
-  std::vector<Samples> known(field.bricks.size());  // NaN beyond the band; it travels through the blur
-  for (std::size_t b = 0; b < known.size(); ++b) {
-    for (std::size_t n = 0; n < 64; ++n) known[b][n] = std::abs(field.bricks[b].distance[n]) <= band ? 0.0F : NAN;
+/// What is left of each brick's set where both neighbours along an axis must belong to the set, too.
+std::vector<BrickMask> thinned(const std::vector<BrickMask>& sets, const std::vector<Neighbours>& around, std::size_t axis) {
+  constexpr std::size_t kStep[3] = {1, 3, 9};  // from one neighbour to the next
+  const BrickMask low = kLowFace[axis], high = low << kAcross[axis];
+  const auto set_of = [&](std::uint32_t brick) { return brick == kAbsent ? 0 : sets[brick]; };
+  std::vector<BrickMask> left(sets.size());
+  for (std::size_t b = 0; b < sets.size(); ++b) {
+    const BrickMask before = set_of(around[b][13 - kStep[axis]]), behind = set_of(around[b][13 + kStep[axis]]);
+    left[b] = sets[b] & ((sets[b] & ~high) << kNext[axis] | face(before, axis, 1)) &
+              ((sets[b] & ~low) >> kNext[axis] | face(behind, axis, 0) << kAcross[axis]);
   }
-  std::vector<std::uint64_t> masks(known.size(), 0);
-  field::in_parallel(known.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) {
-      const Samples blurred = blur(gather(known, around[b]));
-      for (std::size_t n = 0; n < 64; ++n) masks[b] |= std::uint64_t{!std::isnan(blurred[n])} << n;
-    }
-  });
-  return masks;
+  return left;
+}
+
+/// May a sample be corrected, are it and all its 26 neighbours within the band?
+std::vector<BrickMask> correctable(const field::BandField& field, const std::vector<Neighbours>& around) {
+  const float band = rounded_band(field);
+  std::vector<BrickMask> known(field.bricks.size(), 0);
+  for (std::size_t b = 0; b < known.size(); ++b) {
+    for (std::size_t n = 0; n < 64; ++n) known[b] |= BrickMask{std::abs(field.bricks[b].distance[n]) <= band} << n;
+  }
+  return thinned(thinned(thinned(known, around, 0), around, 1), around, 2);
 }
 
 }  // namespace
 
-std::vector<Coefficients> spline_coefficients(const field::BandField& field, int steps) {
+std::vector<Coefficients> spline_coefficients(const field::BandField& field, const std::vector<Neighbours>& around, int steps) {
   const float band = rounded_band(field);
-  const std::vector<Neighbours> around = neighbours(field);
-  const std::vector<std::uint64_t> masks = correctable(field, around);
+  const std::vector<BrickMask> masks = correctable(field, around);
 
   std::vector<Samples> now(field.bricks.size());
   for (std::size_t b = 0; b < now.size(); ++b) {
@@ -83,7 +96,7 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, int
   field::in_parallel(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
       for (std::size_t n = 0; n < 64; ++n) {
-        coefficients[b][n] = static_cast<std::int16_t>(rounded(static_cast<double>(std::clamp(now[b][n], -band, band))));
+        coefficients[b][n] = rounded_coefficient(std::clamp(now[b][n], -band, band));
       }
     }
   });

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/blob/apron.h"
 #include "host/field/band_field.h"
 
 namespace isotouch::blob {
@@ -28,6 +29,7 @@ using Coefficients = std::array<std::int16_t, 64>;
 inline constexpr int kSplineSteps = 3;
 
 /// field     bricks sorted by cell. Samples with |distance| <= band are true distances; beyond, only the sign counts and they become ±band
+/// around    its `neighbours`
 /// steps     how often the difference to the samples is taken back; 0 keeps the samples
 /// returns   one brick for each of the field's, in their order, clamped to ±band. A sample is corrected only where all its 26 neighbours
 /// are
@@ -36,6 +38,7 @@ inline constexpr int kSplineSteps = 3;
 /// source    B-spline interpolation as a digital filter: Unser, Aldroubi and Eden, IEEE Trans. Signal Processing 41(2), 1993; here its
 /// Neumann
 ///           series, because it needs no neighbour further than one brick and no boundary condition
-std::vector<Coefficients> spline_coefficients(const field::BandField& field, int steps = kSplineSteps);
+std::vector<Coefficients> spline_coefficients(const field::BandField& field, const std::vector<Neighbours>& around,
+                                              int steps = kSplineSteps);
 
 }  // namespace isotouch::blob

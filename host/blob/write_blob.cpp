@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "host/blob/apron.h"
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
 #include "host/blob/certificate.h"
@@ -39,7 +40,8 @@ Q in_format(double value, double low, double high, const char* what) {
 
 /// Samples beyond the grid in its last bricks are far outside; then tells whether the whole brick is one constant.
 BrickKind finish(Coefficients& brick, const field::Brick& source, const Eigen::Vector3i& size, std::int16_t band) {
-  for (int n = 0; n < 64; ++n) {
+  const bool beyond = ((4 * source.cell).array() + 4 > size.array()).any();
+  for (int n = 0; beyond && n < 64; ++n) {
     const Eigen::Vector3i sample = 4 * source.cell + Eigen::Vector3i(n & 3, (n >> 2) & 3, n >> 4);
     if ((sample.array() >= size.array()).any()) brick[static_cast<std::size_t>(n)] = band;
   }
@@ -105,13 +107,14 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
   std::array<std::uint8_t, kHeaderBytes> header{};
   store_header(header.data(), field, info);  // before the work: it refuses what does not fit
 
+  const std::vector<Neighbours> around = neighbours(field);
   const field::BandField held =
-      info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field));  // what the grid can hold
-  std::vector<Coefficients> coefficients = spline_coefficients(held);
+      info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field), around);  // what the grid can hold
+  std::vector<Coefficients> coefficients = spline_coefficients(held, around);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
   for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);
-  store_certificate(header.data(), certify(held, coefficients));
+  store_certificate(header.data(), certify(held, around, coefficients));
   const BrickTree tree = brick_tree(BrickRows(held), kinds);
 
   const std::size_t nodes_at = align64(kHeaderBytes + 4 * tree.root.size());

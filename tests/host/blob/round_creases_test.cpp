@@ -35,7 +35,7 @@ float at(const field::BandField& field, int x, int y, int z) {
 
 TEST(RoundCreases, LowersOnlyTheRoofOfACrease) {
   const auto crease = [](double x, double, double z) { return std::min(x - z, x + z - 30.2) / std::sqrt(2.0) + 3.0; };
-  const field::BandField sharp = band_of(crease), round = round_creases(sharp);
+  const field::BandField sharp = band_of(crease), round = round_creases(sharp, neighbours(sharp));
   int lowered = 0;
   for (int z = 2; z < 30; ++z) {
     for (int x = 2; x < 30; ++x) {
@@ -55,7 +55,7 @@ TEST(RoundCreases, LowersOnlyTheRoofOfACrease) {
 
 TEST(RoundCreases, AfterItNoCreaseIsSharperThanAsked) {
   const auto crease = [](double x, double y, double z) { return std::min(0.9 * (x - 16) + 0.3 * (z - 15) + 0.31 * (y - 16), 16.2 - x); };
-  const field::BandField round = round_creases(band_of(crease));
+  const field::BandField sharp = band_of(crease), round = round_creases(sharp, neighbours(sharp));
   float sharpest = 0;
   for (int z = 8; z < 24; ++z) {
     for (int x = 8; x < 24; ++x) {
@@ -75,7 +75,7 @@ TEST(RoundCreases, LeavesConvexEdgesAndSmoothBodiesAlone) {
   const auto ball = [](double x, double y, double z) { return std::hypot(x - 15.5, y - 15.5, z - 15.5) - 9.0; };
   const auto bowl = [](double x, double y, double z) { return 9.0 - std::hypot(x - 15.5, y - 15.5, z - 15.5); };
   for (const auto& body : {std::function<double(double, double, double)>(edge), {ball}, {bowl}}) {
-    const field::BandField before = band_of(body), after = round_creases(before);
+    const field::BandField before = band_of(body), after = round_creases(before, neighbours(before));
     for (std::size_t b = 0; b < before.bricks.size(); ++b) EXPECT_EQ(before.bricks[b].distance, after.bricks[b].distance);
   }
 }

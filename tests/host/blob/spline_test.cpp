@@ -15,7 +15,8 @@ namespace {
 /// The double twin of the core's sampler, straight from SPEC.md 2.1.
 class Spline {
  public:
-  Spline(const field::BandField& field, int steps) : field_(field), rows_(field), coefficients_(spline_coefficients(field, steps)) {}
+  Spline(const field::BandField& field, int steps)
+      : field_(field), rows_(field), coefficients_(spline_coefficients(field, neighbours(field), steps)) {}
 
   double operator()(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d at = field_.grid.to_index(point);
@@ -135,7 +136,7 @@ TEST(Spline, correction_halves_the_error_of_sharp_edges) {
 
 TEST(Spline, what_lies_beyond_the_band_counts_only_by_its_sign) {
   auto field = test::field_of(test::box({12, 9, 7}), {12, 9, 7});
-  const auto expected = spline_coefficients(field);
+  const auto expected = spline_coefficients(field, neighbours(field));
   int changed = 0;
   for (field::Brick& brick : field.bricks) {
     for (float& distance : brick.distance) {
@@ -145,12 +146,12 @@ TEST(Spline, what_lies_beyond_the_band_counts_only_by_its_sign) {
     }
   }
   EXPECT_GT(changed, 1000);
-  EXPECT_EQ(spline_coefficients(field), expected);
+  EXPECT_EQ(spline_coefficients(field, neighbours(field)), expected);
 }
 
 TEST(Spline, without_a_step_the_coefficients_are_the_clamped_samples) {
   const auto field = test::field_of(test::ball(9), Eigen::Vector3d::Constant(9), 1.3);
-  const auto coefficients = spline_coefficients(field, 0);
+  const auto coefficients = spline_coefficients(field, neighbours(field), 0);
   ASSERT_EQ(coefficients.size(), field.bricks.size());
   ASSERT_FALSE(coefficients.empty());
   for (std::size_t b = 0; b < coefficients.size(); ++b) {
