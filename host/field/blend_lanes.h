@@ -220,7 +220,7 @@ BrickBlend::Doubt doubt_of(const Neighbourhood& around, const Rows& value) {
 }
 
 /// What `BrickBlend` does, of the candidates found. Inline in each source that is compiled for a width of its own.
-std::array<float, 64> blend_blocks(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt) {
+__attribute__((flatten)) std::array<float, 64> blend_blocks(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt) {
   thread_local Neighbourhood around;  // keeps its memory
   std::array<float, 64> result;
   for (std::size_t z = 0; z < 4; z += 2) {
