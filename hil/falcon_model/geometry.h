@@ -31,14 +31,16 @@ constexpr Geometry martin_hillier_geometry() {
 
 /// From motors and encoders to the arms.
 struct Transmission {
-  double counts_per_radian = 4 * 320 * (110 / 14.25) / (2 * kPi);  ///< slots, quadrature, arm sector over shaft
-  double angle_at_zero = radians(35);                              ///< of the arm at count 0
-  double torque_per_unit_n_mm = 0.1;                               ///< at the arm; a positive command pulls the arm inwards
+  double counts_per_radian = 4 * 320 * (110 / 14.25) / (2 * kPi);                  ///< slots, quadrature, arm sector over shaft
+  std::array<double, kLegs> angle_at_zero{radians(35), radians(35), radians(35)};  ///< of the arms at count 0
+  double torque_per_unit_n_mm = 0.1;                                               ///< at the arm; a positive command pulls the arm inwards
   int largest_command = 4095;
   int stop_counts = 1600;  ///< the arm's mechanical ends, counted from count 0
 };
 
 constexpr Transmission libnifalcon_transmission() { return {}; }
-constexpr Transmission martin_hillier_transmission() { return {4 * 320 * 7.62 / (2 * kPi), radians(40), 0.15114, 4095, 1600}; }
+constexpr Transmission martin_hillier_transmission() {
+  return {4 * 320 * 7.62 / (2 * kPi), {radians(40), radians(40), radians(40)}, 0.15114, 4095, 1600};
+}
 
 }  // namespace isotouch::falcon_model

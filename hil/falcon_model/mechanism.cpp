@@ -11,7 +11,9 @@ namespace {
 /// Of what an arm is beyond its end, so much is taken back in each sub-step.
 constexpr double kReturn = 0.2;
 
-double counts_of(const Leg& leg, const Transmission& t) { return (leg.angle() - t.angle_at_zero) * t.counts_per_radian; }
+double counts_of(const Legs& legs, std::size_t i, const Transmission& t) {
+  return (legs[i].angle() - t.angle_at_zero[i]) * t.counts_per_radian;
+}
 
 }  // namespace
 
@@ -26,7 +28,7 @@ Mechanism::Mechanism(const MechanismSettings& settings)
 
 Counts Mechanism::counts() const {
   Counts counts{};
-  for (std::size_t i = 0; i < kLegs; ++i) counts[i] = static_cast<int>(std::floor(counts_of(legs_[i], settings_.transmission)));
+  for (std::size_t i = 0; i < kLegs; ++i) counts[i] = static_cast<int>(std::floor(counts_of(legs_, i, settings_.transmission)));
   return counts;
 }
 
@@ -61,8 +63,9 @@ Vector Mechanism::stop_at_the_ends() {
   const double dt = 0.001 / settings_.sub_steps_per_ms;
   const double stop = t.stop_counts / t.counts_per_radian;
   Vector back;
-  for (const Leg& leg : legs_) {
-    const double angle = leg.angle() - t.angle_at_zero;
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const Leg& leg = legs_[i];
+    const double angle = leg.angle() - t.angle_at_zero[i];
     const Vector& row = leg.angle_per_mm;
     const Vector per_radian = 1 / dot(row, row) * row;  // the shortest move that turns this arm
     const double speed = dot(row, velocity_);

@@ -27,6 +27,7 @@ struct Options {
   fs::path socket, usbredir, vhci, faults;
   std::string hand = "rest", pace = "real", geometry = "libnifalcon";
   std::vector<std::string> quirks;
+  std::vector<double> angles;
   Settings device;
 };
 
@@ -52,6 +53,9 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--geometry", o.geometry, "which published numbers")
       ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();
+  app.add_option("--angle-at-zero", o.angles, "of the arms at count 0, degrees: top, right, left; default: the published one")
+      ->expected(3)
+      ->check(CLI::Range(0.0, 80.0));
   app.add_option("--mass", o.device.mechanism.mass_kg, "at the grip, kg")->check(CLI::Range(0.01, 10.0))->capture_default_str();
   app.add_option("--damping", o.device.mechanism.damping_n_s_per_m, "at the grip, N s/m")
       ->check(CLI::Range(0.0, 100.0))
@@ -84,6 +88,7 @@ Settings settings_of(const Options& o) {
     settings.mechanism.geometry = martin_hillier_geometry();
     settings.mechanism.transmission = martin_hillier_transmission();
   }
+  for (std::size_t i = 0; i < o.angles.size(); ++i) settings.mechanism.transmission.angle_at_zero[i] = radians(o.angles[i]);
   for (const std::string& quirk : o.quirks) set_quirk(settings.quirks, quirk);
   settings.path = hand_path(o.hand);
   if (!o.faults.empty()) {

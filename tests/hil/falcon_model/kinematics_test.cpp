@@ -46,7 +46,7 @@ constexpr Pose kMartinHillier[] = {
     {{25, -15, 95}, {0.341287, -0.341723, 0.177680}, {-553.94, -1614.20, -807.91}},
 };
 
-double counts_of(const Leg& leg, const Transmission& t) { return (leg.angle() - t.angle_at_zero) * t.counts_per_radian; }
+double counts_of(const Leg& leg, const Transmission& t) { return (leg.angle() - t.angle_at_zero[0]) * t.counts_per_radian; }
 
 void expect_pose(const Kinematics& kinematics, const Transmission& transmission, const Pose& pose) {
   const auto legs = kinematics.legs(pose.grip);
