@@ -17,6 +17,7 @@
 #include "firmware/daemon/crash.h"
 #include "firmware/daemon/options.h"
 #include "firmware/daemon/status_lines.h"
+#include "firmware/io/calibration.h"
 #include "firmware/io/control_server.h"
 #include "firmware/io/falcon_list.h"
 #include "firmware/io/falcon_port.h"
@@ -98,9 +99,19 @@ std::string make_hardware(const Options& options, Hardware& made) {
   return {};
 }
 
-/// The serial whose calibration holds: the one asked for, else that of the only device there.
-std::string serial_of(const Options& options) {
-  if (options.device != Options::Device::kUsb || !options.name.empty() || options.settings.calibrations.empty()) return options.name;
+/// The serial whose calibration holds: the one asked for, else that of the only device there; empty: not known yet.
+std::string serial_of(const Options& options, const Hardware& hardware) {
+  switch (options.device) {
+    case Options::Device::kRecorded: return {};
+    case Options::Device::kSimulated: {
+      if (options.settings.state.empty() && options.settings.calibrations.empty()) return {};
+      std::string serial = hardware.link->open() ? hardware.link->identity().serial : std::string();
+      hardware.link->close();
+      return serial;
+    }
+    case Options::Device::kUsb: break;
+  }
+  if (!options.name.empty()) return options.name;
   const io::UsbListing listing = io::list_falcons();
   return listing.falcons.size() == 1 ? listing.falcons[0].serial : std::string();
 }
@@ -114,6 +125,7 @@ std::string load_field(const std::string& path, io::FieldIntake& intake) {
 }
 
 void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint64_t ticks) {
+  pthread_setname_np(pthread_self(), "tick");
   refused |= loop::become_realtime(settings.priority, settings.core);
   loop::touch_stack();
   go.wait(false);
@@ -122,13 +134,21 @@ void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint
 }
 
 void exchange_thread(const settings::Settings& settings, loop::ExchangeThread& exchange) {
+  pthread_setname_np(pthread_self(), "exchange");
   refused |= loop::become_realtime(settings.exchange_priority, -1);
   go.wait(false);
   exchange.serve(stop_exchange);
 }
 
+/// Nothing that a person began would be cut off by a new start in this state.
+bool may_begin_again(SupervisorState state) {
+  return state == SupervisorState::kBoot || state == SupervisorState::kHoming || state == SupervisorState::kIdle;
+}
+
 /// Says what changes, until a signal comes or the ticks have ended.
-void watch(const Hardware& hardware, const io::Recorder& recorder) {
+///
+/// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
+bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration) {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
@@ -137,34 +157,51 @@ void watch(const Hardware& hardware, const io::Recorder& recorder) {
   std::string device, supervisor;
   while (!ticks_ended) {
     if (hardware.falcon) {
-      const std::string line = device_line(hardware.falcon->shown().get());
-      if (line != device) say(device = line);
+      const io::PortReport& report = hardware.falcon->shown().get();
+      const std::string line = device_line(report);
+      if (line != device) {
+        say(device = line);
+        calibration.answers(report.state == io::SessionState::kRunning ? report.serial.data() : "");
+      }
     }
     const std::string line = supervisor_line(recorder.state(), recorder.faults());
     if (line != supervisor) say(supervisor = line);
-    if (sigtimedwait(&signals, nullptr, &pause) > 0) return;
+    if (calibration.waits() && may_begin_again(recorder.state()) && !options.lockstep && options.settings.record.empty()) return false;
+    if (sigtimedwait(&signals, nullptr, &pause) > 0) return true;
   }
+  return true;
 }
 
-int run(const Options& options) {
+/// returns   the exit code; nothing: begin again
+std::optional<int> run(const Options& options) {
+  stop_ticks = stop_exchange = go = ticks_ended = false;
+  refused = 0;
   const settings::Settings& settings = options.settings;
-  const auto model = settings::device_model(settings, serial_of(options));
-  if (!model) return refuse("the settings' numbers make no device together");
-  loop::LoopSettings loop_settings{*model, settings::tick_settings(settings), settings::period_ns(settings), options.lockstep};
-  DeviceTraceHeader header;
-  header.device = *model;
-  header.run.period_ns = loop_settings.period_ns;
-  header.run.settings = loop_settings.tick;
-
+  if (!settings::device_model(settings, {})) return refuse("the settings' numbers make no device together");
   Hardware hardware;
   if (const std::string complaint = make_hardware(options, hardware); !complaint.empty()) return refuse(complaint);
   std::optional<io::LinuxFolder> folder;
   std::optional<io::FieldStore> store;
+  std::optional<io::CalibrationStore> measured;
   if (!settings.state.empty()) {
     folder.emplace(settings.state);
     if (!folder->is_open()) return refuse(settings.state + ": the state folder cannot be used: " + describe(folder->trouble()));
     store.emplace(*folder, 8);
+    measured.emplace(*folder);
   }
+  const auto by_settings = [&](const std::string& serial) {
+    const bool named = settings.calibrations.count(serial) > 0;
+    return io::Calibration::Choice{*settings::device_model(settings, serial),
+                                   named ? wire::AnglesFrom::kSettings : wire::AnglesFrom::kGeometry};
+  };
+  io::Calibration calibration(measured ? &*measured : nullptr, by_settings, serial_of(options, hardware));
+  if (!calibration.trouble().empty()) say(calibration.trouble());
+  loop::LoopSettings loop_settings{calibration.in_use().model, settings::tick_settings(settings), settings::period_ns(settings),
+                                   options.lockstep};
+  DeviceTraceHeader header;
+  header.device = loop_settings.device;
+  header.run.period_ns = loop_settings.period_ns;
+  header.run.settings = loop_settings.tick;
 
   // Everything that the tick exchanges with other threads.
   io::LinuxClock real_clock;
@@ -204,7 +241,7 @@ int run(const Options& options) {
     if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
-    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched});
+    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
 
@@ -223,7 +260,7 @@ int run(const Options& options) {
   go = true;
   go.notify_all();
 
-  watch(hardware, recorder);
+  const bool to_the_end = watch(options, hardware, recorder, calibration);
   stop_exchange = true;
   stop_ticks = true;
   if (exchanges.joinable()) exchanges.join();
@@ -234,6 +271,10 @@ int run(const Options& options) {
   records.join();
   recorder.drain();
   recorder.stop();
+  if (!to_the_end) {
+    say("device: calibrated, beginning again with it");
+    return std::nullopt;
+  }
   say("at the end, " + supervisor_line(recorder.state(), recorder.faults()));
   std::fputs(figures(stats).c_str(), stdout);
   return 0;
@@ -253,7 +294,10 @@ int main(int argc, char** argv) {
   try {
     Options options;
     int exit_code = 0;
-    return read_options(argc, argv, options, exit_code) ? run(options) : exit_code;
+    if (!read_options(argc, argv, options, exit_code)) return exit_code;
+    std::optional<int> ended;
+    while (!ended) ended = run(options);
+    return *ended;
   } catch (const std::exception& error) {
     return refuse(error.what());
   }

@@ -51,6 +51,8 @@ int main(int argc, char** argv) {
   commands::add_upload(app);
   commands::add_status(app);
   commands::add_latency(app);
+  commands::add_watch(app);
+  commands::add_calibrate(app);
   commands::add_fields(app);
   commands::add_record(app);
   commands::add_stop(app);

@@ -15,7 +15,7 @@ namespace isotouch::wire {
 
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'C', 'W'};
 inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::uint16_t kMinor = 1;
 inline constexpr std::size_t kKindAt = 4;
 inline constexpr std::size_t kLengthAt = 8;
 inline constexpr std::size_t kChecksumAt = 12;
@@ -25,27 +25,32 @@ inline constexpr std::size_t kMaxFrame = kHeaderBytes + kMaxBody;
 
 /// What a frame is. Below 128: requests.
 enum class Kind : std::uint8_t {
-  kHello = 1,   ///< Hello → kWelcome; the first frame of a connection
-  kBegin,       ///< Begin → kDone
-  kChunk,       ///< Chunk → kDone
-  kCommit,      ///< nothing → kAccepted, once the field is active
-  kAbort,       ///< nothing → kDone
-  kStatus,      ///< nothing → kStatusReport
-  kHistogram,   ///< HistogramRequest → kHistogramReport
-  kSubscribe,   ///< Subscribe → kDone, then kRecords
-  kRecord,      ///< nothing → kRecording, then kRecords; the first record begins a run that replays
-  kRecordEnd,   ///< nothing → kDone, after the last kRecords
-  kStop,        ///< nothing → kDone: no force until kResume
-  kResume,      ///< nothing → kDone
-  kFields,      ///< nothing → kFieldList
-  kSelect,      ///< Select → kAccepted, once the field is active
-  kDone = 128,  ///< answer without a body
+  kHello = 1,    ///< Hello → kWelcome; the first frame of a connection
+  kBegin,        ///< Begin → kDone
+  kChunk,        ///< Chunk → kDone
+  kCommit,       ///< nothing → kAccepted, once the field is active
+  kAbort,        ///< nothing → kDone
+  kStatus,       ///< nothing → kStatusReport
+  kHistogram,    ///< HistogramRequest → kHistogramReport
+  kSubscribe,    ///< Subscribe → kDone, then kRecords
+  kRecord,       ///< nothing → kRecording, then kRecords; the first record begins a run that replays
+  kRecordEnd,    ///< nothing → kDone, after the last kRecords
+  kStop,         ///< nothing → kDone: no force until kResume
+  kResume,       ///< nothing → kDone
+  kFields,       ///< nothing → kFieldList
+  kSelect,       ///< Select → kAccepted, once the field is active
+  kDevice = 20,  ///< nothing → kDeviceReport; since minor 1, as the two that follow
+  kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
+  kCalibrate,    ///< Calibrate → kDone, once it is kept
+  kDone = 128,   ///< answer without a body
   kWelcome,
   kAccepted,
   kStatusReport,
   kHistogramReport,
   kRecording,
   kFieldList,
+  kDeviceReport = 140,
+  kPostureReport,
   kRecords = 192,  ///< unasked
   kRefused = 255,  ///< Refusal, in place of an answer; or unasked, with the kind of what ended
 };

@@ -189,6 +189,41 @@ struct Select {
   static void fields(auto& m, auto& use) { use(m.image_hash); }
 };
 
+/// Where a controller has the angles of the arms at count 0 from.
+enum class AnglesFrom : std::uint8_t { kGeometry, kSettings, kMeasured };
+
+struct DeviceReport {
+  Text serial;                             ///< of the device that answers; empty: none, or it has none
+  std::uint8_t from = 0;                   ///< AnglesFrom
+  std::uint8_t waits = 0;                  ///< 1: for this device other angles are kept, which hold from the controller's next start
+  std::array<std::uint32_t, 3> at_zero{};  ///< in use: of the arms at count 0, 2^32 to the turn, legs 1 to 3
+  static void fields(auto& m, auto& use) {
+    use(m.serial), use(m.from), use(m.waits);
+    for (auto& angle : m.at_zero) use(angle);
+  }
+};
+
+/// Where the arms stood while a hand held still.
+struct PostureReport {
+  Text serial;                           ///< of the device
+  std::array<std::int32_t, 3> counts{};  ///< means, 8 fraction bits
+  std::span<const std::uint8_t> device;  ///< the device model in use, as in a trace's header
+  static void fields(auto& m, auto& use) {
+    use(m.serial);
+    for (auto& count : m.counts) use(count);
+    use(m.device);
+  }
+};
+
+struct Calibrate {
+  Text serial;                             ///< of the device that was measured
+  std::array<std::uint32_t, 3> at_zero{};  ///< as in DeviceReport
+  static void fields(auto& m, auto& use) {
+    use(m.serial);
+    for (auto& angle : m.at_zero) use(angle);
+  }
+};
+
 struct Refusal {
   std::uint8_t request = 0;                ///< Kind that is refused, or that ended
   std::span<const std::uint8_t> sentence;  ///< UTF-8, at most kMaxSentence bytes: what is wrong and what to do

@@ -18,6 +18,11 @@ using wire::Kind;
 constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: a ring of a thousand ticks fills much more slowly
 
+constexpr std::int64_t kMeasuringNs = 1'000'000'000;
+constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
+
+constexpr std::string_view kMeasuringNow = "a calibration is measured at this moment; ask again in a second";
+constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller on one";
 constexpr std::string_view kBusy = "another client is sending a field; try again when that has ended";
 
 }  // namespace
@@ -27,7 +32,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
       neighbours_(neighbours),
       clients_(settings_.clients),
       feed_(neighbours.ring, settings_.recordings, neighbours.commands),
-      worker_(neighbours.fields),
+      worker_(neighbours.fields, neighbours.calibration),
       scratch_(std::max(kHistogramScratch, wire::kMaxBody)),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
@@ -59,7 +64,8 @@ void ControlServer::run() {
   for (bool busy = false; !stop_;) {
     if (!wait(busy)) continue;
     finish_work();
-    busy = feed_.pump(clients_);
+    busy = feed_.pump(clients_, posture_) || measuring_ != nullptr;
+    finish_measuring();
     const std::int64_t now = neighbours_.clock.now_ns();
     for (ControlClient& client : clients_) {
       if (client.is_open()) serve(client);
@@ -122,8 +128,8 @@ void ControlServer::serve(ControlClient& client) {
 
 /// What the field worker would do, or what touches its memory, comes after what it does now.
 bool ControlServer::must_wait(const wire::Frame& frame) const {
-  const bool needs_worker =
-      frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields || frame.kind == Kind::kSelect;
+  const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields ||
+                            frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
   return needs_worker && !worker_.is_idle();
 }
 
@@ -137,6 +143,9 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
     client.leaving = true;
     return;
   }
+  // What may lead to a force waits until the hand has been measured.
+  const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
+  if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = wire::decode<wire::Begin>(frame.body);
@@ -177,6 +186,14 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
       wire::Begin field;
       field.image_hash = wanted->image_hash;
       return start_work(client, FieldWork::Kind::kSelect, field);
+    }
+    case Kind::kDevice:
+      if (neighbours_.calibration == nullptr) return client.refuse(frame.kind, kNothingToCalibrate);
+      return client.say(Kind::kDeviceReport, neighbours_.calibration->report());
+    case Kind::kPosture: return measure(client);
+    case Kind::kCalibrate: {
+      const auto measured = wire::decode<wire::Calibrate>(frame.body);
+      return measured ? calibrate(client, *measured) : malformed();
     }
     default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
   }
@@ -236,7 +253,7 @@ void ControlServer::commit(ControlClient& client) {
 void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field) {
   // A stored field is read to where an upload is put together.
   if (kind == FieldWork::Kind::kSelect && upload_.sender != nullptr) return client.refuse(Kind::kSelect, kBusy);
-  worker_.begin({kind, field});
+  worker_.begin({kind, field, {}});
   awaiting_ = &client;
   client.waiting = true;
 }
@@ -246,6 +263,10 @@ void ControlServer::finish_work() {
   ControlClient* client = done ? std::exchange(awaiting_, nullptr) : nullptr;
   if (client == nullptr) return;
   client->waiting = false;
+  if (done->kind == FieldWork::Kind::kCalibrate) {
+    if (done->outcome.refusal.empty()) return client->say(Kind::kDone);
+    return client->refuse(Kind::kCalibrate, done->outcome.refusal);
+  }
   if (done->kind != FieldWork::Kind::kList) {
     if (done->outcome.refusal.empty()) return client->say(Kind::kAccepted, done->outcome.accepted);
     return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal);
@@ -274,10 +295,48 @@ void ControlServer::begin_recording(ControlClient& client) {
   feed_.record(client, neighbours_.fields.hash(), neighbours_.fields.generation());
 }
 
+/// Where the arms stand, over a second in which no force may begin.
+void ControlServer::measure(ControlClient& client) {
+  if (!feed_.is_there()) return client.refuse(Kind::kPosture, "this controller shows no ticks; start it with its trace ring");
+  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
+  if (neighbours_.calibration->report().serial.size == 0)
+    return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and look at isotouchd's lines");
+  if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
+  if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kBusy);
+  // The tick under way may not have heard of a stop yet.
+  posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.run.period_ns, 1U)),
+                 neighbours_.shown.get().number + 1);
+  measuring_ = &client;
+  measured_by_ns_ = neighbours_.clock.now_ns() + kMeasuringPatienceNs;
+  client.waiting = true;
+}
+
+void ControlServer::finish_measuring() {
+  const bool given_up = neighbours_.clock.now_ns() >= measured_by_ns_;
+  if (measuring_ == nullptr || (!posture_.has_ended() && !given_up)) return;
+  ControlClient& client = *std::exchange(measuring_, nullptr);
+  client.waiting = false;
+  if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; look after the controller");
+  if (!posture_.refusal().empty()) return client.refuse(Kind::kPosture, posture_.refusal());
+  const DeviceModelBytes device = encode(settings_.recordings.device);
+  client.say(Kind::kPostureReport, wire::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
+}
+
+void ControlServer::calibrate(ControlClient& client, const wire::Calibrate& measured) {
+  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kCalibrate, kNothingToCalibrate);
+  FieldWork work;
+  work.kind = FieldWork::Kind::kCalibrate;
+  work.measured = measured;
+  worker_.begin(work);
+  awaiting_ = &client;
+  client.waiting = true;
+}
+
 /// A connection has ended, for whatever reason: what it had begun is void.
 void ControlServer::forget(ControlClient& client) {
   if (upload_.sender == &client) upload_ = {};
   if (awaiting_ == &client) awaiting_ = nullptr;
+  if (measuring_ == &client) measuring_ = nullptr;
   client.close();
 }
 

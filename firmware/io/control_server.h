@@ -13,11 +13,13 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/io/calibration.h"
 #include "firmware/io/control_client.h"
 #include "firmware/io/control_socket.h"
 #include "firmware/io/field_intake.h"
 #include "firmware/io/field_worker.h"
 #include "firmware/io/peer.h"
+#include "firmware/io/posture_meter.h"
 #include "firmware/io/tick_feed.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/commands.h"
@@ -47,6 +49,7 @@ struct ControlNeighbours {
   loop::Latest<loop::TickRecord>& shown;  ///< the server is its one reader
   loop::Clock& clock;                     ///< of the machine
   loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
+  Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
 };
 
 class ControlServer {
@@ -86,6 +89,9 @@ class ControlServer {
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
   void begin_recording(ControlClient& client);
+  void measure(ControlClient& client);
+  void finish_measuring();
+  void calibrate(ControlClient& client, const wire::Calibrate& measured);
   void forget(ControlClient& client);
   void dismiss_the_idle();
 
@@ -99,6 +105,9 @@ class ControlServer {
   FieldWorker worker_;
   ControlClient* awaiting_ = nullptr;  ///< whoever asked for the work under way; nullptr: has gone
   Upload upload_;
+  ControlClient* measuring_ = nullptr;  ///< whoever asked where the arms stand; nullptr: nobody, or has gone
+  std::int64_t measured_by_ns_ = 0;     ///< else the loop does not run
+  PostureMeter posture_;
   std::vector<std::uint8_t> scratch_;
   int bell_ = -1;  ///< rung by `stop`
   std::atomic<bool> stop_{false};

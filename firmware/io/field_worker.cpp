@@ -7,8 +7,8 @@
 
 namespace isotouch::io {
 
-FieldWorker::FieldWorker(FieldIntake& intake)
-    : intake_(intake), bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), thread_([this] { run(); }) {}
+FieldWorker::FieldWorker(FieldIntake& intake, Calibration* calibration)
+    : intake_(intake), calibration_(calibration), bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), thread_([this] { run(); }) {}
 
 FieldWorker::~FieldWorker() {
   {
@@ -59,6 +59,7 @@ FieldDone FieldWorker::work(const FieldWork& wanted) {
     case FieldWork::Kind::kAccept: done.outcome = intake_.accept(wanted.field); break;
     case FieldWork::Kind::kSelect: done.outcome = intake_.select(wanted.field.image_hash); break;
     case FieldWork::Kind::kList: done.stored = intake_.stored(); break;
+    case FieldWork::Kind::kCalibrate: done.outcome.refusal = calibration_->keep(wanted.measured); break;
   }
   return done;
 }

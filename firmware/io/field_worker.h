@@ -1,4 +1,4 @@
-/// The thread in which uploads are unpacked, checked and stored, so that nobody who wants to stop the device waits for a disk.
+/// The thread in which uploads are unpacked, checked and stored, and calibrations kept, so that nobody who wants to stop the device waits for a disk.
 #pragma once
 
 #include <condition_variable>
@@ -9,28 +9,30 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/io/calibration.h"
 #include "firmware/io/field_intake.h"
 #include "shared/wire_messages.h"
 
 namespace isotouch::io {
 
 struct FieldWork {
-  enum class Kind : std::uint8_t { kAccept, kSelect, kList };
+  enum class Kind : std::uint8_t { kAccept, kSelect, kList, kCalibrate };
   Kind kind{};
-  wire::Begin field;  ///< kSelect: its hash alone
+  wire::Begin field;         ///< kSelect: its hash alone
+  wire::Calibrate measured;  ///< kCalibrate
 };
 
 struct FieldDone {
   FieldWork::Kind kind{};
-  IntakeOutcome outcome;            ///< of kAccept and kSelect
+  IntakeOutcome outcome;            ///< of kAccept and kSelect; of kCalibrate its refusal alone
   std::vector<StoredField> stored;  ///< of kList
 };
 
 /// One piece of work at a time. Between `begin` and a `take` that returns something the intake belongs to the thread.
 class FieldWorker {
  public:
-  /// intake    lives longer
-  explicit FieldWorker(FieldIntake& intake);
+  /// intake, calibration   live longer; without a calibration there is no work kCalibrate
+  FieldWorker(FieldIntake& intake, Calibration* calibration);
   /// Ends what is under way and joins the thread.
   ~FieldWorker();
   FieldWorker(const FieldWorker&) = delete;
@@ -49,6 +51,7 @@ class FieldWorker {
   FieldDone work(const FieldWork& wanted);
 
   FieldIntake& intake_;
+  Calibration* calibration_;
   int bell_;
   bool idle_ = true;
   std::mutex mutex_;

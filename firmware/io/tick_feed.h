@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "firmware/io/control_client.h"
+#include "firmware/io/posture_meter.h"
 #include "firmware/loop/commands.h"
 #include "firmware/loop/tick_record.h"
 #include "shared/device_trace.h"
@@ -37,8 +38,9 @@ class TickFeed {
 
   /// Gives what is in the ring to everybody who wants it.
   ///
+  /// meter     takes every tick, too, while it measures
   /// returns   true when anybody watches: call again soon
-  bool pump(std::span<ControlClient> clients);
+  bool pump(std::span<ControlClient> clients, PostureMeter& meter);
 
  private:
   static constexpr std::size_t kBatch = 64;

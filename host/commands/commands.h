@@ -29,6 +29,8 @@ void add_render(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_upload(CLI::App& app);
 void add_status(CLI::App& app);
+void add_calibrate(CLI::App& app);
+void add_watch(CLI::App& app);
 void add_latency(CLI::App& app);
 void add_fields(CLI::App& app);
 void add_record(CLI::App& app);

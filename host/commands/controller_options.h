@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -29,6 +30,15 @@ inline constexpr std::array<MeasureName, wire::kMeasures> kMeasureNames = {{
     {"round_trip_us", "round trip", false},
     {"delay_ticks", "sensor to motor", true},
 }};
+
+/// SupervisorState in words.
+inline const char* state_name(std::uint16_t state) {
+  constexpr std::array<const char*, 7> kNames = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
+  return state < kNames.size() ? kNames[state] : "unknown";
+}
+
+/// An angle of 2^32 to the turn, -180 to 180 degrees.
+inline double degrees_of(std::uint32_t angle) { return std::ldexp(static_cast<std::int32_t>(angle), -32) * 360; }
 
 /// ns → the unit of a measure.
 inline double in_unit(const MeasureName& measure, std::uint32_t ns, std::uint32_t period_ns) {

@@ -21,12 +21,6 @@ struct Options {
   bool json = false;
 };
 
-/// SupervisorState in words.
-std::string state_name(std::uint16_t state) {
-  constexpr std::array<const char*, 7> kNames = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
-  return state < kNames.size() ? kNames[state] : "unknown";
-}
-
 /// Faults in words.
 std::vector<std::string> fault_names(std::uint16_t faults) {
   std::vector<std::string> names;
@@ -39,7 +33,13 @@ std::vector<std::string> fault_names(std::uint16_t faults) {
   return names;
 }
 
-void print_json(const wire::StatusReport& status, const wire::Welcome& welcome) {
+constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< wire::AnglesFrom in words
+
+std::string angles_from(const wire::DeviceReport& device) {
+  return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
+}
+
+void print_json(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
   nlohmann::ordered_json json{{"program", welcome.program.view()},
                               {"state", state_name(status.state)},
                               {"ticks", status.ticks},
@@ -54,10 +54,14 @@ void print_json(const wire::StatusReport& status, const wire::Welcome& welcome) 
   }
   json["allocations"] = status.allocations;
   json["page_faults"] = status.page_faults;
+  json["device"] = {{"serial", device.serial.view()},
+                    {"angles_from", angles_from(device)},
+                    {"angle_at_zero_deg", {degrees_of(device.at_zero[0]), degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2])}},
+                    {"other_angles_wait", device.waits != 0}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void print_text(const wire::StatusReport& status, const wire::Welcome& welcome) {
+void print_text(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
   std::string state = state_name(status.state);
   for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
   std::printf("%-17s%s\n", "state", state.c_str());
@@ -72,12 +76,17 @@ void print_text(const wire::StatusReport& status, const wire::Welcome& welcome) 
   }
   std::printf("%-17s%llu, page faults %llu\n", "allocations", static_cast<unsigned long long>(status.allocations),
               static_cast<unsigned long long>(status.page_faults));
+  std::printf("%-17s%s, arms at count 0 at %.3f, %.3f, %.3f degrees (%s)%s\n", "device",
+              device.serial.size == 0 ? "none" : std::string(device.serial.view()).c_str(), degrees_of(device.at_zero[0]),
+              degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), angles_from(device).c_str(),
+              device.waits != 0 ? "; others are kept and wait for the next start" : "");
 }
 
 void run(const Options& options) {
   link::Controller controller(options.to);
   const wire::StatusReport status = controller.status();
-  options.json ? print_json(status, controller.welcome()) : print_text(status, controller.welcome());
+  const wire::DeviceReport device = controller.welcome().minor >= 1 ? controller.device() : wire::DeviceReport{};
+  options.json ? print_json(status, device, controller.welcome()) : print_text(status, device, controller.welcome());
 }
 
 }  // namespace

@@ -74,6 +74,29 @@ wire::Accepted Controller::select(std::uint64_t image_hash) {
   return read<wire::Accepted>(expect(Kind::kAccepted, kChecking));
 }
 
+wire::DeviceReport Controller::device() {
+  connection_.send(Kind::kDevice);
+  return read<wire::DeviceReport>(expect(Kind::kDeviceReport, kAnswer));
+}
+
+wire::PostureReport Controller::posture(DeviceModel& model) {
+  connection_.send(Kind::kPosture);
+  auto posture = read<wire::PostureReport>(expect(Kind::kPostureReport, kAnswer));
+  DeviceModelBytes bytes{};
+  const bool whole = posture.device.size() == bytes.size();
+  if (whole) std::copy(posture.device.begin(), posture.device.end(), bytes.begin());
+  const Result<DeviceModel> decoded = decode_model(bytes);
+  if (!whole || !decoded) complain("the device model in use cannot be read; install the same release on both sides");
+  model = *decoded;
+  posture.device = {};
+  return posture;
+}
+
+void Controller::calibrate(const wire::Calibrate& measured) {
+  connection_.send(Kind::kCalibrate, measured);
+  (void)expect(Kind::kDone, kAnswer);
+}
+
 void Controller::stop() {
   connection_.send(Kind::kStop);
   (void)expect(Kind::kDone, kAnswer);
@@ -99,6 +122,24 @@ void Controller::record(std::uint64_t ticks, const std::function<void(std::span<
     }
     next = records.first_tick + records.bytes.size() / records.record_bytes;
   }
+}
+
+std::uint64_t Controller::watch(std::uint32_t every, std::uint64_t records,
+                                const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record) {
+  connection_.send(Kind::kSubscribe, wire::Subscribe{every});
+  (void)expect(Kind::kDone, kAnswer);
+  std::uint64_t lost = 0;
+  for (std::uint64_t taken = 0; taken < records;) {
+    const auto more = read<wire::Records>(expect(Kind::kRecords, kAnswer));
+    if (more.record_bytes == 0 || more.bytes.size() % more.record_bytes != 0)
+      complain("records of the ticks are cut; install the same release on both sides");
+    lost = more.lost;
+    std::uint64_t tick = more.first_tick;
+    for (std::size_t at = 0; at < more.bytes.size() && taken < records; at += more.record_bytes, ++taken, tick += more.every) {
+      record(tick, more.bytes.subspan(at, more.record_bytes));
+    }
+  }
+  return lost;
 }
 
 /// The answer of that kind. Whatever else comes ends the conversation.

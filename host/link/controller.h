@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/link/connection.h"
+#include "shared/device_model.h"
 #include "shared/wire_messages.h"
 
 namespace isotouch::link {
@@ -37,6 +38,14 @@ class Controller {
 
   std::vector<wire::FieldEntry> fields();
   wire::Accepted select(std::uint64_t image_hash);
+  /// The next three are of minor version 1: older controllers refuse them.
+  wire::DeviceReport device();
+  /// Where the arms stand, measured over a second in which the hand must hold still.
+  ///
+  /// model     gets the device model in use
+  wire::PostureReport posture(DeviceModel& model);
+  /// The controller keeps these angles.
+  void calibrate(const wire::Calibrate& measured);
   void stop();
   void resume();
 
@@ -44,8 +53,19 @@ class Controller {
   ///
   /// header    called once with the trace's header
   /// record    called with each record in turn
+  ///
+  /// fails     also when a tick is missing
   void record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
               const std::function<void(std::span<const std::uint8_t>)>& record);
+
+  /// Follows the ticks. Whoever reads too slowly loses records, the controller no time.
+  ///
+  /// every     a record every so many ticks, at least 1
+  /// records   so many
+  /// record    called with the tick's number and each record in turn
+  /// returns   records lost meanwhile
+  std::uint64_t watch(std::uint32_t every, std::uint64_t records,
+                      const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record);
 
  private:
   wire::Frame expect(wire::Kind kind, int patience_ms);

@@ -42,14 +42,21 @@ class FakeTick {
   std::atomic<std::uint8_t> obeyed{0};       ///< all commands that ever came
   std::atomic<std::uint32_t> generation{0};  ///< of the field of the last tick
   std::atomic<std::uint64_t> felt{0};        ///< hash of that field, as far as it was read in the tick
+  std::atomic<std::int16_t> count{0};        ///< of every arm, homed
+  std::atomic<std::int16_t> sway{0};         ///< added to it in every other tick
+  std::atomic<bool> rests{false};            ///< no ticks meanwhile
 
  private:
   void run() {
     for (std::uint64_t number = 1; !stop_; ++number) {
+      while (rests && !stop_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
       const loop::ActiveField field = slots_.field();
       loop::TickRecord record;
       record.number = number;
       record.arrival_ns = static_cast<std::int64_t>(number) * 100'000;
+      const auto at = static_cast<std::int16_t>(count + (number % 2 == 0 ? sway.load() : 0));
+      record.in.packet = encode(FalconReply{{at, at, at}, 0, 7});
+      record.in.fresh = true;
       record.in.commands = commands.take();
       record.in.field_generation = field.generation;
       record.out.tick.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
@@ -71,13 +78,20 @@ class FakeTick {
 
 struct ControlRig {
   explicit ControlRig(std::size_t image_limit = 1 << 20, const std::function<void(ControlSettings&)>& change = {})
-      : slots(image_limit), store(folder, 4), intake(slots, &store, clock, {}), tick(slots) {
+      : slots(image_limit),
+        store(folder, 4),
+        intake(slots, &store, clock, {}),
+        measured(folder),
+        calibration(
+            &measured, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
+        tick(slots) {
     settings.path = (scratch.path() / "control").string();
     settings.program = "a test";
     settings.recordings.device = libnifalcon_model();
     settings.recordings.run.period_ns = 1'000'000;
     if (change) change(settings);
-    server = std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring});
+    server = std::make_unique<ControlServer>(
+        settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring, &calibration});
     const std::string refusal = server->start();
     EXPECT_EQ(refusal, "");
   }
@@ -88,6 +102,8 @@ struct ControlRig {
   loop::FieldSlots slots;
   FieldStore store;
   FieldIntake intake;
+  CalibrationStore measured;
+  Calibration calibration;
   FakeTick tick;
   ControlSettings settings;
   std::unique_ptr<ControlServer> server;

@@ -1,0 +1,104 @@
+/// isotouch calibrate: a hand holds the grip at a known place, and the controller learns where its device's arms stand at count 0.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "host/commands/commands.h"
+#include "host/commands/controller_options.h"
+#include "host/error.h"
+#include "host/evaluate/calibrate.h"
+#include "host/evaluate/real.h"
+#include "host/link/controller.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+constexpr double kFarthestTurnDeg = 25;  // public sources differ by 15
+constexpr double kFarthestApartDeg = 1;  // some 1.2 mm at the grip
+
+struct Options {
+  std::string to;
+  std::vector<std::tuple<double, double, double>> at;  ///< places, mm
+  bool json = false;
+};
+
+/// Asks for a posture, waits for Enter (or for the end of the input), and lets the controller measure.
+evaluate::Posture hold(link::Controller& controller, const Options& options, std::size_t number, DeviceModel& model, wire::Text& serial) {
+  const auto [x, y, z] = options.at[number];
+  std::fprintf(stderr, "%zu of %zu: hold the middle of the grip still at x %.2f, y %.2f, z %.2f mm, then press Enter ", number + 1,
+               options.at.size(), x, y, z);
+  std::string line;
+  std::getline(std::cin, line);
+  std::fprintf(stderr, "\nhold still ...\n");
+  const wire::PostureReport measured = controller.posture(model);
+  serial = measured.serial;
+  evaluate::Posture posture{{x, y, z}, {}};
+  for (std::size_t i = 0; i < 3; ++i) posture.counts[i] = std::ldexp(measured.counts[i], -8);
+  return posture;
+}
+
+void print(const Options& options, const wire::Calibrate& calibration, const evaluate::AngleCalibration& found) {
+  const std::string serial(calibration.serial.view());
+  std::array<double, 3> degrees{};
+  for (std::size_t i = 0; i < 3; ++i) degrees[i] = degrees_of(calibration.at_zero[i]);
+  if (options.json) {
+    const nlohmann::ordered_json json{
+        {"serial", serial}, {"angle_at_zero_deg", degrees}, {"turned_deg", found.turned_deg}, {"apart_deg", found.apart_deg}};
+    std::printf("%s\n", json.dump(2).c_str());
+    return;
+  }
+  std::printf("%s: arms at count 0 at %.3f, %.3f, %.3f degrees (top, right, left), %+.3f, %+.3f, %+.3f from before\n", serial.c_str(),
+              degrees[0], degrees[1], degrees[2], found.turned_deg[0], found.turned_deg[1], found.turned_deg[2]);
+  if (options.at.size() > 1) std::printf("the places contradict each other by at most %.3f degrees\n", found.apart_deg);
+  std::printf("kept; it holds at once while the controller is idle, else from its next start\n");
+}
+
+void run(Options options) {
+  link::Controller controller(options.to);
+  if (options.at.empty()) options.at = {{0, 0, 125}};
+  DeviceModel model;
+  wire::Calibrate calibration;
+  std::vector<evaluate::Posture> postures;
+  for (std::size_t i = 0; i < options.at.size(); ++i) postures.push_back(hold(controller, options, i, model, calibration.serial));
+  const auto found = evaluate::calibrate(model, postures);
+  if (!found) throw InputError(options.to + ": the device does not reach one of the places; measure from the middle of the motor axes");
+  for (const double turned : found->turned_deg) {
+    if (std::abs(turned) > kFarthestTurnDeg) {
+      throw InputError(options.to + ": an arm would stand " + std::to_string(std::lround(turned)) +
+                       " degrees from where it is taken to be; hold the grip where --at says, or home the device again");
+    }
+  }
+  if (found->apart_deg > kFarthestApartDeg) {
+    throw InputError(options.to + ": the places contradict each other; measure them again, or try the other [device] geometry");
+  }
+  for (std::size_t i = 0; i < 3; ++i) calibration.at_zero[i] = found->at_zero[i].raw();
+  controller.calibrate(calibration);
+  print(options, calibration, *found);
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Learn the angles of a device's arms from a hand that holds the grip still at known places; without any force");
+  add_address(*command, options->to);
+  command
+      ->add_option(
+          "--at", options->at,
+          "a place, x y z in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given several times. "
+          "Default: 0 0 125")
+      ->type_name("X Y Z")
+      ->check(CLI::Range(-300.0, 300.0));
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands
