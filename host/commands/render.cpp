@@ -14,6 +14,7 @@
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
+#include "host/evaluate/hand_trace.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
 #include "host/evaluate/trace_file.h"
@@ -61,7 +62,7 @@ struct SurfaceRun {
                                  .touch = std::nullopt,
                                  .title = blob.stem().string()};
     if (!trace.empty()) {
-      const evaluate::Trace recorded = evaluate::Trace::read(trace);
+      const evaluate::Trace recorded = evaluate::read_hand(trace);
       options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
     }
     view::write_png(picture.out, view::surface_picture(open.view, options));
@@ -98,7 +99,7 @@ struct ForceRun {
   double sphere_mm = 0;
 
   void operator()() const {
-    const evaluate::Trace recorded = evaluate::Trace::read(trace);
+    const evaluate::Trace recorded = evaluate::read_hand(trace);
     std::optional<evaluate::OpenBlob> open;
     if (!blob.empty()) open.emplace(evaluate::open_blob(blob));
     const double limit = evaluate::real(recorded.header().settings.force_limit);

@@ -17,6 +17,7 @@
 #include "host/commands/quantities.h"
 #include "host/error.h"
 #include "host/evaluate/compare_mesh.h"
+#include "host/evaluate/hand_trace.h"
 #include "host/evaluate/mesh_scan.h"
 #include "host/evaluate/real.h"
 #include "host/evaluate/touch_points.h"
@@ -88,7 +89,7 @@ void print(const Options& options, const evaluate::TouchReport& report) {
 }
 
 void scan_trace(const Options& options) {
-  const auto trace = evaluate::Trace::read(options.input);
+  const auto trace = evaluate::read_hand(options.input);
   evaluate::TouchReport report;
   const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
   cloud::write_ply(options.out, points, "isotouch scan of a trace, workspace mm");

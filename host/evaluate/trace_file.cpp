@@ -25,7 +25,7 @@ const char* other_kind(std::span<const std::uint8_t> bytes, std::uint16_t expect
   const Result<std::uint16_t> major = isotouch::trace_major(bytes);
   if (!major || *major == expected) return nullptr;
   if (*major == WireFormat::kMajor)
-    return "holds a device's packets, not positions of the hand; only replay and trace diff take such a trace";
+    return "holds a device's packets, not positions of the hand; replay, trace diff, render and scan take such a trace";
   if (*major == HipFormat::kMajor) return "holds positions of the hand, not a device's packets; give two traces of one kind";
   return nullptr;
 }
@@ -76,6 +76,18 @@ TraceFile<Format> TraceFile<Format>::read(const std::filesystem::path& file) {
     }
   }
   return trace;
+}
+
+template <class Format>
+TraceFile<Format>::TraceFile(std::filesystem::path file, const typename Format::Header& header,
+                             std::span<const typename Format::Record> records)
+    : file_(std::move(file)), header_(header) {
+  Format::run(header_).record_count = records.size();
+  bytes_.reserve(records.size() * Format::kRecordBytes);
+  for (const typename Format::Record& record : records) {
+    const auto bytes = encode(record);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
 }
 
 template <class Format>

@@ -62,6 +62,12 @@ class TraceFile {
   /// fails     InputError naming the file, and the record and its byte where there is one
   static TraceFile read(const std::filesystem::path& file);
 
+  /// Of records in memory.
+  ///
+  /// file      where they come from, for sentences
+  /// header    its record count is ignored and counted instead
+  TraceFile(std::filesystem::path file, const typename Format::Header& header, std::span<const typename Format::Record> records);
+
   const typename Format::Header& header() const { return header_; }
   /// For sentences about it.
   const std::filesystem::path& file() const { return file_; }
@@ -75,6 +81,7 @@ class TraceFile {
   bool chain_follows(std::size_t tick) const;
 
  private:
+  TraceFile() = default;
   const std::uint8_t* at(std::size_t tick) const { return bytes_.data() + tick * Format::kRecordBytes; }
 
   std::filesystem::path file_;
