@@ -7,9 +7,15 @@ room=$(mktemp -d)   # short: the path of a socket has at most 107 characters
 control=unix:$room/control
 started=()
 
-leave() {
+# Ends the controller and what was started with it.
+end_controller() {
   local process
   for process in "${started[@]}"; do kill "$process" 2>/dev/null && wait "$process" 2>/dev/null || true; done
+  started=()
+}
+
+leave() {
+  end_controller
   rm -rf "$room"
 }
 trap leave EXIT
