@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "shared/falcon_packet.h"
+#include "shared/setting_change.h"
 #include "shared/tick_io.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
@@ -35,6 +36,7 @@ struct DeviceInput {
   std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
   std::uint8_t lines = 0;              ///< DeviceLines
   std::uint8_t late = 0;               ///< whole periods that were left out since the tick before, kMostLate = so many or more
+  SettingChange change;                ///< what a person set anew
 
   bool operator==(const DeviceInput&) const = default;
 };

@@ -13,7 +13,8 @@ using namespace device_trace_layout;
 
 namespace {
 
-constexpr std::uint8_t kEveryCommand = kCommandStop | kCommandResume | kCommandRestart;
+constexpr std::uint8_t kEveryCommand = kCommandStop | kCommandResume | kCommandRestart;  // bits 0 to 2 of byte 17
+constexpr int kSettingShift = 3;                                                         // above them, the setting that changes
 
 /// Byte 16 of a record: bit 0 fresh, bits 1 and 2 lines, bits 3 to 7 late.
 std::uint8_t pack_conditions(const DeviceInput& in) {
@@ -41,6 +42,7 @@ DeviceTraceHeaderBytes encode(const DeviceTraceHeader& header) {
   store_run(run, at);
   const DeviceModelBytes model = encode(header.device);
   std::copy(model.begin(), model.end(), at + kModelAt);
+  store_feel(run.settings, at + kFeelAt);
   store_le(at + kChecksumAt, crc32(at, kChecksumAt));
   return bytes;
 }
@@ -55,7 +57,8 @@ Result<DeviceTraceHeader> decode_device_header(std::span<const std::uint8_t> byt
   if (load_le<std::uint32_t>(at + 8) != kHeaderBytes || load_le<std::uint32_t>(at + 12) != kRecordBytes) return Error::kBadHeader;
 
   DeviceTraceHeader header;
-  if (!load_run(at, header.run) || (header.run.flags & ~trace_layout::kHasOutputs) != 0) return Error::kBadHeader;
+  if (!load_run(at, header.run) || !load_feel(at + kFeelAt, header.run.settings)) return Error::kBadHeader;
+  if ((header.run.flags & ~trace_layout::kHasOutputs) != 0) return Error::kBadHeader;
   DeviceModelBytes model{};
   std::copy_n(at + kModelAt, model.size(), model.begin());
   const Result<DeviceModel> device = decode_model(model);
@@ -74,9 +77,10 @@ DeviceTraceRecordBytes encode(const DeviceTraceRecord& record) {
   std::uint8_t* at = bytes.data();
   std::copy(record.input.packet.begin(), record.input.packet.end(), at);
   store_le(at + 16, pack_conditions(record.input));
-  store_le(at + 17, record.input.commands);
+  store_le(at + 17, static_cast<std::uint8_t>(record.input.commands | static_cast<unsigned>(record.input.change.setting) << kSettingShift));
   store_le(at + 18, record.input.age);
   store_le(at + 20, record.input.field_generation);
+  store_le(at + kSettingAt, record.input.change.raw);
   store_vec3(at + 24, record.output.hip);
   store_vec3(at + 36, record.output.tick.proxy);
   store_vec3(at + 48, record.output.tick.force);
@@ -96,7 +100,8 @@ Result<DeviceTraceRecord> decode_device_record(std::span<const std::uint8_t, kRe
   DeviceTraceRecord record;
   std::copy_n(at, record.input.packet.size(), record.input.packet.begin());
   unpack_conditions(at[16], record.input);
-  record.input.commands = at[17];
+  record.input.commands = at[17] & kEveryCommand;
+  record.input.change = {static_cast<TickSetting>(at[17] >> kSettingShift), load_le<std::int32_t>(at + kSettingAt)};
   record.input.age = load_le<std::uint16_t>(at + 18);
   record.input.field_generation = load_le<std::uint32_t>(at + 20);
   record.output.hip = load_vec3<Mm>(at + 24);
@@ -110,7 +115,7 @@ Result<DeviceTraceRecord> decode_device_record(std::span<const std::uint8_t, kRe
   record.output.buttons = at[75];
   record.chain = load_le<std::uint64_t>(at + kChainAt);
   record.arrival_ns = load_le<std::uint64_t>(at + 88);
-  const bool undefined = (at[17] & ~kEveryCommand) != 0 || load_le<std::uint32_t>(at + 76) != 0;
+  const bool undefined = !is_valid(record.input.change);
   if (undefined || (record.input.fresh && record.input.age != 0)) return Error::kBadRecord;
   return record;
 }
@@ -119,7 +124,7 @@ DeviceChain::DeviceChain(const DeviceTraceHeader& header) {
   DeviceTraceHeader used = header;
   used.run.flags |= trace_layout::kHasOutputs;
   const DeviceTraceHeaderBytes bytes = encode(used);
-  value_ = hash64(bytes.data() + kChainBegin, kChainEnd - kChainBegin);
+  value_ = chain_seed(std::span(bytes).subspan(kChainBegin, kChainEnd - kChainBegin), bytes.data() + kFeelAt);
 }
 
 std::uint64_t DeviceChain::extend(const DeviceInput& input, const DeviceOutput& output) {

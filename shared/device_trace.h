@@ -16,15 +16,17 @@ namespace isotouch {
 
 namespace device_trace_layout {
 inline constexpr std::uint16_t kMajor = 2;
-inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::uint16_t kMinor = 1;
 inline constexpr std::size_t kHeaderBytes = 224;
 inline constexpr std::size_t kRecordBytes = 96;
 inline constexpr std::size_t kModelAt = 64;
+inline constexpr std::size_t kFeelAt = 192;
 inline constexpr std::size_t kChecksumAt = 220;
 inline constexpr std::size_t kChainBegin = 32;  ///< the header's bytes 32 to 191 seed the chain: model, period, settings
 inline constexpr std::size_t kChainEnd = 192;
 inline constexpr std::size_t kRecordChainBytes = 80;  ///< a record's bytes 0 to 79 enter the chain
 inline constexpr std::size_t kOutputAt = 24;          ///< inputs stand before it
+inline constexpr std::size_t kSettingAt = 76;         ///< an input among the outputs: there was room
 inline constexpr std::size_t kChainAt = 80;
 }  // namespace device_trace_layout
 
@@ -56,7 +58,7 @@ Result<DeviceTraceHeader> decode_device_header(std::span<const std::uint8_t> byt
 /// tick      yes
 DeviceTraceRecordBytes encode(const DeviceTraceRecord& record);
 
-/// fails     kBadRecord: an undefined command or flag, a reserved byte that is not zero, a fresh packet with an age
+/// fails     kBadRecord: an undefined flag, a setting that is none or outside its range, a fresh packet with an age
 Result<DeviceTraceRecord> decode_device_record(std::span<const std::uint8_t, device_trace_layout::kRecordBytes> bytes);
 
 /// The rolling hash over everything that a run saw and said. The blob is not in its seed, because a recording may begin before there is one.

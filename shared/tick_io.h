@@ -37,6 +37,8 @@ enum StatusBits : std::uint32_t {
   kSlewLimited = 1U << 14,    ///< the change of the motor words was shortened, its direction kept
   kHeatLimited = 1U << 20,    ///< the limit of the motor words is lowered, because the motors are warm
   kLate = 1U << 21,           ///< periods were left out before this tick
+  // Of how it feels.
+  kDamped = 1U << 24,  ///< the passivity controller adds damping
 };
 
 struct TickOutput {
@@ -49,12 +51,25 @@ struct TickOutput {
   bool operator==(const TickOutput&) const = default;
 };
 
+inline constexpr Ratio kMostFriction = Ratio::of(1.5);
+inline constexpr Damping kMostDamping = Damping::of(0.1);
+inline constexpr Newton kMostWeight = Newton::of(5);
+inline constexpr std::uint32_t kMostDelay = 7;
+
 /// What a person may set; part of the trace's header and of the chain.
 struct TickSettings {
   Stiffness stiffness;                   ///< the largest of the surface; 0 = the blob's
   Damping damping;                       ///< between proxy and HIP; 0 = pure spring
   Newton force_limit = Newton::of(8.0);  ///< the Falcon gives about 9 N
   std::uint32_t ramp_ticks = 50;         ///< from no force to full force where contact did not begin at rest
+  // What the published method has none of; all off where it is 0.
+  Ratio friction{};               ///< Coulomb's μ between proxy and surface, 0 to 1.5
+  Damping friction_damping{};     ///< viscous friction of the sliding proxy
+  Damping hand_damping{};         ///< of the hand's filtered speed, in contact
+  Damping passivity{};            ///< the most that the passivity controller may add to it
+  Damping device_damping{};       ///< of the device itself, which the controller counts on
+  Newton weight{};                ///< of the handle, held up along +y; ±5 N
+  std::uint32_t delay_ticks = 0;  ///< from a sample to its force being felt, 0 to 7; the controller's ledger needs it
 
   bool operator==(const TickSettings&) const = default;
 };

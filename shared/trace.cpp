@@ -38,6 +38,37 @@ bool load_run(const std::uint8_t* bytes, TraceHeader& header) {
          header.settings.ramp_ticks <= 100'000 && header.period_ns >= 100'000 && header.period_ns <= 4'000'000;
 }
 
+void store_feel(const TickSettings& settings, std::uint8_t* bytes) {
+  store_le(bytes, settings.friction.raw());
+  store_le(bytes + 4, settings.friction_damping.raw());
+  store_le(bytes + 8, settings.hand_damping.raw());
+  store_le(bytes + 12, settings.passivity.raw());
+  store_le(bytes + 16, settings.device_damping.raw());
+  store_le(bytes + 20, settings.weight.raw());
+  store_le(bytes + 24, settings.delay_ticks);
+}
+
+bool load_feel(const std::uint8_t* bytes, TickSettings& settings) {
+  settings.friction = Ratio::from_raw(load_le<std::int32_t>(bytes));
+  settings.friction_damping = Damping::from_raw(load_le<std::int32_t>(bytes + 4));
+  settings.hand_damping = Damping::from_raw(load_le<std::int32_t>(bytes + 8));
+  settings.passivity = Damping::from_raw(load_le<std::int32_t>(bytes + 12));
+  settings.device_damping = Damping::from_raw(load_le<std::int32_t>(bytes + 16));
+  settings.weight = Newton::from_raw(load_le<std::int32_t>(bytes + 20));
+  settings.delay_ticks = load_le<std::uint32_t>(bytes + 24);
+  bool valid = settings.friction >= Ratio{} && settings.friction <= kMostFriction && settings.delay_ticks <= kMostDelay;
+  for (const Damping damping : {settings.friction_damping, settings.hand_damping, settings.passivity, settings.device_damping}) {
+    valid &= damping >= Damping{} && damping <= kMostDamping;
+  }
+  return valid && settings.weight >= -kMostWeight && settings.weight <= kMostWeight;
+}
+
+std::uint64_t chain_seed(std::span<const std::uint8_t> always, const std::uint8_t* feel) {
+  const std::uint64_t seed = hash64(always.data(), always.size());
+  const bool more = std::any_of(feel, feel + kFeelBytes, [](std::uint8_t byte) { return byte != 0; });
+  return more ? hash64(feel, kFeelBytes, seed) : seed;
+}
+
 Result<std::uint16_t> trace_major(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < 6 || !std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return Error::kBadMagic;
   return load_le<std::uint16_t>(bytes.data() + 4);
@@ -52,6 +83,7 @@ TraceHeaderBytes encode(const TraceHeader& header) {
   store_le(at + 8, static_cast<std::uint32_t>(kHeaderBytes));
   store_le(at + 12, static_cast<std::uint32_t>(kRecordBytes));
   store_run(header, at);
+  store_feel(header.settings, at + kFeelAt);
   store_le(at + 92, crc32(at, 92));
   return bytes;
 }
@@ -65,7 +97,8 @@ Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint
   if (load_le<std::uint32_t>(at + 8) != kHeaderBytes || load_le<std::uint32_t>(at + 12) != kRecordBytes) return Error::kBadHeader;
 
   TraceHeader header;
-  if (!load_run(at, header) || (header.flags & ~(kHasOutputs | kEncoderCounts)) != 0) return Error::kBadHeader;
+  if (!load_run(at, header) || !load_feel(at + kFeelAt, header.settings)) return Error::kBadHeader;
+  if ((header.flags & ~(kHasOutputs | kEncoderCounts)) != 0) return Error::kBadHeader;
   const std::uint64_t record_bytes = file_bytes - kHeaderBytes;
   if (header.record_count > record_bytes / kRecordBytes) return Error::kTruncated;
   if (header.record_count * kRecordBytes != record_bytes) return Error::kBadSize;
@@ -113,7 +146,7 @@ Chain::Chain(const TraceHeader& header, std::uint64_t blob_hash) {
   used.blob_hash = blob_hash;
   used.flags |= kHasOutputs;
   const TraceHeaderBytes bytes = encode(used);
-  value_ = hash64(bytes.data() + kChainBegin, kChainEnd - kChainBegin);
+  value_ = chain_seed(std::span(bytes).subspan(kChainBegin, kChainEnd - kChainBegin), bytes.data() + kFeelAt);
 }
 
 std::uint64_t Chain::extend(const TickInput& input, const TickOutput& output) {

@@ -14,11 +14,13 @@ namespace isotouch {
 namespace trace_layout {
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'R', 'C'};
 inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::uint16_t kMinor = 1;
 inline constexpr std::size_t kHeaderBytes = 96;
 inline constexpr std::size_t kRecordBytes = 72;
 inline constexpr std::size_t kChainBegin = 24;  ///< the header's bytes 24 to 63 seed the chain
 inline constexpr std::size_t kChainEnd = 64;
+inline constexpr std::size_t kFeelAt = 64;  ///< further settings, which enter the seed where they are not all zero
+inline constexpr std::size_t kFeelBytes = 28;
 inline constexpr std::size_t kRecordChainBytes = 56;  ///< a record's bytes 0 to 55 enter the chain
 inline constexpr std::uint32_t kHasOutputs = 1U << 0;
 inline constexpr std::uint32_t kEncoderCounts = 1U << 1;
@@ -63,6 +65,13 @@ Result<TraceRecord> decode_record(std::span<const std::uint8_t, trace_layout::kR
 void store_run(const TraceHeader& header, std::uint8_t* bytes);
 /// returns   false when the period or a setting is outside SPEC's range; flags are the version's business
 bool load_run(const std::uint8_t* bytes, TraceHeader& header);
+
+/// The kFeelBytes of further settings, SPEC.md 3.1; version 0 has zeros there.
+void store_feel(const TickSettings& settings, std::uint8_t* bytes);
+/// returns   false when a setting is outside SPEC's range
+bool load_feel(const std::uint8_t* bytes, TickSettings& settings);
+/// The chain's seed of a header: that of version 0, and the further settings where there are any.
+std::uint64_t chain_seed(std::span<const std::uint8_t> always, const std::uint8_t* feel);
 
 /// The major version of a trace that begins with these bytes.
 ///

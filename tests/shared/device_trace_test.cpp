@@ -25,7 +25,8 @@ DeviceTraceHeader some_header() {
   header.run.model_hash = hash(header.device);
   header.run.period_ns = 500'000;
   header.run.flags = trace_layout::kHasOutputs;
-  header.run.settings = {Stiffness::of(2), Damping::of(0.001), Newton::of(7.5), 40};
+  header.run.settings = {Stiffness::of(2), Damping::of(0.001), Newton::of(7.5), 40, Ratio::of(0.5)};
+  header.run.settings.delay_ticks = 3;
   return header;
 }
 
@@ -36,6 +37,7 @@ DeviceTraceRecord some_record() {
   record.input.age = 0x0203;
   record.input.commands = kCommandResume;
   record.input.field_generation = 0x04050607;
+  record.input.change = {TickSetting::kFriction, 0x0A0B0C0D};
   record.output.hip = {Mm::from_raw(1), Mm::from_raw(-2), Mm::from_raw(3)};
   record.output.tick = {{Mm::from_raw(7), Mm::from_raw(-8), Mm::from_raw(9)},
                         {Newton::from_raw(-10), Newton::from_raw(11), Newton::from_raw(12)},
@@ -59,7 +61,7 @@ TEST(DeviceTrace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   const std::uint8_t* at = bytes.data();
   EXPECT_EQ(std::string(at, at + 4), "ITRC");
   EXPECT_EQ(load_le<std::uint16_t>(at + 4), 2);
-  EXPECT_EQ(load_le<std::uint16_t>(at + 6), 0);
+  EXPECT_EQ(load_le<std::uint16_t>(at + 6), 1);
   EXPECT_EQ(load_le<std::uint32_t>(at + 8), 224U);
   EXPECT_EQ(load_le<std::uint32_t>(at + 12), 96U);
   EXPECT_EQ(load_le<std::uint64_t>(at + 16), 3U);
@@ -71,7 +73,9 @@ TEST(DeviceTrace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::uint32_t>(at + 60), 40U);
   const DeviceModelBytes model = encode(martin_hillier_model());
   EXPECT_TRUE(std::equal(model.begin(), model.end(), at + 64));
-  EXPECT_TRUE(std::all_of(at + 192, at + 220, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::int32_t>(at + 192), 1 << 29);
+  EXPECT_TRUE(std::all_of(at + 196, at + 216, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::uint32_t>(at + 216), 3U);
   EXPECT_EQ(load_le<std::uint32_t>(at + 220), crc32(at, 220));
 }
 
@@ -81,7 +85,7 @@ TEST(DeviceTrace, TheRecordStandsAsTheSpecificationDrawsIt) {
   const FalconPacket packet = some_record().input.packet;
   EXPECT_TRUE(std::equal(packet.begin(), packet.end(), at));
   EXPECT_EQ(at[16], 0);
-  EXPECT_EQ(at[17], 2);
+  EXPECT_EQ(at[17], 2 | 4 << 3);
   EXPECT_EQ(load_le<std::uint16_t>(at + 18), 0x0203);
   EXPECT_EQ(load_le<std::uint32_t>(at + 20), 0x04050607U);
   for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(load_le<std::int32_t>(at + 24 + 4 * i), (std::array{1, -2, 3, 7, -8, 9, -10, 11, 12})[i]);
@@ -91,7 +95,7 @@ TEST(DeviceTrace, TheRecordStandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::uint16_t>(at + 72), 0x1C1D);
   EXPECT_EQ(at[74], 0x0E);
   EXPECT_EQ(at[75], 0x0B);
-  EXPECT_EQ(load_le<std::uint32_t>(at + 76), 0U);
+  EXPECT_EQ(load_le<std::uint32_t>(at + 76), 0x0A0B0C0DU);
   EXPECT_EQ(load_le<std::uint64_t>(at + 80), 0x2122232425262728U);
   EXPECT_EQ(load_le<std::uint64_t>(at + 88), 0x3132333435363738U);
 }
@@ -188,8 +192,10 @@ TEST(DeviceTrace, ARecordWithAnUndefinedValueIsRefused) {
     return !read && read.error() == Error::kBadRecord;
   };
   EXPECT_TRUE(refused_at(16, 1)) << "a fresh packet with an age";
-  EXPECT_TRUE(refused_at(17, 8)) << "an undefined command";
-  for (std::size_t offset = 76; offset < 80; ++offset) EXPECT_TRUE(refused_at(offset, 1)) << "a reserved byte";
+  EXPECT_TRUE(refused_at(17, 9 << 3)) << "an unknown setting";
+  EXPECT_TRUE(refused_at(79, 0x60)) << "a friction above 1.5";
+  EXPECT_TRUE(refused_at(17, 0)) << "a value of no setting";
+  EXPECT_TRUE(refused_at(79, 0x80)) << "a friction below 0";
   EXPECT_FALSE(refused_at(0, 0)) << "a malformed packet is an input like any other";
 }
 
@@ -200,7 +206,7 @@ TEST(DeviceTrace, TheChainSeesEverythingButTheBlobAndTheArrival) {
   const DeviceTraceHeader header = some_header();
   const DeviceTraceRecord record = some_record();
   DeviceTraceHeaderBytes head = encode(header);
-  EXPECT_EQ(chain_of(header, record), hash64(encode(record).data(), 80, hash64(head.data() + 32, 160)));
+  EXPECT_EQ(chain_of(header, record), hash64(encode(record).data(), 80, hash64(head.data() + 192, 28, hash64(head.data() + 32, 160))));
 
   std::set<std::uint64_t> seen = {chain_of(header, record)};
   std::size_t changes = 1;
@@ -213,6 +219,7 @@ TEST(DeviceTrace, TheChainSeesEverythingButTheBlobAndTheArrival) {
   changed_header([](DeviceTraceHeader& h) { h.device.led_idle ^= 1; });
   changed_header([](DeviceTraceHeader& h) { h.run.period_ns += 1; });
   changed_header([](DeviceTraceHeader& h) { h.run.settings.stiffness = Stiffness::of(3); });
+  changed_header([](DeviceTraceHeader& h) { h.run.settings.delay_ticks = 2; });
   for (std::size_t bit = 0; bit < 8 * 80; ++bit) {
     DeviceTraceRecordBytes bytes = encode(record);
     bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));

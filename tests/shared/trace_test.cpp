@@ -22,7 +22,13 @@ TraceHeader some_header() {
   header.model_hash = 0x99AABBCCDDEEFF00;
   header.period_ns = 500'000;
   header.flags = trace_layout::kHasOutputs | trace_layout::kEncoderCounts;
-  header.settings = {Stiffness::of(2), Damping::of(0.001), Newton::of(7.5), 40};
+  header.settings = {Stiffness::of(2), Damping::of(0.001), Newton::of(7.5), 40, Ratio::of(0.5)};
+  header.settings.friction_damping = Damping::of(0.002);
+  header.settings.hand_damping = Damping::of(0.003);
+  header.settings.passivity = Damping::of(0.004);
+  header.settings.device_damping = Damping::of(0.005);
+  header.settings.weight = Newton::of(-0.75);
+  header.settings.delay_ticks = 3;
   return header;
 }
 
@@ -46,7 +52,7 @@ TEST(Trace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   const std::uint8_t* at = bytes.data();
   EXPECT_EQ(std::string(at, at + 4), "ITRC");
   EXPECT_EQ(load_le<std::uint16_t>(at + 4), 1);
-  EXPECT_EQ(load_le<std::uint16_t>(at + 6), 0);
+  EXPECT_EQ(load_le<std::uint16_t>(at + 6), 1);
   EXPECT_EQ(load_le<std::uint32_t>(at + 8), 96U);
   EXPECT_EQ(load_le<std::uint32_t>(at + 12), 72U);
   EXPECT_EQ(load_le<std::uint64_t>(at + 16), 3U);
@@ -58,7 +64,13 @@ TEST(Trace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::int32_t>(at + 52), Damping::of(0.001).raw());
   EXPECT_EQ(load_le<std::int32_t>(at + 56), 15 << 15);
   EXPECT_EQ(load_le<std::uint32_t>(at + 60), 40U);
-  EXPECT_TRUE(std::all_of(at + 64, at + 92, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::int32_t>(at + 64), 1 << 29);
+  EXPECT_EQ(load_le<std::int32_t>(at + 68), Damping::of(0.002).raw());
+  EXPECT_EQ(load_le<std::int32_t>(at + 72), Damping::of(0.003).raw());
+  EXPECT_EQ(load_le<std::int32_t>(at + 76), Damping::of(0.004).raw());
+  EXPECT_EQ(load_le<std::int32_t>(at + 80), Damping::of(0.005).raw());
+  EXPECT_EQ(load_le<std::int32_t>(at + 84), -3 << 14);
+  EXPECT_EQ(load_le<std::uint32_t>(at + 88), 3U);
   EXPECT_EQ(load_le<std::uint32_t>(at + 92), crc32(at, 92));
 }
 
@@ -126,6 +138,11 @@ TEST(Trace, EveryMalformedHeaderIsRefusedForItsReason) {
       {"a record count that overflows to the right size", Error::kTruncated,
        [](std::uint8_t* h) { store_le(h + 16, (std::uint64_t{1} << 61) + 3); }},
       {"one record too few", Error::kBadSize, [](std::uint8_t* h) { store_le<std::uint64_t>(h + 16, 2); }},
+      {"a friction above 1.5", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 64, kMostFriction.raw() + 1); }},
+      {"a damping below 0", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 72, -1); }},
+      {"a damping above 0.1", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 80, kMostDamping.raw() + 1); }},
+      {"a weight below -5 N", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 84, (-kMostWeight).raw() - 1); }},
+      {"a delay of 8", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 88, 8U); }},
       {"a period of 0", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 40, 0U); }},
       {"a period below 0.1 ms", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 40, 99'999U); }},
       {"a period above 4 ms", Error::kBadHeader, [](std::uint8_t* h) { store_le(h + 40, 4'000'001U); }},
@@ -190,8 +207,11 @@ TEST(Trace, TheChainIsTheHashThatTheSpecificationStates) {
   TraceHeaderBytes used = encode(header);
   store_le<std::uint64_t>(used.data() + 24, 0xABCDEF);
   store_le<std::uint32_t>(used.data() + 44, 1);
-  std::uint64_t expected = hash64(used.data() + 24, 40);
+  std::uint64_t expected = hash64(used.data() + 64, 28, hash64(used.data() + 24, 40));
   EXPECT_EQ(chain.value(), expected);
+  TraceHeader plain = header;  // as version 0 knew it
+  plain.settings = {Stiffness::of(2), Damping::of(0.001), Newton::of(7.5), 40};
+  EXPECT_EQ(Chain(plain, 0xABCDEF).value(), hash64(used.data() + 24, 40));
   const TraceRecord record = some_record();
   for (int tick = 0; tick < 3; ++tick) {
     expected = hash64(encode(record).data(), 56, expected);
@@ -220,6 +240,13 @@ TEST(Trace, TheChainSeesInputsSettingsAndOutputsAndNothingElse) {
   changed_header([](TraceHeader& h) { h.settings.damping = Damping{}; });
   changed_header([](TraceHeader& h) { h.settings.force_limit = Newton::of(7); });
   changed_header([](TraceHeader& h) { h.settings.ramp_ticks += 1; });
+  changed_header([](TraceHeader& h) { h.settings.friction = {}; });
+  changed_header([](TraceHeader& h) { h.settings.friction_damping = {}; });
+  changed_header([](TraceHeader& h) { h.settings.hand_damping = {}; });
+  changed_header([](TraceHeader& h) { h.settings.passivity = {}; });
+  changed_header([](TraceHeader& h) { h.settings.device_damping = {}; });
+  changed_header([](TraceHeader& h) { h.settings.weight = {}; });
+  changed_header([](TraceHeader& h) { h.settings.delay_ticks = 0; });
   // Every bit of a record up to byte 51 is input or output: the next four are reserved.
   for (std::size_t bit = 0; bit < 8 * 52; ++bit) {
     TraceRecordBytes bytes = encode(record);
