@@ -10,7 +10,9 @@ namespace {
 
 /// Shortens a force to the limit, direction kept, to within two units of the last place. Components are clamped to ±8191 N first (2^29), so that
 /// three squares fit 63 bits.
-Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited) {
+///
+/// kept      the part of the length that is left
+Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited, Ratio& kept) {
   const auto bounded = [](Newton f) { return std::clamp(f, Newton::of(-8191), Newton::of(8191)); };
   const Vec3<Newton> f = {bounded(force.x), bounded(force.y), bounded(force.z)};
   const std::int64_t square = dot_raw(f, f);
@@ -19,7 +21,8 @@ Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
   // limit / length with 30 fraction bits: limit is below 2^23, the mantissa at most 2^31, the shift at least 31
   const std::int64_t ratio = (std::int64_t{limit.raw()} * inverse_length.mantissa) >> (inverse_length.shift - Ratio::kFractionBits);
-  return mul<Newton>(f, Ratio::from_raw(saturate32(ratio)));
+  kept = Ratio::from_raw(saturate32(ratio));
+  return mul<Newton>(f, kept);
 }
 
 }  // namespace
@@ -45,7 +48,7 @@ Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns) {
   return coupling;
 }
 
-Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state) {
+Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping) {
   const Vec3<Mm> stretch = mul<Mm>(contact.stretch, coupling.edge);
   const Vec3<Mm> change = stretch - state.last_stretch;
   state.last_stretch = stretch;
@@ -57,9 +60,12 @@ Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupli
   Force force;
   force.ramping = in_ramp;
   if (!contact.touching) return force;
-  const Vec3<Newton> full = mul<Newton>(stretch, stiffness) + mul<Newton>(change, coupling.damping);
+  force.stretch = stretch;
+  force.spring = mul<Newton>(stretch, stiffness);
+  const Vec3<Newton> full = force.spring + mul<Newton>(change, coupling.damping) + damping;
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
-  force.newton = limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited);
+  force.newton =
+      limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited, force.kept);
   return force;
 }
 

@@ -1,4 +1,4 @@
-/// The virtual coupling between proxy and HIP: a spring, an optional damper, a force limit, and a ramp where contact did not begin at rest.
+/// The virtual coupling between proxy and HIP: a spring, optional dampers, a force limit, and a ramp where contact did not begin at rest.
 ///
 /// source    Colgate, Stanley and Brown 1995, Issues in the haptic display of tool use; DESIGN.md, "Coupling"
 #pragma once
@@ -36,6 +36,10 @@ struct Force {
   Vec3<Newton> newton;  ///< on the hand
   bool limited = false;
   bool ramping = false;
+  // What it was made of, for a ledger of energy.
+  Vec3<Mm> stretch;           ///< of the spring; zero without contact
+  Vec3<Newton> spring;        ///< stiffness times stretch, before limit and ramp
+  Ratio kept = Ratio::of(1);  ///< how much of the force the limit left
 };
 
 /// settings     damping is clamped to 127 N/mm · period
@@ -53,8 +57,9 @@ Coupling for_field(const Coupling& prepared, const BlobView& field);
 /// or had not arrived.
 ///
 /// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the blob's table says there
+/// damping   a force against the hand's speed, added in contact
 /// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and stretches below 2047 mm, beyond which they saturate
 /// tick      yes: constant cost, no division
-Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state);
+Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping = {});
 
 }  // namespace isotouch::core

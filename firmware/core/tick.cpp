@@ -25,28 +25,75 @@ Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const BlobView& field) { return 
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
+/// Forces against the hand's speed.
+struct Damped {
+  Vec3<Newton> force;     ///< all of it
+  Vec3<Newton> injected;  ///< the passivity controller's part
+};
+
+/// Nothing is known of the speed as long as nobody asks for it.
+Damped damp(const Vec3<Mm>& hip, bool fresh, const TickModel& model, TickState& state) {
+  Damped damped;
+  if (model.hand_damping <= Damping{} && !model.passivity.is_on()) {
+    state.velocity = {};
+    return damped;
+  }
+  const Vec3<MmPerS> velocity = quiet_velocity(hip, fresh, model.rate, state.velocity);
+  damped.injected = damping_force(velocity, injected_damping(model.passivity, state.passivity));
+  damped.force = damping_force(velocity, model.hand_damping) + damped.injected;
+  return damped;
+}
+
+/// What is felt is the proxy that friction holds.
+void add_friction(Stiffness stiffness, const Friction& friction, FrictionState& state, Contact& contact) {
+  if (!friction.is_on()) {
+    state.holds = false;
+    return;
+  }
+  const Vec3<Voxel> offset = friction_offset(contact, stiffness, friction, state);
+  contact.proxy = contact.proxy + offset;
+  contact.stretch = contact.stretch + offset;
+}
+
 }  // namespace
 
 TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
   return for_field(make_model(settings, period_ns), field);
 }
 
-TickModel make_model(const TickSettings& settings, std::uint32_t period_ns) { return {settings, make_coupling(settings, period_ns)}; }
+TickModel make_model(const TickSettings& settings, std::uint32_t period_ns) {
+  TickModel model;
+  model.settings = settings;
+  model.coupling = make_coupling(settings, period_ns);
+  model.rate = PerSecond::from_raw(static_cast<std::int32_t>(1'000'000'000LL * (1 << PerSecond::kFractionBits) / period_ns));
+  model.hand_damping = settings.hand_damping;
+  model.friction = {settings.friction, mul<DampingPerTick>(settings.friction_damping, model.rate)};
+  model.passivity = {settings.passivity, mul<DampingPerTick>(settings.device_damping, model.rate), settings.delay_ticks};
+  return model;
+}
 
-TickModel for_field(const TickModel& prepared, const BlobView& field) { return {prepared.settings, for_field(prepared.coupling, field)}; }
+TickModel for_field(const TickModel& prepared, const BlobView& field) {
+  TickModel model = prepared;
+  model.coupling = for_field(prepared.coupling, field);
+  return model;
+}
 
 TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& model, TickState& state) {
   const Vec3<Mm> hip = clamp_to_reach(in.hip);
-  const Contact contact = step_proxy(to_index(hip, field), field, state.proxy);
+  Contact contact = step_proxy(to_index(hip, field), field, state.proxy);
   const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
-  const Force force = couple(contact, stiffness, model.coupling, state.coupling);
+  add_friction(stiffness, model.friction, state.friction, contact);
+  const Damped damped = damp(hip, in.fresh, model, state);
+  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
+  if (model.passivity.is_on()) book_energy(hip, force, damped.injected, model.passivity, state.passivity);
 
   TickOutput out;
   out.proxy = contact.touching || contact.following ? to_workspace(contact.proxy, field) : hip;
   out.force = force.newton;
   out.status = when(contact.touching, kContact) | when(contact.following, kFollowing) | when(contact.outside_grid, kOutsideGrid) |
                when(contact.held_inside, kHeldInside) | when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
-               when(!in.fresh, kStale) | when(!(hip == in.hip), kInputClamped);
+               when(!in.fresh, kStale) | when(!(hip == in.hip), kInputClamped) |
+               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
   return out;
 }
 

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "firmware/core/coupling.h"
+#include "firmware/core/friction.h"
+#include "firmware/core/hand_damping.h"
+#include "firmware/core/passivity.h"
 #include "firmware/core/proxy.h"
 #include "shared/blob.h"
 #include "shared/tick_io.h"
@@ -12,6 +15,10 @@ namespace isotouch::core {
 struct TickModel {
   TickSettings settings;
   Coupling coupling;
+  Friction friction;
+  Damping hand_damping;
+  Passivity passivity;
+  PerSecond rate;  ///< ticks a second
 };
 
 /// settings     as in the trace's header
@@ -30,6 +37,9 @@ TickModel for_field(const TickModel& prepared, const BlobView& field);
 struct TickState {
   ProxyState proxy;
   CouplingState coupling;
+  FrictionState friction;
+  QuietVelocityState velocity;
+  PassivityState passivity;
 };
 
 /// One tick: where the hand is → what it feels.

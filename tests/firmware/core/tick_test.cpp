@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/support/alloc_guard.h"
 #include "tests/support/field_image.h"
@@ -128,6 +129,101 @@ TEST(Tick, TheForceNeverExceedsItsLimit) {
     EXPECT_LE(test::length(newton(out.force)), 3.0001);
   }
   EXPECT_TRUE(out.status & kForceLimited);
+}
+
+/// A block whose upper side is flat and level at z = 0.
+const FieldImage& block() {
+  static const FieldImage image({96, 96, 64},
+                                [](const Point& p) {
+                                  const Point mm = p * 0.4 - Point{19, 19, 20};
+                                  const Point out = {std::abs(mm.x) - 15, std::abs(mm.y) - 15, std::abs(mm.z + 8) - 8};
+                                  const Point apart = {std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)};
+                                  return (test::length(apart) + std::min(std::max({out.x, out.y, out.z}), 0.0)) / 0.4;
+                                },
+                                {.edge_mm = 0.4, .origin_mm = {-19, -19, -20}});
+  return image;
+}
+
+TickSettings rough(Ratio friction) {
+  TickSettings settings;
+  settings.friction = friction;
+  return settings;
+}
+
+TEST(Tick, TheWidestStickingAngleIsThatOfTheFrictionCone) {
+  for (const Ratio mu : {Ratio::of(0.1), Ratio::of(0.2), Ratio::of(0.4), Ratio::of(0.6), Ratio::of(0.8)}) {
+    for (const double turn : {0.0, 1.1, 4.0}) {
+      const TickModel model = make_model(rough(mu), 1'000'000, block().view());
+      TickState state;
+      const Point way = {std::cos(turn), std::sin(turn), 0};
+      for (double z = 0.5; z > -2; z -= 0.05) tick(at({-3, 2, z}), block().view(), model, state);
+      const Vec3<Voxel> grip = state.friction.grip;
+      double widest = 0;
+      for (double pull = 0; state.friction.grip == grip; pull += 0.001) {
+        const TickOutput out = tick(at(Point{-3, 2, -2} + way * pull), block().view(), model, state);
+        const Point force = newton(out.force);
+        if (state.friction.grip == grip) widest = std::hypot(force.x, force.y) / force.z;
+      }
+      const double expected = mu.raw() / 1073741824.0;
+      EXPECT_NEAR(widest, expected, 0.01 * expected) << turn;
+    }
+  }
+}
+
+TEST(Tick, AStickHoldsForAMinuteWithoutDrift) {
+  const TickModel model = make_model(rough(Ratio::of(0.4)), 1'000'000, block().view());
+  TickState state;
+  Random random(54);
+  const Point press = {0.3, -0.2, -1.5};  // tangent 0.24, within the cone
+  for (double part = -0.2; part < 1; part += 0.02) tick(at({0, 0, press.z * part}), block().view(), model, state);
+  for (double part = 0; part < 1; part += 0.02) tick(at({press.x * part, press.y * part, press.z}), block().view(), model, state);
+  const Vec3<Voxel> grip = state.friction.grip;
+  Vec3<Mm> first, last;
+  for (int t = 0; t <= 60'000; ++t) {
+    const bool tremor = t % 60'000 != 0;
+    last = tick(at(press + (tremor ? random.in_ball(0.05) : Point{})), block().view(), model, state).proxy;
+    if (t == 0) first = last;
+    ASSERT_EQ(state.friction.grip, grip) << t;
+  }
+  EXPECT_LT(test::length(mm(last) - mm(first)), 0.00002);
+  EXPECT_LT(std::hypot(mm(last).x, mm(last).y), 0.001);  // still where it was touched first
+}
+
+TEST(Tick, WithoutContactThereIsNoForceWhateverIsSet) {
+  TickSettings settings = rough(Ratio::of(0.6));
+  settings.damping = Damping::of(0.002);
+  settings.friction_damping = Damping::of(0.002);
+  settings.hand_damping = Damping::of(0.004);
+  settings.passivity = Damping::of(0.05);
+  settings.delay_ticks = 2;
+  Felt felt(settings);
+  Random random(55);
+  int touching = 0, apart = 0;
+  Point hip = {};
+  for (int t = 0; t < 1'000'000; ++t) {
+    hip = t % 7 == 0 ? random.in_box(15) : hip + random.in_ball(1.5);  // any place, and short ways from there
+    const TickOutput out = felt(at(hip));
+    if ((out.status & kContact) != 0) {
+      ++touching;
+      continue;
+    }
+    ++apart;
+    ASSERT_EQ(out.force, Vec3<Newton>{}) << t;
+    ASSERT_EQ(out.status & kDamped, 0U);
+  }
+  EXPECT_GT(touching, 10'000);
+  EXPECT_GT(apart, 100'000);
+}
+
+TEST(Tick, DampingActsAgainstTheHandInContact) {
+  TickSettings settings;
+  settings.hand_damping = Damping::of(0.01);
+  Felt felt(settings), bare;
+  for (double r = 9; r > 6.5; r -= 0.05) felt(at(kCentre + Point{0, 0, 1} * r)), bare(at(kCentre + Point{0, 0, 1} * r));
+  const TickInput in = at(kCentre + Point{0, 0, 6.5});
+  EXPECT_NEAR(newton(felt(in).force).z - newton(bare(in).force).z, 0.01 * 50, 0.01);  // 50 mm/s inwards
+  for (int t = 0; t < 100; ++t) felt(in), bare(in);
+  EXPECT_NEAR(newton(felt(in).force).z, newton(bare(in).force).z, 0.00003);
 }
 
 TEST(Tick, AllocatesNothing) {

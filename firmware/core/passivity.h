@@ -1,0 +1,72 @@
+/// Passivity observer and controller: a ledger of the energy that sampling and delay feed into the hand, and the damping that takes it back.
+///
+/// A wall that is held for a tick and felt d ticks late gives back more than was put into it: on the way in the force is that of less depth, on the way
+/// out that of more. The observer books, tick by tick,
+///
+///     balance += b/T |Δx|² - F·Δx - ΔV
+///
+/// with Δx what the hand moved, F the force that it felt on this way, V what the spring holds and could give back, and b the device's own damping. As
+/// long as the stiffness is within the certificate's 2b/((2d+1)T), the sum of these is never negative, whatever the counts do. Beyond it, it is, and the
+/// controller adds damping in proportion to what is missing:
+///
+///   - no more than a set coefficient, because damping from a late, filtered velocity is itself unstable where it is large;
+///   - along a continuous line, not the whole debt in one tick (Hannaford and Ryu's alpha = E / (T v²)): that is what makes noise of counts;
+///   - on a velocity with a play of one count, `hand_damping.h`: none on a hand that rests;
+///   - only half of what it takes is booked as paid: with delay it acts after the fact, and a loop that is just passive goes on swinging.
+///
+/// A surplus is kept only up to kMostSurplus: what the hand lost long ago may not be spent now. The ledger is one of a contact: it begins anew where
+/// the force is not wholly the surface's (ramps), and a debt that a contact leaves is taken into the next.
+///
+/// source    Hannaford and Ryu 2002, Time-domain passivity control of haptic interfaces; stored energy as reference: Ryu and others 2005; certificate:
+///           Colgate and Schenkel 1997
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/core/coupling.h"
+#include "shared/units.h"
+#include "shared/vec3.h"
+
+namespace isotouch::core {
+
+/// Energy, N·mm, which are mJ: range ±2047, resolution 1 nJ.
+using Energy = Fixed<Unit<1, 1, 0, 0>, 20>;
+
+/// Largest surplus that is kept.
+inline constexpr Energy kMostSurplus = Energy::of(0.02);
+/// Debt from which on all the damping allowed is injected. By trial with 0.3 kg at twice the certificate's stiffness and 1 to 3 ticks of delay: a
+/// quarter of it doubles the noise of counts, four times it lets 1.5 mJ through.
+inline constexpr Energy kFullDebt = Energy::of(0.2);
+
+struct Passivity {
+  Damping most;             ///< that may be injected; 0 = off
+  DampingPerTick device;    ///< b/T
+  std::uint32_t delay = 0;  ///< d, 0 to 7
+
+  bool is_on() const { return most > Damping{}; }
+};
+
+struct PassivityState {
+  static constexpr std::uint32_t kForces = 8;
+  Energy balance;
+  Energy stored;  ///< in the spring
+  Vec3<Mm> hip;
+  std::array<Vec3<Newton>, kForces> forces{};  ///< said in the last ticks, the injected part by half
+  std::uint32_t tick = 0;
+  bool begun = false;
+};
+
+/// returns   the damping to inject now: 0 without debt, at most `most`
+/// tick      yes
+Damping injected_damping(const Passivity& passivity, const PassivityState& state);
+
+/// Books one tick.
+///
+/// hip       within ±512 mm; a move of more than 16 mm counts as one of 16
+/// force     what is said to the motors, with the spring that it comes from. A ramping one begins the ledger anew
+/// injected  the part of it that this controller added
+/// tick      yes: constant cost, no division
+void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state);
+
+}  // namespace isotouch::core
