@@ -88,6 +88,8 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   seen.commands = in.commands;
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
 
+  if (!permission.granted || permission.ramping) state.tick.passivity = {};  // the hand does not feel what the ledger would book
+
   MotorWords words;
   out.tick.force = permission.granted ? mul<Newton>(out.tick.force, permission.part) : Vec3<Newton>{};
   const WordLimit limit = word_limit(model.motors, model.heat, state.heat);

@@ -48,6 +48,7 @@ void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& in
   }
   const auto half = [](Newton f) { return Newton::from_raw(f.raw() >> 1); };
   state.hip = hip;
+  state.injected = injected;
   state.stored = stored;
   state.begun = true;
   ++state.tick;

@@ -53,6 +53,7 @@ struct PassivityState {
   Energy stored;  ///< in the spring
   Vec3<Mm> hip;
   std::array<Vec3<Newton>, kForces> forces{};  ///< said in the last ticks, the injected part by half
+  Vec3<Newton> injected;                       ///< in the last tick
   std::uint32_t tick = 0;
   bool begun = false;
 };
