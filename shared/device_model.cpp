@@ -49,7 +49,9 @@ bool is_valid(const DeviceModel& m) {
   valid &= is_within(m.hold_ticks, 1U, 1000U) && is_within(m.fault_age_ns, 1'000'000U, 1'000'000'000U);
   valid &= is_within(m.count_jump, 10, 4000) && is_within(m.ramp_ticks, 1U, 100'000U);
   for (const std::uint8_t flags : {m.homing_flag, m.led_homing, m.led_idle, m.led_active, m.buttons}) valid &= flags <= 0x0F;
-  valid &= is_within(m.heat_word, 1, 4095) && is_within(m.heat_ms, 1'000U, 1'000'000U) && m.hold_to_run <= 1;
+  const bool heat_unwatched = m.heat_word == 0 && m.heat_ms == 0;  // version 2.0 of the trace knew none
+  valid &= heat_unwatched || (is_within(m.heat_word, 1, 4095) && is_within(m.heat_ms, 1'000U, 1'000'000U));
+  valid &= m.hold_to_run <= 1;
   return valid;
 }
 

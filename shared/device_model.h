@@ -51,10 +51,10 @@ struct DeviceModel {
   std::uint8_t led_homing = kFalconRed;                   ///< shown in boot, homing and fault
   std::uint8_t led_idle = kFalconBlue;                    ///< shown in idle, ready and hold
   std::uint8_t led_active = kFalconGreen;                 ///< shown in active
-  std::int32_t heat_word = 2000;                          ///< rms of a motor word that the motor stands for ever
-  std::uint32_t heat_ms = 20'000;                         ///< time constant of the motors' warming
-  std::uint8_t buttons = 15;                              ///< mask: which of the grip's buttons resume from fault, and run
-  std::uint8_t hold_to_run = 0;                           ///< 1: forces only while one of these is held
+  std::int32_t heat_word = 2000;   ///< rms of a motor word that the motor stands for ever; with the next one 0: not watched
+  std::uint32_t heat_ms = 20'000;  ///< time constant of the motors' warming
+  std::uint8_t buttons = 15;       ///< mask: which of the grip's buttons resume from fault, and run
+  std::uint8_t hold_to_run = 0;    ///< 1: forces only while one of these is held
 
   bool operator==(const DeviceModel&) const = default;
 };

@@ -1,6 +1,7 @@
 #include "firmware/core/motor_heat.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "shared/fixed.h"
 
@@ -12,6 +13,10 @@ constexpr int kWordBits = 8, kSquareBits = 16, kQuarterBits = 40, kPartBits = 30
 
 HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) {
   HeatBudget budget;
+  if (device.heat_word == 0) {  // nobody watches
+    budget.knee = std::numeric_limits<std::int64_t>::max();
+    return budget;
+  }
   const std::int64_t whole = std::int64_t{device.heat_word} * device.heat_word;  // below 2^24
   budget.quarter = std::max(whole / 4, std::int64_t{1});
   budget.of_quarter = (std::int64_t{1} << kQuarterBits) / budget.quarter;

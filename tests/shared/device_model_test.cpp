@@ -83,6 +83,7 @@ TEST(DeviceModel, NumbersThatWouldOverflowTheTickAreRefused) {
   EXPECT_TRUE(refused([](DeviceModel& m) { m.buttons = 16; }));
   EXPECT_TRUE(refused([](DeviceModel& m) { m.hold_to_run = 2; }));
   EXPECT_FALSE(refused([](DeviceModel&) {}));
+  EXPECT_FALSE(refused([](DeviceModel& m) { m.heat_word = 0, m.heat_ms = 0; }));  // as version 2.0 of the trace had it
 }
 
 }  // namespace
