@@ -52,8 +52,8 @@ upload() { isotouch upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 
 # record NAME SECONDS FIELD: records, and wants the core to repeat every word.
 record() {
   isotouch record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
-  replay_plain "/fields/$3.itf" "/run/$1.trace" >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
-  say "trace $1 $(cat /run/replay.log)"
+  isotouch replay "/fields/$3.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  say "trace $1 $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
 }
 
 # What every scenario ends with: the counts and the delays.
