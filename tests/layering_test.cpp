@@ -47,7 +47,7 @@ const std::map<std::string, Rule> kRules = {
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
     {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
     {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
-    {"tests/driver", {{"firmware/io", "firmware/loop", "hil/falcon_model", "shared", "tests/support"}}},
+    {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},
     {"tests", {{"tests/support"}}},
 };

@@ -83,7 +83,7 @@ void Recorder::end(const std::string& why) {
   const std::string path = writer_.path();
   const std::string complaint = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
-  if (!complaint.empty()) return tell_(complaint);
+  if (!complaint.empty()) return tell_(why.rfind(path, 0) == 0 ? why : complaint);  // what failed first tells more
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
 }
 

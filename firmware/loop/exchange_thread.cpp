@@ -25,10 +25,15 @@ void ExchangeThread::leave(const Command& command) {
 
 void ExchangeThread::serve(const std::atomic<bool>& stop) {
   Sample sample;
+  std::uint64_t tick = 0;
+  std::int64_t ticked_ns = clock_.now_ns();
   while (!stop.load(std::memory_order_relaxed)) {
-    const Command command = commands_.get();
+    Command command = commands_.get();
     FalconPacket packet{};
     const std::int64_t sent = clock_.now_ns();
+    if (command.tick != tick) ticked_ns = sent;
+    tick = command.tick;
+    if (sent - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
     const Answer answer = port_.exchange(command.falcon, packet);
     if (answer == Answer::kEnd) break;
     if (answer != Answer::kReply) continue;

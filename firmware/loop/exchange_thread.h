@@ -2,7 +2,8 @@
 /// doorbells say that there is something new.
 ///
 /// After a reply the thread waits for the words that the tick makes of it and sends them at once; so the device's rate and the tick's are one. A tick
-/// that does not come in time does not stop the packets: the device is asked again with the newest words.
+/// that does not come in time does not stop the packets: the device is asked again with the newest words, and without force when no tick has come for
+/// longer.
 #pragma once
 
 #include <atomic>
@@ -19,7 +20,9 @@ class ExchangeThread final : public Device {
  public:
   /// port, clock   live longer; the clock is CLOCK_MONOTONIC
   /// refresh_ns    longest time between two commands while the tick is silent
-  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns) : port_(port), clock_(clock), refresh_ns_(refresh_ns) {}
+  /// silent_ns     without a tick for longer, packets carry no force
+  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000)
+      : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns) {}
 
   // The tick's side.
   Wake wait(std::int64_t until_ns) override;
@@ -34,7 +37,7 @@ class ExchangeThread final : public Device {
 
   Port& port_;
   Clock& clock_;
-  std::int64_t refresh_ns_;
+  std::int64_t refresh_ns_, silent_ns_;
   Latest<Sample> samples_;
   Latest<Command> commands_;
   Doorbell replies_, words_;

@@ -19,6 +19,7 @@ bool Loop::step() {
   pace_.stay_near(clock_.now_ns());
   const Wake wake = device_.wait(settings_.lockstep ? kNever : pace_.due_ns());
   if (wake == Wake::kEnd) return false;
+  pace_.stay_near(clock_.now_ns());
   const bool replied = wake == Wake::kReply;
   Sample sample = device_.newest();
   const std::int64_t arrival = sample.arrival_ns;
@@ -43,6 +44,7 @@ bool Loop::step() {
   device_.leave(
       {{record.out.tick.words, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
 
+  if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.tick.state);
   TickStats& stats = neighbours_.stats;
   stats.tick_time.add(clock_.now_ns() - start);
   stats.wake_delay.add(start - wanted);

@@ -25,7 +25,7 @@ struct Neighbours {
   TraceRing& trace;           ///< every tick; a full ring loses records, never time
   Latest<TickRecord>& shown;  ///< the newest tick, for one reader
   TickStats& stats;
-  const LineState* lines = nullptr;  ///< nullptr: there are none
+  LineState* lines = nullptr;  ///< nullptr: nobody watches
 };
 
 struct LoopSettings {

@@ -52,12 +52,10 @@ class ModelLink final : public io::FalconLink {
   /// Data at once; else a bare status pair after a millisecond, when there is time for it.
   Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
     if (!there()) return Error::kGone;
-    if (!falcon.has_data()) {
-      if (timeout_ms == 0) return Error::kTimedOut;
-      clock_.now += 1'000'000;
-    }
+    if (!falcon.has_data() && timeout_ms == 0) return Error::kTimedOut;
     const falcon_model::Bytes transfer = falcon.read(buffer.size());
     if (transfer.empty()) return Error::kGone;
+    if (transfer.size() <= 2 && timeout_ms > 0) clock_.now += 1'000'000;
     std::copy(transfer.begin(), transfer.end(), buffer.begin());
     return transfer.size();
   }

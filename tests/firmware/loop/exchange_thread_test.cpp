@@ -78,6 +78,18 @@ TEST(ExchangeThread, ASilentTickDoesNotStopThePackets) {
   EXPECT_EQ(device.newest().number, 50U);
 }
 
+TEST(ExchangeThread, WithoutATickForTooLongPacketsCarryNoForce) {
+  QuickPort port(50);
+  Monotonic clock;
+  ExchangeThread device(port, clock, 100'000, 1'000'000);
+  const std::atomic<bool> stop{false};
+  device.leave({{{7, 7, 7}, 1}, 1, 0, -1});
+  device.serve(stop);
+  ASSERT_EQ(port.commands.size(), 50U);
+  EXPECT_EQ(port.commands.front(), (FalconCommand{{7, 7, 7}, 1}));
+  EXPECT_EQ(port.commands.back(), (FalconCommand{{}, 1}));
+}
+
 TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {
   QuickPort port(0);
   Monotonic clock;

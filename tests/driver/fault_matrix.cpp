@@ -1,0 +1,53 @@
+/// Prints the fault matrix, or runs random faults.
+///
+///     fault_matrix [random TICKS [SEED]]
+///
+/// Exit codes: 0 every bound was kept, 2 wrong usage, 3 one was broken.
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "tests/driver/fault_cases.h"
+#include "tests/driver/random_faults.h"
+
+namespace {
+
+using namespace isotouch::test;
+
+int print_matrix() {
+  int broken = 0, rows = 0;
+  std::printf("%-46s %5s  %-7s %-36s %s\n", "fault", "ticks", "state", "recovery", "what the user reads");
+  for (const FaultRow& row : fault_matrix()) {
+    ++rows;
+    const std::string ticks = row.ticks < 0 ? "-" : std::to_string(row.ticks);
+    std::printf("%-46s %5s  %-7s %-36s %s\n", row.fault.c_str(), ticks.c_str(), row.state.c_str(), row.recovery.c_str(),
+                row.sentence.c_str());
+    if (row.broken.empty()) continue;
+    ++broken;
+    std::printf("    BROKEN: %s\n", row.broken.c_str());
+  }
+  std::printf(
+      "%d faults, %d bounds broken. Ticks are those from the first whose input shows the fault (stale: no fresh sample for 3 ticks) to "
+      "zero words at\n"
+      "the device's seam, at most %d; - where no input shows it. While the link is down the motors do what the device's own time limit "
+      "says.\n",
+      rows, broken, kMostTicks);
+  return broken == 0 ? 0 : 3;
+}
+
+int run_random(std::uint64_t ticks, std::uint64_t seed) {
+  const RandomRun run = random_faults(ticks, seed);
+  std::printf("%s\n", describe(run).c_str());
+  return run.broken.empty() ? 0 : 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 1) return print_matrix();
+  const std::uint64_t ticks = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
+  if (std::string(argv[1]) == "random" && ticks > 0 && argc <= 4)
+    return run_random(ticks, argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+  std::fprintf(stderr, "usage: fault_matrix [random TICKS [SEED]]\n");
+  return 2;
+}
