@@ -45,9 +45,11 @@ const std::map<std::string, Rule> kRules = {
     {"host", {{}}},
     {"hil/falcon_model", {{}}},  // a mistake shared with what it is to find would hide itself
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
+    {"hil/rig", {{"hil/rig/irq_sim.c"}}},
     {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
     {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
+    {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},
     {"tests", {{"tests/support"}}},
 };

@@ -42,7 +42,7 @@ void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& in
   const Energy stored = stored_energy(force);
   if (state.begun) {
     const Vec3<Mm> way = within(hip - state.hip, kMostMove);
-    const Vec3<Newton>& felt = state.forces[(state.tick - passivity.delay) % PassivityState::kForces];
+    const Vec3<Newton>& felt = state.forces[(state.tick - passivity.delay) & (PassivityState::kForces - 1)];
     const Energy brought = work(mul<Newton>(way, passivity.device) - felt, way);
     state.balance = std::min(state.balance + brought - (stored - state.stored), kMostSurplus);
   }
@@ -52,7 +52,8 @@ void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& in
   state.stored = stored;
   state.begun = true;
   ++state.tick;
-  state.forces[state.tick % PassivityState::kForces] = force.newton - Vec3<Newton>{half(injected.x), half(injected.y), half(injected.z)};
+  state.forces[state.tick & (PassivityState::kForces - 1)] =
+      force.newton - Vec3<Newton>{half(injected.x), half(injected.y), half(injected.z)};
 }
 
 }  // namespace isotouch::core

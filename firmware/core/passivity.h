@@ -48,7 +48,7 @@ struct Passivity {
 };
 
 struct PassivityState {
-  static constexpr std::uint32_t kForces = 8;
+  static constexpr std::uint32_t kForces = 8;  // a power of two
   Energy balance;
   Energy stored;  ///< in the spring
   Vec3<Mm> hip;
