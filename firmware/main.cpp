@@ -3,6 +3,7 @@
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigtimedwait
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <fstream>
@@ -133,9 +134,14 @@ void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint
   ticks_ended = true;
 }
 
+/// Below the tick, which a search for devices would hold up.
+int searching_priority(const settings::Settings& settings) {
+  return std::max(0, std::min(settings.exchange_priority, settings.priority - 1));
+}
+
 void exchange_thread(const settings::Settings& settings, loop::ExchangeThread& exchange) {
   pthread_setname_np(pthread_self(), "exchange");
-  refused |= loop::become_realtime(settings.exchange_priority, -1);
+  refused |= loop::become_realtime(searching_priority(settings), -1);
   go.wait(false);
   exchange.serve(stop_exchange);
 }
@@ -217,7 +223,10 @@ std::optional<int> run(const Options& options) {
   if (options.lockstep) {
     direct = std::make_unique<loop::DirectDevice>(hardware.port(), virtual_clock, loop_settings.period_ns, stop_ticks);
   } else {
-    exchange = std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6));
+    constexpr std::int64_t kSilentNs = 20'000'000;
+    exchange =
+        std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6), kSilentNs,
+                                               loop::ExchangePriorities{settings.exchange_priority, searching_priority(settings)});
   }
   loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
