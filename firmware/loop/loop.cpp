@@ -61,6 +61,7 @@ bool Loop::step() {
 }
 
 void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
+  pace_ = Pace(settings_.period_ns, clock_.now_ns());  // what was before the first tick made nothing late
   while (ticks_ < most && !stop.load(std::memory_order_relaxed) && step()) {
   }
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -125,6 +126,15 @@ TEST(Loop, ATickSlowerThanTheDeviceTakesTheNewestSampleAndCountsTheOthers) {
   EXPECT_NEAR(double(bench.stats.samples_lost.value()), 3000.0, 40.0);
   EXPECT_LE(bench.clock.now_ns() - bench.shown.get().arrival_ns, 1'000'000);
   EXPECT_NEAR(double(bench.clock.now_ns()), 4e9 * 513 / 512, 1e7);
+}
+
+TEST(Loop, WhatPassesBeforeTheFirstTickMakesNothingLate) {
+  Bench bench;
+  bench.clock.sleep_until_ns(110'000'000);
+  const std::atomic<bool> stop{false};
+  bench.loop.run(stop, 5);
+  EXPECT_EQ(bench.stats.late.value(), 0U);
+  EXPECT_EQ(bench.stats.missed.value(), 0U);
 }
 
 TEST(Loop, ATickThatIsLateLeavesWholePeriodsOutAndSaysSo) {
