@@ -15,6 +15,7 @@
 #include "host/blob/certificate.h"
 #include "host/blob/packed.h"
 #include "host/blob/round_creases.h"
+#include "host/blob/specks.h"
 #include "host/blob/spline.h"
 #include "host/cloud/files.h"
 #include "host/error.h"
@@ -111,6 +112,7 @@ Image write_blob(field::BandField field, const BlobInfo& info) {
   const field::BandField held =
       info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field), around);  // what the grid can hold
   std::vector<Coefficients> coefficients = spline_coefficients(held, around);
+  if (info.method != Method::kPublished) drop_specks(coefficients, around);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
   for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);
