@@ -19,9 +19,9 @@ const char* objection(const loop::TickRecord& tick) {
     return "the motors push; take the force away first with isotouch stop";
   switch (static_cast<SupervisorState>(tick.out.tick.state)) {
     case SupervisorState::kReady:
+    case SupervisorState::kHold:  // from where the force returns by itself
     case SupervisorState::kActive: return "force is active; take it away first with isotouch stop";
     case SupervisorState::kBoot: return "no device answers; plug it in, and look at isotouchd's lines";
-    case SupervisorState::kHold: return "packets of the device are missing; look after its cable";
     default: return nullptr;
   }
 }
