@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/core/handle_weight.h"
 #include "firmware/core/joint_angles.h"
 #include "firmware/core/joint_torques.h"
 #include "firmware/core/longer.h"
@@ -12,11 +13,33 @@ namespace {
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
+/// The model with the settings that hold now. Those that never changed stay as they were prepared, to the bit.
+TickModel retuned(const TickModel& model, const SettingsRamp& ramp) {
+  TickSettings settings = model.settings;
+  store(ramp.now, settings);
+  TickModel felt = model;
+  if (!(settings == model.settings)) retune(settings, felt);
+  return felt;
+}
+
 /// Another field: nothing that was felt before holds. The proxy begins at the HIP.
 void take_field(const BlobView* field, std::uint32_t generation, const DeviceTickModel& model, DeviceState& state) {
   state.field_generation = generation;
   state.tick = {};
-  state.felt = field != nullptr ? for_field(model.any_field, *field) : model.any_field;
+  finish_settings(state.settings);
+  state.felt = retuned(model.any_field, state.settings);
+  if (field != nullptr) state.felt = for_field(state.felt, *field);
+}
+
+/// What a person has set anew since the last tick.
+void take_settings(const SettingChange& change, const DeviceTickModel& model, DeviceState& state) {
+  if (!state.has_settings) {
+    begin_settings(model.any_field.settings, state.settings);
+    state.felt = model.any_field;
+    state.has_settings = true;
+  }
+  const bool felt = state.supervisor.state == SupervisorState::kActive;
+  if (advance_settings(change, !felt, state.felt.coupling, state.settings)) state.felt = retuned(state.felt, state.settings);
 }
 
 /// The colours tell people what to expect; homing stays asked for, see the model.
@@ -44,6 +67,7 @@ DeviceTickModel make_device_model(const DeviceModel& device, const TickSettings&
 
 DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const DeviceTickModel& model, DeviceState& state) {
   if ((in.commands & kCommandRestart) != 0) state = {};
+  take_settings(in.change, model, state);
   const Reading reading = read_reply(in, model.device, state.reply);
   const bool new_field = in.field_generation != state.field_generation;
   if (new_field) take_field(field, in.field_generation, model, state);
@@ -88,6 +112,7 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   seen.commands = in.commands;
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
 
+  out.tick.force = with_handle_held_up(out.tick.force, state.felt.settings.weight);
   if (!permission.granted || permission.ramping) state.tick.passivity = {};  // the hand does not feel what the ledger would book
 
   MotorWords words;

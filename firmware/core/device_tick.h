@@ -10,6 +10,7 @@
 #include "firmware/core/motor_words.h"
 #include "firmware/core/move_check.h"
 #include "firmware/core/reply_reader.h"
+#include "firmware/core/settings_ramp.h"
 #include "firmware/core/supervisor.h"
 #include "firmware/core/tick.h"
 #include "shared/blob.h"
@@ -41,7 +42,9 @@ struct DeviceState {
   ReplyState reply;
   PoseState pose;
   VelocityState velocity;
-  TickModel felt;  ///< prepared for the field of this generation
+  SettingsRamp settings;      ///< those that may change
+  bool has_settings = false;  ///< false: those of the model hold
+  TickModel felt;             ///< prepared for the field of this generation and these settings
   TickState tick;
   std::uint32_t field_generation = 0;
   MoveState move;

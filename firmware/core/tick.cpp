@@ -72,6 +72,16 @@ TickModel make_model(const TickSettings& settings, std::uint32_t period_ns) {
   return model;
 }
 
+void retune(const TickSettings& settings, TickModel& model) {
+  model.settings = settings;
+  if (settings.stiffness > Stiffness{}) model.coupling.stiffness = settings.stiffness;
+  model.coupling.damping = mul<DampingPerTick>(settings.damping, model.rate);
+  model.coupling.force_limit = settings.force_limit;
+  model.hand_damping = settings.hand_damping;
+  model.friction = {settings.friction, mul<DampingPerTick>(settings.friction_damping, model.rate)};
+  model.passivity.most = settings.passivity;
+}
+
 TickModel for_field(const TickModel& prepared, const BlobView& field) {
   TickModel model = prepared;
   model.coupling = for_field(prepared.coupling, field);

@@ -33,6 +33,11 @@ TickModel make_model(const TickSettings& settings, std::uint32_t period_ns);
 /// tick         yes
 TickModel for_field(const TickModel& prepared, const BlobView& field);
 
+/// Takes over the settings that may change while they are felt; a stiffness of 0 leaves the one that is felt.
+///
+/// tick         yes
+void retune(const TickSettings& settings, TickModel& model);
+
 /// Everything a tick remembers; a default one is the state before the first tick.
 struct TickState {
   ProxyState proxy;

@@ -45,8 +45,9 @@ DeviceInput packet(const Counts& counts, std::uint8_t homed = 7, std::uint8_t bu
 
 /// A device whose hand is put where one likes.
 struct Bench {
-  explicit Bench(const FalconSet& which = test::falcon_sets()[0], DeviceModel device = test::falcon_sets()[0].model)
-      : set(which), model(make_device_model(device, {}, 1'000'000)) {}
+  explicit Bench(const FalconSet& which = test::falcon_sets()[0], DeviceModel device = test::falcon_sets()[0].model,
+                 const TickSettings& settings = {})
+      : set(which), model(make_device_model(device, settings, 1'000'000)) {}
 
   Counts counts_at(const Point& workspace) const { return test::nearest_counts(set.twin, workspace + kOrigin, 3000).value(); }
   DeviceOutput operator()(DeviceInput in) {
@@ -387,6 +388,46 @@ TEST(DeviceTick, AllocatesNothing) {
     for (const DeviceInput& in : inputs) bench(in);
   }
   EXPECT_EQ(guard.count(), 0U);
+}
+
+TEST(DeviceTick, ASettingThatChangesInContactChangesTheForceByARamp) {
+  Bench bench;
+  bench.begin();
+  const Point inside = kCentre + Point{7, 0, 0};
+  for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  bench.rest(inside, 50);
+  const double before = newton(bench.at(inside).tick.force).x;
+  DeviceInput in = packet(bench.counts_at(inside));
+  in.change = {TickSetting::kStiffness, Stiffness::of(1.2).raw()};
+  double last = before;
+  for (int t = 0; t < 50; ++t) {
+    const double force = newton(bench(in).tick.force).x;
+    EXPECT_NEAR(force - last, before * 0.5 / 50, 0.0005) << t;
+    last = force;
+    in.change = {};
+  }
+  EXPECT_NEAR(last, 1.5 * before, 0.0005);
+  EXPECT_EQ(newton(bench.at(inside).tick.force).x, last);
+  bench.generation = 2;  // another field keeps what was set
+  for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  EXPECT_NEAR(newton(bench.rest(inside, 300).tick.force).x, 1.5 * before, 0.001);
+  in = packet(bench.counts_at(inside));
+  in.commands = kCommandRestart;  // a recording that begins here has the settings of its header
+  bench(in);
+  bench.rest(kCentre + Point{10, 0, 0}, 240);
+  for (double r = 10; r > 7; r -= 0.05) bench.at(kCentre + Point{r, 0, 0});
+  EXPECT_NEAR(newton(bench.rest(inside, 50).tick.force).x, before, 0.001);
+}
+
+TEST(DeviceTick, TheHandleIsHeldUpWhileThereMayBeForcesOnly) {
+  TickSettings settings;
+  settings.weight = Newton::of(0.8);
+  Bench bench(test::falcon_sets()[0], test::falcon_sets()[0].model, settings);
+  EXPECT_EQ(bench.rest({11, 0, 0}, 100).tick.words, Words{});
+  bench.begin();
+  const DeviceOutput out = bench.at(kCentre + Point{10, 0, 0});
+  EXPECT_EQ(out.tick.force, (Vec3<Newton>{{}, Newton::of(0.8), {}}));
+  EXPECT_NE(out.tick.words, Words{});
 }
 
 }  // namespace

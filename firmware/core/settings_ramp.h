@@ -1,0 +1,34 @@
+/// Settings that change while they are felt: each moves to its new value along a straight line, so that no force jumps.
+///
+/// tick      yes, every function: constant cost, no division
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/core/coupling.h"
+#include "shared/setting_change.h"
+
+namespace isotouch::core {
+
+struct SettingsRamp {
+  RawSettings now{};  ///< what holds
+  RawSettings target{};
+  RawSettings step{};      ///< a tick
+  std::uint32_t left = 0;  ///< ticks until the target holds
+};
+
+/// Everything holds as it is set.
+void begin_settings(const TickSettings& settings, SettingsRamp& ramp);
+
+/// The targets hold from now on.
+void finish_settings(SettingsRamp& ramp);
+
+/// Takes a change in, and moves on by one tick.
+///
+/// change     a valid one, or none
+/// at_once    nothing is felt: the target holds at once
+/// coupling   gives the ramp's length, and the stiffness that is felt where the settings name none
+/// returns    whether what holds has changed
+bool advance_settings(const SettingChange& change, bool at_once, const Coupling& coupling, SettingsRamp& ramp);
+
+}  // namespace isotouch::core
