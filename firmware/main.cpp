@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -36,6 +37,7 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
+#include "firmware/settings/live.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -179,10 +181,10 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
 }
 
 /// returns   the exit code; nothing: begin again
-std::optional<int> run(const Options& options) {
+std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   stop_ticks = stop_exchange = go = ticks_ended = false;
   refused = 0;
-  const settings::Settings& settings = options.settings;
+  const settings::Settings settings = live.now();
   if (!settings::device_model(settings, {})) return refuse("the settings' numbers make no device together");
   Hardware hardware;
   if (const std::string complaint = make_hardware(options, hardware); !complaint.empty()) return refuse(complaint);
@@ -232,7 +234,7 @@ std::optional<int> run(const Options& options) {
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
 
   io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
-                         [&](const BlobView& field) { return settings::refusal_of(field, settings); });
+                         [&](const BlobView& field) { return settings::refusal_of(field, live.now()); });
   if (const std::string refusal = settings.field.empty() ? intake.begin_with_active() : load_field(settings.field, intake);
       !refusal.empty()) {
     if (!settings.field.empty()) return refuse(refusal);
@@ -250,7 +252,9 @@ std::optional<int> run(const Options& options) {
     if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
-    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration});
+    control.emplace(std::move(wish),
+                    io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration,
+                                          [&](std::string_view name, std::string_view value) { return live.set(name, value, commands); }});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
 
@@ -304,8 +308,9 @@ int main(int argc, char** argv) {
     Options options;
     int exit_code = 0;
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
+    isotouch::settings::LiveSettings live(options.settings);
     std::optional<int> ended;
-    while (!ended) ended = run(options);
+    while (!ended) ended = run(options, live);
     return *ended;
   } catch (const std::exception& error) {
     return refuse(error.what());

@@ -57,6 +57,7 @@ int main(int argc, char** argv) {
   commands::add_record(app);
   commands::add_stop(app);
   commands::add_resume(app);
+  commands::add_set(app);
   try {
     app.parse(argc, argv);
     return kDone;

@@ -39,9 +39,10 @@ enum class Kind : std::uint8_t {
   kResume,       ///< nothing → kDone
   kFields,       ///< nothing → kFieldList
   kSelect,       ///< Select → kAccepted, once the field is active
-  kDevice = 20,  ///< nothing → kDeviceReport; since minor 1, as the two that follow
+  kDevice = 20,  ///< nothing → kDeviceReport; since minor 1, as the three that follow
   kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
   kCalibrate,    ///< Calibrate → kDone, once it is kept
+  kSet,          ///< Set → kDone: the setting holds from the next tick on, by a ramp
   kDone = 128,   ///< answer without a body
   kWelcome,
   kAccepted,

@@ -224,6 +224,13 @@ struct Calibrate {
   }
 };
 
+/// A setting that may change while it is felt.
+struct Set {
+  Text name;
+  Text value;  ///< as in the settings' file
+  static void fields(auto& m, auto& use) { use(m.name), use(m.value); }
+};
+
 struct Refusal {
   std::uint8_t request = 0;                ///< Kind that is refused, or that ended
   std::span<const std::uint8_t> sentence;  ///< UTF-8, at most kMaxSentence bytes: what is wrong and what to do

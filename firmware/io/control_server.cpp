@@ -195,6 +195,10 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
       const auto measured = wire::decode<wire::Calibrate>(frame.body);
       return measured ? calibrate(client, *measured) : malformed();
     }
+    case Kind::kSet: {
+      const auto wanted = wire::decode<wire::Set>(frame.body);
+      return wanted ? set(client, *wanted) : malformed();
+    }
     default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
   }
 }
@@ -287,6 +291,12 @@ void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
   if (measure >= wire::kMeasures)
     return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
   client.say(Kind::kHistogramReport, histogram_report(static_cast<wire::Measure>(measure), neighbours_.stats, scratch_));
+}
+
+void ControlServer::set(ControlClient& client, const wire::Set& wanted) {
+  const std::string refusal =
+      neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
+  refusal.empty() ? client.say(Kind::kDone) : client.refuse(Kind::kSet, refusal);
 }
 
 void ControlServer::begin_recording(ControlClient& client) {

@@ -50,6 +50,8 @@ struct ControlNeighbours {
   loop::Clock& clock;                     ///< of the machine
   loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
   Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
+  /// Sets a setting by name; returns one sentence why not. Empty: none may be set
+  std::function<std::string(std::string_view name, std::string_view value)> set = nullptr;
 };
 
 class ControlServer {
@@ -88,6 +90,7 @@ class ControlServer {
   void start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field);
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
+  void set(ControlClient& client, const wire::Set& wanted);
   void begin_recording(ControlClient& client);
   void measure(ControlClient& client);
   void finish_measuring();

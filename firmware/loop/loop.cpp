@@ -38,6 +38,7 @@ bool Loop::step() {
   record.in = look(sample, missed);
   const ActiveField field = neighbours_.fields.field();
   record.in.commands = commands();
+  record.in.change = neighbours_.commands.take_change();
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
   record.out = core::device_tick(record.in, field.view, model_, state_);
@@ -69,6 +70,7 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
 /// What is asked of this tick. A restart forgets everything, but it is no way out of a fault: there it comes with a stop.
 std::uint8_t Loop::commands() {
   const std::uint8_t asked = neighbours_.commands.take();
+  if ((asked & kCommandRestart) != 0) neighbours_.commands.repeat_changes();
   const bool in_fault = state_.supervisor.state == SupervisorState::kFault;
   return in_fault && (asked & kCommandRestart) != 0 ? static_cast<std::uint8_t>(asked | kCommandStop) : asked;
 }

@@ -35,6 +35,16 @@ std::uint32_t ticks_of_ms(double ms, const Settings& settings, std::uint32_t lea
 
 std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
 
+Loop loop_of(const Settings& settings) {
+  return {period_ns(settings), fixed<Damping>(settings.damping_n_s_mm), static_cast<std::uint32_t>(settings.delay_ticks)};
+}
+
+std::string n_mm(Stiffness stiffness) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g N/mm", std::floor(stiffness.raw() / 65.536) / 1000);
+  return text;
+}
+
 }  // namespace
 
 Result<DeviceModel> device_model(const Settings& settings, const std::string& serial) {
@@ -74,19 +84,29 @@ TickSettings tick_settings(const Settings& settings) {
   tick.damping = fixed<Damping>(settings.damping);
   tick.force_limit = fixed<Newton>(settings.force_limit_n);
   tick.ramp_ticks = ticks_of_ms(settings.ramp_ms, settings, 1);
+  tick.friction = fixed<Ratio>(settings.friction);
+  tick.friction_damping = fixed<Damping>(settings.friction_damping);
+  tick.hand_damping = fixed<Damping>(settings.hand_damping);
+  tick.passivity = std::min(fixed<Damping>(settings.passivity_damping), kMostDamping);
+  tick.device_damping = std::min(fixed<Damping>(settings.damping_n_s_mm), kMostDamping);
+  tick.weight = fixed<Newton>(settings.weight_n);
+  tick.delay_ticks = std::min(static_cast<std::uint32_t>(settings.delay_ticks), kMostDelay);
   return tick;
 }
 
 std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
 
 std::string refusal_of(const BlobView& field, const Settings& settings) {
-  const Loop loop = {period_ns(settings), fixed<Damping>(settings.damping_n_s_mm), static_cast<std::uint32_t>(settings.delay_ticks)};
-  const CertificateCheck check = check_certificate(field, loop, tick_settings(settings).stiffness);
+  const CertificateCheck check = check_certificate(field, loop_of(settings), tick_settings(settings).stiffness);
   if (check.accepted) return {};
   if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error);
-  char most[32];
-  std::snprintf(most, sizeof most, "%.3g", std::floor(check.stiffness.raw() / 65.536) / 1000);
-  return std::string("the field is too stiff for this device at this rate; set feel.stiffness to at most ") + most + " N/mm";
+  return "the field is too stiff for this device at this rate; set feel.stiffness to at most " + n_mm(check.stiffness);
+}
+
+std::string refusal_of_stiffness(const Settings& settings) {
+  const Stiffness most = largest_stiffness(loop_of(settings));
+  if (tick_settings(settings).stiffness <= most) return {};
+  return "that is too stiff for this device at this rate; feel.stiffness may be at most " + n_mm(most);
 }
 
 io::SessionSettings session_settings(const Settings& settings) {

@@ -26,6 +26,11 @@ std::uint32_t period_ns(const Settings& settings);
 /// returns   one sentence why not, with what to do; empty when it may
 std::string refusal_of(const BlobView& field, const Settings& settings);
 
+/// Whether this device may render anything with these settings' stiffness; 0, the blob's, is judged with the blob.
+///
+/// returns   one sentence why not; empty when it may
+std::string refusal_of_stiffness(const Settings& settings);
+
 io::SessionSettings session_settings(const Settings& settings);
 
 /// Largest unpacked field.

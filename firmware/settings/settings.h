@@ -51,6 +51,11 @@ struct Settings {
   double damping = 0;
   double force_limit_n = 8;
   double ramp_ms = 50;
+  double friction = 0;
+  double friction_damping = 0;
+  double hand_damping = 0;
+  double passivity_damping = 0;
+  double weight_n = 0;
 
   // [limits]
   int word = 4095;

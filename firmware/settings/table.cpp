@@ -84,10 +84,32 @@ constexpr Setting kTable[] = {
     {"boot", "reply_ms", &S::reply_ms, "ms", 1, 100, {}, "how long a reply is waited for", {}},
     {"boot", "lost_after", &S::lost_after, {}, 1, 1000, {}, "packets in a row without reply until the device is looked for again", {}},
 
-    {"feel", "stiffness", &S::stiffness, "N/mm", 0.001, 10, {}, "of the surface", "the blob's"},
-    {"feel", "damping", &S::damping, "N s/mm", 0, 0.1, {}, "between hand and surface", {}},
-    {"feel", "force_limit_n", &S::force_limit_n, "N", 0, 50, {}, "largest force", {}},
-    {"feel", "ramp_ms", &S::ramp_ms, "ms", 1, 10'000, {}, "from no force to full force where contact did not begin at rest", {}},
+    {"feel", "stiffness", &S::stiffness, "N/mm", 0.001, 10, {}, "of the surface", "the blob's", true},
+    {"feel", "damping", &S::damping, "N s/mm", 0, 0.1, {}, "between hand and surface", {}, true},
+    {"feel", "force_limit_n", &S::force_limit_n, "N", 0, 50, {}, "largest force", {}, true},
+    {"feel",
+     "ramp_ms",
+     &S::ramp_ms,
+     "ms",
+     1,
+     10'000,
+     {},
+     "from no force to full force where contact did not begin at rest; of settings that change",
+     {}},
+    {"feel", "friction", &S::friction, {}, 0, 1.5, {}, "between hand and surface, Coulomb's coefficient", {}, true},
+    {"feel", "friction_damping", &S::friction_damping, "N s/mm", 0, 0.1, {}, "viscous friction of a hand that slides", {}, true},
+    {"feel", "hand_damping", &S::hand_damping, "N s/mm", 0, 0.1, {}, "of a hand that touches, in every direction", {}, true},
+    {"feel",
+     "passivity_damping",
+     &S::passivity_damping,
+     "N s/mm",
+     0,
+     0.1,
+     {},
+     "most that the passivity controller may add where delay would make the hand tremble; 0 = off, 0.012 does",
+     {},
+     true},
+    {"feel", "weight_n", &S::weight_n, "N", -5, 5, {}, "of the handle, held up; a Falcon's is 0.75 to 0.85", {}, true},
 
     {"limits", "word", &S::word, {}, 0, 4095, {}, "largest motor word", {}},
     {"limits", "word_slew", &S::word_slew, "1/s", 1'000, 100'000'000, {}, "largest change of a motor word", {}},
@@ -179,6 +201,7 @@ std::string default_file() {
   for (const Setting& setting : kTable) {
     if (setting.section != section) text.append("\n[").append(section = setting.section).append("]\n");
     text.append("# ").append(setting.meaning);
+    if (setting.live) text.append(" (may change while running)");
     if (!setting.choices.empty()) text.append(": ").append(setting.choices);
     if (setting.low != setting.high) text.append("; ").append(number(setting.low)).append(" to ").append(number(setting.high));
     if (!setting.unit.empty()) text.append(" ").append(setting.unit);

@@ -25,6 +25,7 @@ struct Setting {
   std::string_view choices;  ///< of a text, separated by '|'; empty: any text
   std::string_view meaning;
   std::string_view otherwise;  ///< what holds when an optional one is left out
+  bool live = false;           ///< may change while it is felt
 };
 
 /// In the order in which they are printed; a section's settings stand together.

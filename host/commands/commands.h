@@ -36,5 +36,6 @@ void add_fields(CLI::App& app);
 void add_record(CLI::App& app);
 void add_stop(CLI::App& app);
 void add_resume(CLI::App& app);
+void add_set(CLI::App& app);
 
 }  // namespace isotouch::commands

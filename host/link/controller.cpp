@@ -102,6 +102,11 @@ void Controller::stop() {
   (void)expect(Kind::kDone, kAnswer);
 }
 
+void Controller::set(const std::string& name, const std::string& value) {
+  connection_.send(Kind::kSet, wire::Set{wire::Text::of(name), wire::Text::of(value)});
+  (void)expect(Kind::kDone, kAnswer);
+}
+
 void Controller::resume() {
   connection_.send(Kind::kResume);
   (void)expect(Kind::kDone, kAnswer);

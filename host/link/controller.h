@@ -48,6 +48,8 @@ class Controller {
   void calibrate(const wire::Calibrate& measured);
   void stop();
   void resume();
+  /// A setting that may change while it is felt, and its value as in the settings' file; at most 63 characters each.
+  void set(const std::string& name, const std::string& value);
 
   /// Records so many ticks from now.
   ///

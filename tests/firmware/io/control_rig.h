@@ -90,8 +90,12 @@ struct ControlRig {
     settings.recordings.device = libnifalcon_model();
     settings.recordings.run.period_ns = 1'000'000;
     if (change) change(settings);
-    server = std::make_unique<ControlServer>(
-        settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring, &calibration});
+    server =
+        std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring,
+                                                                    &calibration, [this](std::string_view name, std::string_view value) {
+                                                                      set_to = std::string(name) + "=" + std::string(value);
+                                                                      return value == "no" ? std::string("that cannot be") : std::string();
+                                                                    }});
     const std::string refusal = server->start();
     EXPECT_EQ(refusal, "");
   }
@@ -106,6 +110,7 @@ struct ControlRig {
   Calibration calibration;
   FakeTick tick;
   ControlSettings settings;
+  std::string set_to;  ///< the last setting that was asked for, written before its answer
   std::unique_ptr<ControlServer> server;
 };
 

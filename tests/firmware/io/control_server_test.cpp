@@ -178,6 +178,19 @@ TEST(ControlServer, StopAndResumeReachTheTick) {
   EXPECT_EQ(obeyed_in_time(kCommandResume), kCommandStop | kCommandResume);
 }
 
+TEST(ControlServer, ASettingIsSetOrRefusedInOneSentence) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("0.4")});
+  EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  EXPECT_EQ(rig.set_to, "friction=0.4");
+  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("no")});
+  EXPECT_EQ(speaker.hear().refusal(), "that cannot be");
+  speaker.say(Kind::kSet);
+  EXPECT_NE(speaker.hear().refusal(), "");
+}
+
 TEST(ControlServer, StatusAndHistogramsAreTheTicks) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);

@@ -202,6 +202,17 @@ TEST(Loop, ARequestReachesOneTick) {
   EXPECT_EQ(bench.step().in.commands, 0);
 }
 
+TEST(Loop, ASettingChangesInOneTickAndAgainAfterARestart) {
+  Bench bench;
+  const SettingChange friction = {TickSetting::kFriction, 1000};
+  bench.commands.set(friction);
+  EXPECT_EQ(bench.step().in.change, friction);
+  EXPECT_EQ(bench.step().in.change, SettingChange{});
+  bench.commands.ask(kCommandRestart);
+  EXPECT_EQ(bench.step().in.change, friction);
+  EXPECT_EQ(bench.step().in.change, SettingChange{});
+}
+
 TEST(Loop, WordsFollowTheHandOnceAFieldIsLoaded) {
   Bench bench;
   bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };

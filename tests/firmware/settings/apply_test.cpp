@@ -10,7 +10,10 @@ namespace {
 TEST(ApplySettings, TheDefaultsAreThoseOfTheLayersBelow) {
   const Settings settings;
   EXPECT_EQ(*device_model(settings, ""), libnifalcon_model());
-  EXPECT_EQ(tick_settings(settings), TickSettings{});
+  TickSettings tick;  // it knows no device
+  tick.device_damping = Damping::of(0.003);
+  tick.delay_ticks = 1;
+  EXPECT_EQ(tick_settings(settings), tick);
   EXPECT_EQ(period_ns(settings), 1'000'000U);
   const io::SessionSettings session = session_settings(settings), plain;
   EXPECT_EQ(session.boot.attempts, plain.boot.attempts);
@@ -81,7 +84,19 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(model.led_homing, 0);
   EXPECT_EQ(model.led_idle, kFalconGreen);
   EXPECT_EQ(model.led_active, kFalconRed);
+  settings.friction = 0.5;
+  settings.friction_damping = 0.001;
+  settings.hand_damping = 0.002;
+  settings.passivity_damping = 0.1;
+  settings.weight_n = -0.75;
+  settings.delay_ticks = 10;
   const TickSettings tick = tick_settings(settings);
+  EXPECT_EQ(tick.friction, Ratio::of(0.5));
+  EXPECT_EQ(tick.friction_damping, Damping::of(0.001));
+  EXPECT_EQ(tick.hand_damping, Damping::of(0.002));
+  EXPECT_EQ(tick.passivity, kMostDamping);
+  EXPECT_EQ(tick.weight, Newton::of(-0.75));
+  EXPECT_EQ(tick.delay_ticks, kMostDelay);
   EXPECT_EQ(tick.stiffness, Stiffness::of(1.5));
   EXPECT_EQ(tick.damping, Damping::of(0.001));
   EXPECT_EQ(tick.force_limit, Newton::of(4));

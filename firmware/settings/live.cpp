@@ -1,0 +1,84 @@
+#include "firmware/settings/live.h"
+
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <variant>
+
+#include "firmware/settings/apply.h"
+#include "firmware/settings/table.h"
+#include "shared/setting_change.h"
+
+namespace isotouch::settings {
+
+namespace {
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+bool store_number(const Setting& setting, double value, Settings& settings) {
+  if (const auto* member = std::get_if<double Settings::*>(&setting.member)) {
+    settings.*(*member) = value;
+    return true;
+  }
+  if (const auto* member = std::get_if<std::optional<double> Settings::*>(&setting.member)) {
+    settings.*(*member) = value;
+    return true;
+  }
+  return false;
+}
+
+std::string range(const Setting& setting) {
+  char text[96];
+  std::snprintf(text, sizeof text, "a number from %.10g to %.10g%s%.*s", setting.low, setting.high, setting.unit.empty() ? "" : " ",
+                static_cast<int>(setting.unit.size()), setting.unit.data());
+  return text;
+}
+
+/// The names of the settings that may change, for people.
+std::string all_names() {
+  std::string names;
+  for (const Setting& setting : table()) {
+    if (setting.live) names.append(names.empty() ? "" : ", ").append(setting.name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Settings LiveSettings::now() const {
+  const std::lock_guard guard(mutex_);
+  return now_;
+}
+
+std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Commands& commands) {
+  constexpr std::string_view kSection = "feel.";
+  if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
+  const Setting* setting = find("feel", name);
+  if (setting == nullptr || !setting->live) {
+    return std::string("'").append(name).append("' cannot be set while running; it may be one of ") + all_names();
+  }
+  const std::optional<double> wanted = number(value);
+  if (!wanted || !(*wanted >= setting->low && *wanted <= setting->high)) {
+    return std::string("feel.").append(name).append(" must be ") + range(*setting);
+  }
+  const std::lock_guard guard(mutex_);
+  Settings changed = now_;
+  store_number(*setting, *wanted, changed);
+  if (std::string refusal = refusal_of_stiffness(changed); !refusal.empty()) return refusal;
+  const RawSettings before = raw_settings(tick_settings(now_)), after = raw_settings(tick_settings(changed));
+  for (std::size_t i = 0; i < kTickSettings; ++i) {
+    if (after[i] == before[i]) continue;
+    const SettingChange change = {static_cast<TickSetting>(i + 1), after[i]};
+    if (!is_valid(change)) return std::string("feel.").append(name).append(" must be more than nothing");
+    commands.set(change);
+  }
+  now_ = changed;
+  return {};
+}
+
+}  // namespace isotouch::settings

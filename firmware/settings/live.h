@@ -1,0 +1,33 @@
+/// Settings that a person changes while they are felt: asked for by name, checked as in the file, given to the tick.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "firmware/loop/commands.h"
+#include "firmware/settings/settings.h"
+
+namespace isotouch::settings {
+
+class LiveSettings {
+ public:
+  explicit LiveSettings(const Settings& begin) : now_(begin) {}
+
+  /// Those that hold now; any thread.
+  Settings now() const;
+
+  /// Changes one of section [feel], from the next tick on. Any thread.
+  ///
+  /// name      of the setting, with or without "feel."
+  /// value     a number as in the file
+  /// commands  take it to the tick
+  /// returns   one sentence why not; empty when it is set
+  std::string set(std::string_view name, std::string_view value, loop::Commands& commands);
+
+ private:
+  mutable std::mutex mutex_;
+  Settings now_;
+};
+
+}  // namespace isotouch::settings
