@@ -36,9 +36,15 @@ struct Sphere {
   explicit Sphere(int samples) : radius(kEdge * ((samples - 1) / 2.0 - field::kBand - kMargin)) {
     grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, field::kBand + kMargin);
   }
-  evaluate::OpenBlob blob() const {
+  /// varied    with a stiffness for each brick
+  evaluate::OpenBlob blob(bool varied = false) const {
     const auto distance = [this](const Eigen::Vector3d& p) { return p.norm() - radius; };
-    return evaluate::open_blob(blob::write_blob(field::sample_distance(distance, grid, field::kBand), {}), "sphere");
+    field::BandField field = field::sample_distance(distance, grid, field::kBand);
+    if (varied) {
+      for (std::size_t brick = 0; brick < field.bricks.size(); ++brick)
+        field.stiffness.push_back(0.5 + 0.001 * static_cast<double>(brick % 300));
+    }
+    return evaluate::open_blob(blob::write_blob(std::move(field), {}), "sphere");
   }
   published::LevelField levels() const {
     published::Indicator inside(grid, 0);
@@ -86,19 +92,29 @@ void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
   const Sphere large(1024);
   const Motion motion = small.slide();
   const evaluate::OpenBlob blob = small.blob();
+  const evaluate::OpenBlob varied = small.blob(true);
   const TickTimes core = time_core(blob.view, motion);
+  const TickTimes felt = time_core(varied.view, motion, every_feature());
+  const TickTimes device = time_device(blob.view, motion);
+  const TickTimes device_felt = time_device(varied.view, motion, every_feature());
   const TickTimes published = time_published(small.levels(), evaluate::real(blob.view.stiffness), motion);
   const TickTimes wide = time_core(large.blob().view, large.slide());
 
   nlohmann::ordered_json json = {{"median_ns", core.median_ns},
                                  {"p99_ns", core.p99_ns},
                                  {"p999_ns", core.p999_ns},
+                                 {"all_features_median_ns", felt.median_ns},
+                                 {"device_median_ns", device.median_ns},
+                                 {"device_all_features_median_ns", device_felt.median_ns},
                                  {"published_median_ns", published.median_ns},
                                  {"grid_1024_median_ns", wide.median_ns},
                                  {"published_ratio", published.median_ns / core.median_ns}};
   if (!as_json) {
-    print("core, 186 grid", core);
-    print("core, 1024 grid", wide);
+    print("HIP to force", core);
+    print("  with every feature", felt);
+    print("counts to words", device);
+    print("  with every feature", device_felt);
+    print("HIP to force, 1024 grid", wide);
     print("published float, 186 grid", published);
     std::printf("published / core             %.1f\n1024 / 186 grid              %.2f\n", published.median_ns / core.median_ns,
                 wide.median_ns / core.median_ns);
@@ -180,7 +196,8 @@ void add_bench(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure what the tool's parts cost on this machine");
   command->require_subcommand(1);
-  CLI::App* tick = command->add_subcommand("tick", "One tick, HIP to force, warm, sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
+  CLI::App* tick = command->add_subcommand(
+      "tick", "One tick, HIP to force and counts to motor words, warm, sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
   tick->add_option("BLOB", options->blobs, "time these fields too, sliding on each");
   tick->add_flag("--json", options->json, "print one JSON object");
   tick->callback([options] { bench_tick(options->blobs, options->json); });

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "firmware/core/device_tick.h"
 #include "firmware/core/tick.h"
 #include "host/error.h"
 #include "host/evaluate/real.h"
+#include "host/evaluate/wire_hand.h"
 #include "host/published/float_tick.h"
 #include "shared/tick_io.h"
 
@@ -48,17 +50,48 @@ TickTimes measure(const Walk& walk) {
 
 }  // namespace
 
-TickTimes time_core(const BlobView& field, const Motion& motion) {
+TickSettings every_feature() {
+  TickSettings settings;
+  settings.damping = Damping::of(0.0005);
+  settings.friction = Ratio::of(0.3);
+  settings.friction_damping = Damping::of(0.001);
+  settings.hand_damping = Damping::of(0.002);
+  settings.passivity = Damping::of(0.012);
+  settings.device_damping = Damping::of(0.003);
+  settings.weight = Newton::of(0.8);
+  settings.delay_ticks = 1;
+  return settings;
+}
+
+TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings) {
   std::vector<TickInput> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
                  [](const Eigen::Vector3d& hip) { return TickInput{evaluate::nearest<Mm>(hip)}; });
-  const core::TickModel model = core::make_model({}, 1'000'000, field);
+  const core::TickModel model = core::make_model(settings, 1'000'000, field);
   return measure([&](const auto& report) {
     core::TickState state;
     for (const TickInput& input : inputs) {
       const auto start = Clock::now();
       const TickOutput out = core::tick(input, field, model, state);
       report(Clock::now() - start, (out.status & kContact) != 0);
+    }
+  });
+}
+
+TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings) {
+  DeviceModel device = libnifalcon_model();
+  device.speed_limit = MmPerS::of(10'000);  // a motion's start is a leap
+  evaluate::WireHand hand(device);
+  std::vector<DeviceInput> inputs(motion.size());
+  std::transform(motion.begin(), motion.end(), inputs.begin(),
+                 [&](const Eigen::Vector3d& hip) { return hand(TickInput{evaluate::nearest<Mm>(hip)}, 1); });
+  const core::DeviceTickModel model = core::make_device_model(device, settings, 1'000'000);
+  return measure([&](const auto& report) {
+    core::DeviceState state;
+    for (const DeviceInput& input : inputs) {
+      const auto start = Clock::now();
+      const DeviceOutput out = core::device_tick(input, &field, model, state);
+      report(Clock::now() - start, (out.tick.status & kContact) != 0);
     }
   });
 }

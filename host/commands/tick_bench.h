@@ -1,4 +1,4 @@
-/// Times of single ticks on a motion, HIP to force.
+/// Times of single ticks on a motion, HIP to force or counts to motor words.
 ///
 /// Each tick is timed by itself, between two readings of the steady clock: a mean over many ticks would hide just the slow ones that p99.9 asks for.
 /// What two readings cost without a tick between them is measured in the same run and taken off. The whole motion is walked once before it is
@@ -11,6 +11,7 @@
 
 #include "host/published/level_field.h"
 #include "shared/blob.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::commands {
 
@@ -24,10 +25,18 @@ struct TickTimes {
 /// HIP positions a millisecond apart, workspace, mm.
 using Motion = std::vector<Eigen::Vector3d>;
 
-/// The core's tick on a blob.
+/// Everything on that there is to feel: friction, dampings, passivity, weight.
+TickSettings every_feature();
+
+/// The core's tick on a blob, HIP to force.
 ///
 /// fails     InputError when the motion never touches the object
-TickTimes time_core(const BlobView& field, const Motion& motion);
+TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings = {});
+
+/// The device's tick, from its packet's counts to motor words.
+///
+/// fails     InputError when the motion never touches the object within the device's reach
+TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings = {});
 
 /// The published single-precision tick on its levels.
 ///

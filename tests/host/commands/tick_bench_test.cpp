@@ -39,6 +39,9 @@ void expect_times(const TickTimes& times) {
 
 TEST(TickBench, times_the_ticks_in_contact_and_no_others) {
   expect_times(time_core(ball().view, dip()));
+  expect_times(time_core(ball().view, dip(), every_feature()));
+  expect_times(time_device(ball().view, dip()));
+  expect_times(time_device(ball().view, dip(), every_feature()));
 
   published::Indicator inside(grid(), 0);
   for (int k = 0; k < inside.grid.size.z(); ++k) {
