@@ -119,6 +119,16 @@ io::SessionSettings session_settings(const Settings& settings) {
   return session;
 }
 
+io::GpioSettings gpio_settings(const Settings& settings) {
+  return {settings.line_stop, settings.line_enable, settings.line_enable_back, settings.line_heartbeat, settings.line_light};
+}
+
+loop::WatchSettings watch_settings(const Settings& settings) {
+  loop::WatchSettings watch;
+  watch.settle_ns = ns_of_ms(settings.line_settle_ms);
+  return watch;
+}
+
 std::size_t field_bytes(const Settings& settings) { return static_cast<std::size_t>(std::llround(settings.field_mib * 1024 * 1024)); }
 
 }  // namespace isotouch::settings

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "firmware/io/falcon_session.h"
+#include "firmware/io/gpio_lines.h"
 #include "firmware/loop/loop.h"
+#include "firmware/loop/watch.h"
 #include "firmware/settings/settings.h"
 #include "shared/blob.h"
 
@@ -32,6 +34,10 @@ std::string refusal_of(const BlobView& field, const Settings& settings);
 std::string refusal_of_stiffness(const Settings& settings);
 
 io::SessionSettings session_settings(const Settings& settings);
+
+/// Numbers of the safety lines.
+io::GpioSettings gpio_settings(const Settings& settings);
+loop::WatchSettings watch_settings(const Settings& settings);
 
 /// Largest unpacked field.
 std::size_t field_bytes(const Settings& settings);

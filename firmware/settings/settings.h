@@ -74,6 +74,16 @@ struct Settings {
   int button_mask = 15;
   bool hold_to_run = false;
 
+  // [lines]
+  std::string line_chip;
+  int line_stop = -1;
+  int line_enable = -1;
+  int line_enable_back = -1;
+  int line_heartbeat = -1;
+  int line_light = -1;
+  double line_settle_ms = 50;
+  int watch_priority = 90;
+
   // [files]
   std::string field;
   std::string record;

@@ -134,6 +134,15 @@ constexpr Setting kTable[] = {
     {"buttons", "mask", &S::button_mask, {}, 0, 15, {}, "which buttons of the grip resume from a fault, and run: bits 1, 2, 4, 8", {}},
     {"buttons", "hold_to_run", &S::hold_to_run, {}, 0, 0, {}, "forces only while one of these buttons is held", {}},
 
+    {"lines", "chip", &S::line_chip, {}, 0, 0, {}, "GPIO chip of the safety lines, such as \"gpiochip0\"; \"\" = there are none", {}},
+    {"lines", "stop", &S::line_stop, {}, -1, 1023, {}, "emergency stop, in: high = run, low = pressed or broken; -1 = none", {}},
+    {"lines", "enable", &S::line_enable, {}, -1, 1023, {}, "power of the motors, out: high = on; -1 = none", {}},
+    {"lines", "enable_back", &S::line_enable_back, {}, -1, 1023, {}, "its relay read back, in; -1 = none", {}},
+    {"lines", "heartbeat", &S::line_heartbeat, {}, -1, 1023, {}, "changes every millisecond for a watchdog relay, out; -1 = none", {}},
+    {"lines", "light", &S::line_light, {}, -1, 1023, {}, "light, out: on with forces, blinks in fault; -1 = none", {}},
+    {"lines", "settle_ms", &S::line_settle_ms, "ms", 1, 1000, {}, "how long the enable may read back otherwise than it was set", {}},
+    {"lines", "priority", &S::watch_priority, {}, 0, 99, {}, "of the thread that watches lines and tick, SCHED_FIFO", {}},
+
     {"files", "field", &S::field, {}, 0, 0, {}, "blob to begin with; \"\" = none", {}},
     {"files", "record", &S::record, {}, 0, 0, {}, "file for a recording from the first tick on; \"\" = none", {}},
     {"files", "control", &S::control, {}, 0, 0, {}, "path of the control socket; \"\" = none", {}},

@@ -136,6 +136,19 @@ TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
   EXPECT_EQ(refusal_of(field.view(), settings), "");
 }
 
+TEST(ApplySettings, EachLineIsItsOwn) {
+  Settings settings;
+  settings.line_stop = 1, settings.line_enable = 2, settings.line_enable_back = 3, settings.line_heartbeat = 4, settings.line_light = 5;
+  settings.line_settle_ms = 7;
+  const io::GpioSettings lines = gpio_settings(settings);
+  EXPECT_EQ(lines.stop, 1);
+  EXPECT_EQ(lines.enable, 2);
+  EXPECT_EQ(lines.enable_back, 3);
+  EXPECT_EQ(lines.heartbeat, 4);
+  EXPECT_EQ(lines.light, 5);
+  EXPECT_EQ(watch_settings(settings).settle_ns, 7'000'000);
+}
+
 TEST(ApplySettings, ACalibrationIsThatOfItsSerialOnly) {
   Settings settings;
   settings.angle_at_zero_deg = 40;
