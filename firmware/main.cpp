@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -30,11 +33,13 @@
 #include "firmware/io/lockstep_clock.h"
 #include "firmware/io/recorder.h"
 #include "firmware/io/replay_port.h"
+#include "firmware/io/service_notify.h"
 #include "firmware/io/sim_link.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/realtime.h"
+#include "firmware/loop/watch.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/live.h"
@@ -153,10 +158,47 @@ bool may_begin_again(SupervisorState state) {
   return state == SupervisorState::kBoot || state == SupervisorState::kHoming || state == SupervisorState::kIdle;
 }
 
+/// Watches the ticks until the exchange ends, for whatever reason; then everything is off.
+void watch_thread(const settings::Settings& settings, loop::Watch& watch) {
+  refused |= loop::become_realtime(settings.watch_priority, -1);
+  loop::touch_stack();
+  go.wait(false);
+  while (!stop_exchange) watch.step();
+  watch.leave();
+}
+
+/// The wires beside the device.
+struct Lines {
+  std::unique_ptr<io::Gpio> chip;
+  std::optional<io::GpioLines> wires;
+  loop::LineState state;
+  std::optional<loop::Watch> watch;
+};
+
+/// returns   one sentence why not
+std::string take_lines(const Options& options, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
+  const settings::Settings& settings = options.settings;
+  if (settings.line_chip.empty() || options.lockstep) {
+    if (options.device == Options::Device::kUsb)
+      say("no safety lines: no emergency stop and no watchdog relay, only the device's own time limit, stands behind this program; see "
+          "[lines]");
+    return {};
+  }
+  lines.chip = io::open_gpio(settings.line_chip);
+  if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + std::strerror(errno) + "; name a chip that 'gpiodetect' shows";
+  std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
+  if (complaint.empty()) lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
+  return complaint;
+}
+
 /// Says what changes, until a signal comes or the ticks have ended.
 ///
 /// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
-bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration) {
+bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration,
+           const loop::TickStats& stats) {
+  const char* socket = std::getenv("NOTIFY_SOCKET");
+  io::ServiceNotify systemd(socket == nullptr ? "" : socket);
+  systemd.ready();
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGTERM);
@@ -173,10 +215,15 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
       }
     }
     const std::string line = supervisor_line(recorder.state(), recorder.faults());
-    if (line != supervisor) say(supervisor = line);
+    if (line != supervisor) {
+      say(supervisor = line);
+      systemd.status(line);
+    }
+    systemd.alive(stats.ticks.value());
     if (calibration.waits() && may_begin_again(recorder.state()) && !options.lockstep && options.settings.record.empty()) return false;
-    if (sigtimedwait(&signals, nullptr, &pause) > 0) return true;
+    if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }
+  systemd.ending();
   return true;
 }
 
@@ -220,15 +267,16 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   loop::TraceRing trace(ticks_in(4)), watched(ticks_in(4));
   loop::Latest<loop::TickRecord> shown;
   loop::TickStats stats;
+  Lines lines;
+  if (const std::string complaint = take_lines(options, real_clock, stats, lines); !complaint.empty()) return refuse(complaint);
   std::unique_ptr<loop::ExchangeThread> exchange;
   std::unique_ptr<loop::DirectDevice> direct;
   if (options.lockstep) {
     direct = std::make_unique<loop::DirectDevice>(hardware.port(), virtual_clock, loop_settings.period_ns, stop_ticks);
   } else {
-    constexpr std::int64_t kSilentNs = 20'000'000;
-    exchange =
-        std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6), kSilentNs,
-                                               loop::ExchangePriorities{settings.exchange_priority, searching_priority(settings)});
+    exchange = std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6),
+                                                      std::int64_t{loop_settings.device.hold_ticks + 1} * loop_settings.period_ns,
+                                                      loop::ExchangePriorities{settings.exchange_priority, searching_priority(settings)});
   }
   loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
@@ -259,13 +307,15 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   }
 
   rest_on_crash(stop_exchange);
-  loop::Loop loop(loop_settings, device, clock, {fields, commands, trace, shown, stats});
+  loop::Loop loop(loop_settings, device, clock, {fields, commands, trace, shown, stats, &lines.state});
   std::atomic<bool> stop_recorder{false};
   std::thread records([&] {
     for (; !stop_recorder; std::this_thread::sleep_for(std::chrono::milliseconds(options.lockstep ? 1 : 50))) recorder.drain();
   });
   std::thread exchanges;
   if (exchange) exchanges = std::thread([&] { exchange_thread(settings, *exchange); });
+  std::thread watches;
+  if (lines.watch) watches = std::thread([&] { watch_thread(settings, *lines.watch); });
   std::thread ticks([&] { tick_thread(settings, loop, options.ticks); });
   if (settings.lock_memory) refused |= loop::lock_memory();
   std::this_thread::sleep_for(std::chrono::milliseconds(20));  // both threads have asked for their priorities
@@ -273,10 +323,11 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   go = true;
   go.notify_all();
 
-  const bool to_the_end = watch(options, hardware, recorder, calibration);
+  const bool to_the_end = watch(options, hardware, recorder, calibration, stats);
   stop_exchange = true;
   stop_ticks = true;
   if (exchanges.joinable()) exchanges.join();
+  if (watches.joinable()) watches.join();
   ticks.join();
   hardware.port().rest();
   if (control) control->stop();
