@@ -38,6 +38,7 @@
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
 #include "firmware/loop/loop.h"
+#include "firmware/loop/measured_delay.h"
 #include "firmware/loop/realtime.h"
 #include "firmware/loop/watch.h"
 #include "firmware/settings/apply.h"
@@ -281,8 +282,9 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
 
-  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
-                         [&](const BlobView& field) { return settings::refusal_of(field, live.now()); });
+  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock, [&](const BlobView& field) {
+    return settings::refusal_of(field, live.now(), loop::measured_delay_ticks(stats, loop_settings.period_ns));
+  });
   if (const std::string refusal = settings.field.empty() ? intake.begin_with_active() : load_field(settings.field, intake);
       !refusal.empty()) {
     if (!settings.field.empty()) return refuse(refusal);

@@ -26,6 +26,9 @@ struct Stored {
   }
 };
 
+/// Without a certificate the proxy takes a distance for a free way, and a wall of 2 voxels may not be jumped: 12 fraction bits.
+constexpr std::int32_t kSteepest = 2 << Distance::kFractionBits;
+
 /// The stiffness may be rounded down, and stand for a damping that was rounded up: one unit either way.
 bool stiffness_follows(const Stored& stored) {
   Loop less = stored.loop;
@@ -74,6 +77,7 @@ Stiffness largest_stiffness(const Loop& loop) {
 
 CertificateCheck check_certificate(const BlobView& field, const Loop& loop, Stiffness wanted) {
   if (!agrees_with_itself(field)) return {false, Error::kBadCertificate, {}};
+  if (Stored(field.image.data()).slope == 0 && largest_difference(field) > kSteepest) return {false, Error::kTooSteep, {}};
   const Stiffness largest = largest_stiffness(loop);
   const Stiffness rendered = wanted > Stiffness{} ? wanted : field.stiffness;
   if (rendered > largest) return {false, Error::kTooStiff, largest};

@@ -36,10 +36,11 @@ struct CertificateCheck {
 /// Checks the wanted stiffness against the loop, and the certificate against all that can be derived again cheaply: its stiffness from its own
 /// period, damping and delay; its slope against neighbouring coefficients of every stored brick; its wall against the band.
 ///
-/// field     a checked view; one without a certificate (version 1.0) has nothing that could contradict, its stiffness counts all the same
+/// field     a checked view; one without a certificate (version 1.0) has nothing that could contradict, its stiffness counts all the same, and
+///           from one coefficient to the next it may rise by 2 voxels: with a certificate the proxy's steps are bounded by its slope, whatever that is
 /// loop      of this device
 /// wanted    the settings' stiffness; 0 = the blob's. With a stiffness table, the largest
-/// returns   accepted, or the reason: kTooStiff with the stiffness to set instead, kBadCertificate
+/// returns   accepted, or the reason: kTooStiff with the stiffness to set instead, kBadCertificate, kTooSteep
 /// tick      no: reads every brick once
 CertificateCheck check_certificate(const BlobView& field, const Loop& loop, Stiffness wanted);
 

@@ -22,6 +22,7 @@ enum class Error : std::uint8_t {
   kNoOutputs,       ///< the trace holds inputs only
   kBadFrame,        ///< the compressed part of a packed blob does not hold what its header promises
   kTooStiff,        ///< stiffer than the device can render without feeding energy into the hand
+  kTooSteep,        ///< gradients above 2 that no certificate tells of
   kBadCertificate,  ///< a certificate that contradicts itself or the blob
   kTimedOut,        ///< a device did not answer in time
   kGone,            ///< a device was unplugged, or the other end of a connection went away
@@ -53,6 +54,7 @@ constexpr const char* describe(Error error) {
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
     case Error::kTooStiff: return "its stiffness would feed energy into the hand";
+    case Error::kTooSteep: return "its distances rise faster than a field without a certificate may have them";
     case Error::kBadCertificate: return "its certificate contradicts itself or the samples";
     case Error::kTimedOut: return "it did not answer in time";
     case Error::kGone: return "it was unplugged or its connection was closed";

@@ -35,8 +35,10 @@ std::uint32_t ticks_of_ms(double ms, const Settings& settings, std::uint32_t lea
 
 std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
 
-Loop loop_of(const Settings& settings) {
-  return {period_ns(settings), fixed<Damping>(settings.damping_n_s_mm), static_cast<std::uint32_t>(settings.delay_ticks)};
+/// The delay is the longer one of what the settings tell and what was measured.
+Loop loop_of(const Settings& settings, std::uint32_t measured_delay) {
+  return {period_ns(settings), fixed<Damping>(settings.damping_n_s_mm),
+          std::max(static_cast<std::uint32_t>(settings.delay_ticks), measured_delay)};
 }
 
 std::string n_mm(Stiffness stiffness) {
@@ -96,15 +98,17 @@ TickSettings tick_settings(const Settings& settings) {
 
 std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
 
-std::string refusal_of(const BlobView& field, const Settings& settings) {
-  const CertificateCheck check = check_certificate(field, loop_of(settings), tick_settings(settings).stiffness);
+std::string refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay) {
+  const CertificateCheck check = check_certificate(field, loop_of(settings, measured_delay), tick_settings(settings).stiffness);
   if (check.accepted) return {};
-  if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error);
-  return "the field is too stiff for this device at this rate; set feel.stiffness to at most " + n_mm(check.stiffness);
+  if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
+  const bool longer = measured_delay > static_cast<std::uint32_t>(settings.delay_ticks);
+  const std::string delay = longer ? " and its measured delay of " + std::to_string(measured_delay) + " ticks" : "";
+  return "the field is too stiff for this device at this rate" + delay + "; set feel.stiffness to at most " + n_mm(check.stiffness);
 }
 
 std::string refusal_of_stiffness(const Settings& settings) {
-  const Stiffness most = largest_stiffness(loop_of(settings));
+  const Stiffness most = largest_stiffness(loop_of(settings, 0));
   if (tick_settings(settings).stiffness <= most) return {};
   return "that is too stiff for this device at this rate; feel.stiffness may be at most " + n_mm(most);
 }

@@ -25,8 +25,9 @@ std::uint32_t period_ns(const Settings& settings);
 
 /// Whether this device may render a field with these settings.
 ///
+/// measured_delay  ticks, see `loop::measured_delay_ticks`; the settings' delay counts where it is larger
 /// returns   one sentence why not, with what to do; empty when it may
-std::string refusal_of(const BlobView& field, const Settings& settings);
+std::string refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay = 0);
 
 /// Whether this device may render anything with these settings' stiffness; 0, the blob's, is judged with the blob.
 ///

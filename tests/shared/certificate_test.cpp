@@ -106,6 +106,21 @@ TEST(Certificate, EveryContradictionIsSeen) {
   for (std::size_t n = 0; n < truths.size(); ++n) EXPECT_TRUE(check_certificate(Certified(truths[n]).view(), kFalcon, {}).accepted) << n;
 }
 
+TEST(Certificate, SteepGradientsNeedOneThatSaysSo) {
+  for (const double slope : {1.9, 2.1}) {
+    const test::FieldImage steep({40, 40, 40},
+                                 [slope](const Point& p) {
+                                   return slope * (test::length(p - Point{19.7, 20.1, 20.3}) - 11.0);
+                                 },
+                                 {.band = 7.0, .stiffness = 0.8});
+    const CertificateCheck check = check_certificate(steep.view(), kFalcon, {});
+    EXPECT_EQ(check.accepted, slope < 2) << slope;
+    if (!check.accepted) {
+      EXPECT_EQ(check.error, Error::kTooSteep);
+    }
+  }
+}
+
 TEST(Certificate, ABlobWithoutOneIsJudgedByItsStiffnessAlone) {
   const Certified none({{kLargestSlopeAt, 0}, {kAdvisedStiffnessAt, 0}, {kAdvisedPeriodAt, 0}, {kAdvisedDampingAt, 0}});
   EXPECT_TRUE(check_certificate(none.view(), kFalcon, {}).accepted);

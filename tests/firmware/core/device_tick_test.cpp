@@ -268,6 +268,32 @@ TEST(DeviceTick, ALeapHoldsAtOnceAndAHandThatIsTooFastAsLongAsItIs) {
   EXPECT_TRUE(out.tick.status & kRamping);
 }
 
+TEST(DeviceTick, BothEdgesOfTheLimits) {
+  for (const std::int16_t counts : {std::int16_t{400}, std::int16_t{401}}) {  // of a jump
+    Bench bench;
+    bench.begin();
+    Counts there = bench.counts_at(kCentre + Point{10, 0, 0});
+    there[1] = static_cast<std::int16_t>(there[1] + counts);
+    EXPECT_EQ((bench(packet(there)).tick.status & kCountJump) != 0, counts > 400);
+  }
+  for (const double mm_a_tick : {1.97, 2.03}) {  // of the speed, 2 m/s, in free space
+    Bench bench;
+    bench.begin();
+    bench.go_round({1, 0, 0}, {0, 0, 1});
+    std::uint32_t status = 0;
+    for (int t = 0; t < 25; ++t) status |= bench.at(kCentre + Point{0, -mm_a_tick * t, 10}).tick.status;
+    EXPECT_EQ((status & kTooFast) != 0, mm_a_tick > 2) << mm_a_tick;
+  }
+  for (const double depth : {3.9, 4.1}) {  // of the depth
+    DeviceModel device = libnifalcon_model();
+    device.penetration_limit = Mm::of(4);
+    Bench bench(test::falcon_sets()[0], device);
+    bench.begin();
+    for (double r = 10; r > 8 - depth; r -= 0.02) bench.at(kCentre + Point{r, 0, 0});
+    EXPECT_EQ(state_of(bench.rest(kCentre + Point{8 - depth, 0, 0}, 5)) == SupervisorState::kFault, depth > 4);
+  }
+}
+
 TEST(DeviceTick, LinesAndLatenessAreInputs) {
   for (const std::uint8_t line : {std::uint8_t{kLineStop}, std::uint8_t{kLineEnableWrong}}) {
     Bench bench;

@@ -131,6 +131,12 @@ TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
   settings.tick_hz = 250;
   EXPECT_EQ(refusal_of(field.view(), settings),
             "the field is too stiff for this device at this rate; set feel.stiffness to at most 0.5 N/mm");
+  settings.tick_hz = 1000;
+  EXPECT_EQ(refusal_of(field.view(), settings, 1), "");
+  EXPECT_EQ(
+      refusal_of(field.view(), settings, 3),
+      "the field is too stiff for this device at this rate and its measured delay of 3 ticks; set feel.stiffness to at most 0.857 N/mm");
+  settings.tick_hz = 250;
   settings.delay_ticks = 0;
   settings.damping_n_s_mm = 0.006;
   EXPECT_EQ(refusal_of(field.view(), settings), "");
