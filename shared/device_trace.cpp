@@ -18,7 +18,7 @@ constexpr int kSettingShift = 3;                                                
 
 /// Byte 16 of a record: bit 0 fresh, bits 1 and 2 lines, bits 3 to 7 late.
 std::uint8_t pack_conditions(const DeviceInput& in) {
-  return static_cast<std::uint8_t>((in.fresh ? 1U : 0U) | ((in.lines & 3U) << 1) | (std::min(in.late, kMostLate) << 3));
+  return static_cast<std::uint8_t>((in.fresh ? 1U : 0U) | ((in.lines & 3U) << 1) | (unsigned{std::min(in.late, kMostLate)} << 3));
 }
 
 void unpack_conditions(std::uint8_t byte, DeviceInput& in) {
