@@ -47,7 +47,7 @@ const std::map<std::string, Rule> kRules = {
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
     {"hil/rig", {{"hil/rig/irq_sim.c"}}},
     {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
-    {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands"}}},
+    {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},
