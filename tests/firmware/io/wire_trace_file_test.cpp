@@ -102,7 +102,7 @@ TEST(WireTraceFile, DamagedFilesAreRefusedWithTheirPlace) {
   EXPECT_NE(complaint(good.substr(0, good.size() - 1)).find("this is no recording of a device"), std::string::npos);
   EXPECT_NE(complaint("").find("this is no recording of a device"), std::string::npos);
   std::string bad = good;
-  bad[device_trace_layout::kHeaderBytes + 3 * device_trace_layout::kRecordBytes + 17] = 0x80;
+  bad[device_trace_layout::kHeaderBytes + 3 * device_trace_layout::kRecordBytes + 17] = '\x80';
   EXPECT_NE(complaint(bad).find("record 3: "), std::string::npos);
   EXPECT_NE(read_wire_trace((folder.path() / "none").string(), trace).find("cannot be read"), std::string::npos);
 }
