@@ -37,6 +37,9 @@ struct NewTrace {
   double damping = 0.0;
   double force_limit = evaluate::real(TickSettings{}.force_limit);
   std::uint32_t ramp_ticks = TickSettings{}.ramp_ticks;
+  double friction = 0.0, friction_damping = 0.0, hand_damping = 0.0, passivity_damping = 0.0, weight = 0.0;
+  double device_damping = 0.0;
+  std::uint32_t delay_ticks = 0;
 
   void add_to(CLI::App& command) {
     command.add_option("-o,--out", out, "the trace to write")->required();
@@ -51,6 +54,15 @@ struct NewTrace {
     command.add_option("--ramp", ramp_ticks, "ticks from no force to full where contact does not begin at rest")
         ->check(CLI::Range(0, 100000))
         ->capture_default_str();
+    const double most = evaluate::real(kMostDamping), weight_limit = evaluate::real(kMostWeight);
+    command.add_option("--friction", friction, "Coulomb's coefficient")->check(CLI::Range(0.0, evaluate::real(kMostFriction)));
+    command.add_option("--friction-damping", friction_damping, "of a hand that slides, N·s/mm")->check(CLI::Range(0.0, most));
+    command.add_option("--hand-damping", hand_damping, "of a hand that touches, N·s/mm")->check(CLI::Range(0.0, most));
+    command.add_option("--passivity-damping", passivity_damping, "most that the passivity controller adds, N·s/mm")
+        ->check(CLI::Range(0.0, most));
+    command.add_option("--device-damping", device_damping, "that it counts on, N·s/mm")->check(CLI::Range(0.0, most));
+    command.add_option("--delay", delay_ticks, "ticks until a force is felt, that it counts on")->check(CLI::Range(0U, kMostDelay));
+    command.add_option("--weight", weight, "of the handle, held up, N")->check(CLI::Range(-weight_limit, weight_limit));
   }
 
   TraceHeader header() const {
@@ -58,6 +70,13 @@ struct NewTrace {
     made.period_ns = static_cast<std::uint32_t>(period_ms * 1e6 + 0.5);
     made.settings = {evaluate::nearest<Stiffness>(stiffness), evaluate::nearest<Damping>(damping), evaluate::nearest<Newton>(force_limit),
                      ramp_ticks};
+    made.settings.friction = evaluate::nearest<Ratio>(friction);
+    made.settings.friction_damping = evaluate::nearest<Damping>(friction_damping);
+    made.settings.hand_damping = evaluate::nearest<Damping>(hand_damping);
+    made.settings.passivity = evaluate::nearest<Damping>(passivity_damping);
+    made.settings.device_damping = evaluate::nearest<Damping>(device_damping);
+    made.settings.weight = evaluate::nearest<Newton>(weight);
+    made.settings.delay_ticks = delay_ticks;
     return made;
   }
 };
