@@ -15,10 +15,9 @@ namespace {
 using loop::TickRecord;
 using S = SupervisorState;
 
-constexpr int kStrike = 50;         // ticks after the hand has pressed for a while
-constexpr int kAskFrom = 1500;      // from here on a person asks to resume, ten times a second
-constexpr int kMost = 20'000;       // ticks until it must be well again
-constexpr int kPersonResumes = -1;  // not by itself
+constexpr int kStrike = 50;     // ticks after the hand has pressed for a while
+constexpr int kAskFrom = 1500;  // from here on a person asks to resume, ten times a second
+constexpr int kMost = 20'000;   // ticks until it must be well again
 
 /// Does this tick's input show the fault? Judged from the input alone, not from what the core made of it.
 using Shows = std::function<bool(const TickRecord& now, const TickRecord& before)>;
