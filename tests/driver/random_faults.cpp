@@ -92,7 +92,7 @@ class Judge {
     if (words && !active) return "words in a state that has none";
     if (words && in_a_row_ > kMostTicks) return "words beyond the bound";
     if (words && bad) return "words in a tick that shows a fault";
-    if (fault_ && now.out.tick.state != kFaultState && (now.in.commands & (kCommandResume | kCommandRestart)) == 0 && now.out.buttons == 0)
+    if (fault_ && now.out.tick.state != kFaultState && (now.in.commands & kCommandResume) == 0 && now.out.buttons == 0)
       return "a fault ended without a person";
     fault_ = now.out.tick.state == kFaultState;
     return nullptr;
