@@ -25,20 +25,21 @@ enum class Finding : std::uint8_t {
 inline constexpr std::size_t kFindings = 8;
 
 namespace supervisor_table_detail {
-using S = SupervisorState;
-inline constexpr S Boo = S::kBoot, Hom = S::kHoming, Idl = S::kIdle, Rea = S::kReady, Act = S::kActive, Hol = S::kHold, Fau = S::kFault;
+using enum SupervisorState;
 
 /// Rows are states, columns findings.
-inline constexpr std::array<std::array<S, kFindings>, kStates> kNext = {{
-    //           faulty resumed unheard unhomed uncertain no field released well
-    /* boot   */ {{Fau, Fau, Boo, Hom, Hom, Hom, Hom, Hom}},
-    /* homing */ {{Fau, Fau, Boo, Hom, Hom, Idl, Idl, Idl}},
-    /* idle   */ {{Fau, Fau, Boo, Hom, Idl, Idl, Rea, Rea}},
-    /* ready  */ {{Fau, Fau, Boo, Hom, Idl, Idl, Rea, Act}},
-    /* active */ {{Fau, Fau, Boo, Hom, Hol, Idl, Rea, Act}},
-    /* hold   */ {{Fau, Fau, Boo, Hom, Hol, Idl, Rea, Act}},
-    /* fault  */ {{Fau, Idl, Fau, Fau, Fau, Fau, Fau, Fau}},
+// clang-format off
+inline constexpr std::array<std::array<SupervisorState, kFindings>, kStates> kNext = {{
+    //            faulty   resumed  unheard  unhomed  uncertain no field released well
+    /* boot   */ {{kFault,  kFault,  kBoot,   kHoming, kHoming,  kHoming, kHoming, kHoming}},
+    /* homing */ {{kFault,  kFault,  kBoot,   kHoming, kHoming,  kIdle,   kIdle,   kIdle}},
+    /* idle   */ {{kFault,  kFault,  kBoot,   kHoming, kIdle,    kIdle,   kReady,  kReady}},
+    /* ready  */ {{kFault,  kFault,  kBoot,   kHoming, kIdle,    kIdle,   kReady,  kActive}},
+    /* active */ {{kFault,  kFault,  kBoot,   kHoming, kHold,    kIdle,   kReady,  kActive}},
+    /* hold   */ {{kFault,  kFault,  kBoot,   kHoming, kHold,    kIdle,   kReady,  kActive}},
+    /* fault  */ {{kFault,  kIdle,   kFault,  kFault,  kFault,   kFault,  kFault,  kFault}},
 }};
+// clang-format on
 }  // namespace supervisor_table_detail
 
 /// fails     never: a state or finding that is none leads to kFault
