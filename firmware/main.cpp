@@ -180,7 +180,7 @@ struct Lines {
 std::string take_lines(const Options& options, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
   const settings::Settings& settings = options.settings;
   if (settings.line_chip.empty() || options.lockstep) {
-    if (options.device == Options::Device::kUsb)
+    if (!options.lockstep)
       say("no safety lines: no emergency stop and no watchdog relay, only the device's own time limit, stands behind this program; see "
           "[lines]");
     return {};
