@@ -66,3 +66,39 @@ conclude() {
   tail -1 /run/falcon.log | sed 's/^/hil: /'
   say done
 }
+
+# ---- safety lines: the kernel's simulated GPIO chip ---------------------------------------------------------------------------------
+
+lines=/sys/devices/platform/gpio-sim.0/gpiochip1
+
+# Line 0 stop (in), 1 enable, 2 heartbeat, 3 light (out); appends them to the controller's settings. The stop is not pressed.
+make_lines() {
+  chip=/sys/kernel/config/gpio-sim/board
+  mkdir -p $chip/bank0 && echo 8 >$chip/bank0/num_lines && echo 1 >$chip/live || fail "no simulated lines"
+  echo pull-up >$lines/sim_gpio0/pull
+  printf '[lines]\nchip = "gpiochip1"\nstop = 0\nenable = 1\nheartbeat = 2\nlight = 3\n' >>/etc/isotouchd.toml
+}
+
+press_stop() { echo pull-down >$lines/sim_gpio0/pull; }
+release_stop() { echo pull-up >$lines/sim_gpio0/pull; }
+line() { cat $lines/sim_gpio$1/value; }
+
+# Does the heartbeat change within 20 ms?
+beats() {
+  before=$(line 2)
+  for i in 1 2 3 4 5 6 7 8 9 10; do
+    [ "$(line 2)" = "$before" ] || return 0
+  done
+  return 1
+}
+
+# Everything until the field is felt.
+feel() {
+  start_falcon --hand tour "$@"
+  start_controller
+  homed
+  upload hydrant
+  within 20 is_in active || fail "the field was not felt"
+}
+
+reach() { within 10 is_in "$1" || fail "not $1 but $(status_of state)"; }
