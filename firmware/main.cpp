@@ -357,6 +357,7 @@ int main(int argc, char** argv) {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGPIPE);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, `watch` takes them
+  isotouch::loop::limit_stacks();
   try {
     Options options;
     int exit_code = 0;

@@ -28,6 +28,15 @@ unsigned become_realtime(int priority, int core) {
   return refused;
 }
 
+void limit_stacks() {
+  constexpr std::size_t kStackBytes = 1U << 20;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, kStackBytes);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
+}
+
 unsigned lock_memory() {
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_MMAP_MAX, 0);

@@ -19,6 +19,9 @@ enum Refusals : unsigned {
 /// returns   Refusals
 unsigned become_realtime(int priority, int core);
 
+/// Threads begun from now on have a stack of 1 MiB, not of 8: locked memory is used up, touched or not.
+void limit_stacks();
+
 /// Locks all memory that the program has, and keeps what is freed from now on: to be called when everything of the tick is made. Memory that other
 /// threads take later is not locked, because a program without the privilege would be refused it.
 ///

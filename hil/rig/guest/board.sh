@@ -2,6 +2,7 @@
 
 set -u
 control=unix:/run/control
+lines=/sys/devices/platform/gpio-sim.0/gpiochip1   # there once a scenario has made them
 falcon=/sys/devices/platform/vhci_hcd.0
 
 say() { echo "hil: $*"; }
@@ -15,12 +16,12 @@ fail() {
 
 # within SECONDS COMMAND...: waits for the command to succeed.
 within() {
-  left=$(($1 * 20))
+  left=$(($1 * 5))
   shift
   until "$@" >/dev/null 2>&1; do
     [ $left -gt 0 ] || return 1
     left=$((left - 1))
-    sleep 0.05
+    sleep 0.2
   done
 }
 
@@ -38,12 +39,19 @@ start_falcon() {
   within 10 grep -q ready /run/falcon.log || fail "the simulated device did not start"
 }
 
-# start_controller OPTIONS...
+# start_controller OPTIONS...: with lines it first hears a stop, because taking a line pulls it down, as a broken wire would be
 start_controller() {
   isotouchd --config /etc/isotouchd.toml --device usb --control /run/control "$@" >/run/controller.log 2>&1 &
   controller_process=$!
   within 10 test -S /run/control || fail "the controller did not start"
+  [ -d $lines ] || return 0
+  within 5 is_in fault || fail "an open stop line is not heard"
+  release_stop
+  sleep 0.1
+  resume
 }
+
+resume() { isotouch resume --to $control >/run/resume.log 2>&1 || fail "resume: $(cat /run/resume.log)"; }
 
 homed() { within 60 is_in 'idle|ready|active|hold' || fail "the device was not homed"; }
 
@@ -69,13 +77,10 @@ conclude() {
 
 # ---- safety lines: the kernel's simulated GPIO chip ---------------------------------------------------------------------------------
 
-lines=/sys/devices/platform/gpio-sim.0/gpiochip1
-
-# Line 0 stop (in), 1 enable, 2 heartbeat, 3 light (out); appends them to the controller's settings. The stop is not pressed.
+# Line 0 stop (in), 1 enable, 2 heartbeat, 3 light (out); appends them to the controller's settings.
 make_lines() {
   chip=/sys/kernel/config/gpio-sim/board
   mkdir -p $chip/bank0 && echo 8 >$chip/bank0/num_lines && echo 1 >$chip/live || fail "no simulated lines"
-  echo pull-up >$lines/sim_gpio0/pull
   printf '[lines]\nchip = "gpiochip1"\nstop = 0\nenable = 1\nheartbeat = 2\nlight = 3\n' >>/etc/isotouchd.toml
 }
 
