@@ -293,7 +293,7 @@ void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
   client.say(Kind::kHistogramReport, histogram_report(static_cast<wire::Measure>(measure), neighbours_.stats, scratch_));
 }
 
-void ControlServer::set(ControlClient& client, const wire::Set& wanted) {
+void ControlServer::set(ControlClient& client, const wire::Set& wanted) const {
   const std::string refusal =
       neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
   refusal.empty() ? client.say(Kind::kDone) : client.refuse(Kind::kSet, refusal);

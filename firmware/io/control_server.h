@@ -90,7 +90,7 @@ class ControlServer {
   void start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field);
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
-  void set(ControlClient& client, const wire::Set& wanted);
+  void set(ControlClient& client, const wire::Set& wanted) const;
   void begin_recording(ControlClient& client);
   void measure(ControlClient& client);
   void finish_measuring();
