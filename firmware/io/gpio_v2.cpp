@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "firmware/io/freed.h"
 #include "firmware/io/gpio.h"
 
 namespace isotouch::io {
@@ -14,18 +15,11 @@ constexpr const char* kOwner = "isotouchd";
 constexpr std::size_t kEdges = 16;
 constexpr int kMostReads = 4;  // of so many edges: a contact that bounces
 
-/// The library's objects free themselves by a function each.
-template <auto kFree>
-struct Freed {
-  template <class T>
-  void operator()(T* object) const {
-    kFree(object);
-  }
-};
 using Settings = std::unique_ptr<gpiod_line_settings, Freed<gpiod_line_settings_free>>;
 using Config = std::unique_ptr<gpiod_line_config, Freed<gpiod_line_config_free>>;
 using Wish = std::unique_ptr<gpiod_request_config, Freed<gpiod_request_config_free>>;
 using Request = std::unique_ptr<gpiod_line_request, Freed<gpiod_line_request_release>>;
+using OpenChip = std::unique_ptr<gpiod_chip, Freed<gpiod_chip_close>>;
 using Edges = std::unique_ptr<gpiod_edge_event_buffer, Freed<gpiod_edge_event_buffer_free>>;
 
 class Line final : public GpioLine {
@@ -59,10 +53,7 @@ class Line final : public GpioLine {
 
 class Chip final : public Gpio {
  public:
-  explicit Chip(gpiod_chip* chip) : chip_(chip) {}
-  ~Chip() override { gpiod_chip_close(chip_); }
-  Chip(const Chip&) = delete;
-  Chip& operator=(const Chip&) = delete;
+  explicit Chip(OpenChip chip) : chip_(std::move(chip)) {}
 
   std::unique_ptr<GpioLine> input(unsigned offset, bool with_edges) override {
     return take(offset, [with_edges](gpiod_line_settings* settings) {
@@ -88,19 +79,19 @@ class Chip final : public Gpio {
     if (!settings || !config || !wish || !set(settings.get())) return nullptr;
     if (gpiod_line_config_add_line_settings(config.get(), &offset, 1, settings.get()) != 0) return nullptr;
     gpiod_request_config_set_consumer(wish.get(), kOwner);
-    Request request(gpiod_chip_request_lines(chip_, wish.get(), config.get()));
+    Request request(gpiod_chip_request_lines(chip_.get(), wish.get(), config.get()));
     return request ? std::make_unique<Line>(std::move(request), offset) : nullptr;
   }
 
-  gpiod_chip* chip_;
+  OpenChip chip_;
 };
 
 }  // namespace
 
 std::unique_ptr<Gpio> open_gpio(const std::string& chip) {
   const std::string path = chip.find('/') == std::string::npos ? "/dev/" + chip : chip;
-  gpiod_chip* opened = gpiod_chip_open(path.c_str());
-  return opened != nullptr ? std::make_unique<Chip>(opened) : nullptr;
+  OpenChip opened(gpiod_chip_open(path.c_str()));
+  return opened ? std::make_unique<Chip>(std::move(opened)) : nullptr;
 }
 
 }  // namespace isotouch::io
