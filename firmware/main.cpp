@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -20,27 +18,24 @@
 #include <vector>
 
 #include "firmware/daemon/crash.h"
+#include "firmware/daemon/hardware.h"
+#include "firmware/daemon/lines.h"
 #include "firmware/daemon/options.h"
 #include "firmware/daemon/status_lines.h"
 #include "firmware/io/calibration.h"
 #include "firmware/io/control_server.h"
-#include "firmware/io/falcon_list.h"
 #include "firmware/io/falcon_port.h"
-#include "firmware/io/falcon_usb.h"
 #include "firmware/io/field_intake.h"
 #include "firmware/io/linux_clock.h"
 #include "firmware/io/linux_folder.h"
-#include "firmware/io/lockstep_clock.h"
 #include "firmware/io/recorder.h"
 #include "firmware/io/replay_port.h"
 #include "firmware/io/service_notify.h"
-#include "firmware/io/sim_link.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/measured_delay.h"
 #include "firmware/loop/realtime.h"
-#include "firmware/loop/watch.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/live.h"
@@ -59,70 +54,6 @@ void say(const std::string& line) {
 int refuse(const std::string& sentence) {
   std::fprintf(stderr, "isotouchd: %s\n", sentence.c_str());
   return 1;
-}
-
-/// What stands behind the loop's port: a Falcon over a link, or a recording.
-struct Hardware {
-  std::vector<std::uint8_t> image;
-  std::unique_ptr<loop::Clock> clock;
-  std::unique_ptr<io::FalconLink> link;
-  std::unique_ptr<io::FalconSession> session;
-  std::unique_ptr<io::FalconPort> falcon;
-  std::unique_ptr<io::ReplayPort> replay;
-
-  loop::Port& port() const { return falcon ? static_cast<loop::Port&>(*falcon) : *replay; }
-};
-
-/// returns   one sentence why not
-std::string make_hardware(const Options& options, Hardware& made) {
-  const settings::Settings& settings = options.settings;
-  if (options.lockstep) {
-    made.clock = std::make_unique<io::LockstepClock>();
-  } else {
-    made.clock = std::make_unique<io::LinuxClock>();
-  }
-  if (options.device == Options::Device::kRecorded) {
-    io::WireTrace trace;
-    std::string complaint = io::read_wire_trace(options.name, trace);
-    if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
-    if (complaint.empty()) made.replay = std::make_unique<io::ReplayPort>(std::move(trace), *made.clock);
-    return complaint;
-  }
-  const bool simulated = options.device == Options::Device::kSimulated;
-  std::string complaint;
-  if (!settings.firmware.empty()) {
-    made.image = io::read_image(settings.firmware, complaint);
-  } else if (simulated) {
-    const auto image = io::synthetic_image();
-    made.image.assign(image.begin(), image.end());
-  }
-  if (!complaint.empty()) return complaint;
-  if (simulated) {
-    made.link = std::make_unique<io::SimLink>(options.name);
-  } else {
-    made.link = std::make_unique<io::FalconUsb>(*made.clock, options.name);
-  }
-  made.session = std::make_unique<io::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
-                                                     [](const io::BootProgress&) { return !stop_exchange.load(); });
-  made.falcon = std::make_unique<io::FalconPort>(*made.session, *made.link);
-  return {};
-}
-
-/// The serial whose calibration holds: the one asked for, else that of the only device there; empty: not known yet.
-std::string serial_of(const Options& options, const Hardware& hardware) {
-  switch (options.device) {
-    case Options::Device::kRecorded: return {};
-    case Options::Device::kSimulated: {
-      if (options.settings.state.empty() && options.settings.calibrations.empty()) return {};
-      std::string serial = hardware.link->open() ? hardware.link->identity().serial : std::string();
-      hardware.link->close();
-      return serial;
-    }
-    case Options::Device::kUsb: break;
-  }
-  if (!options.name.empty()) return options.name;
-  const io::UsbListing listing = io::list_falcons();
-  return listing.falcons.size() == 1 ? listing.falcons[0].serial : std::string();
 }
 
 std::string load_field(const std::string& path, io::FieldIntake& intake) {
@@ -168,30 +99,6 @@ void watch_thread(const settings::Settings& settings, loop::Watch& watch) {
   watch.leave();
 }
 
-/// The wires beside the device.
-struct Lines {
-  std::unique_ptr<io::Gpio> chip;
-  std::optional<io::GpioLines> wires;
-  loop::LineState state;
-  std::optional<loop::Watch> watch;
-};
-
-/// returns   one sentence why not
-std::string take_lines(const Options& options, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
-  const settings::Settings& settings = options.settings;
-  if (settings.line_chip.empty() || options.lockstep) {
-    if (!options.lockstep)
-      say("no safety lines: no emergency stop and no watchdog relay, only the device's own time limit, stands behind this program; see "
-          "[lines]");
-    return {};
-  }
-  lines.chip = io::open_gpio(settings.line_chip);
-  if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + std::strerror(errno) + "; name a chip that 'gpiodetect' shows";
-  std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
-  if (complaint.empty()) lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
-  return complaint;
-}
-
 /// Says what changes, until a signal comes or the ticks have ended.
 ///
 /// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
@@ -235,7 +142,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   const settings::Settings settings = live.now();
   if (!settings::device_model(settings, {})) return refuse("the settings' numbers make no device together");
   Hardware hardware;
-  if (const std::string complaint = make_hardware(options, hardware); !complaint.empty()) return refuse(complaint);
+  if (const std::string complaint = make_hardware(options, stop_exchange, hardware); !complaint.empty()) return refuse(complaint);
   std::optional<io::LinuxFolder> folder;
   std::optional<io::FieldStore> store;
   std::optional<io::CalibrationStore> measured;
@@ -269,7 +176,10 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
   loop::Latest<loop::TickRecord> shown;
   loop::TickStats stats;
   Lines lines;
-  if (const std::string complaint = take_lines(options, real_clock, stats, lines); !complaint.empty()) return refuse(complaint);
+  if (!options.lockstep) {
+    if (const std::string complaint = take_lines(settings, real_clock, stats, lines); !complaint.empty()) return refuse(complaint);
+    if (!lines.watch) say(no_lines_line());
+  }
   std::unique_ptr<loop::ExchangeThread> exchange;
   std::unique_ptr<loop::DirectDevice> direct;
   if (options.lockstep) {

@@ -67,6 +67,11 @@ std::string refusal_line(unsigned refused) {
   return "runs without " + text + ", which this user or machine may not have: ticks may be late; see packaging/isotouchd.service";
 }
 
+std::string no_lines_line() {
+  return "no safety lines: no emergency stop and no watchdog relay, only the device's own time limit, stands behind this program; see "
+         "[lines]";
+}
+
 std::string figures(const loop::TickStats& stats) {
   Text text;
   std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, left out %llu\n",

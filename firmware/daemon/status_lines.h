@@ -21,6 +21,9 @@ std::string supervisor_line(SupervisorState state, std::uint16_t faults);
 /// refused   loop::Refusals
 std::string refusal_line(unsigned refused);
 
+/// What is missing where no safety lines are wired.
+std::string no_lines_line();
+
 /// Several lines: how the ticks began and how long things took.
 std::string figures(const loop::TickStats& stats);
 

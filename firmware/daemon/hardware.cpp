@@ -1,0 +1,71 @@
+#include "firmware/daemon/hardware.h"
+
+#include <utility>
+
+#include "firmware/io/falcon_list.h"
+#include "firmware/io/falcon_usb.h"
+#include "firmware/io/linux_clock.h"
+#include "firmware/io/lockstep_clock.h"
+#include "firmware/io/sim_link.h"
+#include "firmware/loop/virtual_clock.h"
+#include "firmware/settings/apply.h"
+
+namespace isotouch::daemon {
+
+namespace {
+
+std::string make_replay(const Options& options, Hardware& made) {
+  io::WireTrace trace;
+  std::string complaint = io::read_wire_trace(options.name, trace);
+  if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
+  if (complaint.empty()) made.replay = std::make_unique<io::ReplayPort>(std::move(trace), *made.clock);
+  return complaint;
+}
+
+}  // namespace
+
+std::string make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made) {
+  const settings::Settings& settings = options.settings;
+  if (options.lockstep) {
+    made.clock = std::make_unique<io::LockstepClock>();
+  } else {
+    made.clock = std::make_unique<io::LinuxClock>();
+  }
+  if (options.device == Options::Device::kRecorded) return make_replay(options, made);
+  const bool simulated = options.device == Options::Device::kSimulated;
+  std::string complaint;
+  if (!settings.firmware.empty()) {
+    made.image = io::read_image(settings.firmware, complaint);
+  } else if (simulated) {
+    const auto image = io::synthetic_image();
+    made.image.assign(image.begin(), image.end());
+  }
+  if (!complaint.empty()) return complaint;
+  if (simulated) {
+    made.link = std::make_unique<io::SimLink>(options.name);
+  } else {
+    made.link = std::make_unique<io::FalconUsb>(*made.clock, options.name);
+  }
+  made.session = std::make_unique<io::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
+                                                     [&stop](const io::BootProgress&) { return !stop.load(); });
+  made.falcon = std::make_unique<io::FalconPort>(*made.session, *made.link);
+  return {};
+}
+
+std::string serial_of(const Options& options, const Hardware& hardware) {
+  switch (options.device) {
+    case Options::Device::kRecorded: return {};
+    case Options::Device::kSimulated: {
+      if (options.settings.state.empty() && options.settings.calibrations.empty()) return {};
+      std::string serial = hardware.link->open() ? hardware.link->identity().serial : std::string();
+      hardware.link->close();
+      return serial;
+    }
+    case Options::Device::kUsb: break;
+  }
+  if (!options.name.empty()) return options.name;
+  const io::UsbListing listing = io::list_falcons();
+  return listing.falcons.size() == 1 ? listing.falcons[0].serial : std::string();
+}
+
+}  // namespace isotouch::daemon

@@ -1,0 +1,19 @@
+#include "firmware/daemon/lines.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "firmware/settings/apply.h"
+
+namespace isotouch::daemon {
+
+std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
+  if (settings.line_chip.empty()) return {};
+  lines.chip = io::open_gpio(settings.line_chip);
+  if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + std::strerror(errno) + "; name a chip that 'gpiodetect' shows";
+  std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
+  if (complaint.empty()) lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
+  return complaint;
+}
+
+}  // namespace isotouch::daemon

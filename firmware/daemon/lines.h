@@ -1,0 +1,29 @@
+/// The wires beside the device, and who watches the ticks through them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "firmware/io/gpio_lines.h"
+#include "firmware/loop/line_state.h"
+#include "firmware/loop/tick_stats.h"
+#include "firmware/loop/watch.h"
+#include "firmware/settings/settings.h"
+
+namespace isotouch::daemon {
+
+struct Lines {
+  std::unique_ptr<io::Gpio> chip;
+  std::optional<io::GpioLines> wires;
+  loop::LineState state;             ///< what the watch tells the ticks
+  std::optional<loop::Watch> watch;  ///< nothing where the settings name no chip
+};
+
+/// Takes the lines that the settings name.
+///
+/// clock, stats  live as long as `lines`
+/// returns       one sentence why not; empty too where the settings name no chip
+std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines);
+
+}  // namespace isotouch::daemon
