@@ -32,7 +32,7 @@ constexpr std::int32_t kSteepest = 2 << Distance::kFractionBits;
 /// The stiffness may be rounded down, and stand for a damping that was rounded up: one unit either way.
 bool stiffness_follows(const Stored& stored) {
   Loop less = stored.loop;
-  less.damping = Damping::from_raw(std::max(less.damping.raw() - 1, 0));
+  less.damping = Damping::from_raw(std::max<std::int32_t>(less.damping.raw() - 1, 0));
   const std::int64_t low = std::int64_t{largest_stiffness(less).raw()} - 1, high = std::int64_t{largest_stiffness(stored.loop).raw()} + 1;
   return stored.stiffness >= low && stored.stiffness <= high;
 }
@@ -46,9 +46,9 @@ std::int32_t largest_difference(const BlobView& field) {
       const auto rise = [&](std::size_t step) {
         return brick[n + step] > brick[n] ? brick[n + step] - brick[n] : brick[n] - brick[n + step];
       };
-      if ((n & 3) < 3) most = std::max(most, rise(1));
-      if ((n & 12) < 12) most = std::max(most, rise(4));
-      if (n < 48) most = std::max(most, rise(16));
+      if ((n & 3) < 3) most = std::max<std::int32_t>(most, rise(1));
+      if ((n & 12) < 12) most = std::max<std::int32_t>(most, rise(4));
+      if (n < 48) most = std::max<std::int32_t>(most, rise(16));
     }
   }
   return most;
@@ -71,7 +71,7 @@ Stiffness largest_stiffness(const Loop& loop) {
   constexpr std::uint64_t kNanosecond = 1'000'000'000;
   constexpr int kSpare = Damping::kFractionBits - Stiffness::kFractionBits;
   const std::uint64_t twice = 2 * static_cast<std::uint64_t>(loop.damping.raw()) * kNanosecond;               // below 2^62
-  const std::uint64_t time = (2 * std::uint64_t{loop.delay_ticks} + 1) * std::min(loop.period_ns, 1U << 30);  // below 2^64
+  const std::uint64_t time = (2 * std::uint64_t{loop.delay_ticks} + 1) * std::min(loop.period_ns, std::uint32_t{1} << 30);  // below 2^64
   return Stiffness::from_raw(saturate32(static_cast<std::int64_t>((twice / time) >> kSpare)));
 }
 

@@ -31,7 +31,7 @@ constexpr auto raw_of(const T& number) {
 }
 
 template <class T>
-bool is_within(const T& value, const T& low, const T& high) {
+bool is_within(const T& value, const std::type_identity_t<T>& low, const std::type_identity_t<T>& high) {
   return value >= low && value <= high;
 }
 

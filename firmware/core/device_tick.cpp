@@ -89,7 +89,7 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
     out.tick.status |= when(leapt || is_longer(velocity, model.device.speed_limit), kTooFast);
   }
   out.tick.proxy = out.hip;
-  const std::uint16_t age = static_cast<std::uint16_t>(std::min(state.reply.stale, 65535U));
+  const std::uint16_t age = static_cast<std::uint16_t>(std::min<std::uint32_t>(state.reply.stale, 65535));
   if (pose.settled && field != nullptr) {
     const std::uint32_t so_far = out.tick.status;
     out.tick = tick({out.hip, out.buttons, reading.fresh, age}, *field, state.felt, state.tick);

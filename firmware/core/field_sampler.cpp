@@ -40,7 +40,7 @@ struct AxisPlace {
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
-  const std::int32_t inside = std::clamp(coordinate, 1 << 16, (size - 2) << 16);
+  const std::int32_t inside = std::clamp<std::int32_t>(coordinate, 1 << 16, (size - 2) << 16);
   outside |= inside != coordinate;
   const std::int32_t first = ((inside + 0x8000) >> 16) - 1;  // in [0, size - 3]
   return {inside - ((first + 1) << 16), first >> kBrickShift, (first + 2) >> kBrickShift, first & 3};

@@ -30,7 +30,7 @@ inline Vec3<MmPerS> hip_velocity(const Vec3<Mm>& hip, bool fresh, PerSecond rate
   constexpr std::array<Ratio, 9> kParts = {Ratio::of(1),    Ratio::of(1),   Ratio::of(0.5),          Ratio::of(0.3333333333),
                                            Ratio::of(0.25), Ratio::of(0.2), Ratio::of(0.1666666667), Ratio::of(0.1428571429),
                                            Ratio::of(0.125)};
-  state.ticks = std::min(state.ticks + 1, 8U);
+  state.ticks = std::min<std::uint32_t>(state.ticks + 1, 8);
   if (!fresh) return state.velocity;
   if (state.has_last) {
     const Vec3<Mm> moved = mul<Mm>(hip - state.last, kParts[state.ticks]);

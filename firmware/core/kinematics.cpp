@@ -140,7 +140,7 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
   }
 
   const bool confirmed = inside && is_short(step);
-  state.confirmed = confirmed ? std::min(state.confirmed + 1, 2U) : 0;
+  state.confirmed = confirmed ? std::min<std::uint32_t>(state.confirmed + 1, 2) : 0;
   state.lost = confirmed ? 0 : state.lost + 1;
   if (state.lost >= kPatience) {
     hip = kPoseStart;

@@ -21,7 +21,7 @@ HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) 
   budget.quarter = std::max(whole / 4, std::int64_t{1});
   budget.of_quarter = (std::int64_t{1} << kQuarterBits) / budget.quarter;
   budget.knee = (whole - budget.quarter) << kSquareBits;
-  budget.fall = std::int64_t{std::max(device.word_limit - device.heat_word, 0)} << kWordBits;
+  budget.fall = std::int64_t{std::max<std::int32_t>(device.word_limit - device.heat_word, 0)} << kWordBits;
   budget.forgotten = std::int64_t{period_ns} * (std::int64_t{1} << kPartBits) / (std::int64_t{device.heat_ms} * 1'000'000);  // below 2^23
   return budget;
 }

@@ -32,7 +32,7 @@ inline Mm make_largest_move(const DeviceModel& device, std::uint32_t period_ns) 
 /// returns   true in the tick of the leap alone: what comes after is judged from there
 /// tick      yes
 inline bool is_leap(const Vec3<Mm>& hip, bool fresh, Mm largest_move, MoveState& state) {
-  state.ticks = std::min(state.ticks + 1, 8U);
+  state.ticks = std::min<std::uint32_t>(state.ticks + 1, 8);
   if (!fresh) return false;
   const auto most = Mm::from_raw(largest_move.raw() * static_cast<std::int32_t>(state.ticks));  // at most 800 mm
   const bool leapt = state.has_last && is_longer(hip - state.last, most);

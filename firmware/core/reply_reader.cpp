@@ -39,7 +39,7 @@ Reading read_reply(const DeviceInput& in, const DeviceModel& device, ReplyState&
   const bool began_anew = state.in_a_row > 0 && !all_homed &&  // with the bits went the reference, though the counts were small before
                           (reply->counts == Counts{} || is_jump(state.counts, reply->counts, gap, device.count_jump / 8));
   reading.jumped |= began_anew;
-  state.in_a_row = all_homed ? std::min(state.in_a_row + 1, 2U) : 0;
+  state.in_a_row = all_homed ? std::min<std::uint32_t>(state.in_a_row + 1, 2) : 0;
   if (reading.jumped && !all_homed) state.homed = false;
   if (state.in_a_row == 2) state.homed = true;
   state.counts = reply->counts;

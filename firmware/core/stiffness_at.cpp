@@ -24,7 +24,7 @@ struct AxisPlace {
 
 AxisPlace place(Voxel coordinate, std::int32_t size) {
   const std::int32_t last = (size - 1) >> kBrickShift;  // at least 1, at most 1023
-  const std::int32_t along = std::clamp(coordinate.raw() - kFirstCentre, 0, (last << kPlaceBits) - 1);
+  const std::int32_t along = std::clamp<std::int32_t>(coordinate.raw() - kFirstCentre, 0, (last << kPlaceBits) - 1);
   const std::int32_t after = (along & ((1 << kPlaceBits) - 1)) >> (kPlaceBits - kWeightBits);
   return {along >> kPlaceBits, {(1 << kWeightBits) - after, after}};
 }
