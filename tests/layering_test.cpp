@@ -46,8 +46,12 @@ const std::map<std::string, Rule> kRules = {
     {"hil/falcon_model", {{}}},  // a mistake shared with what it is to find would hide itself
     {"hil/falcon_sim", {{"hil/falcon_model"}}},
     {"hil/rig", {{"hil/rig/irq_sim.c"}}},
+    {"hil/plain_replay.h", {{"firmware/core", "shared"}}},
+    {"hil/bare_metal", {{"hil/plain_replay.h", "shared"}}},
+    {"hil/instructions", {{}}},
     {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
-    {"tests/across", {{"host", "firmware/core", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate"}}},
+    {"tests/across",
+     {{"host", "firmware/core", "hil/plain_replay.h", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},

@@ -1,4 +1,4 @@
-# A bare Cortex-M7: no operating system, no start-up code yet, so only libraries are built. Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib.
+# A bare Cortex-M7, no operating system; start-up code and memory map are those of hil/bare_metal. Debian: gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

@@ -1,0 +1,60 @@
+/// The core on a bare processor: hil/plain_replay.h on a blob and a trace that stand in memory before the machine starts (`boot`).
+///
+/// Prints {"ticks", "hash", "first_difference"} as replay_plain does. Ends with 0 equal to what was recorded, 1 bad input, 3 different.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hil/bare_metal/semihosting.h"
+#include "hil/plain_replay.h"
+#include "shared/blob.h"
+
+extern "C" {
+// Places that board.ld names: the blob stands first, then, at the next multiple of 64, the trace.
+extern const std::uint8_t files[];
+extern const std::uint32_t file_sizes[];  // blob and trace, bytes
+}
+
+namespace {
+
+using namespace isotouch;
+using semihosting::write;
+
+void write_number(std::uint64_t number, unsigned base, int least_digits) {
+  char text[24];
+  char* at = text + sizeof text;
+  *--at = 0;
+  for (int digit = 0; digit < least_digits || number != 0; ++digit, number /= base) *--at = "0123456789abcdef"[number % base];
+  write(at);
+}
+
+int refuse(const char* file, Error why) {
+  write(file);
+  write(": ");
+  write(describe(why));
+  write("\n");
+  return 1;
+}
+
+}  // namespace
+
+int main() {
+  const std::span<const std::uint8_t> blob(files, file_sizes[0]);
+  const std::span<const std::uint8_t> trace(files + blob_layout::align64(std::size_t{file_sizes[0]}), file_sizes[1]);
+  const Result<BlobView> field = BlobView::parse(blob);
+  if (!field) return refuse("blob", field.error());
+  const Result<replay::Report> report = replay::run(*field, trace);
+  if (!report) return refuse("trace", report.error());
+  write("{\"ticks\": ");
+  write_number(report->ticks, 10, 1);
+  write(", \"hash\": \"");
+  write_number(report->hash, 16, 16);
+  write("\", \"first_difference\": ");
+  if (report->equal) {
+    write("null");
+  } else {
+    write_number(report->first_difference, 10, 1);
+  }
+  write("}\n");
+  return report->equal ? 0 : 3;
+}
