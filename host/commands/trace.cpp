@@ -10,6 +10,7 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
+#include "host/commands/trace_zero.h"
 #include "host/error.h"
 #include "host/evaluate/motion.h"
 #include "host/evaluate/motion_csv.h"
@@ -309,6 +310,7 @@ void add_trace(CLI::App& app) {
   add_import(*trace);
   add_wire(*trace);
   add_diff(*trace);
+  add_zero(*trace);
 }
 
 }  // namespace isotouch::commands
