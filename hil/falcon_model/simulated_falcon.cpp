@@ -63,7 +63,10 @@ std::size_t SimulatedFalcon::write(std::span<const std::uint8_t> bytes) {
     } else {
       chip_.receive(answer.bytes);
     }
-    if (running() && before != Board::State::kRun) firmware_.start(mechanism_.counts());
+    if (running() && before != Board::State::kRun) {
+      ++uploads_;
+      firmware_.start(mechanism_.counts());
+    }
     if (!chip_.line().eight_none_one || !same_rate(chip_.line().rate, kRunRate)) continue;
     if (const auto packet = scanner_.push(byte)) take(*packet);
   }
@@ -77,6 +80,7 @@ void SimulatedFalcon::silence(double ms) { firmware_.miss(packets_in(ms, setting
 /// The reply tells of the moment of receipt; then the new commands move the mechanism.
 void SimulatedFalcon::take(const CommandPacket& packet) {
   ++packets_;
+  if (packet.motors != CommandPacket{}.motors) last_torque_packet_ = packets_;
   apply_faults();
   const bool heard = present_ && running() && stalled_ == 0;
   if (heard) {

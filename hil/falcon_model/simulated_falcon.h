@@ -58,6 +58,10 @@ class SimulatedFalcon {
   const Mechanism& mechanism() const { return mechanism_; }
   const Hand& hand() const { return hand_; }
   std::uint64_t packets() const { return packets_; }
+  /// The last packet that asked for torque, heard or not; 0 = none did.
+  std::uint64_t last_torque_packet() const { return last_torque_packet_; }
+  /// How often the firmware was uploaded.
+  int uploads() const { return uploads_; }
 
  private:
   void take(const CommandPacket& packet);
@@ -73,7 +77,8 @@ class SimulatedFalcon {
   Hand hand_;
   ReplyWire wire_;
   PacketScanner scanner_;
-  std::uint64_t packets_ = 0;
+  std::uint64_t packets_ = 0, last_torque_packet_ = 0;
+  int uploads_ = 0;
   std::size_t next_fault_ = 0;
   int stalled_ = 0;
   int pressed_ = 0;

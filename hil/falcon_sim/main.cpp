@@ -115,7 +115,9 @@ void run(const Options& o) {
   std::fflush(stdout);
   serve_faces(faces);
   const Vector p = device.falcon().mechanism().position_mm();
-  std::printf("falcon-sim: %llu packets, board %s, grip at %.3f %.3f %.3f mm\n", static_cast<unsigned long long>(device.falcon().packets()),
+  std::printf("falcon-sim: %llu packets, torque until the %lluth, firmware uploaded %d times, board %s, grip at %.3f %.3f %.3f mm\n",
+              static_cast<unsigned long long>(device.falcon().packets()),
+              static_cast<unsigned long long>(device.falcon().last_torque_packet()), device.falcon().uploads(),
               name_of(device.falcon().board().state()), p.x, p.y, p.z);
 }
 
