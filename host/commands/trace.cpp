@@ -1,4 +1,5 @@
-/// isotouch trace: make a motion, import one, say where two recordings part.
+/// isotouch trace: make a motion, import one, derive others, say where two recordings part.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -10,8 +11,10 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
+#include "host/commands/trace_mine.h"
 #include "host/commands/trace_zero.h"
 #include "host/error.h"
+#include "host/evaluate/felt_surface.h"
 #include "host/evaluate/motion.h"
 #include "host/evaluate/motion_csv.h"
 #include "host/evaluate/open_blob.h"
@@ -139,18 +142,27 @@ struct ImportOptions {
   bool centre = false;
   double scale = 1.0;
   std::vector<double> offset = {0, 0, 0};
+  fs::path into;
 };
 
 /// Centred first, then scaled, then moved.
-void place(std::vector<evaluate::TimedPoint>& points, const ImportOptions& options) {
+void place(std::vector<evaluate::TimedPoint>& points, ImportOptions options) {
   Eigen::Vector3d low = points.front().position;
   Eigen::Vector3d high = low;
   for (const auto& point : points) {
     low = low.cwiseMin(point.position);
     high = high.cwiseMax(point.position);
   }
-  const Eigen::Vector3d middle = options.centre ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
-  const Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
+  const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
+  Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
+  if (!options.into.empty()) {
+    const evaluate::OpenBlob blob = evaluate::open_blob(options.into);
+    const evaluate::FeltSurface object(blob.view);
+    const double widest = (high - low).maxCoeff();
+    if (!(widest > 0)) throw InputError(options.csv.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
+    options.scale = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1) / widest;
+    offset = object.centre();
+  }
   for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
 }
 
@@ -275,6 +287,10 @@ void add_import(CLI::App& trace) {
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
   command->add_option("--offset", options->offset, "then move by x,y,z mm")->delimiter(',')->expected(3);
+  command->add_option("--into", options->into, "instead: centred in this blob's box, its longest side as long as the box's")
+      ->excludes("--centre")
+      ->excludes("--scale")
+      ->excludes("--offset");
   options->trace.add_to(*command);
   command->callback([options] { import_table(*options); });
 }
@@ -304,11 +320,12 @@ void add_diff(CLI::App& trace) {
 }  // namespace
 
 void add_trace(CLI::App& app) {
-  CLI::App* trace = app.add_subcommand("trace", "Make, import and compare recorded hands");
+  CLI::App* trace = app.add_subcommand("trace", "Make, import, mine and compare recorded hands");
   trace->require_subcommand(1);
   add_make(*trace);
   add_import(*trace);
   add_wire(*trace);
+  add_mine(*trace);
   add_diff(*trace);
   add_zero(*trace);
 }
