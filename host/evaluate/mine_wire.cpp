@@ -141,11 +141,17 @@ void settings(WireRecording& recording, cloud::Random& random) {
   }
 }
 
+void resume(WireRecording& recording, cloud::Random& random) {
+  for (std::size_t tick = 200 + random.bits() % 100; tick < recording.inputs.size(); tick += 200 + random.bits() % 100) {
+    recording.inputs[tick].commands |= kCommandResume;
+  }
+}
+
 struct Kind {
   const char* name;
   void (*mine)(WireRecording&, cloud::Random&);
 };
-constexpr Kind kKinds[] = {{"wrap", wrap}, {"faults", faults}, {"settings", settings}};
+constexpr Kind kKinds[] = {{"wrap", wrap}, {"faults", faults}, {"settings", settings}, {"resume", resume}};
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -101,6 +102,22 @@ TEST(MinedWire, EveryFaultThatAWireCanShowIsInTheFaults) {
   EXPECT_GT(active, records.size() / 4);
   EXPECT_GT(restarts, 0U);
   EXPECT_GT(without_field, 0U);
+}
+
+TEST(MinedWire, APersonWhoResumesEndsEveryFaultAgain) {
+  const WireRecording wrapped = mine_wire(harmless(), "wrap", 1);
+  const auto longest_fault = [](const WireRecording& recording) {
+    std::size_t longest = 0, now = 0;
+    for (const DeviceTraceRecord& record : answers(recording)) {
+      now = record.output.tick.state == static_cast<std::uint16_t>(SupervisorState::kFault) ? now + 1 : 0;
+      longest = std::max(longest, now);
+    }
+    return longest;
+  };
+  EXPECT_GT(longest_fault(wrapped), 1000U);
+  const std::size_t resumed = longest_fault(mine_wire(wrapped, "resume", 1));
+  EXPECT_GT(resumed, 10U);
+  EXPECT_LE(resumed, 300U);
 }
 
 TEST(MinedWire, EverySettingThatMayChangeChanges) {
