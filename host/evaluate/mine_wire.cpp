@@ -63,10 +63,11 @@ void wrap(WireRecording& recording, cloud::Random& random) {
 /// What is wrong in a tick, each for so many ticks more.
 struct Trouble {
   std::uint64_t missing = 0, malformed = 0, late = 0, emergency = 0, enable = 0, jumped = 0, unhomed = 0, no_field = 0, button = 0;
+  std::uint64_t reborn = 0, stop_in = 0;
   std::array<std::int32_t, 3> jump{};
   std::size_t bad_byte = 0;
 };
-constexpr std::uint64_t kTroubles = 12;
+constexpr std::uint64_t kTroubles = 14;
 
 void begin(std::uint64_t kind, cloud::Random& random, Trouble& t, DeviceInput& in) {
   switch (kind) {
@@ -81,6 +82,8 @@ void begin(std::uint64_t kind, cloud::Random& random, Trouble& t, DeviceInput& i
     case 8: t.unhomed = 1 + random.bits() % 40; break;
     case 9: t.no_field = 30; break;
     case 10: in.commands |= kCommandRestart, t.missing = random.bits() % 4; break;
+    case 11: t.missing = 5, t.reborn = 20; break;    // the device was without power
+    case 12: t.button = 120, t.stop_in = 40; break;  // a button that is stuck while somebody stops
     default: t.button = 40; break;
   }
 }
@@ -91,6 +94,8 @@ void apply(Trouble& t, cloud::Random& random, const DeviceInput& before, DeviceI
   if (goes_on(t.jumped)) add_counts(t.jump, in.packet);
   if (goes_on(t.unhomed)) rewrite(in.packet, [&](FalconReply& reply) { reply.homed = static_cast<std::uint8_t>(random.bits() % 7); });
   if (goes_on(t.button)) rewrite(in.packet, [](FalconReply& reply) { reply.buttons = 0x0F; });
+  if (t.missing == 0 && goes_on(t.reborn)) rewrite(in.packet, [](FalconReply& reply) { reply = {}; });
+  if (goes_on(t.stop_in) && t.stop_in == 0) in.commands |= kCommandStop;
   if (goes_on(t.malformed)) in.packet[t.bad_byte] = 0x00;  // no byte of a packet may be that
   if (goes_on(t.missing)) {
     in.packet = before.packet;

@@ -29,7 +29,7 @@ WireRecording harmless() {
   recording.header.device = libnifalcon_model();
   recording.header.run.model_hash = hash(recording.header.device);
   WireHand wire(recording.header.device);
-  make_motion(&ball(), {.kind = "slide", .ticks = 8'000}, [&](const TickInput& input) { recording.inputs.push_back(wire(input, 1)); });
+  make_motion(&ball(), {.kind = "slide", .ticks = 16'000}, [&](const TickInput& input) { recording.inputs.push_back(wire(input, 1)); });
   return recording;
 }
 
