@@ -80,5 +80,18 @@ TEST(JointTorques, OfNoForceAreNone) {
   EXPECT_EQ(joint_torques({}, pose.statics), JointTorques{});
 }
 
+TEST(JointTorques, OfAnAlmostSingularPoseEndAtTheirBoundWithTheSignKept) {
+  constexpr SquareMm kLever = SquareMm::of(54'000);      // arm 120 mm, 450 mm away: the largest of any model
+  constexpr NewtonMm kBound = NewtonMm::of(8 * 54'000);  // 8 N/mm at that lever
+  Statics statics;
+  statics.inverse.fill({PerMm::max(), PerMm::max(), PerMm::max()});
+  statics.levers.fill(kLever);
+  for (const double force : {127.9, 8.0, 1.0}) {
+    const Vec3<Newton> pushed = {newton(force), newton(force), newton(force)};
+    for (const NewtonMm torque : joint_torques(pushed, statics)) EXPECT_EQ(torque, kBound) << force;
+    for (const NewtonMm torque : joint_torques(-pushed, statics)) EXPECT_EQ(torque, -kBound) << force;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::core
