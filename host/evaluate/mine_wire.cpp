@@ -67,7 +67,7 @@ struct Trouble {
   std::array<std::int32_t, 3> jump{};
   std::size_t bad_byte = 0;
 };
-constexpr std::uint64_t kTroubles = 14;
+constexpr std::uint64_t kTroubles = 15;
 
 void begin(std::uint64_t kind, cloud::Random& random, Trouble& t, DeviceInput& in) {
   switch (kind) {
@@ -84,6 +84,7 @@ void begin(std::uint64_t kind, cloud::Random& random, Trouble& t, DeviceInput& i
     case 10: in.commands |= kCommandRestart, t.missing = random.bits() % 4; break;
     case 11: t.missing = 5, t.reborn = 20; break;    // the device was without power
     case 12: t.button = 120, t.stop_in = 40; break;  // a button that is stuck while somebody stops
+    case 13: t.late = 150; break;                    // for longer than any hold
     default: t.button = 40; break;
   }
 }
@@ -152,11 +153,25 @@ void resume(WireRecording& recording, cloud::Random& random) {
   }
 }
 
+void grip(WireRecording& recording, cloud::Random& random) {
+  recording.header.device.hold_to_run = 1;
+  recording.header.run.model_hash = hash(recording.header.device);
+  bool held = true;
+  std::size_t change = 100;
+  for (std::size_t tick = 0; tick < recording.inputs.size(); ++tick) {
+    if (tick == change) {
+      held = !held;
+      change += held ? 100 + random.bits() % 300 : 20 + random.bits() % 80;
+    }
+    if (held) rewrite(recording.inputs[tick].packet, [](FalconReply& reply) { reply.buttons |= 1U; });
+  }
+}
+
 struct Kind {
   const char* name;
   void (*mine)(WireRecording&, cloud::Random&);
 };
-constexpr Kind kKinds[] = {{"wrap", wrap}, {"faults", faults}, {"settings", settings}, {"resume", resume}};
+constexpr Kind kKinds[] = {{"wrap", wrap}, {"faults", faults}, {"settings", settings}, {"resume", resume}, {"grip", grip}};
 
 }  // namespace
 

@@ -96,12 +96,23 @@ TEST(MinedWire, EveryFaultThatAWireCanShowIsInTheFaults) {
     without_field += record.input.field_generation == 0 ? 1U : 0U;
   }
   EXPECT_EQ(status & (kStale | kBadReply | kCountJump | kLate), kStale | kBadReply | kCountJump | kLate);
-  const std::uint16_t expected = kFaultStopped | kFaultSilent | kFaultEmergency | kFaultEnable;
+  const std::uint16_t expected = kFaultStopped | kFaultSilent | kFaultLate | kFaultEmergency | kFaultEnable;
   EXPECT_EQ(faults & expected, expected);
   EXPECT_EQ(states.size(), 7U);  // each of the supervisor's
   EXPECT_GT(active, records.size() / 4);
   EXPECT_GT(restarts, 0U);
   EXPECT_GT(without_field, 0U);
+}
+
+TEST(MinedWire, AGripThatIsLetGoHasNoForces) {
+  std::size_t held = 0, released = 0;
+  for (const DeviceTraceRecord& record : answers(mine_wire(harmless(), "grip", 1))) {
+    const bool active = record.output.tick.state == static_cast<std::uint16_t>(SupervisorState::kActive);
+    (record.output.buttons != 0 ? held : released) += 1;
+    EXPECT_FALSE(active && record.output.buttons == 0);
+  }
+  EXPECT_GT(held, 5000U);
+  EXPECT_GT(released, 1000U);
 }
 
 TEST(MinedWire, APersonWhoResumesEndsEveryFaultAgain) {
