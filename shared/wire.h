@@ -15,7 +15,7 @@ namespace isotouch::wire {
 
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'C', 'W'};
 inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 1;
+inline constexpr std::uint16_t kMinor = 2;
 inline constexpr std::size_t kKindAt = 4;
 inline constexpr std::size_t kLengthAt = 8;
 inline constexpr std::size_t kChecksumAt = 12;
@@ -43,6 +43,7 @@ enum class Kind : std::uint8_t {
   kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
   kCalibrate,    ///< Calibrate → kDone, once it is kept
   kSet,          ///< Set → kDone: the setting holds from the next tick on, by a ramp
+  kWorst,        ///< WorstRequest → kWorstTicks; since minor 2
   kDone = 128,   ///< answer without a body
   kWelcome,
   kAccepted,
@@ -52,6 +53,7 @@ enum class Kind : std::uint8_t {
   kFieldList,
   kDeviceReport = 140,
   kPostureReport,
+  kWorstTicks,
   kRecords = 192,  ///< unasked
   kRefused = 255,  ///< Refusal, in place of an answer; or unasked, with the kind of what ended
 };

@@ -150,6 +150,27 @@ struct HistogramReport {
   static void fields(auto& m, auto& use) { use(m.measure), use(m.count), use(m.bins); }
 };
 
+struct WorstRequest {
+  std::uint8_t anew = 0;  ///< 1: those before are forgotten, for every client; the answer is of what was before
+  static void fields(auto& m, auto& use) { use(m.anew); }
+};
+
+/// A tick whose words came late.
+struct WorstTick {
+  std::uint64_t number = 0;
+  std::int64_t start_ns = 0;  ///< when it began, CLOCK_MONOTONIC of the controller's machine
+  std::uint32_t wake_ns = 0;  ///< from when it should have begun
+  std::uint32_t tick_ns = 0;  ///< from its begin to its words being left
+  static void fields(auto& m, auto& use) { use(m.number), use(m.start_ns), use(m.wake_ns), use(m.tick_ns); }
+};
+inline constexpr std::size_t kWorstTickBytes = 24;
+
+struct WorstTicks {
+  std::uint64_t seen = 0;               ///< ticks that these are the worst of
+  std::span<const std::uint8_t> ticks;  ///< of kWorstTickBytes each, the latest words first
+  static void fields(auto& m, auto& use) { use(m.seen), use(m.ticks); }
+};
+
 struct Subscribe {
   std::uint32_t every = 0;  ///< one record every so many ticks; 0 = none
   static void fields(auto& m, auto& use) { use(m.every); }

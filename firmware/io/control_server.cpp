@@ -64,7 +64,7 @@ void ControlServer::run() {
   for (bool busy = false; !stop_;) {
     if (!wait(busy)) continue;
     finish_work();
-    busy = feed_.pump(clients_, posture_) || measuring_ != nullptr;
+    busy = feed_.pump(clients_, posture_, worst_) || measuring_ != nullptr;
     finish_measuring();
     const std::int64_t now = neighbours_.clock.now_ns();
     for (ControlClient& client : clients_) {
@@ -199,6 +199,10 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
       const auto wanted = wire::decode<wire::Set>(frame.body);
       return wanted ? set(client, *wanted) : malformed();
     }
+    case Kind::kWorst: {
+      const auto wanted = wire::decode<wire::WorstRequest>(frame.body);
+      return wanted ? worst(client, wanted->anew != 0) : malformed();
+    }
     default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
   }
 }
@@ -291,6 +295,12 @@ void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
   if (measure >= wire::kMeasures)
     return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
   client.say(Kind::kHistogramReport, histogram_report(static_cast<wire::Measure>(measure), neighbours_.stats, scratch_));
+}
+
+void ControlServer::worst(ControlClient& client, bool anew) {
+  if (!feed_.is_there()) return client.refuse(Kind::kWorst, "this controller shows no ticks; start it with its trace ring");
+  client.say(Kind::kWorstTicks, worst_report(worst_, scratch_));
+  if (anew) worst_.begin_anew();
 }
 
 void ControlServer::set(ControlClient& client, const wire::Set& wanted) const {

@@ -21,6 +21,7 @@
 #include "firmware/io/peer.h"
 #include "firmware/io/posture_meter.h"
 #include "firmware/io/tick_feed.h"
+#include "firmware/io/worst_ticks.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/commands.h"
 #include "firmware/loop/latest.h"
@@ -90,6 +91,7 @@ class ControlServer {
   void start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field);
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
+  void worst(ControlClient& client, bool anew);
   void set(ControlClient& client, const wire::Set& wanted) const;
   void begin_recording(ControlClient& client);
   void measure(ControlClient& client);
@@ -111,6 +113,7 @@ class ControlServer {
   ControlClient* measuring_ = nullptr;  ///< whoever asked where the arms stand; nullptr: nobody, or has gone
   std::int64_t measured_by_ns_ = 0;     ///< else the loop does not run
   PostureMeter posture_;
+  WorstTicks worst_;
   std::vector<std::uint8_t> scratch_;
   int bell_ = -1;  ///< rung by `stop`
   std::atomic<bool> stop_{false};

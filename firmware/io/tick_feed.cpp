@@ -46,7 +46,7 @@ bool TickFeed::is_free(std::span<const ControlClient> clients) const {
   return std::none_of(clients.begin(), clients.end(), [](const ControlClient& c) { return c.records; });
 }
 
-bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter) {
+bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst) {
   if (!is_there()) return false;
   const bool wanted =
       std::any_of(clients.begin(), clients.end(), [](const ControlClient& c) { return c.is_open() && (c.every > 0 || c.records); });
@@ -57,6 +57,7 @@ bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter) {
     taken += size;
     const auto ticks = std::span(batch_).first(size);
     for (std::size_t i = 0; i < size && !meter.has_ended(); ++i) meter.take(batch_[i]);
+    for (const loop::TickRecord& tick : ticks) worst.take(tick);
     for (ControlClient& client : clients) {
       if (!client.is_open() || client.leaving) continue;
       if (client.every > 0) give(client, ticks);

@@ -9,6 +9,7 @@
 
 #include "firmware/io/control_client.h"
 #include "firmware/io/posture_meter.h"
+#include "firmware/io/worst_ticks.h"
 #include "firmware/loop/commands.h"
 #include "firmware/loop/tick_record.h"
 #include "shared/device_trace.h"
@@ -39,8 +40,9 @@ class TickFeed {
   /// Gives what is in the ring to everybody who wants it.
   ///
   /// meter     takes every tick, too, while it measures
+  /// worst     takes every tick
   /// returns   true when anybody watches: call again soon
-  bool pump(std::span<ControlClient> clients, PostureMeter& meter);
+  bool pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst);
 
  private:
   static constexpr std::size_t kBatch = 64;

@@ -45,4 +45,10 @@ wire::HistogramReport histogram_report(wire::Measure measure, const loop::TickSt
   return {static_cast<std::uint8_t>(measure), seen.total, scratch.first(bins.used())};
 }
 
+wire::WorstTicks worst_report(const WorstTicks& worst, std::span<std::uint8_t> scratch) {
+  wire::BodyWriter ticks(scratch);
+  for (const wire::WorstTick& tick : worst.ticks()) wire::WorstTick::fields(tick, ticks);
+  return {worst.seen(), scratch.first(ticks.used())};
+}
+
 }  // namespace isotouch::io

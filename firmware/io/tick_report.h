@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/io/worst_ticks.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
 #include "shared/wire_messages.h"
@@ -19,5 +20,8 @@ wire::StatusReport status_report(const loop::TickRecord& newest, const loop::Tic
 wire::HistogramReport histogram_report(wire::Measure measure, const loop::TickStats& stats, std::span<std::uint8_t> scratch);
 inline constexpr std::size_t kHistogramScratch = loop::histogram_layout::kBuckets * wire::kBinBytes;
 static_assert(kHistogramScratch + 64 <= wire::kMaxBody);
+
+/// scratch     as above
+wire::WorstTicks worst_report(const WorstTicks& worst, std::span<std::uint8_t> scratch);
 
 }  // namespace isotouch::io

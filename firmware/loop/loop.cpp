@@ -7,6 +7,13 @@
 
 namespace isotouch::loop {
 
+namespace {
+
+/// As the histograms clamp it.
+std::uint32_t short_ns(std::int64_t ns) { return static_cast<std::uint32_t>(std::clamp<std::int64_t>(ns, 0, UINT32_MAX)); }
+
+}  // namespace
+
 Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Neighbours& neighbours)
     : settings_(settings),
       model_(core::make_device_model(settings.device, settings.tick, settings.period_ns)),
@@ -46,9 +53,11 @@ bool Loop::step() {
       {{record.out.tick.words, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
 
   if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.tick.state);
+  record.wake_ns = short_ns(start - wanted);
+  record.tick_ns = short_ns(clock_.now_ns() - start);
   TickStats& stats = neighbours_.stats;
-  stats.tick_time.add(clock_.now_ns() - start);
-  stats.wake_delay.add(start - wanted);
+  stats.tick_time.add(record.tick_ns);
+  stats.wake_delay.add(record.wake_ns);
   stats.ticks.add();
   stats.by_reply.add(replied && wanted == arrival ? 1 : 0);
   stats.late.add(missed > 0 ? 1 : 0);

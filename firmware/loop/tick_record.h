@@ -14,6 +14,8 @@ struct TickRecord {
   std::int64_t arrival_ns = 0;  ///< of the newest packet; 0 = none yet
   DeviceInput in;
   DeviceOutput out;
+  std::uint32_t wake_ns = 0;  ///< from when it should have begun to its begin
+  std::uint32_t tick_ns = 0;  ///< from its begin to its words being left
 };
 
 /// From the tick to the recorder.

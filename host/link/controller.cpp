@@ -97,6 +97,17 @@ void Controller::calibrate(const wire::Calibrate& measured) {
   (void)expect(Kind::kDone, kAnswer);
 }
 
+std::vector<wire::WorstTick> Controller::worst_ticks(bool anew) {
+  if (welcome_.minor < 2) return {};
+  connection_.send(Kind::kWorst, wire::WorstRequest{static_cast<std::uint8_t>(anew ? 1 : 0)});
+  const auto report = read<wire::WorstTicks>(expect(Kind::kWorstTicks, kAnswer));
+  std::vector<wire::WorstTick> worst;
+  for (std::size_t at = 0; at + wire::kWorstTickBytes <= report.ticks.size(); at += wire::kWorstTickBytes) {
+    worst.push_back(*wire::decode<wire::WorstTick>(report.ticks.subspan(at, wire::kWorstTickBytes)));
+  }
+  return worst;
+}
+
 void Controller::stop() {
   connection_.send(Kind::kStop);
   (void)expect(Kind::kDone, kAnswer);

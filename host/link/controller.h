@@ -46,6 +46,10 @@ class Controller {
   wire::PostureReport posture(DeviceModel& model);
   /// The controller keeps these angles.
   void calibrate(const wire::Calibrate& measured);
+  /// The ticks whose words came latest since they were last forgotten; of minor version 2. None where an older controller answers.
+  ///
+  /// anew      those until now are forgotten after this
+  std::vector<wire::WorstTick> worst_ticks(bool anew);
   void stop();
   void resume();
   /// A setting that may change while it is felt, and its value as in the settings' file; at most 63 characters each.

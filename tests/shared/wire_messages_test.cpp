@@ -41,6 +41,9 @@ TEST(WireMessages, EveryMessageComesBack) {
   expect_round_trip(HistogramRequest{2}, 1);
   expect_round_trip(Bin{12'000, 99}, kBinBytes);
   expect_round_trip(HistogramReport{2, 99, some}, 13);
+  expect_round_trip(WorstRequest{1}, 1);
+  expect_round_trip(WorstTick{7, -1, 12'000, 9'000}, kWorstTickBytes);
+  expect_round_trip(WorstTicks{1000, some}, 12);
   expect_round_trip(Subscribe{10}, 4);
   expect_round_trip(Recording{some}, 4);
   expect_round_trip(Records{77, 1, 72, 0, some}, 28);

@@ -46,6 +46,24 @@ TEST(ControlServer, RequestsMayBeSentAheadOfTheirAnswers) {
   EXPECT_EQ(wire::decode<wire::StatusReport>(status.body)->field_hash, ball.promise.image_hash);
 }
 
+TEST(ControlServer, TheWorstTicksAreThoseSinceTheyWereForgotten) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  const auto ask = [&](std::uint8_t anew) {
+    speaker.say(Kind::kWorst, wire::WorstRequest{anew});
+    const Heard heard = speaker.hear();
+    EXPECT_EQ(heard.kind, Kind::kWorstTicks);
+    const auto report = wire::decode<wire::WorstTicks>(heard.body);
+    EXPECT_EQ(report->ticks.size(), std::min<std::uint64_t>(report->seen, 10) * wire::kWorstTickBytes);
+    return report->seen;
+  };
+  for (int i = 0; i < 100 && ask(0) < 20; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const std::uint64_t before = ask(1);
+  EXPECT_GE(before, 20U);
+  EXPECT_LT(ask(0), before) << "they were not forgotten";
+}
+
 TEST(ControlServer, AnUploadCutAtAnyFrameLeavesTheOldField) {
   ControlRig rig;
   const PackedField old = packed_ball(1), other = packed_ball(2);
