@@ -68,13 +68,16 @@ Address read_address(const std::string& text) {
   return address;
 }
 
-std::vector<std::string> ssh_command(const Address& address, const std::string& ssh) {
+std::vector<std::string> ssh_command(const Address& address, const std::string& ssh, const std::string& there) {
   std::vector<std::string> command = {ssh, "-T"};
   if (!address.port.empty()) command.insert(command.end(), {"-p", address.port});
   if (!address.user.empty()) command.insert(command.end(), {"-l", address.user});
-  command.insert(command.end(), {"--", address.host, "isotouchd relay"});
-  if (!address.socket.empty()) command.back().append(1, ' ').append(quoted(address.socket));
+  command.insert(command.end(), {"--", address.host, there});
   return command;
+}
+
+std::string relay_command(const Address& address) {
+  return address.socket.empty() ? "isotouchd relay" : "isotouchd relay " + quoted(address.socket);
 }
 
 }  // namespace isotouch::link

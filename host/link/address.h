@@ -20,10 +20,14 @@ struct Address {
 /// fails     InputError: what is wrong with it and how one looks
 Address read_address(const std::string& text);
 
-/// The program that reaches a remote controller, with its arguments: ssh, that runs the relay there. Nothing in an address is taken for an option, or
-/// for more than one word, on either machine.
+/// The program that runs a command on a remote machine, with its arguments. Nothing in an address is taken for an option, or for more than one word, on
+/// either machine.
 ///
 /// ssh       name or path of the program
-std::vector<std::string> ssh_command(const Address& address, const std::string& ssh);
+/// there     for the shell of the other machine
+std::vector<std::string> ssh_command(const Address& address, const std::string& ssh, const std::string& there);
+
+/// What reaches the controller on its own machine: the relay. For ssh_command.
+std::string relay_command(const Address& address);
 
 }  // namespace isotouch::link

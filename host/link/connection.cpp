@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <sys/wait.h>
@@ -11,12 +10,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 
 #include "host/error.h"
-
-extern char** environ;
+#include "host/link/child.h"
 
 namespace isotouch::link {
 
@@ -36,32 +33,11 @@ int connect_to(const Address& address) {
   throw InputError(address.text + ": no controller answers there (" + why + "); start isotouchd, or check the path and its permissions");
 }
 
-/// Runs ssh with one end of a pair of sockets as its input and output. returns the other end
-int run_ssh(const Address& address, pid_t& child) {
-  const char* chosen = std::getenv("ISOTOUCH_SSH");
-  std::vector<std::string> command = ssh_command(address, chosen != nullptr && *chosen != 0 ? chosen : "ssh");
-  std::vector<char*> words;
-  for (std::string& word : command) words.push_back(word.data());
-  words.push_back(nullptr);
-  int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(address.text + ": " + std::strerror(errno));
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-  const int failed = ::posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  ::close(ends[1]);
-  if (failed == 0) return ends[0];
-  child = -1;
-  ::close(ends[0]);
-  throw InputError(address.text + ": " + command[0] + " cannot be run (" + std::strerror(failed) + "); install an ssh client");
-}
-
 }  // namespace
 
 Connection::Connection(const Address& address) : address_(address), frame_(wire::kMaxFrame), in_(2 * wire::kMaxFrame) {
-  stream_ = address.is_remote() ? run_ssh(address, child_) : connect_to(address);
+  stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
+                                : connect_to(address);
 }
 
 Connection::~Connection() {

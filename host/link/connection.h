@@ -16,7 +16,7 @@ namespace isotouch::link {
 
 class Connection {
  public:
-  /// Connects; for a remote controller the program is ISOTOUCH_SSH of the environment, or else ssh.
+  /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
   /// fails     InputError: what is not there and what to do
   explicit Connection(const Address& address);

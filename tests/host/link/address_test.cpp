@@ -13,27 +13,29 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+Words reached(const Address& address, const char* ssh) { return ssh_command(address, ssh, relay_command(address)); }
+
 TEST(Address, AWholeOneIsRead) {
   const Address address = read_address("ssh://me@board.local:2222/run/isotouch.sock");
   EXPECT_EQ(address.user, "me");
   EXPECT_EQ(address.host, "board.local");
   EXPECT_EQ(address.port, "2222");
   EXPECT_EQ(address.socket, "/run/isotouch.sock");
-  EXPECT_EQ(ssh_command(address, "ssh"),
+  EXPECT_EQ(reached(address, "ssh"),
             (Words{"ssh", "-T", "-p", "2222", "-l", "me", "--", "board.local", "isotouchd relay '/run/isotouch.sock'"}));
 }
 
 TEST(Address, WhatIsLeftOutIsLeftToOthers) {
-  EXPECT_EQ(ssh_command(read_address("ssh://board"), "ssh"), (Words{"ssh", "-T", "--", "board", "isotouchd relay"}));
-  EXPECT_EQ(ssh_command(read_address("ssh://board/"), "ssh"), (Words{"ssh", "-T", "--", "board", "isotouchd relay"}));
-  EXPECT_EQ(ssh_command(read_address("ssh://[fe80::1%eth0]:22"), "x").at(5), "fe80::1%eth0");
+  EXPECT_EQ(reached(read_address("ssh://board"), "ssh"), (Words{"ssh", "-T", "--", "board", "isotouchd relay"}));
+  EXPECT_EQ(reached(read_address("ssh://board/"), "ssh"), (Words{"ssh", "-T", "--", "board", "isotouchd relay"}));
+  EXPECT_EQ(reached(read_address("ssh://[fe80::1%eth0]:22"), "x").at(5), "fe80::1%eth0");
   const Address local = read_address("unix:control.sock");
   EXPECT_FALSE(local.is_remote());
   EXPECT_EQ(local.socket, "control.sock");
 }
 
 TEST(Address, NothingInItBecomesAnOptionOrACommand) {
-  EXPECT_EQ(ssh_command(read_address("ssh://b/a'; reboot; '"), "ssh").back(), "isotouchd relay '/a'\\''; reboot; '\\'''");
+  EXPECT_EQ(reached(read_address("ssh://b/a'; reboot; '"), "ssh").back(), "isotouchd relay '/a'\\''; reboot; '\\'''");
   for (const char* text : {"ssh://-oProxyCommand=reboot", "ssh://-x@board", "ssh://a b", "ssh://a;b", "ssh://$(a)", "ssh://u'@b"}) {
     EXPECT_THROW((void)read_address(text), InputError) << text;
   }

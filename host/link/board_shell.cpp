@@ -1,0 +1,69 @@
+#include "host/link/board_shell.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+#include "host/error.h"
+#include "host/link/child.h"
+
+namespace isotouch::link {
+
+namespace {
+
+constexpr std::string_view kEnded = "\nisotouch: ended ";  ///< a line that no command of ours prints
+
+}  // namespace
+
+BoardShell::BoardShell(const Address& address) : text_(address.text) {
+  std::vector<std::string> command = {"sh"};
+  if (address.is_remote()) command = ssh_command(address, ssh_program(), "sh");
+  stream_ = run_child(std::move(command), text_, child_);
+}
+
+BoardShell::~BoardShell() {
+  ::close(stream_);
+  ::kill(child_, SIGTERM);
+  ::waitpid(child_, nullptr, 0);
+}
+
+BoardShell::Answer BoardShell::run(const std::string& command, double patience_s) {
+  using Clock = std::chrono::steady_clock;
+  const std::string line = "(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended %d\\n' $?\n";
+  for (std::size_t sent = 0; sent < line.size();) {
+    const ssize_t taken = ::send(stream_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken < 0) throw InputError(text_ + ": there is no shell to ask; see what ssh said");
+    sent += static_cast<std::size_t>(taken);
+  }
+  const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
+  for (;;) {
+    const auto mark = unread_.find(kEnded);
+    const auto last = mark == std::string::npos ? mark : unread_.find('\n', mark + kEnded.size());
+    if (last != std::string::npos) {
+      const Answer answer{std::atoi(unread_.c_str() + mark + kEnded.size()), unread_.substr(0, mark)};
+      unread_.erase(0, last + 1);
+      return answer;
+    }
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    pollfd one{stream_, POLLIN, 0};
+    const int ready = left <= 0 ? 0 : ::poll(&one, 1, static_cast<int>(left));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) throw InputError(text_ + ": a command there has not ended in time; see how busy the board is");
+    char more[4096];
+    const ssize_t size = ::recv(stream_, more, sizeof more, 0);
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) throw InputError(text_ + ": the shell there has ended; see what ssh said");
+    unread_.append(more, static_cast<std::size_t>(size));
+  }
+}
+
+}  // namespace isotouch::link

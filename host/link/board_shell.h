@@ -1,0 +1,38 @@
+/// A shell on the machine where a controller runs: here, or over one ssh connection that is kept, so that what is asked while ticks are measured costs
+/// no new handshake.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+#include "host/link/address.h"
+
+namespace isotouch::link {
+
+class BoardShell {
+ public:
+  /// fails     InputError: what is not there and what to do
+  explicit BoardShell(const Address& address);
+  ~BoardShell();
+  BoardShell(const BoardShell&) = delete;
+  BoardShell& operator=(const BoardShell&) = delete;
+
+  struct Answer {
+    int status = 0;    ///< exit status
+    std::string text;  ///< what it printed, complaints too
+  };
+
+  /// Runs one command of the shell's language; its input is empty.
+  ///
+  /// fails     InputError: the shell is gone, or the command has not ended in so many seconds
+  Answer run(const std::string& command, double patience_s);
+
+ private:
+  std::string text_;  ///< the address, as written
+  int stream_ = -1;
+  pid_t child_ = -1;
+  std::string unread_;
+};
+
+}  // namespace isotouch::link

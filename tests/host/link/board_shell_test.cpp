@@ -1,0 +1,66 @@
+#include "host/link/board_shell.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "host/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::link {
+namespace {
+
+TEST(BoardShell, AnswersEveryCommandWithItsOwnTextAndStatus) {
+  BoardShell shell(read_address("unix:/nowhere"));
+  for (int i = 0; i < 3; ++i) {
+    const auto answer = shell.run("echo one; echo two >&2; x=" + std::to_string(i) + "; exit $((x + 4))", 10);
+    EXPECT_EQ(answer.status, 4 + i);
+    EXPECT_EQ(answer.text, "one\ntwo\n");
+  }
+  EXPECT_EQ(shell.run("echo \"${x:-gone}\"", 10).text, "gone\n") << "one command leaves nothing to the next";
+  EXPECT_EQ(shell.run("cat; printf 'no end of line'", 10).text, "no end of line") << "the input is empty";
+}
+
+TEST(BoardShell, LongAnswersComeWhole) {
+  BoardShell shell(read_address("unix:/nowhere"));
+  const auto answer = shell.run("i=0; while [ $i -lt 5000 ]; do echo \"line $i\"; i=$((i + 1)); done", 30);
+  EXPECT_THAT(answer.text, testing::EndsWith("line 4999\n"));
+  EXPECT_EQ(answer.text.size(), 10U * 7 + 90 * 8 + 900 * 9 + 4000 * 10);
+}
+
+TEST(BoardShell, OneThatHangsOrEndsIsSaid) {
+  const auto complaint = [](const char* command, double patience_s) {
+    BoardShell shell(read_address("unix:/nowhere"));
+    try {
+      (void)shell.run(command, patience_s);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(complaint("sleep 10", 0.1), testing::HasSubstr("has not ended in time"));
+  EXPECT_THAT(complaint("kill -9 $$", 10), testing::HasSubstr("has ended"));
+}
+
+TEST(BoardShell, ARemoteOneIsReachedByTheChosenProgram) {
+  const ScratchFolder scratch;
+  const std::string ssh = (scratch.path() / "ssh").string();
+  std::ofstream(ssh) << "#!/bin/sh\nwhile [ \"$1\" != -- ]; do shift; done\necho \"at $2\" >\"$0.said\"\nexec sh -c \"$3\"\n";
+  ::chmod(ssh.c_str(), 0755);
+  ::setenv("ISOTOUCH_SSH", ssh.c_str(), 1);
+  {
+    BoardShell shell(read_address("ssh://me@board"));
+    EXPECT_EQ(shell.run("echo here", 10).text, "here\n");
+  }
+  ::unsetenv("ISOTOUCH_SSH");
+  std::string said;
+  std::getline(std::ifstream(ssh + ".said"), said);
+  EXPECT_EQ(said, "at board");
+}
+
+}  // namespace
+}  // namespace isotouch::link
