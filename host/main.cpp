@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
   commands::add_stop(app);
   commands::add_resume(app);
   commands::add_set(app);
+  commands::add_qualify(app);
   try {
     app.parse(argc, argv);
     return kDone;

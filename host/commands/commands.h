@@ -37,5 +37,6 @@ void add_record(CLI::App& app);
 void add_stop(CLI::App& app);
 void add_resume(CLI::App& app);
 void add_set(CLI::App& app);
+void add_qualify(CLI::App& app);
 
 }  // namespace isotouch::commands

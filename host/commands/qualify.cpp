@@ -1,0 +1,82 @@
+/// isotouch qualify: is a board fit? Its ticks, its timers, its temperature and what its worst ticks waited for, in one report with a verdict.
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/cloud/files.h"
+#include "host/commands/commands.h"
+#include "host/commands/controller_options.h"
+#include "host/error.h"
+#include "host/qualify/measure.h"
+#include "host/qualify/report.h"
+#include "host/qualify/svg.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::string to;
+  qualify::Wish wish;
+  qualify::Limits limits;
+  std::filesystem::path page, json;
+};
+
+void print(const qualify::Figures& figures, const std::vector<qualify::Judgement>& judgements) {
+  for (const qualify::Judgement& j : judgements) {
+    const bool known = j.outcome != qualify::Judgement::Outcome::kNotMeasured;
+    std::printf("%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
+                qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
+  }
+  for (const std::string& remark : {figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
+    if (!remark.empty()) std::printf("%s\n", remark.c_str());
+  }
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  if (!file.empty()) cloud::write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
+void run(const Options& options) {
+  const qualify::Figures figures =
+      qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
+  const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
+  write(options.page, qualify::html_report(figures, judgements));
+  write(options.json, qualify::json_report(figures, judgements).dump(2) + "\n");
+  print(figures, judgements);
+  if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));
+  std::printf("%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
+}
+
+}  // namespace
+
+void add_qualify(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("qualify", "Is a board fit to render forces? Measures its ticks, timers and temperature; exit code 3: no");
+  add_address(*command, options->to);
+  command->add_option("-o,--out", options->page, "the report, a page (.html)");
+  command->add_option("--json", options->json, "the same figures for programs (.json)");
+  command->add_option("--seconds", options->wish.seconds, "how long the ticks are measured, and as long again cyclictest")
+      ->check(CLI::Range(1.0, 86400.0))
+      ->capture_default_str();
+  command->add_option("--priority", options->wish.priority, "of cyclictest; 0 = it is not run")
+      ->check(CLI::Range(0, 99))
+      ->capture_default_str();
+  command->add_flag("!--no-trace", options->wish.trace, "leave the kernel's tracer alone; then causes are not known");
+  qualify::Limits& limits = options->limits;
+  command->add_option("--left-out", limits.left_out, "limit of ticks that did not come, of a hundred expected ones")->capture_default_str();
+  command->add_option("--late", limits.late_ticks, "limit of late ticks")->capture_default_str();
+  command->add_option("--wakeup-us", limits.wakeup_us, "limit of 99.9 % of the wake-ups; 0 = a tenth of the period")->capture_default_str();
+  command->add_option("--word-ticks", limits.word_ticks, "limit of all delays from sensor to word")->capture_default_str();
+  command->add_option("--celsius", limits.celsius, "limit of the temperature")->capture_default_str();
+  command->add_option("--page-faults", limits.page_faults, "limit of the tick's page faults")->capture_default_str();
+  command->add_option("--allocations", limits.allocations, "limit of the tick's allocations")->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

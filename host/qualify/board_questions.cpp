@@ -1,0 +1,161 @@
+#include "host/qualify/board_questions.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+#include <string_view>
+
+namespace isotouch::qualify {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The kernel's folder for tracing, where this user may make a buffer in it.
+constexpr std::string_view kFindTracer =
+    "t=/sys/kernel/tracing; [ -d $t/instances ] || t=/sys/kernel/debug/tracing\n"
+    "i=$t/instances/isotouch\n";
+
+}  // namespace
+
+std::string describe_command() {
+  return "echo \"kernel=$(uname -sr) $(uname -v)\"; echo \"processor=$(uname -m), $(nproc 2>/dev/null || echo '?')\"\n"
+         "[ -r /proc/device-tree/model ] && echo \"model=$(tr -d '\\000' </proc/device-tree/model)\"\n"
+         "[ -r /sys/kernel/realtime ] && echo \"real-time kernel=$(cat /sys/kernel/realtime)\"\n"
+         "echo \"boot options=$(cat /proc/cmdline 2>/dev/null)\"\n"
+         "g=/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor; [ -r $g ] && echo \"frequency governor=$(cat $g)\"\n"
+         "echo \"load=$(cut -d' ' -f1-3 /proc/loadavg)\"; true";
+}
+
+std::vector<std::pair<std::string, std::string>> read_description(const std::string& text) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& line : lines_of(text)) {
+    const auto equals = line.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == line.size()) continue;
+    pairs.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+  }
+  return pairs;
+}
+
+std::string sensors_command() {
+  return "for f in /sys/class/thermal/thermal_zone*/temp; do [ -r $f ] && echo \"millicelsius $(cat $f)\"; done 2>/dev/null\n"
+         "for f in /sys/devices/system/cpu/cpu[0-9]*/cpufreq/scaling_cur_freq; do [ -r $f ] && echo \"kilohertz $(cat $f)\"; done "
+         "2>/dev/null; true";
+}
+
+void read_sensors(const std::string& text, Moment& moment) {
+  for (const std::string& line : lines_of(text)) {
+    double value = 0;
+    if (std::sscanf(line.c_str(), "millicelsius %lf", &value) == 1) moment.celsius = std::max(value / 1000, moment.celsius.value_or(-273));
+    if (std::sscanf(line.c_str(), "kilohertz %lf", &value) == 1) moment.megahertz = std::min(value / 1000, moment.megahertz.value_or(1e9));
+  }
+}
+
+std::string timer_command(int priority, std::uint32_t period_us, double seconds) {
+  const std::string options = "-q -m -p " + std::to_string(priority) + " -i " + std::to_string(period_us) + " -h 20000 -D " +
+                              std::to_string(static_cast<int>(std::ceil(seconds)));
+  return "command -v cyclictest >/dev/null || { echo 'cyclictest is not installed there (package rt-tests)'; exit 3; }\n"
+         "o=$(cyclictest " +
+         options + " 2>&1) || { echo \"$o\" | grep -v '^#' | head -1; exit 4; }\necho \"$o\" | grep -v ' 000000$'";
+}
+
+std::optional<link::Histogram> read_timer(int status, const std::string& text, std::string& why) {
+  if (status != 0) {
+    const auto lines = lines_of(text);
+    why = lines.empty() || lines[0].empty() ? "cyclictest failed there" : lines[0];
+    return std::nullopt;
+  }
+  link::Histogram histogram;
+  std::uint64_t beyond = 0, most_us = 0;
+  for (const std::string& line : lines_of(text)) {
+    unsigned long long us = 0, count = 0;
+    if (std::sscanf(line.c_str(), "# Max Latencies: %llu", &us) == 1) most_us = us;
+    if (std::sscanf(line.c_str(), "# Histogram Overflows: %llu", &count) == 1) beyond = count;
+    if (line.empty() || std::isdigit(static_cast<unsigned char>(line[0])) == 0) continue;
+    if (std::sscanf(line.c_str(), "%llu %llu", &us, &count) != 2 || count == 0) continue;
+    histogram.count += count;
+    histogram.bins.push_back({static_cast<std::uint32_t>((us + 1) * 1000), count});  // whole microseconds, cut off
+  }
+  if (beyond > 0) {
+    histogram.count += beyond;
+    histogram.bins.push_back({static_cast<std::uint32_t>(std::min<std::uint64_t>((most_us + 1) * 1000, UINT32_MAX)), beyond});
+  }
+  if (histogram.count > 0) return histogram;
+  why = "cyclictest counted nothing there";
+  return std::nullopt;
+}
+
+std::string begin_tracing_command() {
+  return std::string(kFindTracer) +
+         "mkdir $i 2>/dev/null || [ -d $i ] || exit 1\ncd $i || exit 1\n"
+         "echo 0 >tracing_on && echo mono >trace_clock && echo 2048 >buffer_size_kb && echo 1 >events/sched/sched_switch/enable &&\n"
+         "echo 1 >events/irq/irq_handler_entry/enable && echo 1 >events/irq/softirq_entry/enable && echo 1 >tracing_on";
+}
+
+std::string end_tracing_command() { return std::string(kFindTracer) + "[ ! -d $i ] || rmdir $i"; }
+
+std::string trace_command(const wire::WorstTick& tick) {
+  // A millisecond before, because the last switch tells who had the processor; the tracer's times are microseconds, cut off.
+  const double begun = static_cast<double>(tick.start_ns) / 1e9, due = begun - tick.wake_ns / 1e9;
+  char window[160];
+  std::snprintf(window, sizeof window, "-v due=%.6f -v from=%.6f -v to=%.6f", due, due - 0.001, begun + 0.000002);
+  return std::string(kFindTracer) + "awk " + window +
+         " '/^#/ { next }\n"
+         "   match($0, / [0-9]+\\.[0-9]+: /) { t = substr($0, RSTART + 1, RLENGTH - 3) + 0; if (t >= from && t <= to) print (t < due ? "
+         "\"before\" : \"since\"), $0 }'\n"
+         "   $i/trace";
+}
+
+std::string read_cause(const std::string& text) {
+  // The processor is that of the last switch to the tick.
+  static const std::regex kEvent(R"(^(before|since) .*\[(\d+)\] .*: (sched_switch|irq_handler_entry|softirq_entry): (.*)$)");
+  static const std::regex kNext(R"(prev_comm=(.*) prev_pid=.*next_comm=(.*) next_pid=)");
+  static const std::regex kIrq(R"(irq=(\d+) name=(.*))"), kSoftirq(R"(action=(\w+))");
+  struct Event {
+    bool since;
+    std::string processor, kind, rest;
+  };
+  std::vector<Event> events;
+  std::string processor;
+  for (const std::string& line : lines_of(text)) {
+    std::smatch m, names;
+    if (!std::regex_match(line, m, kEvent)) continue;
+    events.push_back({m[1] == "since", m[2], m[3], m[4]});
+    const std::string rest = m[4];
+    if (m[3] == "sched_switch" && std::regex_search(rest, names, kNext) && names[2] == "tick") processor = m[2];
+  }
+  if (processor.empty()) return {};
+  std::vector<std::string> seen;
+  const auto add = [&](const std::string& what) {
+    if (what != "tick" && std::find(seen.begin(), seen.end(), what) == seen.end()) seen.push_back(what);
+  };
+  std::string running;
+  for (const Event& event : events) {
+    if (event.processor != processor) continue;
+    std::smatch m;
+    if (event.kind == "sched_switch" && std::regex_search(event.rest, m, kNext)) {
+      if (event.since) add(m[1].str().starts_with("swapper") ? "idle" : m[1].str());
+    } else if (event.since && event.kind == "irq_handler_entry" && std::regex_search(event.rest, m, kIrq)) {
+      add("interrupt " + m[1].str() + " (" + m[2].str() + ")");
+    } else if (event.since && event.kind == "softirq_entry" && std::regex_search(event.rest, m, kSoftirq)) {
+      add("softirq " + m[1].str());
+    }
+  }
+  std::string text_of;
+  for (const std::string& what : seen) text_of += (text_of.empty() ? "" : ", ") + what;
+  if (text_of == "idle") return "nothing else ran: the processor slept";
+  return text_of.empty()
+             ? text_of
+             : "processor " + processor.substr(std::min(processor.find_first_not_of('0'), processor.size() - 1)) + ": " + text_of;
+}
+
+}  // namespace isotouch::qualify

@@ -1,0 +1,39 @@
+#include "host/qualify/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace isotouch::qualify {
+
+link::Histogram between(const link::Histogram& before, const link::Histogram& after) {
+  link::Histogram grown{after.count - std::min(after.count, before.count), {}};
+  auto old = before.bins.begin();
+  for (const wire::Bin& bin : after.bins) {
+    // The last class is told with the largest value instead of its bound, so an old bound may lie below the new one's.
+    std::uint64_t known = 0;
+    for (; old != before.bins.end() && old->upper <= bin.upper; ++old) known += old->count;
+    if (bin.count > known) grown.bins.push_back({bin.upper, bin.count - known});
+  }
+  return grown;
+}
+
+std::optional<std::uint32_t> quantile_ns(const link::Histogram& histogram, double share) {
+  std::uint64_t all = 0, below = 0;
+  for (const wire::Bin& bin : histogram.bins) all += bin.count;
+  const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(all)));
+  for (const wire::Bin& bin : histogram.bins) {
+    below += bin.count;
+    if (below >= wanted && bin.count > 0) return bin.upper;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> hottest(const std::vector<Moment>& moments) {
+  std::optional<double> most;
+  for (const Moment& moment : moments) {
+    if (moment.celsius && (!most || *moment.celsius > *most)) most = moment.celsius;
+  }
+  return most;
+}
+
+}  // namespace isotouch::qualify

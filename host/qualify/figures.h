@@ -1,0 +1,58 @@
+/// What was measured of a board, complete and by value: what the verdict judges and the reports show.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/link/controller.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::qualify {
+
+/// One look during the measurement.
+struct Moment {
+  double second = 0;                ///< since the measurement began
+  std::optional<double> celsius;    ///< the hottest of the board's sensors
+  std::optional<double> megahertz;  ///< of the slowest processor
+  std::uint64_t late = 0;           ///< ticks since the measurement began
+  std::uint16_t state = 0;          ///< SupervisorState
+};
+
+struct WorstTick {
+  wire::WorstTick tick;
+  std::string cause;  ///< what the processor did instead; empty: unknown
+};
+
+struct Figures {
+  std::string address, program;
+  std::vector<std::pair<std::string, std::string>> board;  ///< name and value of what describes it
+  std::uint32_t period_ns = 1'000'000;                     ///< of a tick
+  double seconds = 0;                                      ///< that the ticks were measured for
+
+  // All of these belong to that time alone.
+  std::uint64_t ticks = 0, late = 0, page_faults = 0, allocations = 0;
+  std::array<link::Histogram, wire::kMeasures> measures;
+  std::vector<Moment> moments;
+  std::vector<WorstTick> worst;  ///< the latest words first
+  std::string worst_unknown;     ///< one sentence why there are none
+  std::string cause_unknown;     ///< one sentence why causes are not known
+
+  link::Histogram timer;      ///< cyclictest's wake-ups; ns
+  std::string timer_unknown;  ///< one sentence why there are none
+};
+
+/// What came between two readings of a histogram that only grows.
+link::Histogram between(const link::Histogram& before, const link::Histogram& after);
+
+/// The bound of a class that `share` of all values do not exceed; nothing when there are no values.
+///
+/// share     0 to 1; 1: the largest value's class
+std::optional<std::uint32_t> quantile_ns(const link::Histogram& histogram, double share);
+
+/// The highest temperature of all looks; nothing when the board has no sensor.
+std::optional<double> hottest(const std::vector<Moment>& moments);
+
+}  // namespace isotouch::qualify

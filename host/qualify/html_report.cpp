@@ -1,0 +1,113 @@
+#include <cstdint>
+#include <optional>
+
+#include "host/qualify/report.h"
+#include "host/qualify/svg.h"
+
+namespace isotouch::qualify {
+
+namespace {
+
+constexpr const char* kStyle =
+    "body{font:15px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}"
+    "h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}table{border-collapse:collapse}td,th{padding:.2rem .9rem .2rem "
+    "0;text-align:left;"
+    "border-bottom:1px solid #ddd;vertical-align:top}td.n{text-align:right;font-variant-numeric:tabular-nums}"
+    ".fit{color:#17692b}.unfit{color:#b00020}.missed{color:#b00020;font-weight:600}.unknown{color:#777}"
+    "svg{width:100%;max-width:46rem;font:11px system-ui,sans-serif;fill:#555}svg .grid{stroke:#eee}svg .bar{fill:#4878a8}"
+    "svg .limit{stroke:#b00020;stroke-width:1.5;stroke-dasharray:5 3}svg .beside{fill:none;stroke:#d08000;stroke-width:1.5}"
+    "svg .course{fill:none;stroke:#4878a8;stroke-width:1.5}";
+
+std::string row(const std::string& name, const std::string& value) {
+  return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+}
+
+std::string verdict_table(const std::vector<Judgement>& judgements) {
+  std::string html = "<table><tr><th>what</th><th>limit</th><th>seen</th><th></th></tr>\n";
+  for (const Judgement& j : judgements) {
+    const bool known = j.outcome != Judgement::Outcome::kNotMeasured;
+    const char* look = j.outcome == Judgement::Outcome::kMissed ? "missed" : known ? "fit" : "unknown";
+    html += "<tr><td>" + escaped(j.what) + "</td><td class=\"n\">" + short_number(j.limit) + " " + escaped(j.unit) +
+            "</td><td class=\"n\">" + (known ? short_number(j.value) + " " + escaped(j.unit) : "") + "</td><td class=\"" + look + "\">" +
+            name_of(j.outcome) + "</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+/// p50, p99, p99.9 and the largest, in words.
+std::string quantiles(const link::Histogram& histogram, double unit_ns, const char* unit) {
+  std::string text = std::to_string(histogram.count) + " values";
+  const auto add = [&](const char* name, double share) {
+    if (const auto ns = quantile_ns(histogram, share)) text += std::string(", ") + name + " " + short_number(*ns / unit_ns) + " " + unit;
+  };
+  add("median", 0.5), add("99 %", 0.99), add("99.9 %", 0.999), add("largest", 1);
+  return text;
+}
+
+std::string worst_table(const Figures& figures) {
+  if (figures.worst.empty())
+    return "<p>" + escaped(figures.worst_unknown.empty() ? "There were no ticks." : figures.worst_unknown) + "</p>\n";
+  std::string html = "<table><tr><th>tick</th><th>began late by</th><th>took</th><th>what had its processor</th></tr>\n";
+  for (const WorstTick& worst : figures.worst) {
+    html += "<tr><td class=\"n\">" + std::to_string(worst.tick.number) + "</td><td class=\"n\">" +
+            short_number(worst.tick.wake_ns / 1000.0) + " us</td><td class=\"n\">" + short_number(worst.tick.tick_ns / 1000.0) +
+            " us</td>" + (worst.cause.empty() ? "<td class=\"unknown\">unknown" : "<td>" + escaped(worst.cause)) + "</td></tr>\n";
+  }
+  html += "</table>\n";
+  if (!figures.cause_unknown.empty()) html += "<p>Causes: " + escaped(figures.cause_unknown) + "</p>\n";
+  return html;
+}
+
+std::string course(const Figures& figures, const char* title, const char* unit, std::optional<double> Moment::*value) {
+  std::vector<Sample> samples;
+  for (const Moment& m : figures.moments) {
+    if (m.*value) samples.push_back({m.second, *(m.*value)});
+  }
+  const std::string heading = std::string("<h2>") + title + "</h2>\n";
+  return heading + (samples.empty() ? "<p>This board shows none.</p>\n" : course_svg(samples, unit));
+}
+
+std::string late_course(const Figures& figures) {
+  std::vector<Sample> samples;
+  for (const Moment& m : figures.moments) samples.push_back({m.second, static_cast<double>(m.late)});
+  return "<h2>Late ticks until then</h2>\n" + course_svg(samples, "ticks");
+}
+
+}  // namespace
+
+std::string html_report(const Figures& figures, const std::vector<Judgement>& judgements) {
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Qualification of " +
+                     escaped(figures.address) + "</title><style>" + kStyle + "</style></head><body>\n";
+  html += "<h1>" + escaped(figures.address) + " is <span class=\"" + (is_fit(judgements) ? "fit" : "unfit") + "\">" +
+          escaped(sentence(judgements)) + "</span></h1>\n";
+  html += "<p>" + std::to_string(figures.ticks) + " ticks of " + short_number(figures.period_ns / 1000.0) + " us in " +
+          short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
+  html += "<h2>The board</h2>\n<table>" + row("controller", figures.program);
+  for (const auto& [name, value] : figures.board) html += row(name, value);
+  html += "</table>\n";
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const auto measure = static_cast<wire::Measure>(i);
+    const MeasureText text = text_of(measure);
+    const double unit_ns = measure == wire::Measure::kDelay ? figures.period_ns : 1000.0;
+    std::optional<double> limit;
+    for (const Judgement& j : judgements) {
+      if (measure == wire::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
+      if (measure == wire::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
+    }
+    html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";
+    if (measure == wire::Measure::kWakeup) {
+      html += figures.timer.count > 0
+                  ? "<p>The line beside it is cyclictest, the same priority and rate afterwards: " + quantiles(figures.timer, 1000, "us") +
+                        "</p>\n"
+                  : "<p>Nothing stands beside it: " + escaped(figures.timer_unknown) + "</p>\n";
+    }
+    html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
+                          measure == wire::Measure::kWakeup ? figures.timer : link::Histogram{});
+  }
+  html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
+  html += course(figures, "Temperature", "°C", &Moment::celsius) +
+          course(figures, "Clock rate of the slowest processor", "MHz", &Moment::megahertz);
+  return html + late_course(figures) + "</body></html>\n";
+}
+
+}  // namespace isotouch::qualify

@@ -1,0 +1,77 @@
+#include <nlohmann/json.hpp>
+
+#include "host/qualify/report.h"
+
+namespace isotouch::qualify {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const link::Histogram& histogram, double unit_ns) {
+  Json bins = Json::array();
+  for (const wire::Bin& bin : histogram.bins) bins.push_back({{"up_to", bin.upper / unit_ns}, {"count", bin.count}});
+  Json json{{"count", histogram.count}};
+  for (const auto& [name, share] : {std::pair{"p50", 0.5}, std::pair{"p99", 0.99}, std::pair{"p999", 0.999}, std::pair{"max", 1.0}}) {
+    const auto ns = quantile_ns(histogram, share);
+    json[name] = ns ? Json(*ns / unit_ns) : Json();
+  }
+  json["bins"] = bins;
+  return json;
+}
+
+}  // namespace
+
+MeasureText text_of(wire::Measure measure) {
+  switch (measure) {
+    case wire::Measure::kWakeup: return {"wakeup_us", "Wake-up: how late a tick begins", "us"};
+    case wire::Measure::kTick: return {"tick_us", "Tick: from its begin to its words", "us"};
+    case wire::Measure::kRoundTrip: return {"round_trip_us", "USB round trip: from words handed over to the reply", "us"};
+    case wire::Measure::kDelay: break;
+  }
+  return {"delay_ticks", "Sensor to word: from a reply to the words made of it", "ticks"};
+}
+
+Json json_report(const Figures& figures, const std::vector<Judgement>& judgements) {
+  Json json{{"verdict", is_fit(judgements) ? "fit" : "not fit"}, {"sentence", sentence(judgements)}, {"limits", Json::array()}};
+  for (const Judgement& j : judgements) {
+    const bool known = j.outcome != Judgement::Outcome::kNotMeasured;
+    json["limits"].push_back(
+        {{"key", j.key}, {"limit", j.limit}, {"value", known ? Json(j.value) : Json()}, {"outcome", name_of(j.outcome)}});
+  }
+  json["address"] = figures.address;
+  json["program"] = figures.program;
+  for (const auto& [name, value] : figures.board) json["board"][name] = value;
+  json["period_us"] = figures.period_ns / 1000.0;
+  json["seconds"] = figures.seconds;
+  json["ticks"] = figures.ticks;
+  json["late"] = figures.late;
+  json["page_faults"] = figures.page_faults;
+  json["allocations"] = figures.allocations;
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const MeasureText text = text_of(static_cast<wire::Measure>(i));
+    const bool in_ticks = static_cast<wire::Measure>(i) == wire::Measure::kDelay;
+    json[text.key] = json_of(figures.measures[i], in_ticks ? figures.period_ns : 1000.0);
+  }
+  json["cyclictest_us"] = figures.timer.count > 0 ? json_of(figures.timer, 1000.0) : Json{{"unknown", figures.timer_unknown}};
+  json["worst_ticks"] = Json::array();
+  for (const WorstTick& worst : figures.worst) {
+    json["worst_ticks"].push_back({{"tick", worst.tick.number},
+                                   {"wakeup_us", worst.tick.wake_ns / 1000.0},
+                                   {"tick_us", worst.tick.tick_ns / 1000.0},
+                                   {"cause", worst.cause.empty() ? Json() : Json(worst.cause)}});
+  }
+  if (!figures.worst_unknown.empty()) json["worst_ticks_unknown"] = figures.worst_unknown;
+  if (!figures.cause_unknown.empty()) json["causes_unknown"] = figures.cause_unknown;
+  json["moments"] = Json::array();
+  for (const Moment& m : figures.moments) {
+    json["moments"].push_back({{"second", m.second},
+                               {"celsius", m.celsius ? Json(*m.celsius) : Json()},
+                               {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
+                               {"late", m.late},
+                               {"state", m.state}});
+  }
+  return json;
+}
+
+}  // namespace isotouch::qualify

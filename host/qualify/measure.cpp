@@ -1,0 +1,137 @@
+#include "host/qualify/measure.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "host/link/board_shell.h"
+#include "host/link/controller.h"
+#include "host/qualify/board_questions.h"
+
+namespace isotouch::qualify {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kPatience = 20;  // seconds, with a small command on a busy board
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+/// What the controller has counted until now.
+struct Counts {
+  wire::StatusReport status;
+  std::array<link::Histogram, wire::kMeasures> measures;
+};
+
+Counts counts(link::Controller& controller) {
+  Counts now;
+  now.status = controller.status();
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) now.measures[i] = controller.histogram(static_cast<wire::Measure>(i));
+  return now;
+}
+
+/// Causes of the worst ticks, asked for while the tracer still has them.
+class Causes {
+ public:
+  Causes(link::BoardShell& shell, bool wanted) : shell_(shell) {
+    if (!wanted) {
+      why_ = "the kernel's tracer was not asked";
+    } else if (shell_.run(begin_tracing_command(), kPatience).status != 0) {
+      why_ =
+          "the kernel's tracer may not be used by this user there (root may, as a rule), so it is unknown what the worst ticks waited for";
+    }
+  }
+  ~Causes() {
+    try {
+      if (why_.empty()) (void)shell_.run(end_tracing_command(), kPatience);
+    } catch (const std::exception&) {  // the board is gone, and its tracer with it
+    }
+  }
+  Causes(const Causes&) = delete;
+  Causes& operator=(const Causes&) = delete;
+
+  void look(const std::vector<wire::WorstTick>& worst) {
+    if (!why_.empty()) return;
+    for (const wire::WorstTick& tick : worst) {
+      if (known_.count(tick.number) > 0) continue;
+      known_[tick.number] = read_cause(shell_.run(trace_command(tick), kPatience).text);
+    }
+  }
+  std::string of(std::uint64_t tick) const {
+    const auto found = known_.find(tick);
+    return found == known_.end() ? std::string() : found->second;
+  }
+  const std::string& why() const { return why_; }
+
+ private:
+  link::BoardShell& shell_;
+  std::map<std::uint64_t, std::string> known_;
+  std::string why_;
+};
+
+Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
+  Moment moment;
+  moment.second = seconds_since(begun);
+  const wire::StatusReport status = controller.status();
+  moment.late = status.late - late_before;
+  moment.state = status.state;
+  read_sensors(shell.run(sensors_command(), kPatience).text, moment);
+  return moment;
+}
+
+void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) {
+  if (wish.priority == 0) {
+    figures.timer_unknown = "cyclictest was not asked for";
+    return;
+  }
+  const link::BoardShell::Answer answer =
+      shell.run(timer_command(wish.priority, figures.period_ns / 1000, wish.seconds), wish.seconds + 3 * kPatience);
+  if (auto timer = read_timer(answer.status, answer.text, figures.timer_unknown)) figures.timer = std::move(*timer);
+}
+
+}  // namespace
+
+Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell) {
+  link::Controller controller(address);
+  link::BoardShell shell(link::read_address(address));
+  Figures figures;
+  figures.address = address;
+  figures.program = controller.welcome().program.view();
+  figures.period_ns = std::max(controller.welcome().period_ns, 1U);
+  figures.board = read_description(shell.run(describe_command(), kPatience).text);
+
+  Causes causes(shell, wish.trace);
+  tell("the ticks, for " + std::to_string(static_cast<int>(wish.seconds)) + " s");
+  (void)controller.worst_ticks(true);
+  const Counts before = counts(controller);
+  const auto begun = Clock::now();
+  std::vector<wire::WorstTick> worst;
+  for (int n = 1; seconds_since(begun) < wish.seconds; ++n) {
+    figures.moments.push_back(look(controller, shell, begun, before.status.late));
+    causes.look(worst = controller.worst_ticks(false));
+    std::this_thread::sleep_until(
+        begun + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min<double>(n, wish.seconds))));
+  }
+  const Counts after = counts(controller);
+  figures.seconds = seconds_since(begun);
+  causes.look(worst = controller.worst_ticks(false));
+  figures.moments.push_back(look(controller, shell, begun, before.status.late));
+
+  figures.ticks = after.status.ticks - before.status.ticks;
+  figures.late = after.status.late - before.status.late;
+  figures.page_faults = after.status.page_faults - before.status.page_faults;
+  figures.allocations = after.status.allocations - before.status.allocations;
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
+  for (const wire::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
+  if (controller.welcome().minor < 2)
+    figures.worst_unknown = "this controller does not tell its worst ticks; install the same release on both sides";
+  figures.cause_unknown = causes.why();
+
+  if (wish.priority > 0) tell("cyclictest, as long again");
+  measure_timer(shell, wish, figures);
+  return figures;
+}
+
+}  // namespace isotouch::qualify

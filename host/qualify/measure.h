@@ -1,0 +1,24 @@
+/// Measures a board through its controller and a shell on it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "host/qualify/figures.h"
+
+namespace isotouch::qualify {
+
+struct Wish {
+  double seconds = 60;  ///< of the ticks, and of cyclictest after them
+  int priority = 80;    ///< of cyclictest, the tick's own by default; 0 = it is not run
+  bool trace = true;    ///< ask the kernel's tracer for causes
+};
+
+/// The ticks first, undisturbed; then cyclictest beside them.
+///
+/// address   as host/link/address.h
+/// tell      what happens now, for people
+/// fails     InputError
+Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell);
+
+}  // namespace isotouch::qualify

@@ -1,0 +1,67 @@
+#include "host/qualify/verdict.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+namespace isotouch::qualify {
+
+namespace {
+
+using Outcome = Judgement::Outcome;
+
+Judgement against(const char* key, const char* what, const char* unit, double limit, std::optional<double> value) {
+  const Outcome outcome = !value ? Outcome::kNotMeasured : *value <= limit ? Outcome::kMet : Outcome::kMissed;
+  return {key, what, unit, limit, value.value_or(0), outcome};
+}
+
+std::optional<double> quantile(const Figures& figures, wire::Measure measure, double share, double unit_ns) {
+  const auto ns = quantile_ns(figures.measures[static_cast<std::size_t>(measure)], share);
+  return ns ? std::optional(*ns / unit_ns) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
+  const double expected = figures.seconds * 1e9 / figures.period_ns;
+  const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
+  const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : figures.period_ns / 10'000.0;
+  const double left_out = expected > 0 ? std::max(0.0, 100 * (expected - static_cast<double>(figures.ticks)) / expected) : 100;
+  return {
+      against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
+      against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late)),
+      against("wakeup_p999_us", "wake-up, 99.9 %", "us", wakeup_us, quantile(figures, wire::Measure::kWakeup, 0.999, 1000)),
+      against("word_max_ticks", "sensor to word, largest", "ticks", limits.word_ticks,
+              quantile(figures, wire::Measure::kDelay, 1, figures.period_ns)),
+      against("celsius_max", "temperature, highest", "°C", limits.celsius, hottest(figures.moments)),
+      against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
+      against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
+  };
+}
+
+bool is_fit(const std::vector<Judgement>& judgements) {
+  const auto is = [](const char* key, Outcome outcome) { return [=](const Judgement& j) { return j.key == key && j.outcome == outcome; }; };
+  const bool missed = std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed; });
+  // Without a device, words and round trips were never made: nothing is known of what matters most.
+  const bool felt = std::none_of(judgements.begin(), judgements.end(), is("word_max_ticks", Outcome::kNotMeasured));
+  return !missed && felt && !judgements.empty();
+}
+
+std::string sentence(const std::vector<Judgement>& judgements) {
+  const auto names = [&](Outcome outcome) {
+    std::string text;
+    for (const Judgement& j : judgements) {
+      if (j.outcome == outcome) text += (text.empty() ? "" : ", ") + j.what;
+    }
+    return text;
+  };
+  const std::string missed = names(Outcome::kMissed), unknown = names(Outcome::kNotMeasured);
+  std::string text = is_fit(judgements) ? "fit" : "not fit";
+  if (!missed.empty()) text += "; beyond the limit: " + missed;
+  if (!unknown.empty()) text += "; not measured: " + unknown;
+  return text;
+}
+
+const char* name_of(Outcome outcome) { return outcome == Outcome::kMet ? "met" : outcome == Outcome::kMissed ? "missed" : "not measured"; }
+
+}  // namespace isotouch::qualify

@@ -1,0 +1,45 @@
+/// Is this board fit to render forces? Each limit is judged on its own; one that is missed makes the board unfit, one that could not be measured is said.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host/qualify/figures.h"
+
+namespace isotouch::qualify {
+
+/// The largest values that are good. The defaults are for people's hands: a late tick or a page fault is a force that stumbles.
+struct Limits {
+  double late_ticks = 0;
+  double wakeup_us = 0;   ///< 99.9 % of the wake-ups; 0: a tenth of the period
+  double word_ticks = 1;  ///< sensor to word, all of them: words are made of the newest sample
+  double celsius = 75;    ///< most boards slow down at 80
+  double page_faults = 0;
+  double allocations = 0;
+  double left_out = 1;  ///< of a hundred expected ticks, those that did not come
+};
+
+struct Judgement {
+  enum class Outcome { kMet, kMissed, kNotMeasured };
+
+  std::string key;   ///< for programs
+  std::string what;  ///< for people
+  std::string unit;
+  double limit = 0;
+  double value = 0;  ///< 0 where it was not measured
+  Outcome outcome = Outcome::kNotMeasured;
+};
+
+/// returns   one judgement for each limit, always in the same order
+std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
+
+/// No limit is missed, and the ticks themselves were measured.
+bool is_fit(const std::vector<Judgement>& judgements);
+
+/// The verdict in one sentence.
+std::string sentence(const std::vector<Judgement>& judgements);
+
+/// "met", "missed", "not measured"
+const char* name_of(Judgement::Outcome outcome);
+
+}  // namespace isotouch::qualify

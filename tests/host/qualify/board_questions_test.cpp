@@ -1,0 +1,89 @@
+#include "host/qualify/board_questions.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace isotouch::qualify {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(BoardQuestions, ADescriptionIsPairsAndNothingElse) {
+  const auto pairs = read_description("motd: welcome\nkernel=Linux 6.1 #1 SMP\nmodel=\n=x\nboot options=isolcpus=3 quiet\n");
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].second, "Linux 6.1 #1 SMP");
+  EXPECT_EQ(pairs[1].second, "isolcpus=3 quiet");
+}
+
+TEST(BoardQuestions, OfManySensorsTheHottestAndOfProcessorsTheSlowestCount) {
+  Moment moment;
+  read_sensors("millicelsius 41500\nmillicelsius 63125\nkilohertz 1500000\nkilohertz 600000\nnoise\n", moment);
+  EXPECT_DOUBLE_EQ(moment.celsius.value(), 63.125);
+  EXPECT_DOUBLE_EQ(moment.megahertz.value(), 600);
+  Moment none;
+  read_sensors("", none);
+  EXPECT_FALSE(none.celsius || none.megahertz);
+}
+
+TEST(BoardQuestions, CyclictestsHistogramIsReadWithWhatItCouldNotHold) {
+  std::string why;
+  const auto timer = read_timer(0,
+                                "# /dev/cpu_dma_latency set to 0us\n# Histogram\n000004 000012\n000011 000003\n# Total: 000000015\n"
+                                "# Min Latencies: 00004\n# Max Latencies: 25001\n# Histogram Overflows: 00002\n",
+                                why);
+  ASSERT_TRUE(timer);
+  EXPECT_EQ(timer->count, 17U);
+  ASSERT_EQ(timer->bins.size(), 3U);
+  EXPECT_EQ(timer->bins[0].upper, 5'000U);
+  EXPECT_EQ(timer->bins[0].count, 12U);
+  EXPECT_EQ(timer->bins[2].upper, 25'002'000U);
+  EXPECT_EQ(timer->bins[2].count, 2U);
+}
+
+TEST(BoardQuestions, WhyThereIsNoTimerIsTheBoardsOwnSentence) {
+  std::string why;
+  EXPECT_FALSE(read_timer(3, "cyclictest is not installed there (package rt-tests)\n", why));
+  EXPECT_THAT(why, HasSubstr("not installed"));
+  EXPECT_FALSE(read_timer(0, "# Histogram\n# Total: 0\n", why));
+  EXPECT_THAT(why, HasSubstr("counted nothing"));
+  EXPECT_FALSE(read_timer(1, "", why));
+  EXPECT_FALSE(why.empty());
+}
+
+TEST(BoardQuestions, TheTimerIsAskedWithWholeSecondsAndItsPriority) {
+  const std::string command = timer_command(79, 1000, 2.5);
+  EXPECT_THAT(command, HasSubstr("-p 79 -i 1000 "));
+  EXPECT_THAT(command, HasSubstr("-D 3"));
+}
+
+const char* kTrace =
+    "before       exchange-101     [001] d..2.   100.000100: sched_switch: prev_comm=exchange prev_pid=101 prev_prio=14 prev_state=S ==> "
+    "next_comm=sshd next_pid=50 next_prio=120\n"
+    "since            sshd-50      [001] d.h..   100.001003: irq_handler_entry: irq=12 name=mmc0\n"
+    "since            bash-60      [000] d..2.   100.001004: sched_switch: prev_comm=bash prev_pid=60 prev_prio=120 prev_state=S ==> "
+    "next_comm=swapper/0 next_pid=0 next_prio=120\n"
+    "since            sshd-50      [001] ..s..   100.001009: softirq_entry: vec=3 [action=NET_RX]\n"
+    "since            sshd-50      [001] d..2.   100.001040: sched_switch: prev_comm=sshd prev_pid=50 prev_prio=120 prev_state=R ==> "
+    "next_comm=tick next_pid=99 next_prio=19\n";
+
+TEST(BoardQuestions, ACauseIsWhatHadTheTicksProcessor) {
+  EXPECT_EQ(read_cause(kTrace), "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd");
+  EXPECT_EQ(read_cause(""), "");
+  EXPECT_EQ(read_cause("cat: trace: Permission denied\n"), "");
+}
+
+TEST(BoardQuestions, AProcessorThatSleptIsACauseToo) {
+  EXPECT_EQ(read_cause("since          <idle>-0       [003] d..2.   100.001040: sched_switch: prev_comm=swapper/3 prev_pid=0 prev_prio=120 "
+                       "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n"),
+            "nothing else ran: the processor slept");
+}
+
+TEST(BoardQuestions, TheTracersWindowIsFromWhenTheTickShouldHaveBegun) {
+  const std::string command = trace_command({7, 100'000'050'000, 40'000, 5'000});
+  EXPECT_THAT(command, HasSubstr("-v due=100.000010 -v from=99.999010 -v to=100.000052"));
+}
+
+}  // namespace
+}  // namespace isotouch::qualify

@@ -1,0 +1,25 @@
+/// A board on which everything is well, to be spoiled by tests.
+#pragma once
+
+#include "host/qualify/figures.h"
+
+namespace isotouch::qualify {
+
+inline Figures good_board() {
+  Figures figures;
+  figures.address = "ssh://me@board";
+  figures.program = "isotouchd";
+  figures.board = {{"kernel", "Linux 6.1 <rt>"}};
+  figures.seconds = 10;
+  figures.ticks = 10'000;
+  for (link::Histogram& histogram : figures.measures) histogram = {10'000, {{12'000, 9'000}, {40'000, 995}, {90'000, 5}}};
+  Moment moment;
+  moment.celsius = 55.5, moment.megahertz = 1500, moment.state = 4;
+  figures.moments = {moment, moment};
+  figures.moments[1].second = 10;
+  figures.worst = {{{77, 5'000'000'000, 90'000, 12'000}, "processor 0: kworker/0:1"}, {{78, 5'001'000'000, 80'000, 12'000}, ""}};
+  figures.timer = {10'000, {{8'000, 9'999}, {31'000, 1}}};
+  return figures;
+}
+
+}  // namespace isotouch::qualify

@@ -1,0 +1,88 @@
+#include "host/qualify/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/qualify/svg.h"
+#include "tests/host/qualify/good_board.h"
+
+namespace isotouch::qualify {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Report, TheObjectHoldsEveryFigure) {
+  const Figures figures = good_board();
+  const auto json = json_report(figures, judge(figures, {}));
+  EXPECT_EQ(json["verdict"], "fit");
+  EXPECT_EQ(json["limits"].size(), 7U);
+  EXPECT_EQ(json["ticks"], 10'000);
+  for (const char* key : {"wakeup_us", "tick_us", "round_trip_us", "cyclictest_us"}) {
+    EXPECT_EQ(json[key]["count"], 10'000) << key;
+    EXPECT_GT(json[key]["max"].get<double>(), json[key]["p50"].get<double>()) << key;
+  }
+  EXPECT_DOUBLE_EQ(json["wakeup_us"]["p50"].get<double>(), 12);
+  EXPECT_DOUBLE_EQ(json["wakeup_us"]["p999"].get<double>(), 40);
+  EXPECT_DOUBLE_EQ(json["wakeup_us"]["max"].get<double>(), 90);
+  EXPECT_DOUBLE_EQ(json["delay_ticks"]["max"].get<double>(), 0.09);
+  ASSERT_EQ(json["worst_ticks"].size(), 2U);
+  EXPECT_EQ(json["worst_ticks"][0]["cause"], "processor 0: kworker/0:1");
+  EXPECT_TRUE(json["worst_ticks"][1]["cause"].is_null());
+  EXPECT_EQ(json["moments"][0]["celsius"], 55.5);
+}
+
+TEST(Report, WhatIsUnknownIsNullAndSaid) {
+  Figures figures = good_board();
+  figures.timer = {};
+  figures.timer_unknown = "cyclictest is not installed there";
+  figures.cause_unknown = "the tracer may not be used";
+  figures.moments[0].celsius = figures.moments[1].celsius = std::nullopt;
+  const auto judgements = judge(figures, {});
+  const auto json = json_report(figures, judgements);
+  EXPECT_EQ(json["cyclictest_us"]["unknown"], figures.timer_unknown);
+  EXPECT_TRUE(json["limits"][4]["value"].is_null());
+  const std::string page = html_report(figures, judgements);
+  EXPECT_THAT(page, HasSubstr("cyclictest is not installed there"));
+  EXPECT_THAT(page, HasSubstr("the tracer may not be used"));
+  EXPECT_THAT(page, HasSubstr("This board shows none."));
+}
+
+TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {
+  Figures figures = good_board();
+  std::string page = html_report(figures, judge(figures, {}));
+  EXPECT_THAT(page, HasSubstr("<span class=\"fit\">fit</span>"));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("http"))) << "nothing is fetched";
+  EXPECT_THAT(page, HasSubstr("Linux 6.1 &lt;rt&gt;"));
+  std::size_t pictures = 0;
+  for (auto at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++pictures;
+  EXPECT_EQ(pictures, 7U) << "four histograms, temperature, clock rate, late ticks";
+  EXPECT_THAT(page, HasSubstr("class=\"beside\"")) << "cyclictest on the wake-ups' axes";
+  figures.late = 3;
+  page = html_report(figures, judge(figures, {}));
+  EXPECT_THAT(page, HasSubstr("<span class=\"unfit\">not fit; beyond the limit: late ticks</span>"));
+}
+
+TEST(Report, NumbersKeepThreeDigits) {
+  EXPECT_EQ(short_number(0), "0");
+  EXPECT_EQ(short_number(0.01234), "0.0123");
+  EXPECT_EQ(short_number(1.5), "1.5");
+  EXPECT_EQ(short_number(12345.6), "12346");
+  EXPECT_EQ(short_number(100), "100");
+}
+
+TEST(Report, ASingleLateTickAmongMillionsIsABarOfItsOwn) {
+  const std::string one = histogram_svg({1'000'001, {{10'000, 1'000'000}, {5'000'000, 1}}}, 1000, "us", std::nullopt, {});
+  std::size_t bars = 0;
+  for (auto at = one.find("<rect"); at != std::string::npos; at = one.find("<rect", at + 1)) ++bars;
+  EXPECT_EQ(bars, 2U);
+  EXPECT_THAT(one, Not(HasSubstr("height=\"0.0\""))) << "and it is seen";
+  EXPECT_THAT(one, Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace isotouch::qualify

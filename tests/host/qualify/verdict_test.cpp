@@ -1,0 +1,97 @@
+#include "host/qualify/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/host/qualify/good_board.h"
+
+namespace isotouch::qualify {
+namespace {
+
+using Outcome = Judgement::Outcome;
+
+/// The keys of the limits with that outcome, once the good board is spoiled.
+std::set<std::string> keys(Outcome outcome, const std::function<void(Figures&)>& spoil, const Limits& limits = {}) {
+  Figures figures = good_board();
+  spoil(figures);
+  std::set<std::string> keys;
+  for (const Judgement& j : judge(figures, limits)) {
+    if (j.outcome == outcome) keys.insert(j.key);
+  }
+  return keys;
+}
+
+constexpr auto kAsItIs = [](Figures&) {};
+
+TEST(Verdict, AGoodBoardIsFitAndEveryLimitWasJudged) {
+  const auto judgements = judge(good_board(), {});
+  EXPECT_EQ(judgements.size(), 7U);
+  EXPECT_TRUE(is_fit(judgements)) << sentence(judgements);
+  EXPECT_EQ(sentence(judgements), "fit");
+  EXPECT_TRUE(keys(Outcome::kNotMeasured, kAsItIs).empty());
+}
+
+TEST(Verdict, EachLimitFailsAloneAndByName) {
+  const std::vector<std::pair<std::string, std::function<void(Figures&)>>> spoilt = {
+      {"left_out", [](Figures& f) { f.ticks = 9'890; }},
+      {"late_ticks", [](Figures& f) { f.late = 1; }},
+      {"wakeup_p999_us",
+       [](Figures& f) {
+         f.measures[0].bins.back() = {101'000, 20};
+       }},
+      {"word_max_ticks",
+       [](Figures& f) {
+         f.measures[3].bins.push_back({1'000'001, 1});
+       }},
+      {"celsius_max", [](Figures& f) { f.moments[0].celsius = 75.1; }},
+      {"page_faults", [](Figures& f) { f.page_faults = 1; }},
+      {"allocations", [](Figures& f) { f.allocations = 1; }},
+  };
+  EXPECT_EQ(spoilt.size(), judge(good_board(), {}).size()) << "every limit has its case here";
+  for (const auto& [key, spoil] : spoilt) {
+    EXPECT_EQ(keys(Outcome::kMissed, spoil), std::set<std::string>{key});
+    Figures figures = good_board();
+    spoil(figures);
+    const auto judgements = judge(figures, {});
+    EXPECT_FALSE(is_fit(judgements)) << key;
+    EXPECT_THAT(sentence(judgements), testing::StartsWith("not fit; beyond the limit: "));
+  }
+}
+
+TEST(Verdict, AValueAtItsLimitIsGood) {
+  const auto at_the_limit = [](Figures& f) {
+    f.moments[0].celsius = 75;
+    f.measures[3].bins.back().upper = 1'000'000;
+    f.measures[0].bins = {{100'000, 10'000}};
+    f.ticks = 9'900;
+  };
+  EXPECT_TRUE(keys(Outcome::kMissed, at_the_limit).empty());
+}
+
+TEST(Verdict, TheWakeUpsLimitFollowsThePeriodUnlessItIsSet) {
+  const auto faster = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000; };
+  EXPECT_EQ(keys(Outcome::kMissed, faster), std::set<std::string>{"wakeup_p999_us"}) << "40 us of a tenth of 100 us";
+  Limits own;
+  own.wakeup_us = 39;
+  EXPECT_EQ(keys(Outcome::kMissed, kAsItIs, own), std::set<std::string>{"wakeup_p999_us"});
+}
+
+TEST(Verdict, WhatWasNotMeasuredIsSaidAndOnlyMissingWordsMakeABoardUnfit) {
+  const auto no_sensor = [](Figures& f) { f.moments[0].celsius = f.moments[1].celsius = std::nullopt; };
+  EXPECT_EQ(keys(Outcome::kNotMeasured, no_sensor), std::set<std::string>{"celsius_max"});
+  Figures figures = good_board();
+  no_sensor(figures);
+  EXPECT_EQ(sentence(judge(figures, {})), "fit; not measured: temperature, highest");
+  figures.measures[3] = {};
+  EXPECT_FALSE(is_fit(judge(figures, {}))) << "no device: no word was ever made of a sample";
+  EXPECT_FALSE(is_fit(judge(Figures{}, {})));
+  EXPECT_FALSE(is_fit({}));
+}
+
+}  // namespace
+}  // namespace isotouch::qualify
