@@ -2,26 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "host/error.h"
-#include "host/field/agreement.h"
+#include "host/field/adaptive_samples.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
-#include "host/field/isolated.h"
 #include "host/field/surface.h"
-#include "host/field/thinning.h"
 
 namespace isotouch::field {
 
 namespace {
-
-// More samples than a grid has places teach nothing. Trial of 2026-11 on two scans of 35,000 and 96,000 points: with a cell of one voxel the error
-// grows by 2 and 4 %, with 1.5 voxels by 6 and 38 %; at 400,000 points one voxel takes a quarter of the time.
-constexpr double kThinningCell = 1.0;      // voxels
-constexpr std::size_t kFewPoints = 10000;  // up to here thinning saves nothing
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
@@ -65,25 +57,22 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   const double margin = std::min(tight.low.minCoeff(), (grid.size.cast<double>() - Eigen::Vector3d::Ones() - tight.high).minCoeff());
   if (margin < band + 3.0 - 1e-9) throw InputError("the grid leaves less than band + 3 voxels round the points; choose a larger grid");
 
-  progress.begin("normals");
-  auto all = std::make_unique<Scan>(samples.size() > kFewPoints ? thinned(samples, kThinningCell) : std::move(samples));
+  progress.begin("local models");
+  AdaptiveSamples described = adaptive_samples(std::move(samples));
+  const Scan& scan = *described.scan;
   Repair mended;
-  if (cloud::OrientedPoints kept = without_isolated(*all); kept.size() < all->size()) {
-    mended.isolated = all->size() - kept.size();
-    all = std::make_unique<Scan>(std::move(kept));
-  }
-  Scan& scan = *all;
-  mended.turned = turn_contradicted(scan);
+  mended.isolated = described.isolated;
+  mended.turned = described.turned;
   if (repair != nullptr) {
     mended.rim = open_rim(scan);
     mended.rim.length *= grid.edge;
     mended.rim.place = grid.origin + grid.edge * mended.rim.place;
   }
 
-  progress.begin("local models");
+  progress.begin("surface");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
-  const Surface surface(scan, {tight.low.array() - bulge, tight.high.array() + bulge});
+  const Surface surface(scan, std::move(described.models), {tight.low.array() - bulge, tight.high.array() + bulge});
 
   progress.begin("bricks");
   const SampledDistance distance{

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace isotouch::field {
 
@@ -25,7 +24,7 @@ bool sparser(const Scan& scan, std::size_t i) {
 
 }  // namespace
 
-cloud::OrientedPoints without_isolated(const Scan& scan) {
+std::vector<std::uint32_t> connected(const Scan& scan) {
   std::vector<std::uint8_t> isolated(scan.size(), 0);
   std::vector<std::uint32_t> listed(scan.size());
   for (bool found = true; found;) {
@@ -41,12 +40,9 @@ cloud::OrientedPoints without_isolated(const Scan& scan) {
       found = true;
     }
   }
-  cloud::OrientedPoints kept;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (isolated[i] != 0) continue;
-    kept.positions.push_back(scan.positions()[i]);
-    kept.normals.push_back(scan.normals()[i]);
-    if (!scan.stiffness().empty()) kept.stiffness.push_back(scan.stiffness()[i]);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < scan.size(); ++i) {
+    if (isolated[i] == 0) kept.push_back(i);
   }
   return kept;
 }

@@ -17,6 +17,7 @@ namespace {
 // Trials of 2026-11 on five shapes and eight scanned objects, 3,700 to 5,200 samples: 12 neighbours gave the least error (16: 3 % more, 20:
 // 8 %).
 constexpr std::size_t kNeighbours = 12;
+static_assert(kModelled == kNeighbours + 2);
 constexpr double kLeastJump = 0.1;  ///< radians: a smaller one is no edge
 constexpr double kExplained = 0.1;  ///< radians: a model that is as good as this is good enough, whatever its number of pieces
 
@@ -185,13 +186,13 @@ LocalModel best_model(const Samples& samples) {
 
 }  // namespace
 
-std::vector<LocalModel> local_models(const Scan& scan) {
-  std::vector<LocalModel> models(scan.size());
+void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::vector<LocalModel>& models) {
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
     Samples samples;
     for (std::size_t i = begin; i < end; ++i) {
+      if (known[i] != 0) continue;
       const auto around = scan.around(i);
-      const auto found = around.first(std::min(kNeighbours + 2, around.size()));
+      const auto found = around.first(std::min(kModelled, around.size()));
       const double reach = found.back().squared_distance;
       samples.assign(1, {scan.positions()[i], scan.normals()[i], 1.0});
       for (const auto& f : found) {
@@ -202,6 +203,11 @@ std::vector<LocalModel> local_models(const Scan& scan) {
       models[i] = best_model(samples);
     }
   });
+}
+
+std::vector<LocalModel> local_models(const Scan& scan) {
+  std::vector<LocalModel> models(scan.size());
+  fit_models(scan, std::vector<std::uint8_t>(scan.size(), 0), models);
   return models;
 }
 

@@ -48,9 +48,14 @@ struct LocalModel {
   }
 };
 
+/// Of a sample's list, those that its model may depend on, itself among them.
+inline constexpr std::size_t kModelled = 14;
+
 /// One model a sample, by looking at its 12 nearest neighbours.
 ///
 /// scan      at least 2 samples
+/// models    where given, of what `known` says true of a sample number: it stays as it is
 std::vector<LocalModel> local_models(const Scan& scan);
+void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::vector<LocalModel>& models);
 
 }  // namespace isotouch::field

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace isotouch::field {
 
@@ -19,12 +20,12 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const Scan& scan, const Box& closing)
+Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing)
     : scan_(scan),
       closing_(closing),
       enclosure_(scan),
       balls_(empty_balls(scan)),
-      models_(local_models(scan)),
+      models_(std::move(models)),
       brick_(scan.positions(), models_, balls_) {}
 
 double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest, bool held) const {

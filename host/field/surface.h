@@ -34,7 +34,9 @@ class Surface {
  public:
   /// scan      borrowed: it stays alive and unchanged; at least 2 samples
   /// closing   the body ends where this box ends
-  explicit Surface(const Scan& scan, const Box& closing = kEverywhere);
+  explicit Surface(const Scan& scan, const Box& closing = kEverywhere) : Surface(scan, local_models(scan), closing) {}
+  /// models    one a sample
+  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
   /// error.

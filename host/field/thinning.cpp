@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <numeric>
+#include <cstddef>
 #include <vector>
+
+#include "host/field/parallel.h"
 
 namespace isotouch::field {
 
@@ -13,65 +13,47 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAlike = 0.7;        // cosine: normals within 45 degrees belong together
-constexpr std::size_t kMinority = 3;  // times larger is the group that a stray one opposes
-
-/// A point's cell as one number, and which point.
-struct Placed {
-  std::uint64_t cell;
-  std::uint32_t point;
-
-  bool operator<(const Placed& o) const { return cell < o.cell || (cell == o.cell && point < o.point); }
-};
+constexpr double kAlike = 0.7;          // cosine: normals within 45 degrees belong together
+constexpr std::uint32_t kMinority = 3;  // times larger is the group that a stray one opposes
 
 /// Points of one cell whose normals agree with the first one's.
 struct Group {
   Vector3d normal;
   Vector3d sum = Vector3d::Zero();
-  std::vector<std::uint32_t> members;
+  double stiffness = 0.0;
+  std::uint32_t size = 0;
+  std::uint32_t chosen = 0;
+  double off_mean = std::numeric_limits<double>::infinity();  ///< of the chosen one, squared
 };
 
-std::uint64_t cell_number(const Vector3d& position, double cell) {
-  constexpr double kMiddle = 1 << 20;
-  std::uint64_t number = 0;
-  for (int axis = 2; axis >= 0; --axis) {
-    const double along = std::clamp(std::floor(position[axis] / cell) + kMiddle, 0.0, 2 * kMiddle - 1);
-    number = number << 21 | static_cast<std::uint64_t>(along);
-  }
-  return number;
-}
-
-class Cell {
+/// The groups of one cell, and which of them each of its points belongs to.
+class Grouping {
  public:
-  void add(const cloud::OrientedPoints& points, std::uint32_t point) {
-    const Vector3d& normal = points.normals[point];
-    auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.normal.dot(normal) > kAlike; });
-    if (group == groups_.end()) group = groups_.insert(groups_.end(), Group{normal, Vector3d::Zero(), {}});
-    group->sum += points.positions[point];
-    group->members.push_back(point);
+  void of(const cloud::OrientedPoints& points, const CellOrder& order, const Cell& cell, std::span<std::uint32_t> group_of) {
+    groups_.clear();
+    for (std::uint32_t n = cell.first; n < cell.last; ++n) {
+      const std::uint32_t point = order[n];
+      const Vector3d& normal = points.normals[point];
+      auto group = std::find_if(groups_.begin(), groups_.end(), [&](const Group& g) { return g.normal.dot(normal) > kAlike; });
+      if (group == groups_.end()) group = groups_.insert(groups_.end(), Group{normal});
+      group->sum += points.positions[point];
+      if (!points.stiffness.empty()) group->stiffness += points.stiffness[point];
+      ++group->size;
+      group_of[n] = static_cast<std::uint32_t>(group - groups_.begin());
+    }
+    for (std::uint32_t n = cell.first; n < cell.last; ++n) {
+      Group& group = groups_[group_of[n]];
+      const double off = (points.positions[order[n]] - group.sum / group.size).squaredNorm();
+      if (off < group.off_mean) group.off_mean = off, group.chosen = order[n];
+    }
   }
 
-  /// Appends what stays, and empties the cell.
-  void give(const cloud::OrientedPoints& points, cloud::OrientedPoints& kept) {
-    for (const Group& group : groups_) {
-      const auto outvotes = [&](const Group& o) {
-        return o.normal.dot(group.normal) < -kAlike && o.members.size() >= kMinority * group.members.size();
-      };
-      if (std::any_of(groups_.begin(), groups_.end(), outvotes)) continue;
-      const Vector3d mean = group.sum / static_cast<double>(group.members.size());
-      const auto farther = [&](std::uint32_t a, std::uint32_t b) {
-        return (points.positions[a] - mean).squaredNorm() < (points.positions[b] - mean).squaredNorm();
-      };
-      const std::uint32_t chosen = *std::min_element(group.members.begin(), group.members.end(), farther);
-      kept.positions.push_back(points.positions[chosen]);
-      kept.normals.push_back(points.normals[chosen]);
-      if (!points.stiffness.empty()) {
-        const auto add = [&](double sum_so_far, std::uint32_t member) { return sum_so_far + points.stiffness[member]; };
-        kept.stiffness.push_back(std::accumulate(group.members.begin(), group.members.end(), 0.0, add) /
-                                 static_cast<double>(group.members.size()));
-      }
-    }
-    groups_.clear();
+  const std::vector<Group>& groups() const { return groups_; }
+
+  bool stray(const Group& group) const {
+    return std::any_of(groups_.begin(), groups_.end(), [&](const Group& other) {
+      return other.normal.dot(group.normal) < -kAlike && other.size >= kMinority * group.size;
+    });
   }
 
  private:
@@ -80,17 +62,51 @@ class Cell {
 
 }  // namespace
 
-cloud::OrientedPoints thinned(const cloud::OrientedPoints& points, double cell) {
-  std::vector<Placed> placed(points.size());
-  for (std::uint32_t i = 0; i < placed.size(); ++i) placed[i] = {cell_number(points.positions[i], cell), i};
-  std::sort(placed.begin(), placed.end());
-  cloud::OrientedPoints kept;
-  Cell current;
-  for (std::size_t n = 0; n < placed.size(); ++n) {
-    current.add(points, placed[n].point);
-    if (n + 1 == placed.size() || placed[n + 1].cell != placed[n].cell) current.give(points, kept);
+Thinned thinned(const cloud::OrientedPoints& points, const CellOrder& order, std::span<const Cell> cells) {
+  constexpr std::size_t kGrain = 256;  // cells a range
+  struct Range {
+    cloud::OrientedPoints samples;
+    std::vector<std::uint32_t> point;
+    std::uint32_t before = 0;  ///< samples of the ranges before
+  };
+  std::vector<Range> ranges((cells.size() + kGrain - 1) / kGrain);
+  Thinned result{{}, {}, std::vector<std::uint32_t>(order.size(), Thinned::kStray)};
+  in_parallel(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    Grouping grouping;
+    std::vector<std::uint32_t> number;  // of each group's sample in its range
+    auto& [kept, point, before] = ranges[begin / kGrain];
+    for (const Cell& cell : cells.subspan(begin, end - begin)) {
+      grouping.of(points, order, cell, result.sample_of);
+      number.clear();
+      for (const Group& group : grouping.groups()) {
+        if (grouping.stray(group)) {
+          number.push_back(Thinned::kStray);
+          continue;
+        }
+        number.push_back(static_cast<std::uint32_t>(kept.size()));
+        point.push_back(group.chosen);
+        kept.positions.push_back(points.positions[group.chosen]);
+        kept.normals.push_back(points.normals[group.chosen]);
+        if (!points.stiffness.empty()) kept.stiffness.push_back(group.stiffness / group.size);
+      }
+      for (std::uint32_t n = cell.first; n < cell.last; ++n) result.sample_of[n] = number[result.sample_of[n]];
+    }
+  });
+  for (std::size_t r = 1; r < ranges.size(); ++r)
+    ranges[r].before = ranges[r - 1].before + static_cast<std::uint32_t>(ranges[r - 1].samples.size());
+  in_parallel(cells.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = cells[begin].first; n < cells[end - 1].last; ++n) {
+      if (result.sample_of[n] != Thinned::kStray) result.sample_of[n] += ranges[begin / kGrain].before;
+    }
+  });
+  const auto append = [](auto& all, const auto& part) { all.insert(all.end(), part.begin(), part.end()); };
+  for (const Range& range : ranges) {
+    append(result.point, range.point);
+    append(result.samples.positions, range.samples.positions);
+    append(result.samples.normals, range.samples.normals);
+    append(result.samples.stiffness, range.samples.stiffness);
   }
-  return kept;
+  return result;
 }
 
 }  // namespace isotouch::field
