@@ -88,23 +88,21 @@ constexpr SineCosine sine_cosine(Angle angle) {
   const std::uint32_t nearest = angle.raw() + (1U << (kRestBits - 1));  // rounds to the nearest place
   const std::size_t place = (nearest >> kRestBits) & ((1U << kQuarterBits) - 1);
   const std::uint32_t quarter = nearest >> 30;
-  const auto rest = static_cast<std::int32_t>((nearest & ((1U << kRestBits) - 1))) - (1 << (kRestBits - 1));  // within ±2^22
+  const Narrow rest = static_cast<std::int32_t>((nearest & ((1U << kRestBits) - 1))) - (1 << (kRestBits - 1));  // within ±2^22
 
   // In radians with 34 fraction bits: 2π / 2^32 * 2^34 = 8π, here with 26 bits; below 2^22 * 2^31.
-  const std::int64_t r = round_shift(std::int64_t{rest} * 1686629713, 26);  // below 0.0062, 2^27
-  const std::int64_t half_square = round_shift(r * r, 39);                  // r²/2, 30 fraction bits, below 2^15
-  const std::int64_t third = round_shift(half_square * 357913941, 30);      // r²/6
-  const std::int64_t sine_rest = r - round_shift(r * third, 30);            // r - r³/6, 34 fraction bits
-  const std::int64_t s = kSine[place];
-  const std::int64_t c = kSine[(std::size_t{1} << kQuarterBits) - place];
-  const auto sine = static_cast<std::int32_t>(s + round_shift(c * sine_rest, 34) - round_shift(s * half_square, 30));
-  const auto cosine = static_cast<std::int32_t>(c - round_shift(s * sine_rest, 34) - round_shift(c * half_square, 30));
-  switch (quarter) {
-    case 0: return {Ratio::from_raw(sine), Ratio::from_raw(cosine)};
-    case 1: return {Ratio::from_raw(cosine), Ratio::from_raw(-sine)};
-    case 2: return {Ratio::from_raw(-sine), Ratio::from_raw(-cosine)};
-    default: return {Ratio::from_raw(-cosine), Ratio::from_raw(sine)};
-  }
+  const Narrow r = round_shift_narrow(product(rest, 1686629713), 26);            // below 0.0062, 2^27
+  const Narrow half_square = round_shift_narrow(product(r, r), 39);              // r²/2, 30 fraction bits, below 2^15
+  const Narrow third = round_shift_narrow(product(half_square, 357913941), 30);  // r²/6
+  const Narrow sine_rest = r - round_shift_narrow(product(r, third), 30);        // r - r³/6, 34 fraction bits
+  const Narrow s = kSine[place];
+  const Narrow c = kSine[(std::size_t{1} << kQuarterBits) - place];
+  const Narrow sine = s + round_shift_narrow(product(c, sine_rest), 34) - round_shift_narrow(product(s, half_square), 30);
+  const Narrow cosine = c - round_shift_narrow(product(s, sine_rest), 34) - round_shift_narrow(product(c, half_square), 30);
+  const bool swapped = (quarter & 1) != 0, below = (quarter & 2) != 0, left = ((quarter + 1) & 2) != 0;
+  const Narrow y = swapped ? cosine : sine, x = swapped ? sine : cosine;
+  const auto ratio = [](Narrow raw) { return Ratio::from_raw(static_cast<std::int32_t>(raw)); };
+  return {ratio(below ? -y : y), ratio(left ? -x : x)};
 }
 
 }  // namespace isotouch

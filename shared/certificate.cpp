@@ -70,7 +70,7 @@ Stiffness largest_stiffness(const Loop& loop) {
   if (loop.damping <= Damping{} || loop.period_ns == 0) return {};
   constexpr std::uint64_t kNanosecond = 1'000'000'000;
   constexpr int kSpare = Damping::kFractionBits - Stiffness::kFractionBits;
-  const std::uint64_t twice = 2 * static_cast<std::uint64_t>(loop.damping.raw()) * kNanosecond;               // below 2^62
+  const std::uint64_t twice = 2 * static_cast<std::uint64_t>(loop.damping.raw()) * kNanosecond;                             // below 2^62
   const std::uint64_t time = (2 * std::uint64_t{loop.delay_ticks} + 1) * std::min(loop.period_ns, std::uint32_t{1} << 30);  // below 2^64
   return Stiffness::from_raw(saturate32(static_cast<std::int64_t>((twice / time) >> kSpare)));
 }

@@ -9,11 +9,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shared/fixed.h"
+
 namespace isotouch {
 
-/// 1 / x as mantissa / 2^shift; mantissa in [2^30, 2^31], relative error below 2^-29.
+/// 1 / x as mantissa / 2^shift; mantissa in [2^30, 2^31), relative error below 2^-29.
 struct Reciprocal {
-  std::int64_t mantissa;
+  Narrow mantissa;
   int shift;
 };
 
@@ -41,35 +43,50 @@ inline constexpr auto kInverseRootStart = [] {
   return table;
 }();
 
+// The steps below never leave 32 bits but in a product: on small processors that is one instruction. That the mantissas stay below 2^31 was seen for every m.
+
+/// The reciprocal of m · 2^e, m in [2^30, 2^31), whose mantissa counts by 2^-shift: y approximates 2^61 / m, in (2^30, 2^31); each step squares the error.
+constexpr Reciprocal refined(Narrow m, int shift) {
+  Narrow y = Narrow{kReciprocalStart[static_cast<std::size_t>(m >> 23) & 127]} << 15;
+  for (int step = 0; step < 2; ++step) {
+    const auto near_one = static_cast<std::uint_fast32_t>(product(m, y) >> 30);  // 2^31 but for the error
+    const auto missing = static_cast<Narrow>((std::uint_fast32_t{1} << 31) - near_one);
+    y += static_cast<Narrow>(product(y, missing) >> 31);
+  }
+  return {y, shift};
+}
+
 }  // namespace roots
 
 /// x         above 0 (0 gives the reciprocal of 1)
 constexpr Reciprocal reciprocal(std::uint64_t x) {
   const int lead = std::countl_zero(x | 1U);
-  const auto m = static_cast<std::int64_t>(((x | std::uint64_t{x == 0}) << lead) >> 33);  // in [2^30, 2^31): x = m * 2^(33 - lead)
-  // y approximates 2^61 / m, in (2^30, 2^31]; each step squares the error.
-  std::int64_t y = std::int64_t{roots::kReciprocalStart[static_cast<std::size_t>(m >> 23) & 127]} << 15;
-  for (int step = 0; step < 2; ++step) y += (y * ((std::int64_t{1} << 31) - ((m * y) >> 30))) >> 31;
-  return {y, 61 + 33 - lead};
+  return roots::refined(static_cast<Narrow>(((x | std::uint64_t{x == 0}) << lead) >> 33), 61 + 33 - lead);
+}
+
+/// The same for a number that fits 32 bits, to the bit: small processors need not count leading zeros through two words.
+constexpr Reciprocal reciprocal32(std::uint32_t x) {
+  const int lead = std::countl_zero(x | 1U);
+  return roots::refined(static_cast<Narrow>(((x | std::uint32_t{x == 0}) << lead) >> 1), 61 + 1 - lead);
 }
 
 /// value * 1/x rounded down; |value| below 2^32.
 constexpr std::int64_t times(std::int64_t value, const Reciprocal& r) { return (value * r.mantissa) >> (r.shift < 63 ? r.shift : 63); }
 
-/// 1 / sqrt(x) as mantissa / 2^shift; mantissa in [2^30, 2^31], relative error below 2^-28.
+/// 1 / sqrt(x) as mantissa / 2^shift; mantissa in [2^30, 2^31), relative error below 2^-28.
 ///
 /// x         above 0 (0 gives that of 1)
 constexpr Reciprocal inverse_root(std::uint64_t x) {
-  const int lead = std::countl_zero(x | 1U) & ~1;                                         // even, so that the exponent halves
-  const auto m = static_cast<std::int64_t>(((x | std::uint64_t{x == 0}) << lead) >> 32);  // in [2^30, 2^32): x = m * 2^(32 - lead)
-  // y approximates 2^46 / sqrt(m) in [2^30, 2^31]; y <- y (3 - m y^2) / 2 turns an error e into 3/2 e^2.
-  std::int64_t y = std::int64_t{roots::kInverseRootStart[static_cast<std::size_t>(m >> 24)]} << 15;
+  const int lead = std::countl_zero(x | 1U) & ~1;                                               // even, so that the exponent halves
+  const auto m = static_cast<std::uint_fast32_t>(((x | std::uint64_t{x == 0}) << lead) >> 32);  // in [2^30, 2^32): x = m * 2^(32 - lead)
+  // y approximates 2^46 / sqrt(m) in [2^30, 2^31); y <- y (3 - m y^2) / 2 turns an error e into 3/2 e^2. Nothing is negative.
+  std::uint_fast32_t y = std::uint_fast32_t{roots::kInverseRootStart[m >> 24]} << 15;
   for (int step = 0; step < 2; ++step) {
-    const std::int64_t square = (y * y) >> 31;               // y^2 / 2^31, at most 2^31
-    const std::int64_t product = ((m >> 1) * square) >> 31;  // m y^2 / 2^63, near 2^29
-    y = (y * ((std::int64_t{3} << 29) - product)) >> 30;
+    const auto square = static_cast<std::uint_fast32_t>((std::uint64_t{y} * y) >> 31);             // y^2 / 2^31
+    const auto product = static_cast<std::uint_fast32_t>((std::uint64_t{m >> 1} * square) >> 31);  // m y^2 / 2^63, near 2^29
+    y = static_cast<std::uint_fast32_t>((std::uint64_t{y} * ((std::uint_fast32_t{3} << 29) - product)) >> 30);
   }
-  return {y, 46 + (32 - lead) / 2};
+  return {static_cast<Narrow>(y), 46 + (32 - lead) / 2};
 }
 
 }  // namespace isotouch

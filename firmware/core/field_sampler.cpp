@@ -19,18 +19,19 @@ struct Along {
   std::int32_t value, slope, bend;
 };
 
-/// t: 16 fraction bits, within ±1/2. Two products, each below 2^26 * 2^16; what is cut off is below 2^-20.
+/// t: 32 fraction bits, from -1/2 to below 1/2, so that the upper half of a product is what is wanted. Two products, each below 2^26 * 2^31; what is cut
+/// off is below 2^-20.
 Along along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32_t t) {
   const std::int32_t bend = before - 2 * at + after;
   const std::int32_t rise = after - before;
-  const auto turn = static_cast<std::int32_t>((std::int64_t{bend} * t) >> 16);
-  const auto tilt = static_cast<std::int32_t>((std::int64_t{rise + turn} * t) >> 17);
+  const auto turn = static_cast<std::int32_t>((std::int64_t{bend} * t) >> 32);
+  const auto tilt = static_cast<std::int32_t>((std::int64_t{rise + turn} * t) >> 32) >> 1;
   return {at + (bend >> 3) + tilt, (rise >> 1) + turn, bend};
 }
 
 /// One axis of the point: the three samples around it, numbered 0 to 2.
 struct AxisPlace {
-  std::int32_t t;       // offset from the middle sample, 16 fraction bits, within ±1/2
+  std::int32_t t;       // offset from the middle sample, 32 fraction bits, from -1/2 to below 1/2
   std::int32_t before;  // the brick of sample 0
   std::int32_t after;   // the brick of sample 2
   std::int32_t at;      // place of sample 0 in its brick, 0 to 3
@@ -43,7 +44,7 @@ AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
   const std::int32_t inside = std::clamp<std::int32_t>(coordinate, 1 << 16, (size - 2) << 16);
   outside |= inside != coordinate;
   const std::int32_t first = ((inside + 0x8000) >> 16) - 1;  // in [0, size - 3]
-  return {inside - ((first + 1) << 16), first >> kBrickShift, (first + 2) >> kBrickShift, first & 3};
+  return {(inside - ((first + 1) << 16)) * (1 << 16), first >> kBrickShift, (first + 2) >> kBrickShift, first & 3};
 }
 
 /// Three samples in a row along x: where each one's line of bricks begins.

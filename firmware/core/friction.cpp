@@ -15,7 +15,7 @@ constexpr int kRatioBits = Ratio::kFractionBits;
 Vec3<Ratio> direction(const Vec3<Voxel>& v, std::int64_t square) {
   const Reciprocal inverse = inverse_root(static_cast<std::uint64_t>(square));  // its shift is 31 at least
   const auto part = [&](Voxel q) {
-    return Ratio::from_raw(static_cast<std::int32_t>((q.raw() * inverse.mantissa) >> (inverse.shift - kRatioBits)));
+    return Ratio::from_raw(static_cast<std::int32_t>((std::int64_t{q.raw()} * inverse.mantissa) >> (inverse.shift - kRatioBits)));
   };
   return {part(v.x), part(v.y), part(v.z)};
 }

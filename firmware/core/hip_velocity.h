@@ -27,9 +27,9 @@ struct VelocityState {
 /// tick      yes
 /// source    first-order low-pass; Colgate and Brown 1994 on quantised differences
 inline Vec3<MmPerS> hip_velocity(const Vec3<Mm>& hip, bool fresh, PerSecond rate, VelocityState& state) {
-  constexpr std::array<Ratio, 9> kParts = {Ratio::of(1),    Ratio::of(1),   Ratio::of(0.5),          Ratio::of(0.3333333333),
-                                           Ratio::of(0.25), Ratio::of(0.2), Ratio::of(0.1666666667), Ratio::of(0.1428571429),
-                                           Ratio::of(0.125)};
+  static constexpr std::array<Ratio, 9> kParts = {Ratio::of(1),    Ratio::of(1),   Ratio::of(0.5),          Ratio::of(0.3333333333),
+                                                  Ratio::of(0.25), Ratio::of(0.2), Ratio::of(0.1666666667), Ratio::of(0.1428571429),
+                                                  Ratio::of(0.125)};
   state.ticks = std::min<std::uint32_t>(state.ticks + 1, 8);
   if (!fresh) return state.velocity;
   if (state.has_last) {

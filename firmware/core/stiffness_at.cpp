@@ -33,16 +33,25 @@ AxisPlace place(Voxel coordinate, std::int32_t size) {
 
 Stiffness interpolated_stiffness(const Vec3<Voxel>& point, const BlobView& field, Stiffness largest) {
   const AxisPlace x = place(point.x, field.size[0]), y = place(point.y, field.size[1]), z = place(point.z, field.size[2]);
-  std::int64_t sum = 0, known = 0;  // at most 255 · 2^42, and 2^42
-  for (std::int32_t n = 0; n < 8; ++n) {
-    const std::int32_t i = n & 1, j = (n >> 1) & 1, k = n >> 2;
-    const std::uint32_t brick =
-        field.brick_number((x.before + i) << kBrickShift, (y.before + j) << kBrickShift, (z.before + k) << kBrickShift);
-    const std::int32_t part = field.stiffness_parts[brick];
-    const std::int64_t weight = std::int64_t{x.weight[i] * y.weight[j]} * z.weight[k];
-    sum += part * weight;
-    known += part != 0 ? weight : 0;
-  }
+  // Contracted along x, then y, then z; `known` the same for what has a value. Exact, so the order is free.
+  const auto contracted = [&](std::int32_t k, std::int32_t& known) {
+    std::int32_t sums[2], weights[2];
+    for (std::int32_t j = 0; j < 2; ++j) {
+      const auto part = [&](std::int32_t i) -> std::int32_t {
+        return field.stiffness_parts[field.brick_number((x.before + i) << kBrickShift, (y.before + j) << kBrickShift,
+                                                        (z.before + k) << kBrickShift)];
+      };
+      const std::int32_t before = part(0), after = part(1);
+      sums[j] = before * x.weight[0] + after * x.weight[1];                           // below 2^22
+      weights[j] = (before != 0 ? x.weight[0] : 0) + (after != 0 ? x.weight[1] : 0);  // at most 2^14
+    }
+    known = weights[0] * y.weight[0] + weights[1] * y.weight[1];
+    return std::int64_t{sums[0]} * y.weight[0] + std::int64_t{sums[1]} * y.weight[1];  // below 2^36
+  };
+  std::int32_t known_before = 0, known_after = 0;
+  const std::int64_t sum_before = contracted(0, known_before), sum_after = contracted(1, known_after);
+  const std::int64_t sum = sum_before * z.weight[0] + sum_after * z.weight[1];                                    // at most 255 · 2^42
+  const std::int64_t known = std::int64_t{known_before} * z.weight[0] + std::int64_t{known_after} * z.weight[1];  // at most 2^42
   // A stored brick weighs 1/8 of the whole at every point within it; below 1/64 the quotient's bits would not suffice.
   constexpr std::int64_t kLeast = std::int64_t{1} << (3 * kWeightBits - 6);
   if (known < kLeast) return largest;
