@@ -1,5 +1,5 @@
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(TRIPLE aarch64-linux-gnu)
 set(QEMU qemu-aarch64)
-set(DEBIAN_ARCHITECTURE arm64)
+set(SYSROOT arm64)
 include(${CMAKE_CURRENT_LIST_DIR}/arm-linux-common.cmake)

@@ -1,5 +1,5 @@
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(TRIPLE arm-linux-gnueabihf)
 set(QEMU qemu-arm)
-set(DEBIAN_ARCHITECTURE armhf)
+set(SYSROOT armhf)
 include(${CMAKE_CURRENT_LIST_DIR}/arm-linux-common.cmake)

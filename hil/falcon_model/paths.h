@@ -20,7 +20,7 @@ using Path = std::function<Vector(double ms)>;
 ///   stab     straight through from right to left and back, 45 mm to each side, at up to 1 m/s
 ///   tour     a sweep over a ball of 45 mm that closes after 60 s
 ///   stroke   from side to side, 2 mm below the front of a ball of 35 mm
-///   tremor   presses 3 mm below that front and trembles 10 times a second, 0.5 mm around
+///   tremor   comes from the front, stays 3 mm below it and trembles 10 times a second, 0.5 mm around
 std::vector<std::string> motion_names();
 
 /// fails     std::invalid_argument: no motion is called so

@@ -41,7 +41,7 @@ Vector stroke(double ms) {
   return {x, 0, std::sqrt(33.0 * 33 - x * x)};
 }
 
-Vector tremor(double ms) { return {0.5 * wave(ms, 97), 0.5 * wave(ms, 103), 32 + 0.5 * wave(ms, 100)}; }
+Vector tremor(double ms) { return {0.5 * wave(ms, 97), 0.5 * wave(ms, 103), 45 - 13 * smooth(ms / 600) + 0.5 * wave(ms, 100)}; }
 
 constexpr std::array<std::pair<const char*, Vector (*)(double)>, 6> kMotions = {
     {{"rest", [](double) { return Vector{}; }}, {"press", press}, {"stab", stab}, {"tour", tour}, {"stroke", stroke}, {"tremor", tremor}}};

@@ -55,6 +55,15 @@ resume() { isotouch resume --to $control >/run/resume.log 2>&1 || fail "resume: 
 
 homed() { within 60 is_in 'idle|ready|active|hold' || fail "the device was not homed"; }
 
+# press OPTIONS...: a hand presses 3 mm into a ball and stays there, trembling; all of it is recorded from the first tick on.
+press() {
+  start_falcon --hand tremor "$@"
+  start_controller --field /fields/sphere.itf --record /run/all.trace
+  homed
+  within 20 is_in active || fail "the field was not felt"
+  sleep 1.2   # from the middle of its way in it presses
+}
+
 upload() { isotouch upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 || fail "upload: $(cat /run/upload.log)"; }
 
 # record NAME SECONDS FIELD: records, and wants the core to repeat every word.
@@ -62,6 +71,45 @@ record() {
   isotouch record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
   isotouch replay "/fields/$3.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   say "trace $1 $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
+}
+
+# The recording of everything, once the controller has ended: the core must repeat it, and each input that speaks against forces must have ended them.
+# zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouch trace zero`.
+zeros() {
+  isotouch replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
+  isotouch trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
+  sed -i 1d /run/zero.log
+  [ "$(wc -l </run/zero.log)" = $# ] || fail "not $# faults ended forces: $(cat /run/zero.log)"
+  while read -r tick condition ticks state; do
+    case +$condition+ in
+      *+${1#*:}+*) say "zero ${1%:*}: $condition, $state, ticks $ticks" ;;
+      *) fail "${1%:*} is not shown by $condition: $(cat /run/zero.log)" ;;
+    esac
+    shift
+  done </run/zero.log
+}
+
+# dialogue FIELD PACKETS: the core repeats the whole recording, and the hash over so many packets, from the first on, with the words that answered each.
+# However long this board took to boot and to load, the dialogue must be the same.
+dialogue() {
+  isotouch replay "/fields/$1.itf" /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  od -An -v -tx1 -w96 -j224 /run/all.trace | awk -v most="$2" '
+    { words = $61 $62 $63 $64 $65 $66 }
+    $17 ~ /[13579bdf]$/ && n < most { ++n; felt += words != "000000000000"; for (i = 1; i <= 16; ++i) printf "%s", $i; print " " words }
+    END { print n, "packets,", felt, "with words" >"/run/dialogue"; exit n < most || felt < most / 20 }' >/run/packets || fail "too few: $(cat /run/dialogue)"
+  say "trace $1: $(cat /run/dialogue), \"hash\": \"$(sha256sum </run/packets | cut -c1-16)\""
+}
+
+# tour FIELD: a cold device is booted, homed by its hand, and the field touched by it.
+tour() {
+  start_falcon --hand tour
+  start_controller --field "/fields/$1.itf" --record /run/all.trace
+  homed
+  within 20 is_in active || fail "the field was not felt"
+  sleep 8
+  conclude
+  dialogue "$1" 8000
 }
 
 # What every scenario ends with: the counts and the delays.
@@ -87,6 +135,45 @@ make_lines() {
 press_stop() { echo pull-down >$lines/sim_gpio0/pull; }
 release_stop() { echo pull-up >$lines/sim_gpio0/pull; }
 line() { cat $lines/sim_gpio$1/value; }
+
+# Every change of an output and every edge of the stop from now on, with the kernel's time; `mark WORD` puts what the scenario does among them.
+trace_lines() {
+  cd /sys/kernel/tracing
+  echo mono >trace_clock
+  echo 'name == "isotouchd"' >events/irq/irq_handler_entry/filter
+  echo 1 >events/irq/irq_handler_entry/enable
+  echo 1 >events/gpio/gpio_value/enable
+  cd /
+}
+mark() { echo "$1" >/sys/kernel/tracing/trace_marker; }
+
+# Takes what was traced: /run/edges has "microseconds line level" for each change of an output, "microseconds mark WORD", and "microseconds mark edge" for
+# an edge of the stop as the kernel's interrupt took it.
+edges() {
+  echo 0 >/sys/kernel/tracing/tracing_on
+  base=$(cat $lines/../gpio/gpiochip*/base)
+  awk -v base="$base" '
+    function time(word) { sub(":", "", word); split(word, parts, "."); return parts[1] * 1000000 + parts[2] }
+    { for (i = 1; i < NF; ++i) {
+        if ($i == "tracing_mark_write:") printf "%d mark %s\n", time($(i - 1)), $(i + 1)
+        if ($i == "irq_handler_entry:") printf "%d mark edge\n", time($(i - 1))
+        if ($i == "gpio_value:") {
+          line = $(i + 1) - base
+          if (!(line in level) || level[line] != $(i + 3)) printf "%d %d %d\n", time($(i - 1)), line, $(i + 3)
+          level[line] = $(i + 3)
+        } } }' /sys/kernel/tracing/trace >/run/edges
+}
+
+# after MARK LINE LEVEL: microseconds from a mark to the first such change behind it; empty where there is none
+after() { awk -v mark="$1" -v line="$2" -v level="$3" '$2 == "mark" && $3 == mark { from = $1 } from && $2 == line && $3 == level { print $1 - from; exit }' /run/edges; }
+
+# beat FROM TO: edges of the heartbeat between two marks, and the shortest and longest time between two of them, in microseconds
+beat() {
+  awk -v from="$1" -v to="$2" '
+    $2 == "mark" { inside = $3 == from ? 1 : $3 == to ? 0 : inside }
+    inside && $2 == 2 { if (n++) { gap = $1 - before; if (!least || gap < least) least = gap; if (gap > most) most = gap }; before = $1 }
+    END { print n + 0, least + 0, most + 0 }' /run/edges
+}
 
 # Does the heartbeat change within 20 ms?
 beats() {
