@@ -159,7 +159,7 @@ edges() {
         if ($i == "irq_handler_entry:") printf "%d mark edge\n", time($(i - 1))
         if ($i == "gpio_value:") {
           line = $(i + 1) - base
-          if (!(line in level) || level[line] != $(i + 3)) printf "%d %d %d\n", time($(i - 1)), line, $(i + 3)
+          if (line in level && level[line] != $(i + 3)) printf "%d %d %d\n", time($(i - 1)), line, $(i + 3)
           level[line] = $(i + 3)
         } } }' /sys/kernel/tracing/trace >/run/edges
 }
