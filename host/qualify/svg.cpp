@@ -30,7 +30,7 @@ std::string frame(const std::string& inside) {
   return "<svg viewBox=\"0 0 " + at(kWidth) + " " + at(kHeight) + "\" role=\"img\">" + inside + "</svg>\n";
 }
 
-/// Counts by sixteenths of an octave, whatever classes they came in, so that two histograms can be drawn on each other.
+/// Counts by quarters of an octave, whatever classes they came in, so that two histograms can be drawn on each other.
 struct Column {
   double from_ns, to_ns;
   std::uint64_t count;
@@ -115,9 +115,15 @@ std::string histogram_svg(const link::Histogram& histogram, double unit_ns, cons
           short_number(c.to_ns / unit_ns) + " " + unit + "</title></rect>";
   }
   std::string points;
+  const auto point = [&](double ns, double height) { points += at(x(ns)) + "," + at(height) + " "; };
+  double before = 0;  // where the last column ended: between columns that do not touch there is nothing
   for (const Column& c : line_of) {
-    for (const double ns : {c.from_ns, c.to_ns}) points += at(x(ns)) + "," + at(y(static_cast<double>(c.count))) + " ";
+    if (before > 0 && c.from_ns > before * 1.01) point(before, floor);
+    if (c.from_ns > before * 1.01) point(c.from_ns, floor);
+    for (const double ns : {c.from_ns, c.to_ns}) point(ns, y(static_cast<double>(c.count)));
+    before = c.to_ns;
   }
+  if (before > 0) point(before, floor);
   if (!points.empty()) in += "<polyline class=\"beside\" points=\"" + points + "\"/>";
   if (limit_ns) in += line(x(*limit_ns), kTop, x(*limit_ns), floor, "limit");
   return frame(in);

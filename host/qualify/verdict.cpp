@@ -30,10 +30,10 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   return {
       against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
       against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late)),
-      against("wakeup_p999_us", "wake-up, 99.9 %", "us", wakeup_us, quantile(figures, wire::Measure::kWakeup, 0.999, 1000)),
-      against("word_max_ticks", "sensor to word, largest", "ticks", limits.word_ticks,
+      against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, wire::Measure::kWakeup, 0.999, 1000)),
+      against("word_max_ticks", "largest sensor to word", "ticks", limits.word_ticks,
               quantile(figures, wire::Measure::kDelay, 1, figures.period_ns)),
-      against("celsius_max", "temperature, highest", "°C", limits.celsius, hottest(figures.moments)),
+      against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
       against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
       against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
   };

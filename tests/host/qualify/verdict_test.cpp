@@ -86,7 +86,7 @@ TEST(Verdict, WhatWasNotMeasuredIsSaidAndOnlyMissingWordsMakeABoardUnfit) {
   EXPECT_EQ(keys(Outcome::kNotMeasured, no_sensor), std::set<std::string>{"celsius_max"});
   Figures figures = good_board();
   no_sensor(figures);
-  EXPECT_EQ(sentence(judge(figures, {})), "fit; not measured: temperature, highest");
+  EXPECT_EQ(sentence(judge(figures, {})), "fit; not measured: highest temperature");
   figures.measures[3] = {};
   EXPECT_FALSE(is_fit(judge(figures, {}))) << "no device: no word was ever made of a sample";
   EXPECT_FALSE(is_fit(judge(Figures{}, {})));
