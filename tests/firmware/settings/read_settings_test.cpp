@@ -135,6 +135,16 @@ TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {
   }
 }
 
+TEST(ReadSettings, ATableWhoseNameBeginsWithNoLetterIsRefusedAndEndsNothing) {
+  for (const char* text : {"\n[$a]\nb = 1\n",
+                           "\n[\x17"
+                           "evice]\n",
+                           "\n[a.$b]\n", "\n[[#]]\n"}) {
+    Settings settings;
+    EXPECT_EQ(parse_settings(text, "F.toml", settings).rfind("F.toml:2: this is not TOML: ", 0), 0U) << text;
+  }
+}
+
 TEST(ReadSettings, AFileIsReadByItsName) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "f.toml").string();
