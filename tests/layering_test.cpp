@@ -55,6 +55,7 @@ const std::map<std::string, Rule> kRules = {
     {"tests/across",
      {{"host", "firmware/core", "hil/plain_replay.h", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
+    {"tests/fuzz", {{"host", "firmware", "shared", "tests/support"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},
     {"tests", {{"tests/support"}}},
