@@ -72,7 +72,7 @@ TEST(ExchangeThread, EveryReplyMeetsItsTickAndEveryWordIsSentOnce) {
 TEST(ExchangeThread, ASilentTickDoesNotStopThePackets) {
   QuickPort port(50);
   Monotonic clock;
-  ExchangeThread device(port, clock, 100'000);
+  ExchangeThread device(port, clock, 100'000, 60'000'000'000);  // a minute: longer than a busy machine pauses
   const std::atomic<bool> stop{false};
   device.leave({{{7, 7, 7}, 1}, 1, 0, -1});
   device.serve(stop);
