@@ -14,12 +14,12 @@ has_had() { [ "$(status_of ticks)" -ge "$1" ]; }
 # How often the driver said that the device runs.
 times_running() { [ "$(grep -c '^device: running' /run/controller.log)" = "$1" ]; }
 
-# A controller that has its field, and records from the first tick on.
-start_recorded() { start_controller --field /fields/hydrant.itf --record /run/all.trace; }
+# A controller that has a ball, and records from the first tick on.
+start_recorded() { start_controller --field /fields/sphere.itf --record /run/all.trace; }
 
 # The recording, once the controller has ended: the core repeats every word.
 replayed() {
-  isotouch replay /fields/hydrant.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  isotouch replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
 }
 

@@ -38,9 +38,9 @@ within() {
 
 # ---- the device ---------------------------------------------------------------------------------------------------------------------
 
-# start_falcon OPTIONS...: a board in slow motion must not see torques run out that it renews in time, so they last longer.
+# start_falcon HAND OPTIONS...: torques last longer than a board that is slower than the time here takes to renew them.
 start_falcon() {
-  "$bin/falcon-sim" --usbredir "$room/falcon" --hand tour --hold-ms 500 "$@" >>"$room/falcon.log" 2>&1 &
+  "$bin/falcon-sim" --usbredir "$room/falcon" --hold-ms 500 --hand "$@" >>"$room/falcon.log" 2>&1 &
   falcon=$!
   within 10 grep -q ready "$room/falcon.log" || fail "the simulated device did not start"
 }
@@ -100,9 +100,9 @@ eventually() {
   done
 }
 
-# A device, a board, and a controller that homes the one and feels a field: feel OPTIONS_OF_THE_FALCON...
+# A device whose hand presses 3 mm into a ball and stays there, trembling; a board; and a controller that has the ball: feel OPTIONS_OF_THE_FALCON...
 feel() {
-  start_falcon "$@"
+  start_falcon tremor "$@"
   start_board
   board start_recorded
 }
