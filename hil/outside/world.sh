@@ -6,7 +6,7 @@
 #   console  file that gets all that the board says
 set -uo pipefail
 room=$(mktemp -d)   # short: the path of a socket has at most 107 characters
-falcon=0 machine=0 wires=0 patience=${HIL_PATIENCE:-300}   # seconds for whatever the board is told to do
+falcon=0 machine=0 wires=0 patience=${HIL_PATIENCE:-600}   # seconds for whatever the board is told to do
 
 say() { echo "hil: $*" >>"$console"; }
 
@@ -91,12 +91,12 @@ does() {
 }
 board() { does "$@" || fail "on the board: $*"; }
 
-# eventually COMMAND...: asks the board until it says yes. A question costs as much as a second in which the board waits.
+# eventually COMMAND...: asks the board until it says yes. A question costs as much as seconds in which the board waits.
 eventually() {
   local end=$((SECONDS + patience))
   until does "$@"; do
     [ $SECONDS -lt $end ] || fail "on the board never: $*"
-    board sleep 0.5
+    board sleep 1
   done
 }
 
