@@ -21,7 +21,8 @@ constexpr Narrow kPullLimit = 64 * kOne;       // a pull along the surface beyon
 constexpr Narrow kDepthLimit = 1024 * kOne;    // the same for the depth where it multiplies curvature
 constexpr Narrow kTraceLimit = 8 * kOne;       // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr Narrow kDeterminantLimit = 16 * kOne;
-constexpr Narrow kLengthLimit = 1 << 30;   // of a component whose square is taken: three of them fit 63 bits
+constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;  // what a reciprocal may be multiplied with
+constexpr Narrow kLengthLimit = 1 << 30;                        // of a component whose square is taken: three of them fit 63 bits
 constexpr Narrow kMinBend = kOne / 2;      // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
 constexpr Narrow kMinSpread = kOne / 512;  // half of the least distance that two eigenvalues count with
 
@@ -131,9 +132,9 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
 
   const Raw3 turned = at.tangential(at.bend(pull));
   const auto solved = [&](Narrow pulled, Narrow turned_part) {
-    const Narrow beyond = saturate32((product(turned_part, depth) >> 16) - (product(pulled, mu1) >> 16));  // M pull - μ₁ pull
-    const Narrow sum = saturate32(pulled + (product(beyond, factor) >> 16));
-    return Narrow{saturate32(product(sum, over_b1.mantissa) >> (over_b1.shift - 16))};
+    const std::int64_t beyond = (product(turned_part, depth) >> 16) - (product(pulled, mu1) >> 16);  // M pull - μ₁ pull, below 2^41
+    const std::int64_t sum = std::clamp(pulled + ((beyond * factor) >> 16), -kDividendLimit, kDividendLimit);
+    return Narrow{saturate32((sum * over_b1.mantissa) >> (over_b1.shift - 16))};
   };
   return {solved(pull.x, turned.x), solved(pull.y, turned.y), solved(pull.z, turned.z)};
 }
