@@ -1,0 +1,27 @@
+#include "host/field/following.h"
+
+#include <cstddef>
+#include <tuple>
+
+namespace isotouch::field {
+
+namespace {
+
+auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
+
+}  // namespace
+
+Following following(const std::vector<Brick>& bricks) {
+  Following next(bricks.size(), {kNoBrick, kNoBrick, kNoBrick});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::size_t ahead = 0;
+    for (std::size_t b = 0; b < bricks.size(); ++b) {
+      const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis));
+      while (ahead < bricks.size() && place(bricks[ahead].cell) < place(wanted)) ++ahead;
+      if (ahead < bricks.size() && bricks[ahead].cell == wanted) next[b][axis] = static_cast<std::uint32_t>(ahead);
+    }
+  }
+  return next;
+}
+
+}  // namespace isotouch::field
