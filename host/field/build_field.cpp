@@ -9,16 +9,11 @@
 #include "host/field/adaptive_samples.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
-#include "host/field/slope_limit.h"
 #include "host/field/surface.h"
 
 namespace isotouch::field {
 
 namespace {
-
-// Voxels a voxel along an axis. Trial of 2026-11 on two scans with holes: the largest slope falls from 10 to 3.1 and 3.6, at 1.5 to 3.5 and 4.6; exact
-// distances of meshes have 2.4 to 2.6. The rms of five objects against their meshes changes by at most half a percent.
-constexpr double kSteepest = 1.2;
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
@@ -90,7 +85,6 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
   mended.debris = drop_debris(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
-  limit_slopes(field, kSteepest);
   if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;

@@ -9,7 +9,6 @@
 #include <tuple>
 
 #include "host/field/brick_mask.h"
-#include "host/field/following.h"
 
 namespace isotouch::field {
 
@@ -19,8 +18,25 @@ constexpr std::uint32_t kFewest = 4;  // points that a piece stands on
 constexpr std::uint32_t kFew = 64;    // with so few the others are asked too
 constexpr float kClear = 1.0F;        // voxels: what is left of a dropped piece, and
 constexpr float kBeside = 0.5F;       // of what lay beside it, is no surface, and none for a spline that swings below its samples
+constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
+
+using Following = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Of every brick the one that follows it along each axis, kNone where there is none.
+Following following(const std::vector<Brick>& bricks) {
+  Following next(bricks.size(), {kNone, kNone, kNone});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::size_t ahead = 0;
+    for (std::size_t b = 0; b < bricks.size(); ++b) {
+      const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis));
+      while (ahead < bricks.size() && place(bricks[ahead].cell) < place(wanted)) ++ahead;
+      if (ahead < bricks.size() && bricks[ahead].cell == wanted) next[b][axis] = static_cast<std::uint32_t>(ahead);
+    }
+  }
+  return next;
+}
 
 /// Samples of one sign that hang together within a brick.
 struct Part {
@@ -46,7 +62,7 @@ class Pieces {
     std::vector<std::array<bool, 3>> has_before(bricks.size(), {false, false, false});
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (next[b][axis] != kNoBrick) {
+        if (next[b][axis] != kNone) {
           has_before[next[b][axis]][axis] = true;
           join_across(b, next[b][axis], axis);
         } else {
@@ -152,7 +168,7 @@ std::vector<BrickMask> with_neighbours(const std::vector<BrickMask>& sets, const
   for (std::size_t b = 0; b < sets.size(); ++b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::uint32_t ahead = next[b][axis];
-      if (ahead == kNoBrick) continue;
+      if (ahead == kNone) continue;
       all[ahead] |= face(sets[b], axis, 1);
       all[b] |= face(sets[ahead], axis, 0) << kAcross[axis];
     }
