@@ -40,7 +40,7 @@ CellOrder::CellOrder(const std::vector<Eigen::Vector3d>& positions) : places_(po
   }
   std::vector<Place> sorted(places_.size());
   for (int shift = 0; shift < 3 * kBits; shift += kDigit) {
-    const auto digit = [shift](std::uint64_t code) { return code >> shift & ((1U << kDigit) - 1); };
+    const auto digit = [shift](std::uint64_t code) { return static_cast<std::size_t>(code >> shift & ((1U << kDigit) - 1)); };
     if (digit(differing) == 0) continue;
     std::array<std::uint32_t, (1U << kDigit) + 1> begin{};
     for (const Place& place : places_) ++begin[digit(place.code) + 1];
@@ -59,9 +59,8 @@ std::vector<Cell> CellOrder::cells(int level) const {
 void CellOrder::cut(const Cell& cell, int level, std::vector<Cell>& parts) const {
   for (std::uint32_t first = cell.first; first < cell.last; first = parts.back().last) {
     const std::uint64_t end = ((places_[first].code >> 3 * level) + 1) << 3 * level;  // where the next part begins
-    const auto next =
-        std::partition_point(places_.begin() + first, places_.begin() + cell.last, [end](const Place& p) { return p.code < end; });
-    parts.push_back({first, static_cast<std::uint32_t>(next - places_.begin()), level});
+    const auto next = std::partition_point(&places_[first], places_.data() + cell.last, [end](const Place& p) { return p.code < end; });
+    parts.push_back({first, static_cast<std::uint32_t>(next - places_.data()), level});
   }
 }
 
