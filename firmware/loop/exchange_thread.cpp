@@ -1,7 +1,5 @@
 #include "firmware/loop/exchange_thread.h"
 
-#include "firmware/loop/realtime.h"
-
 namespace isotouch::loop {
 
 Wake ExchangeThread::wait(std::int64_t until_ns) {
@@ -38,7 +36,6 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
     if (sent - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
     const Answer answer = port_.exchange(command.falcon, packet);
     if (answer == Answer::kEnd) break;
-    hurry(answer != Answer::kAbsent);
     if (answer != Answer::kReply) continue;
     const bool first_with_it = command.sample == sample.number && command.arrival_ns >= 0;
     sample = {packet, sample.number + 1, sent, clock_.now_ns(), first_with_it ? sent - command.arrival_ns : -1};
@@ -49,12 +46,6 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
   port_.rest();
   ended_.store(true, std::memory_order_release);
   replies_.ring();
-}
-
-void ExchangeThread::hurry(bool running) {
-  if (running == hurries_) return;
-  hurries_ = running;
-  become_realtime(running ? priorities_.running : priorities_.searching, -1);
 }
 
 void ExchangeThread::await_words(const Sample& sample) {

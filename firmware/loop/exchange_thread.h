@@ -3,7 +3,8 @@
 ///
 /// After a reply the thread waits for the words that the tick makes of it and sends them at once; so the device's rate and the tick's are one. A tick
 /// that does not come in time does not stop the packets: the device is asked again with the newest words, and without force when no tick has come for
-/// longer.
+/// longer. Where both share a processor the tick goes first: it is short, starts the moment the reply is handed over, and its words are there when this
+/// thread looks for them; looking for a device may take a tenth of a second.
 #pragma once
 
 #include <atomic>
@@ -16,20 +17,13 @@
 
 namespace isotouch::loop {
 
-/// SCHED_FIFO of the thread that exchanges; 0 = as it is. Packets go before the tick that waits for them; a device that is looked for and booted does not:
-/// that takes a processor for a tenth of a second.
-struct ExchangePriorities {
-  int running = 0;
-  int searching = 0;
-};
-
 class ExchangeThread final : public Device {
  public:
   /// port, clock   live longer; the clock is CLOCK_MONOTONIC
   /// refresh_ns    longest time between two commands while the tick is silent
   /// silent_ns     without a tick for longer, packets carry no force
-  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000, ExchangePriorities priorities = {})
-      : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns), priorities_(priorities) {}
+  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000)
+      : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns) {}
 
   // The tick's side.
   Wake wait(std::int64_t until_ns) override;
@@ -41,13 +35,10 @@ class ExchangeThread final : public Device {
 
  private:
   void await_words(const Sample& sample);
-  void hurry(bool running);
 
   Port& port_;
   Clock& clock_;
   std::int64_t refresh_ns_, silent_ns_;
-  ExchangePriorities priorities_;
-  bool hurries_ = false;  ///< at the priority of a device that runs
   Latest<Sample> samples_;
   Latest<Command> commands_;
   Doorbell replies_, words_;

@@ -20,7 +20,7 @@ struct Settings {
   // [loop]
   double tick_hz = 1000;
   int priority = 80;
-  int exchange_priority = 85;
+  int exchange_priority = 75;
   int core = -1;
   bool lock_memory = true;
   double refresh_ms = 2.5;

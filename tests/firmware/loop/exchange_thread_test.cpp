@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <sched.h>
 #include <time.h>  // NOLINT(modernize-deprecated-headers): clock_gettime
 
 #include <atomic>
 #include <thread>
 #include <vector>
-
-#include "firmware/loop/realtime.h"
 
 namespace isotouch::loop {
 namespace {
@@ -91,37 +88,6 @@ TEST(ExchangeThread, WithoutATickForTooLongPacketsCarryNoForce) {
   ASSERT_EQ(port.commands.size(), 50U);
   EXPECT_EQ(port.commands.front(), (FalconCommand{{7, 7, 7}, 1}));
   EXPECT_EQ(port.commands.back(), (FalconCommand{{}, 1}));
-}
-
-/// Away at first, then there, then away again; remembers with which priority it was asked.
-class ComingPort final : public Port {
- public:
-  Answer exchange(const FalconCommand&, FalconPacket& reply) override {
-    sched_param now{};
-    sched_getparam(0, &now);
-    priorities.push_back(now.sched_priority);
-    if (priorities.size() == 9) return Answer::kEnd;
-    if (priorities.size() <= 3 || priorities.size() >= 7) return Answer::kAbsent;
-    reply = encode(FalconReply{{}, 0, 0});
-    return Answer::kReply;
-  }
-  void rest() override {}
-  std::vector<int> priorities;
-};
-
-TEST(ExchangeThread, ADeviceThatIsLookedForDoesNotGoBeforeTheTick) {
-  ComingPort port;
-  Monotonic clock;
-  ExchangeThread device(port, clock, 100'000, 20'000'000, {5, 2});
-  const std::atomic<bool> stop{false};
-  bool permitted = false;
-  std::thread thread([&] {
-    permitted = become_realtime(2, -1) == 0;
-    device.serve(stop);
-  });
-  thread.join();
-  if (!permitted) GTEST_SKIP() << "this user may not have real-time priorities";
-  EXPECT_EQ(port.priorities, (std::vector<int>{2, 2, 2, 2, 5, 5, 5, 2, 2}));
 }
 
 TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {

@@ -39,5 +39,11 @@ TEST(SettingsTable, EverySettingIsNamedOnceAndExplained) {
   EXPECT_EQ(find("loop", "geometry"), nullptr);
 }
 
+TEST(Settings, TheWatchGoesBeforeTheTickAndTheTickBeforeWhatTalksToTheDevice) {
+  const Settings settings;
+  EXPECT_GT(settings.watch_priority, settings.priority);
+  EXPECT_GT(settings.priority, settings.exchange_priority);
+}
+
 }  // namespace
 }  // namespace isotouch::settings
