@@ -57,12 +57,12 @@ bool ControlClient::send(std::int64_t now_ns) {
 }
 
 std::span<std::uint8_t> ControlClient::room() {
-  assert(has_room());
   if (out_.size() - out_end_ < wire::kMaxFrame) {
     std::copy(out_.begin() + static_cast<std::ptrdiff_t>(out_begin_), out_.begin() + static_cast<std::ptrdiff_t>(out_end_), out_.begin());
     out_end_ -= out_begin_;
     out_begin_ = 0;
   }
+  assert(out_.size() - out_end_ >= wire::kMaxFrame);
   return std::span(out_).subspan(out_end_);
 }
 

@@ -33,15 +33,15 @@ class ControlClient {
   /// Forgets the first frame.
   void drop(std::size_t bytes);
 
-  /// True when any frame would fit.
-  bool has_room() const { return out_.size() - (out_end_ - out_begin_) >= wire::kMaxFrame; }
+  /// True when any frame would fit and leave room for a refusal.
+  bool has_room() const { return out_.size() - (out_end_ - out_begin_) >= 2 * wire::kMaxFrame; }
   /// Only with room.
   template <class Message>
   void say(wire::Kind kind, const Message& message) {
     out_end_ += wire::encode(kind, message, room());
   }
   void say(wire::Kind kind) { out_end_ += wire::seal_frame(kind, 0, room()); }
-  /// What was asked for is not done, and why.
+  /// What was asked for is not done, or no longer, and why. Needs no room after what was said with room.
   void refuse(wire::Kind request, std::string_view sentence);
   /// Hands over as much as the other side takes. returns false: it broke
   bool send(std::int64_t now_ns);
@@ -59,7 +59,7 @@ class ControlClient {
   std::uint32_t ring_lost = 0;  ///< what the ring had lost then
 
  private:
-  static constexpr std::size_t kOut = 4 * wire::kMaxFrame;
+  static constexpr std::size_t kOut = 5 * wire::kMaxFrame;
   std::span<std::uint8_t> room();
 
   int socket_ = -1;

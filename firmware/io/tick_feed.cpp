@@ -13,7 +13,8 @@ using wire::Kind;
 /// Beside the records a frame holds where they begin.
 constexpr std::size_t kRecordRoom = wire::kMaxBody - 32;
 
-constexpr const char* kTooSlow = "the recording ended: ticks came faster than they could be sent; use a faster connection";
+constexpr const char* kTooSlow =
+    "the recording ended: ticks came faster than they were taken; record fewer ticks a second, or over a faster connection";
 
 }  // namespace
 
@@ -92,8 +93,7 @@ void TickFeed::give_recording(ControlClient& client, std::span<const loop::TickR
   const auto end = [&](const char* why) {
     client.records = false;
     used_ = 0;
-    if (client.has_room()) client.refuse(Kind::kRecord, why);
-    client.leaving |= !client.has_room();
+    client.refuse(Kind::kRecord, why);
   };
   std::uint64_t first = 0;
   for (const loop::TickRecord& tick : ticks) {

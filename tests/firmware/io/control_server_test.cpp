@@ -283,6 +283,23 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
   EXPECT_EQ(heard.kind, Kind::kDone);
 }
 
+TEST(ControlServer, WhoDoesNotTakeTheTicksIsToldSoAfterThoseThatWereSent) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  speaker.say(Kind::kRecord);
+  ASSERT_EQ(speaker.hear().kind, Kind::kRecording);
+  const auto begun = rig.tick.stats.ticks.value();
+  while (rig.tick.stats.ticks.value() < begun + 10'000) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::size_t ticks = 0;
+  Heard heard = speaker.hear();
+  for (; heard.kind == Kind::kRecords; heard = speaker.hear()) ticks += records_of(heard).size();
+  expect_sentence(heard, "faster than they were taken");
+  EXPECT_LT(ticks, 10'000U);
+  speaker.say(Kind::kStatus);
+  EXPECT_EQ(speaker.hear().kind, Kind::kStatusReport) << "the connection stays";
+}
+
 TEST(ControlServer, ARecordingBeginsAnewAndItsChainHolds) {
   ControlRig rig;
   Speaker speaker(rig.settings.path), other(rig.settings.path);
