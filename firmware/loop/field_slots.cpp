@@ -35,8 +35,10 @@ Result<std::uint32_t> FieldSlots::commit() {
 }
 
 bool FieldSlots::take_back() {
-  if (free()) return false;
-  publish(acknowledged_.load(std::memory_order_relaxed) & kSlot);
+  const std::uint32_t felt =
+      acknowledged_.load(std::memory_order_acquire);  // once: a tick that takes the other one right now goes back, too
+  if (felt == published_.load(std::memory_order_relaxed)) return false;
+  publish(felt & kSlot);
   return true;
 }
 
