@@ -38,15 +38,15 @@ void GpioLines::wait(std::int64_t until_ns) {
 loop::LineInputs GpioLines::read() {
   loop::LineInputs in;
   in.stop = stop_ != nullptr && stop_->get() != 1;
-  const int back = enable_back_ != nullptr ? enable_back_->get() : set_.enable ? 1 : 0;
-  in.enabled = back < 0 ? !set_.enable : back == 1;  // one that cannot be read is wrong, whatever was set
+  const int back = enable_failed_ ? -1 : enable_back_ != nullptr ? enable_back_->get() : set_.enable ? 1 : 0;
+  in.enabled = back < 0 ? !set_.enable : back == 1;  // one that cannot be set or read is wrong, whatever it should be
   in.stop_edge_ns = edge_ns_;
   return in;
 }
 
 void GpioLines::set(const loop::LineOutputs& outputs) {
   set_ = outputs;
-  if (enable_ != nullptr) enable_->set(outputs.enable);
+  enable_failed_ = enable_ != nullptr && !enable_->set(outputs.enable);
   if (heartbeat_ != nullptr) heartbeat_->set(outputs.heartbeat);
   if (light_ != nullptr) light_->set(outputs.light);
 }

@@ -45,6 +45,7 @@ class GpioLines final : public loop::SafetyLines {
   loop::Clock& clock_;
   Line stop_, enable_, enable_back_, heartbeat_, light_;
   loop::LineOutputs set_;
+  bool enable_failed_ = false;  ///< the chip did not take what was last set
   std::int64_t edge_ns_ = 0;
 };
 

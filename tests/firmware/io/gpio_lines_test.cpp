@@ -18,6 +18,7 @@ class FakeGpio final : public Gpio {
     bool output = false, edges = false;
     std::int64_t edge_ns = 0;  ///< waiting to be taken; 0 = none
     bool waits = true;
+    bool takes = true;  ///< what is set
   };
   std::map<unsigned, Wire> wires;
   unsigned busy = 999;
@@ -37,8 +38,8 @@ class FakeGpio final : public Gpio {
     Line(Wire& w, loop::Clock& c) : wire(w), clock(c) {}
     int get() override { return wire.level; }
     bool set(bool high) override {
-      wire.level = high ? 1 : 0;
-      return wire.output;
+      if (wire.takes) wire.level = high ? 1 : 0;
+      return wire.output && wire.takes;
     }
     bool wait_edge(std::int64_t timeout_ns, std::int64_t& edge_ns) override {
       if (!wire.waits || !wire.edges) return false;
@@ -94,6 +95,22 @@ TEST(GpioLines, TheEnableIsReadBackAndWhatCannotBeReadIsWrong) {
     }
     chip.wires[5].level = -1;
     EXPECT_NE(lines.read().enabled, enable);
+  }
+}
+
+TEST(GpioLines, AnEnableThatTheChipDoesNotTakeIsWrongWithAndWithoutReadingBack) {
+  for (const int back : {5, -1}) {
+    FakeGpio chip;
+    GpioLines lines(chip, chip.clock);
+    ASSERT_EQ(lines.take({3, 4, back, 6, 7}), "");
+    for (const bool enable : {true, false}) {
+      chip.wires[4].takes = true;
+      lines.set({!enable, false, false});
+      chip.wires[5].level = enable ? 1 : 0;  // as if it had worked
+      chip.wires[4].takes = false;
+      lines.set({enable, false, false});
+      EXPECT_NE(lines.read().enabled, enable) << back;
+    }
   }
 }
 
