@@ -47,6 +47,12 @@ std::string n_mm(Stiffness stiffness) {
   return text;
 }
 
+/// What is said of a delay that is longer than the settings know.
+std::string and_the_delay(const Settings& settings, std::uint32_t measured_delay) {
+  if (measured_delay <= static_cast<std::uint32_t>(settings.delay_ticks)) return {};
+  return " and its measured delay of " + std::to_string(measured_delay) + " ticks";
+}
+
 }  // namespace
 
 Result<DeviceModel> device_model(const Settings& settings, const std::string& serial) {
@@ -102,15 +108,15 @@ std::string refusal_of(const BlobView& field, const Settings& settings, std::uin
   const CertificateCheck check = check_certificate(field, loop_of(settings, measured_delay), tick_settings(settings).stiffness);
   if (check.accepted) return {};
   if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
-  const bool longer = measured_delay > static_cast<std::uint32_t>(settings.delay_ticks);
-  const std::string delay = longer ? " and its measured delay of " + std::to_string(measured_delay) + " ticks" : "";
-  return "the field is too stiff for this device at this rate" + delay + "; set feel.stiffness to at most " + n_mm(check.stiffness);
+  return "the field is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) +
+         "; set feel.stiffness to at most " + n_mm(check.stiffness);
 }
 
-std::string refusal_of_stiffness(const Settings& settings) {
-  const Stiffness most = largest_stiffness(loop_of(settings, 0));
+std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay) {
+  const Stiffness most = largest_stiffness(loop_of(settings, measured_delay));
   if (tick_settings(settings).stiffness <= most) return {};
-  return "that is too stiff for this device at this rate; feel.stiffness may be at most " + n_mm(most);
+  return "that is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) + "; feel.stiffness may be at most " +
+         n_mm(most);
 }
 
 io::SessionSettings session_settings(const Settings& settings) {

@@ -31,8 +31,9 @@ std::string refusal_of(const BlobView& field, const Settings& settings, std::uin
 
 /// Whether this device may render anything with these settings' stiffness; 0, the blob's, is judged with the blob.
 ///
+/// measured_delay  as above
 /// returns   one sentence why not; empty when it may
-std::string refusal_of_stiffness(const Settings& settings);
+std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay = 0);
 
 io::SessionSettings session_settings(const Settings& settings);
 

@@ -55,7 +55,7 @@ Settings LiveSettings::now() const {
   return now_;
 }
 
-std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Commands& commands) {
+std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay) {
   constexpr std::string_view kSection = "feel.";
   if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
   const Setting* setting = find("feel", name);
@@ -69,7 +69,7 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
   const std::lock_guard guard(mutex_);
   Settings changed = now_;
   store_number(*setting, *wanted, changed);
-  if (std::string refusal = refusal_of_stiffness(changed); !refusal.empty()) return refusal;
+  if (std::string refusal = refusal_of_stiffness(changed, measured_delay); !refusal.empty()) return refusal;
   const RawSettings before = raw_settings(tick_settings(now_)), after = raw_settings(tick_settings(changed));
   for (std::size_t i = 0; i < kTickSettings; ++i) {
     if (after[i] == before[i]) continue;

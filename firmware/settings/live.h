@@ -1,6 +1,7 @@
 /// Settings that a person changes while they are felt: asked for by name, checked as in the file, given to the tick.
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -22,8 +23,9 @@ class LiveSettings {
   /// name      of the setting, with or without "feel."
   /// value     a number as in the file
   /// commands  take it to the tick
+  /// measured_delay  ticks, see `loop::measured_delay_ticks`
   /// returns   one sentence why not; empty when it is set
-  std::string set(std::string_view name, std::string_view value, loop::Commands& commands);
+  std::string set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay = 0);
 
  private:
   mutable std::mutex mutex_;

@@ -179,7 +179,11 @@ std::string parse_settings(std::string_view text, const std::string& name, Setti
     const toml::parse_error& error = result.error();
     return name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " + std::string(error.description());
   }
-  return Reader(name, settings).read(result.table());
+  if (std::string complaint = Reader(name, settings).read(result.table()); !complaint.empty()) return complaint;
+  if (settings.word_slew < settings.tick_hz) {
+    return name + ": limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again";
+  }
+  return {};
 }
 
 std::string read_settings(const std::string& path, Settings& settings) {

@@ -35,6 +35,9 @@ TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
         << name;
   }
   EXPECT_EQ(live.set("stiffness", "2.5", commands), "that is too stiff for this device at this rate; feel.stiffness may be at most 2 N/mm");
+  EXPECT_EQ(live.set("stiffness", "1.5", commands, 2),
+            "that is too stiff for this device at this rate and its measured delay of 2 ticks; feel.stiffness may be at most 1.2 N/mm")
+      << "0.003 N s/mm, 1 ms";
   EXPECT_EQ(live.set("force_limit_n", "0", commands), "feel.force_limit_n must be more than nothing");
   EXPECT_EQ(commands.take_change(), SettingChange{});
   EXPECT_EQ(live.now(), Settings{});

@@ -124,6 +124,13 @@ TEST(ReadSettings, EveryValueOfAnotherKindIsRefused) {
   }
 }
 
+TEST(ReadSettings, AWordThatCouldNotChangeByOneInATickIsRefused) {
+  Settings settings;
+  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5000\n[limits]\nword_slew = 5000\n", "a.toml", settings), "");
+  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5001\n[limits]\nword_slew = 5000\n", "a.toml", settings),
+            "a.toml: limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again");
+}
+
 TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {
   for (const char* text :
        {"[loop\n", "[loop]\ntick_hz = \n", "[loop]\ntick_hz = 1000\ntick_hz = 1000\n", "\x01", "[a]\n[a]\n", "x = \"\\q\""}) {
