@@ -66,6 +66,7 @@ std::string load_field(const std::string& path, io::FieldIntake& intake) {
 
 void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint64_t ticks) {
   pthread_setname_np(pthread_self(), "tick");
+  loop::keep_crash_stack();
   refused |= loop::become_realtime(settings.priority, settings.core);
   loop::touch_stack();
   go.wait(false);
@@ -73,14 +74,9 @@ void tick_thread(const settings::Settings& settings, loop::Loop& loop, std::uint
   ticks_ended = true;
 }
 
-/// Below the tick, which a search for devices would hold up.
-int searching_priority(const settings::Settings& settings) {
-  return std::max(0, std::min(settings.exchange_priority, settings.priority - 1));
-}
-
 void exchange_thread(const settings::Settings& settings, loop::ExchangeThread& exchange) {
   pthread_setname_np(pthread_self(), "exchange");
-  refused |= loop::become_realtime(searching_priority(settings), -1);
+  refused |= loop::become_realtime(settings.exchange_priority, -1);
   go.wait(false);
   exchange.serve(stop_exchange);
 }
@@ -92,6 +88,7 @@ bool may_begin_again(SupervisorState state) {
 
 /// Watches the ticks until the exchange ends, for whatever reason; then everything is off.
 void watch_thread(const settings::Settings& settings, loop::Watch& watch) {
+  loop::keep_crash_stack();
   refused |= loop::become_realtime(settings.watch_priority, -1);
   loop::touch_stack();
   go.wait(false);
@@ -135,8 +132,9 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
   return true;
 }
 
+/// again     not for the first time
 /// returns   the exit code; nothing: begin again
-std::optional<int> run(const Options& options, settings::LiveSettings& live) {
+std::optional<int> run(const Options& options, settings::LiveSettings& live, bool again) {
   stop_ticks = stop_exchange = go = ticks_ended = false;
   refused = 0;
   const settings::Settings settings = live.now();
@@ -186,18 +184,17 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
     direct = std::make_unique<loop::DirectDevice>(hardware.port(), virtual_clock, loop_settings.period_ns, stop_ticks);
   } else {
     exchange = std::make_unique<loop::ExchangeThread>(hardware.port(), real_clock, static_cast<std::int64_t>(settings.refresh_ms * 1e6),
-                                                      std::int64_t{loop_settings.device.hold_ticks + 1} * loop_settings.period_ns,
-                                                      loop::ExchangePriorities{settings.exchange_priority, searching_priority(settings)});
+                                                      std::int64_t{loop_settings.device.hold_ticks + 1} * loop_settings.period_ns);
   }
   loop::Device& device = direct ? static_cast<loop::Device&>(*direct) : *exchange;
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
 
-  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock, [&](const BlobView& field) {
-    return settings::refusal_of(field, live.now(), loop::measured_delay_ticks(stats, loop_settings.period_ns));
-  });
-  if (const std::string refusal = settings.field.empty() ? intake.begin_with_active() : load_field(settings.field, intake);
-      !refusal.empty()) {
-    if (!settings.field.empty()) return refuse(refusal);
+  const auto measured_delay = [&] { return loop::measured_delay_ticks(stats, loop_settings.period_ns); };
+  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
+                         [&](const BlobView& field) { return settings::refusal_of(field, live.now(), measured_delay()); });
+  const bool by_name = !settings.field.empty() && !(again && store && store->active());  // what was sent since counts more
+  if (const std::string refusal = by_name ? load_field(settings.field, intake) : intake.begin_with_active(); !refusal.empty()) {
+    if (by_name) return refuse(refusal);
     say(refusal);
   }
   const auto hash_of = [&](std::uint32_t generation) { return intake.generation() == generation ? intake.hash() : 0; };
@@ -212,16 +209,19 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live) {
     if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
-    control.emplace(std::move(wish),
-                    io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration,
-                                          [&](std::string_view name, std::string_view value) { return live.set(name, value, commands); }});
+    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration,
+                                                           [&](std::string_view name, std::string_view value) {
+                                                             return live.set(name, value, commands, measured_delay());
+                                                           }});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
 
   rest_on_crash(stop_exchange);
+  loop::keep_crash_stack();
   loop::Loop loop(loop_settings, device, clock, {fields, commands, trace, shown, stats, &lines.state});
   std::atomic<bool> stop_recorder{false};
   std::thread records([&] {
+    loop::keep_crash_stack();
     for (; !stop_recorder; std::this_thread::sleep_for(std::chrono::milliseconds(options.lockstep ? 1 : 50))) recorder.drain();
   });
   std::thread exchanges;
@@ -274,7 +274,7 @@ int main(int argc, char** argv) {
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
     isotouch::settings::LiveSettings live(options.settings);
     std::optional<int> ended;
-    while (!ended) ended = run(options, live);
+    for (bool again = false; !ended; again = true) ended = run(options, live, again);
     return *ended;
   } catch (const std::exception& error) {
     return refuse(error.what());

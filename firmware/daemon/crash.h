@@ -6,7 +6,8 @@
 namespace isotouch::daemon {
 
 /// From here on a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT) sets `stop` and gives the thread that serves the device 50 ms to leave it without
-/// force, before the program ends as it would have. A crash of that very thread helps nobody: then the device's own time limit has to do.
+/// force, before the program ends as it would have. A crash of that very thread helps nobody: then the device's own time limit has to do. A thread that
+/// uses up its stack gets there only with a second one, `loop::keep_crash_stack`.
 ///
 /// stop      lives as long as the program
 void rest_on_crash(std::atomic<bool>& stop);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "firmware/io/tick_report.h"
+#include "firmware/loop/realtime.h"
 
 namespace isotouch::io {
 
@@ -61,6 +62,7 @@ void ControlServer::stop() {
 }
 
 void ControlServer::run() {
+  loop::keep_crash_stack();
   for (bool busy = false; !stop_;) {
     if (!wait(busy)) continue;
     finish_work();

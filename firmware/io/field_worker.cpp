@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "firmware/loop/realtime.h"
+
 namespace isotouch::io {
 
 FieldWorker::FieldWorker(FieldIntake& intake, Calibration* calibration)
@@ -39,6 +41,7 @@ std::optional<FieldDone> FieldWorker::take() {
 }
 
 void FieldWorker::run() {
+  loop::keep_crash_stack();
   std::unique_lock<std::mutex> lock(mutex_);
   for (;;) {
     changed_.wait(lock, [this] { return stop_ || wanted_; });

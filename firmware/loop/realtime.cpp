@@ -3,9 +3,11 @@
 #include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaltstack
 #include <sys/mman.h>
 #include <sys/resource.h>
 
+#include <array>
 #include <cstddef>
 
 namespace isotouch::loop {
@@ -46,6 +48,15 @@ unsigned lock_memory() {
 void touch_stack() {
   volatile unsigned char stack[kTouchedStack];
   for (std::size_t i = 0; i < sizeof stack; i += 1024) stack[i] = 0;
+}
+
+void keep_crash_stack() {
+  constexpr std::size_t kBytes = 32 * 1024;  // registers of the widest vectors take a third of it
+  alignas(16) thread_local std::array<std::byte, kBytes> stack;
+  stack_t second{};
+  second.ss_sp = stack.data();
+  second.ss_size = stack.size();
+  sigaltstack(&second, nullptr);
 }
 
 std::uint64_t page_faults_of_thread() {
