@@ -11,8 +11,8 @@ is_pressed() { isotouch watch --to $control --rate 1000 --seconds 0.02 | awk -F,
 # Has it ticked so often?
 has_had() { [ "$(status_of ticks)" -ge "$1" ]; }
 
-# How often the driver said that the device runs.
-times_running() { [ "$(grep -c '^device: running' /run/controller.log)" = "$1" ]; }
+# Has the driver said so often that the device runs?
+times_running() { [ "$(grep -c '^device: running' /run/controller.log)" -ge "$1" ]; }
 
 # A controller that has a ball, and records from the first tick on.
 start_recorded() { start_controller --field /fields/sphere.itf --record /run/all.trace; }
