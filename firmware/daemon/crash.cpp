@@ -3,6 +3,8 @@
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigaction
 #include <time.h>    // NOLINT(modernize-deprecated-headers): nanosleep
 
+#include <initializer_list>
+
 namespace isotouch::daemon {
 
 namespace {
