@@ -80,10 +80,10 @@ void Recorder::remember(const loop::TickRecord& tick) {
 }
 
 void Recorder::end(const std::string& why) {
-  const std::string path = writer_.path();
+  const std::string& path = writer_.path();
   const std::string complaint = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
-  if (!complaint.empty()) return tell_(why.rfind(path, 0) == 0 ? why : complaint);  // what failed first tells more
+  if (!complaint.empty()) return tell_(complaint);
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
 }
 
@@ -106,7 +106,7 @@ void Recorder::save() {
   std::string complaint = writer.begin(path, settings_.header);
   for (std::size_t i = from; i < remembered_ && complaint.empty(); ++i) complaint = writer.append(at(i));
   const std::string ended = writer.finish(generation == 0 ? 0 : hash_of_(generation));
-  if (complaint.empty()) complaint = ended;
+  if (!ended.empty()) complaint = ended;
   tell_(complaint.empty() ? path + ": what was before the fault" : complaint);
 }
 

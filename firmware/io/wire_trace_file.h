@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -22,26 +21,32 @@ class WireTraceWriter {
   WireTraceWriter& operator=(const WireTraceWriter&) = delete;
 
   /// header    device, settings and period
-  /// returns   one sentence why not; empty when it has begun
+  /// returns   one sentence why not; empty when it has begun, and only then it is open
   std::string begin(const std::string& path, const DeviceTraceHeader& header);
 
-  /// returns   one sentence when the file takes no more; what was taken before is kept by `finish`
+  /// returns   one sentence when the file takes no more, which may be so since some ticks before; what it took whole is kept by `finish`
   std::string append(const loop::TickRecord& tick);
 
-  /// Completes the file. Without a record there will be none.
+  /// Completes the file with the records that arrived there whole. Without a record there will be none.
   ///
   /// blob_hash of the field that the ticks felt; 0 = none
-  /// returns   one sentence why there is no file under its name
-  std::string finish(std::uint64_t blob_hash);
+  /// returns   one sentence why there is no file under its name, or why it holds less than was appended, and how much
+  [[nodiscard]] std::string finish(std::uint64_t blob_hash);
 
-  bool is_open() const { return file_ != nullptr; }
+  bool is_open() const { return file_ >= 0; }
   const std::string& path() const { return path_; }
+  /// Appended; after `finish`, in the file.
   std::uint64_t records() const { return header_.run.record_count; }
 
  private:
   std::string part() const { return path_ + ".part"; }
 
-  std::FILE* file_ = nullptr;
+  bool flush();
+  std::uint64_t whole_records() const;
+
+  int file_ = -1;
+  int failed_ = 0;                     ///< errno of the write that the file did not take
+  std::vector<std::uint8_t> waiting_;  ///< to be written
   std::string path_;
   DeviceTraceHeader header_;
   DeviceChain chain_{DeviceTraceHeader{}};

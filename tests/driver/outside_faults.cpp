@@ -6,6 +6,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -14,7 +17,9 @@
 #include "firmware/io/field_intake.h"
 #include "firmware/io/linux_clock.h"
 #include "firmware/io/recorder.h"
+#include "hil/plain_replay.h"
 #include "tests/driver/fault_bench.h"
+#include "tests/support/full_disk.h"
 
 namespace isotouch::test {
 
@@ -93,23 +98,33 @@ FaultRow disk_full() {
   FaultBench bench(options);
   if (!bench.begin()) return {row.fault, -1, "", "", "", "the hand never pressed"};
   const Folder folder;
-  std::error_code failed;
-  std::filesystem::create_symlink("/dev/full", folder.path + "/felt.trace.part", failed);
+  const std::string path = folder.path + "/felt.trace";
+  constexpr std::uint64_t kRoom = 5'000;  // ticks: the words are back
   DeviceTraceHeader header;
   header.device = bench.settings.device;
+  header.run.period_ns = bench.settings.period_ns;
+  header.run.settings = bench.settings.tick;
+  const std::vector<std::uint8_t> image = ball_image(25);
+  const BlobView field = *BlobView::parse(image);
   io::Recorder recorder(
-      {header, "", 10, 10}, bench.trace, nullptr, bench.commands, [](std::uint32_t) { return 1; },
-      [&](const std::string& sentence) { row.sentence = sentence; });
-  row.broken = failed ? failed.message() : recorder.start(folder.path + "/felt.trace");
-  for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: words return when the hand has been out once
-    bench.tick();
+      {header, "", 10, 10}, bench.trace, nullptr, bench.commands, [&](std::uint32_t) { return field.hash(); },
+      [&](const std::string& sentence) { row.sentence += sentence; });
+  row.broken = recorder.start(path);
+  {
+    const FullDisk disk(device_trace_layout::kHeaderBytes + kRoom * device_trace_layout::kRecordBytes + 7);
+    for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: words return when the hand has been out once
+      bench.tick();
+      recorder.drain();
+    }
+    if (row.broken.empty() && !presses_on(bench, 300)) row.broken = "the ticks felt it";
     recorder.drain();
+    recorder.stop();
   }
-  if (row.broken.empty() && !presses_on(bench, 300)) row.broken = "the ticks felt it";
-  recorder.drain();
-  recorder.stop();
+  std::ifstream file(path, std::ios::binary);
+  const std::string kept((std::istreambuf_iterator<char>(file)), {});
+  const auto replayed = replay::run(field, std::span(reinterpret_cast<const std::uint8_t*>(kept.data()), kept.size()));
   if (row.broken.empty() && row.sentence.empty()) row.broken = "nobody was told";
-  if (row.broken.empty() && std::filesystem::exists(folder.path + "/felt.trace")) row.broken = "half a recording has its name";
+  if (row.broken.empty() && !(replayed && replayed->equal && replayed->ticks == kRoom)) row.broken = "what was taken does not replay";
   if (const std::size_t at = row.sentence.find(folder.path); at != std::string::npos) row.sentence.replace(at, folder.path.size() + 1, "");
   return row;
 }

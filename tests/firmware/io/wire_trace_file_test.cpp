@@ -8,6 +8,7 @@
 
 #include "firmware/io/replay_port.h"
 #include "firmware/loop/virtual_clock.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::io {
@@ -74,17 +75,73 @@ TEST(WireTraceFile, AFolderThatIsNotThereIsToldInOneSentence) {
   EXPECT_EQ(writer.append(tick(1)), "");
 }
 
-TEST(WireTraceFile, AFullDiskIsToldInOneSentenceAndLeavesNoFile) {
+using device_trace_layout::kHeaderBytes;
+using device_trace_layout::kRecordBytes;
+
+/// Appends ticks to a recording on a disk that ends behind so many bytes of it, as the recorder does: until the first complaint, then it is finished.
+struct OnFullDisk {
+  OnFullDisk(const std::string& path, std::uint64_t bytes, std::uint64_t ticks) {
+    const FullDisk disk(bytes);
+    WireTraceWriter writer;
+    begun = writer.begin(path, header());
+    for (std::uint64_t i = 1; i <= ticks && appended.empty(); ++i) appended = writer.append(tick(i));
+    finished = writer.finish(42);
+    records = writer.records();
+  }
+  std::string begun, appended, finished;
+  std::uint64_t records = 0;
+};
+
+TEST(WireTraceFile, AFullDiskKeepsExactlyTheRecordsThatArrivedWhole) {
   const ScratchFolder folder;
-  const fs::path path = folder.path() / "a.trace";
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  fs::create_symlink("/dev/full", path.string() + ".part");
-  WireTraceWriter writer;
-  std::string complaint = writer.begin(path.string(), header());
-  for (std::uint64_t i = 1; i <= 10'000 && complaint.empty(); ++i) complaint = writer.append(tick(i));
-  EXPECT_EQ(complaint, path.string() + ": the recording ends here: No space left on device");
-  EXPECT_NE(writer.finish(0) + "x", "");
-  EXPECT_FALSE(fs::exists(path));
+  const std::string path = (folder.path() / "a.trace").string();
+  for (const std::uint64_t whole : {1U, 37U, 200U, 1000U, 1999U}) {
+    for (const std::uint64_t torn : {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{kRecordBytes - 1}}) {
+      for (const std::uint64_t ticks : {whole + 1, std::uint64_t{2000}}) {  // noticed at the end, or on the way
+        SCOPED_TRACE(std::to_string(whole) + " records and " + std::to_string(torn) + " bytes, of " + std::to_string(ticks));
+        const OnFullDisk full(path, kHeaderBytes + whole * kRecordBytes + torn, ticks);
+        EXPECT_EQ(full.begun, "");
+        EXPECT_EQ(full.finished, path + ": the recording ends after " + std::to_string(whole) + " ticks: File too large; make room there");
+        EXPECT_EQ(full.records, whole);
+        EXPECT_EQ(fs::file_size(path), kHeaderBytes + whole * kRecordBytes);
+        EXPECT_FALSE(fs::exists(path + ".part"));
+        WireTrace trace;
+        ASSERT_EQ(read_wire_trace(path, trace), "");
+        ASSERT_EQ(trace.records.size(), whole);
+        EXPECT_EQ(trace.header.run.blob_hash, 42U);
+        DeviceChain chain(trace.header);
+        for (std::uint64_t i = 1; i <= whole; ++i) {
+          const DeviceTraceRecord& record = trace.records[i - 1];
+          ASSERT_EQ(record.input, tick(i).in) << i;
+          ASSERT_EQ(record.chain, chain.extend(tick(i).in, tick(i).out)) << i;
+        }
+        loop::VirtualClock clock;
+        ReplayPort port(trace, clock);
+        std::uint64_t replayed = 0;
+        for (FalconPacket packet{}; port.exchange({}, packet) != loop::Answer::kEnd;) ++replayed;
+        EXPECT_EQ(replayed, whole);
+        fs::remove(path);
+      }
+    }
+  }
+}
+
+TEST(WireTraceFile, AFullDiskIsNoticedOnTheWay) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "a.trace").string();
+  EXPECT_EQ(OnFullDisk(path, kHeaderBytes + 100 * kRecordBytes, 2000).appended, path + ": the recording ends here: File too large");
+}
+
+TEST(WireTraceFile, ADiskWithoutRoomForARecordLeavesNoFile) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "a.trace").string();
+  const OnFullDisk full(path, kHeaderBytes + kRecordBytes - 1, 10);
+  EXPECT_EQ(full.finished, path + ": nothing was recorded: File too large; make room there");
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  const OnFullDisk fuller(path, kHeaderBytes - 1, 10);
+  EXPECT_EQ(fuller.begun, path + ": the recording cannot be written: File too large");
+  EXPECT_EQ(fuller.appended + fuller.finished, "") << "it did not begin";
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(WireTraceFile, DamagedFilesAreRefusedWithTheirPlace) {
@@ -102,7 +159,7 @@ TEST(WireTraceFile, DamagedFilesAreRefusedWithTheirPlace) {
   EXPECT_NE(complaint(good.substr(0, good.size() - 1)).find("this is no recording of a device"), std::string::npos);
   EXPECT_NE(complaint("").find("this is no recording of a device"), std::string::npos);
   std::string bad = good;
-  bad[device_trace_layout::kHeaderBytes + 3 * device_trace_layout::kRecordBytes + 17] = '\x80';
+  bad[kHeaderBytes + 3 * kRecordBytes + 17] = '\x80';
   EXPECT_NE(complaint(bad).find("record 3: "), std::string::npos);
   EXPECT_NE(read_wire_trace((folder.path() / "none").string(), trace).find("cannot be read"), std::string::npos);
 }
