@@ -19,7 +19,7 @@ Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::Trace
       commands_(commands),
       hash_of_(std::move(hash_of)),
       tell_(std::move(tell)),
-      memory_(settings_.state.empty() ? 0 : settings_.remembered + settings_.after_fault) {}
+      memory_(settings_.state.empty() ? 0 : settings_.remembered + 1 + settings_.after_fault) {}
 
 Recorder::~Recorder() {
   drain();
@@ -71,8 +71,11 @@ void Recorder::record(const loop::TickRecord& tick) {
 }
 
 void Recorder::remember(const loop::TickRecord& tick) {
-  if (tick.out.tick.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0)
+  if (tick.out.tick.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0) {
+    faulted_ = tick.number;
+    faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;
+  }
   memory_[end_] = tick;
   end_ = (end_ + 1) % memory_.size();
   remembered_ = std::min(remembered_ + 1, memory_.size());
@@ -87,16 +90,19 @@ void Recorder::end(const std::string& why) {
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
 }
 
-/// From the last tick that another field or a loss of ticks separates from the fault.
+/// The fault with what is before and after it, as far as neither another field nor a loss of ticks separates them.
 void Recorder::save() {
   save_in_ = 0;
   if (saved_++ >= settings_.most_saved) return;
   const auto at = [&](std::size_t i) -> const loop::TickRecord& {
     return memory_[(end_ + memory_.size() - remembered_ + i) % memory_.size()];
   };
-  std::size_t from = remembered_ - 1;
+  std::size_t from = 0;
+  while (at(from).number != faulted_) ++from;  // it is there: no more ticks came since than are kept after a fault
   const std::uint32_t generation = at(from).in.field_generation;
   const auto same_field = [&](std::size_t i) { return at(i).in.field_generation == generation || at(i).in.field_generation == 0; };
+  std::size_t to = from + 1;
+  while (to < remembered_ && same_field(to) && at(to).number == at(to - 1).number + 1) ++to;
   while (from > 0 && same_field(from - 1) && at(from - 1).number + 1 == at(from).number) --from;
   std::string path;
   std::size_t number = 1;
@@ -104,10 +110,10 @@ void Recorder::save() {
   while (access(path.c_str(), F_OK) == 0);
   WireTraceWriter writer;
   std::string complaint = writer.begin(path, settings_.header);
-  for (std::size_t i = from; i < remembered_ && complaint.empty(); ++i) complaint = writer.append(at(i));
-  const std::string ended = writer.finish(generation == 0 ? 0 : hash_of_(generation));
+  for (std::size_t i = from; i < to && complaint.empty(); ++i) complaint = writer.append(at(i));
+  const std::string ended = writer.finish(faulted_hash_);
   if (!ended.empty()) complaint = ended;
-  tell_(complaint.empty() ? path + ": what was before the fault" : complaint);
+  tell_(complaint.empty() ? path + ": the fault and what was around it" : complaint);
 }
 
 }  // namespace isotouch::io

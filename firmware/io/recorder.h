@@ -1,8 +1,9 @@
 /// Takes every tick off the ring: into a recording when one is wanted, into the memory of the last seconds always, and on to whoever else wants
-/// ticks. When the supervisor enters fault, what was before it is saved to a file.
+/// ticks. When the supervisor enters fault, it is saved to a file with what was before and shortly after.
 ///
 /// A recording begins with a tick that forgot everything before it, so that it replays; one that the ring lost a tick of, or that another field came
-/// into, ends there. What is saved at a fault begins in the middle: it shows what happened, its first ticks do not replay.
+/// into, ends there. What is saved at a fault holds the fault whatever came after it. It begins in the middle: it shows what happened, its first ticks
+/// do not replay.
 #pragma once
 
 #include <atomic>
@@ -77,7 +78,8 @@ class Recorder {
 
   std::vector<loop::TickRecord> memory_;  ///< a circle
   std::size_t end_ = 0, remembered_ = 0;
-  std::size_t save_in_ = 0;  ///< ticks; 0 = no fault is to be saved
+  std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
+  std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the blob that it was felt on
   std::size_t saved_ = 0;
   std::atomic<std::uint16_t> state_{0}, faults_{0};
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "tests/support/scratch_folder.h"
@@ -17,10 +18,12 @@ struct Bench {
     header.device = libnifalcon_model();
     recorder.emplace(
         RecorderSettings{header, keeps ? state : std::string(), 50, 10, 2}, ring, &watched, commands,
-        [](std::uint32_t generation) { return generation * 1000ULL; }, [this](const std::string& line) { said.push_back(line); });
+        [this](std::uint32_t generation) { return generation == newest ? generation * 1000ULL : 0; },
+        [this](const std::string& line) { said.push_back(line); });
   }
 
   void ticks(int count, std::uint32_t generation = 0, SupervisorState shown = SupervisorState::kIdle) {
+    newest = std::max(newest, generation);
     for (int i = 0; i < count; ++i) {
       loop::TickRecord tick;
       tick.number = ++number;
@@ -44,6 +47,7 @@ struct Bench {
   loop::Commands commands;
   std::vector<std::string> said;
   std::uint64_t number = 0;
+  std::uint32_t newest = 0;  ///< field; the hashes of those before are forgotten
   std::optional<Recorder> recorder;
 };
 
@@ -111,15 +115,51 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   EXPECT_TRUE(std::filesystem::is_empty(state)) << "what comes after it belongs to it";
   bench.ticks(100, 3, SupervisorState::kFault);
   const WireTrace trace = bench.read(state + "/fault-1.trace");
-  ASSERT_EQ(trace.records.size(), 60U);
+  ASSERT_EQ(trace.records.size(), 61U);
   EXPECT_EQ(trace.header.run.blob_hash, 3000U);
-  for (std::size_t i = 0; i < 60; ++i) EXPECT_EQ(trace.records[i].output.faults, i < 49 ? 0 : kFaultSilent) << i;
+  for (std::size_t i = 0; i < 61; ++i) EXPECT_EQ(trace.records[i].output.faults, i < 50 ? 0 : kFaultSilent) << i;
   for (int fault = 0; fault < 3; ++fault) {
     bench.ticks(20, 3, SupervisorState::kIdle);
     bench.ticks(20, 3, SupervisorState::kFault);
   }
   EXPECT_TRUE(std::filesystem::exists(state + "/fault-2.trace"));
   EXPECT_FALSE(std::filesystem::exists(state + "/fault-3.trace")) << "a fault that comes and goes does not fill the disk";
+}
+
+/// Saved with so many ticks before the fault and from it on; no others.
+void expect_saved(const Bench& bench, std::size_t before, std::size_t from) {
+  const WireTrace trace = bench.read(bench.state + "/fault-1.trace");
+  ASSERT_EQ(trace.records.size(), before + from);
+  EXPECT_EQ(trace.header.run.blob_hash, 3000U) << "the field of the fault";
+  for (std::size_t i = 0; i < before + from; ++i) EXPECT_EQ(trace.records[i].output.faults, i < before ? 0 : kFaultSilent) << i;
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenAnotherFieldComesAfterIt) {
+  Bench bench(true);
+  bench.ticks(20, 2, SupervisorState::kActive);
+  bench.ticks(30, 3, SupervisorState::kActive);
+  bench.ticks(4, 3, SupervisorState::kFault);
+  bench.ticks(20, 4, SupervisorState::kFault);
+  expect_saved(bench, 30, 4);
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenATickIsLostAfterIt) {
+  Bench bench(true);
+  bench.ticks(20, 3, SupervisorState::kActive);
+  ++bench.number;
+  bench.ticks(30, 3, SupervisorState::kActive);
+  bench.ticks(1, 3, SupervisorState::kFault);
+  ++bench.number;
+  bench.ticks(20, 3, SupervisorState::kFault);
+  expect_saved(bench, 30, 1);
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenTheProgramEndsSoonAfterIt) {
+  Bench bench(true);
+  bench.ticks(70, 3, SupervisorState::kActive);
+  bench.ticks(3, 3, SupervisorState::kFault);
+  bench.recorder.reset();
+  expect_saved(bench, 58, 3);
 }
 
 TEST(Recorder, AnEndInTheMiddleCompletesWhatIsWritten) {
