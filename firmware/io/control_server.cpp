@@ -17,7 +17,7 @@ namespace {
 using wire::Kind;
 
 constexpr int kNapMs = 500;
-constexpr int kShortNapMs = 5;  ///< while somebody watches: a ring of a thousand ticks fills much more slowly
+constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
 
 constexpr std::int64_t kMeasuringNs = 1'000'000'000;
 constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
