@@ -24,6 +24,19 @@ bool make_address(const std::string& path, sockaddr_un& address) {
 
 std::string reason() { return std::string(std::strerror(errno)); }
 
+/// Only a refused connection says that nobody listens there: a door that is full, of another type or closed to us is somebody's. Waits for nobody.
+///
+/// returns   whose it is, in words; empty: nobody's
+std::string owner_of(const sockaddr_un& address) {
+  const int probe = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  const bool connected = probe >= 0 && ::connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  const int why = errno;
+  if (probe >= 0) ::close(probe);
+  if (connected || why == EAGAIN) return "another program listens there";
+  return why == ECONNREFUSED || why == ENOENT ? std::string()
+                                              : std::string("another program may listen there (") + std::strerror(why) + ")";
+}
+
 }  // namespace
 
 std::string ControlSocket::open(const std::string& path, mode_t mode, std::optional<gid_t> group) {
@@ -33,11 +46,8 @@ std::string ControlSocket::open(const std::string& path, mode_t mode, std::optio
   struct stat about {};
   if (::lstat(path.c_str(), &about) == 0) {
     if (!S_ISSOCK(about.st_mode)) return path + ": is a file already, and no socket; choose another path or remove it";
-    const int other = connect_to_socket(path);
-    if (other >= 0) {
-      ::close(other);
-      return path + ": another program listens there; stop it or choose another path";
-    }
+    const std::string owner = owner_of(address);
+    if (!owner.empty()) return path + ": " + owner + "; stop it or choose another path";
     ::unlink(path.c_str());
   }
   socket_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -54,10 +64,10 @@ std::string ControlSocket::open(const std::string& path, mode_t mode, std::optio
 }
 
 void ControlSocket::close() {
+  if (!path_.empty()) ::unlink(path_.c_str());  // while it is ours: who finds nobody behind it may take its place
+  path_.clear();
   if (socket_ >= 0) ::close(socket_);
   socket_ = -1;
-  if (!path_.empty()) ::unlink(path_.c_str());
-  path_.clear();
 }
 
 int ControlSocket::accept() const { return ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK); }

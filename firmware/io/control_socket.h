@@ -15,7 +15,8 @@ class ControlSocket {
   ControlSocket(const ControlSocket&) = delete;
   ControlSocket& operator=(const ControlSocket&) = delete;
 
-  /// Listens at `path`. A socket there that nobody listens at is replaced; any other file is left alone.
+  /// Listens at `path`. A socket there that nobody listens at is replaced; any other file is left alone, and so is a socket of which that is not
+  /// known.
   ///
   /// mode      permission bits of the socket's file
   /// group     of the file; nothing = the program's
