@@ -13,7 +13,7 @@
 
 namespace {
 
-enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3 };
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
 
 int complain(ExitCode code, const char* sentence) {
   std::fprintf(stderr, "isotouch: %s\n", sentence);
@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   using namespace isotouch;
   keep_freed_memory();
   CLI::App app{"Turns oriented points into a distance field that a haptic controller can touch."};
+  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
   app.require_subcommand(1);
   commands::add_build(app);
   commands::add_info(app);
@@ -66,6 +67,8 @@ int main(int argc, char** argv) {
     return app.exit(e) == 0 ? kDone : kWrongUsage;
   } catch (const commands::ComparisonFailed& e) {
     return complain(kComparisonFailed, e.what());
+  } catch (const commands::EndedEarly& e) {
+    return complain(kEndedEarly, e.what());
   } catch (const InputError& e) {
     return complain(kBadInput, e.what());
   } catch (const std::bad_alloc&) {

@@ -1,6 +1,7 @@
 /// The sub-commands of `isotouch`, one file each. A command adds itself to the parser; its callback does the work.
 ///
-/// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3); wrong usage is the parser's (exit 2).
+/// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
+/// as EndedEarly (exit 4); wrong usage is the parser's (exit 2).
 /// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
 #pragma once
 
@@ -11,6 +12,11 @@
 namespace isotouch::commands {
 
 class ComparisonFailed : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class EndedEarly : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

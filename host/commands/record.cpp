@@ -11,6 +11,7 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/controller_options.h"
+#include "host/commands/interruption.h"
 #include "host/error.h"
 #include "host/evaluate/hash_text.h"
 #include "host/evaluate/trace_file.h"
@@ -35,8 +36,9 @@ void run(const Options& options) {
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
   std::optional<evaluate::DeviceTraceWriter> writer;
-  std::uint64_t chain = 0;
-  controller.record(
+  std::uint64_t taken = 0, chain = 0;
+  const Interruption interruption;
+  const std::string ended = controller.record(
       ticks,
       [&](std::span<const std::uint8_t> bytes) {
         const Result<DeviceTraceHeader> header = decode_device_header(bytes, bytes.size());
@@ -49,25 +51,29 @@ void run(const Options& options) {
         if (!record) throw refuse("a record of the recording cannot be read");
         writer->append(*record);
         chain = record->chain;
-      });
+        ++taken;
+      },
+      [&] { return interruption.has_come(); });
+  if (taken == 0) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
   writer->finish();
   if (options.json) {
-    const nlohmann::ordered_json json{{"ticks", ticks}, {"hash", evaluate::hash_text(chain)}};
+    const nlohmann::ordered_json json{{"ticks", taken}, {"hash", evaluate::hash_text(chain)}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(ticks), evaluate::hash_text(chain).c_str());
+    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(taken), evaluate::hash_text(chain).c_str());
   }
+  if (!ended.empty()) throw EndedEarly(ended + "; " + options.out.string() + " holds the " + std::to_string(taken) + " ticks before");
 }
 
 }  // namespace
 
 void add_record(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("record", "Record the ticks of a running controller from now on, as a trace that replays to the bit");
+  CLI::App* command = app.add_subcommand(
+      "record", "Record the ticks of a running controller from now on, as a trace that replays to the bit; Ctrl-C ends it well");
   add_address(*command, options->to);
   command->add_option("-o,--out", options->out, "the trace to write (.trace)")->required();
-  command->add_option("--seconds", options->seconds, "how long")->check(CLI::Range(0.001, 86400.0))->capture_default_str();
+  command->add_option("--seconds", options->seconds, "how long at most")->check(CLI::Range(0.001, 86400.0))->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

@@ -10,6 +10,7 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/controller_options.h"
+#include "host/commands/interruption.h"
 #include "host/error.h"
 #include "host/evaluate/real.h"
 #include "host/link/controller.h"
@@ -56,16 +57,19 @@ void run(const Options& options) {
       options.seconds > 0 ? static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds * ticks_a_second / every))) : UINT64_MAX;
   if (!options.json) std::printf("tick,state,x_mm,y_mm,z_mm,proxy_x_mm,proxy_y_mm,proxy_z_mm,fx_n,fy_n,fz_n,age,buttons,status\n");
   std::uint64_t shown = 0;
-  const std::uint64_t lost = controller.watch(every, records, [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
+  const Interruption interruption;
+  const auto show = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
     const auto record =
         bytes.size() == kRecordBytes ? decode_device_record(bytes.first<kRecordBytes>()) : Result<DeviceTraceRecord>(Error::kBadRecord);
     if (!record) throw InputError(options.to + ": a record cannot be read; install the same release on both sides");
     print_line(tick, *record, options.json);
     if (every > 1) std::fflush(stdout);
     ++shown;
-  });
+  };
+  const auto [lost, ended] = controller.watch(every, records, show, [&] { return interruption.has_come(); });
   std::fprintf(stderr, "%llu ticks shown, one of every %u, %llu lost because they were read too slowly\n",
                static_cast<unsigned long long>(shown), every, static_cast<unsigned long long>(lost));
+  if (!ended.empty()) throw EndedEarly(ended);
 }
 
 }  // namespace
@@ -77,7 +81,7 @@ void add_watch(CLI::App& app) {
   command->add_option("--rate", options->rate, "lines a second, at most the rate of the ticks")
       ->check(CLI::Range(0.01, 10000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "how long; until it is ended by default")->check(CLI::Range(0.001, 86400.0));
+  command->add_option("--seconds", options->seconds, "how long; until Ctrl-C by default")->check(CLI::Range(0.001, 86400.0));
   command->add_flag("--json", options->json, "a JSON object on each line instead of values with commas");
   command->callback([options] { run(*options); });
 }

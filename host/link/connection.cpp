@@ -71,11 +71,11 @@ wire::Frame Connection::receive(int patience_ms) {
   }
 }
 
-bool Connection::has_input() {
+bool Connection::has_input(int patience_ms) {
   const auto frame = wire::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
   if (!frame || frame->size > 0) return true;
   pollfd one{stream_, POLLIN, 0};
-  return ::poll(&one, 1, 0) > 0;
+  return ::poll(&one, 1, patience_ms) > 0;
 }
 
 /// returns   false: nothing has come in time

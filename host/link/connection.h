@@ -37,8 +37,8 @@ class Connection {
   /// fails     InputError: the controller is gone, says nothing for so long, or what comes is not of the wire
   wire::Frame receive(int patience_ms);
 
-  /// True when `receive` would not wait.
-  bool has_input();
+  /// True when `receive` would not wait, at the latest after so long.
+  bool has_input(int patience_ms = 0);
 
  private:
   void send_frame(std::size_t bytes);

@@ -12,6 +12,7 @@ using wire::Kind;
 
 constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
+constexpr int kAsksEnough = 100;
 constexpr int kChecking = 120'000;      ///< a large field on a slow disk
 constexpr std::size_t kSentAhead = 16;  ///< chunks without their answers: a far controller is not waited for each time
 
@@ -123,39 +124,62 @@ void Controller::resume() {
   (void)expect(Kind::kDone, kAnswer);
 }
 
-void Controller::record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
-                        const std::function<void(std::span<const std::uint8_t>)>& record) {
-  connection_.send(Kind::kRecord);
-  header(read<wire::Recording>(expect(Kind::kRecording, kAnswer)).header);
-  std::uint64_t next = 0;
-  for (std::uint64_t taken = 0; taken < ticks;) {
-    const auto records = read<wire::Records>(expect(Kind::kRecords, kAnswer));
-    if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0 || (taken > 0 && records.first_tick != next)) {
-      complain("the recording has a gap; record again");
-    }
-    for (std::size_t at = 0; at < records.bytes.size() && taken < ticks; at += records.record_bytes, ++taken) {
-      record(records.bytes.subspan(at, records.record_bytes));
-    }
-    next = records.first_tick + records.bytes.size() / records.record_bytes;
+/// The next records of those that come without being asked for.
+///
+/// taken     so many have come before: as long as there are none, what goes wrong is thrown
+/// ended     why there are no more
+/// returns   nothing: no more are wanted, or will come
+std::optional<wire::Records> Controller::more_records(std::uint64_t taken, const std::function<bool()>& enough, std::string& ended) {
+  try {
+    bool there = false;
+    for (int waited = 0; !there && waited < kAnswer && !enough(); waited += kAsksEnough) there = connection_.has_input(kAsksEnough);
+    if (enough()) return std::nullopt;
+    const auto records = read<wire::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
+    if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0)
+      complain("records of the ticks are cut; install the same release on both sides");
+    return records;
+  } catch (const InputError& error) {
+    if (enough()) return std::nullopt;  // what interrupts us interrupts the ssh beside us
+    if (taken == 0) throw;
+    ended = error.what();
+    return std::nullopt;
   }
 }
 
-std::uint64_t Controller::watch(std::uint32_t every, std::uint64_t records,
-                                const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record) {
+std::string Controller::record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
+                               const std::function<void(std::span<const std::uint8_t>)>& record, const std::function<bool()>& enough) {
+  connection_.send(Kind::kRecord);
+  header(read<wire::Recording>(expect(Kind::kRecording, kAnswer)).header);
+  std::string ended;
+  std::uint64_t next = 0;
+  for (std::uint64_t taken = 0; taken < ticks;) {
+    const auto more = more_records(taken, enough, ended);
+    if (!more) return ended;
+    if (taken > 0 && more->first_tick != next) return connection_.address().text + ": the recording has a gap; record again";
+    for (std::size_t at = 0; at < more->bytes.size() && taken < ticks; at += more->record_bytes, ++taken) {
+      record(more->bytes.subspan(at, more->record_bytes));
+    }
+    next = more->first_tick + more->bytes.size() / more->record_bytes;
+  }
+  return {};
+}
+
+Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records,
+                                      const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record,
+                                      const std::function<bool()>& enough) {
   connection_.send(Kind::kSubscribe, wire::Subscribe{every});
   (void)expect(Kind::kDone, kAnswer);
-  std::uint64_t lost = 0;
+  Watched watched;
   for (std::uint64_t taken = 0; taken < records;) {
-    const auto more = read<wire::Records>(expect(Kind::kRecords, kAnswer));
-    if (more.record_bytes == 0 || more.bytes.size() % more.record_bytes != 0)
-      complain("records of the ticks are cut; install the same release on both sides");
-    lost = more.lost;
-    std::uint64_t tick = more.first_tick;
-    for (std::size_t at = 0; at < more.bytes.size() && taken < records; at += more.record_bytes, ++taken, tick += more.every) {
-      record(tick, more.bytes.subspan(at, more.record_bytes));
+    const auto more = more_records(taken, enough, watched.ended);
+    if (!more) return watched;
+    watched.lost = more->lost;
+    std::uint64_t tick = more->first_tick;
+    for (std::size_t at = 0; at < more->bytes.size() && taken < records; at += more->record_bytes, ++taken, tick += more->every) {
+      record(tick, more->bytes.subspan(at, more->record_bytes));
     }
   }
-  return lost;
+  return watched;
 }
 
 /// The answer of that kind. Whatever else comes ends the conversation.

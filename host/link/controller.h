@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -58,23 +59,32 @@ class Controller {
   /// Records so many ticks from now.
   ///
   /// header    called once with the trace's header
-  /// record    called with each record in turn
+  /// record    called with each record in turn, without a gap
+  /// enough    asked ten times a second and oftener; true: what came until now is all that is wanted
+  /// returns   why fewer came than were wanted: a refusal, a gap, a connection that was cut; empty: they all came, or were enough
   ///
-  /// fails     also when a tick is missing
-  void record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
-              const std::function<void(std::span<const std::uint8_t>)>& record);
+  /// fails     also as above, as long as no record has come
+  std::string record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
+                     const std::function<void(std::span<const std::uint8_t>)>& record, const std::function<bool()>& enough);
 
+  struct Watched {
+    std::uint64_t lost = 0;  ///< records, meanwhile
+    std::string ended;       ///< as `record` returns it
+  };
   /// Follows the ticks. Whoever reads too slowly loses records, the controller no time.
   ///
   /// every     a record every so many ticks, at least 1
   /// records   so many
   /// record    called with the tick's number and each record in turn
-  /// returns   records lost meanwhile
-  std::uint64_t watch(std::uint32_t every, std::uint64_t records,
-                      const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record);
+  /// enough    as above
+  ///
+  /// fails     as `record`
+  Watched watch(std::uint32_t every, std::uint64_t records, const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record,
+                const std::function<bool()>& enough);
 
  private:
   wire::Frame expect(wire::Kind kind, int patience_ms);
+  std::optional<wire::Records> more_records(std::uint64_t taken, const std::function<bool()>& enough, std::string& ended);
   template <class Message>
   Message read(const wire::Frame& frame);
   [[noreturn]] void complain(const std::string& sentence);

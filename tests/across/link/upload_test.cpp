@@ -131,29 +131,112 @@ TEST(Upload, ASenderThatIsKilledLeavesTheOldField) {
   EXPECT_EQ(rig.tick.felt, other.promise.image_hash);
 }
 
+/// What came of a recording, checked as it came.
+struct Recorded {
+  /// once      called when a hundred ticks have come
+  Recorded(Controller& controller, std::uint64_t ticks, const std::function<void()>& once, const std::function<bool()>& enough) {
+    ended = controller.record(
+        ticks,
+        [&](std::span<const std::uint8_t> bytes) {
+          const auto read = decode_device_header(bytes, bytes.size());
+          ASSERT_TRUE(read);
+          chain.emplace(*read);
+        },
+        [&](std::span<const std::uint8_t> bytes) {
+          const auto record = decode_device_record(bytes.first<device_trace_layout::kRecordBytes>());
+          ASSERT_TRUE(record);
+          EXPECT_EQ(chain->extend(record->input, record->output), record->chain) << records;
+          if (++records == 100 && once) once();
+        },
+        enough);
+  }
+  std::optional<DeviceChain> chain;
+  std::uint64_t records = 0;
+  std::string ended;
+};
+
+/// Somebody who follows the ticks, so that the server looks after them all the time.
+struct Follower {
+  explicit Follower(const ControlRig& rig) : speaker(rig.settings.path) {
+    speaker.greet();
+    speaker.say(wire::Kind::kSubscribe, wire::Subscribe{10'000});
+    EXPECT_EQ(speaker.hear().kind, wire::Kind::kDone);
+  }
+  io::Speaker speaker;
+};
+
+const auto kNeverEnough = [] { return false; };
+
 TEST(Upload, ARecordingArrivesWithoutAGap) {
   ControlRig rig;
   Controller controller("unix:" + rig.settings.path);
-  std::vector<std::uint8_t> header;
-  std::size_t records = 0;
-  std::uint64_t last = 0, expected = 0;
-  std::optional<DeviceChain> chain;
-  controller.record(
-      1000,
-      [&](std::span<const std::uint8_t> bytes) {
-        const auto read = decode_device_header(bytes, bytes.size());
-        ASSERT_TRUE(read);
-        chain.emplace(*read);
-      },
-      [&](std::span<const std::uint8_t> bytes) {
-        const auto record = decode_device_record(bytes.first<device_trace_layout::kRecordBytes>());
-        ASSERT_TRUE(record);
-        expected = chain->extend(record->input, record->output);
-        last = record->chain;
-        ++records;
-      });
-  EXPECT_EQ(records, 1000U);
-  EXPECT_EQ(last, expected);
+  const Recorded recorded(controller, 1000, {}, kNeverEnough);
+  EXPECT_EQ(recorded.records, 1000U);
+  EXPECT_EQ(recorded.ended, "");
+}
+
+TEST(Upload, ARecordingThatIsEndedByAnotherFieldKeepsWhatCame) {
+  ControlRig rig;
+  const Follower follower(rig);
+  const Ball ball(20);
+  Controller controller("unix:" + rig.settings.path), another("unix:" + rig.settings.path);
+  const Recorded recorded(
+      controller, 1'000'000, [&] { (void)another.upload(ball.promise, ball.packed); }, kNeverEnough);
+  EXPECT_GE(recorded.records, 100U);
+  EXPECT_EQ(recorded.ended, "unix:" + rig.settings.path + ": the recording ended: another field was taken over; record again");
+}
+
+TEST(Upload, ARecordingThatIsCutKeepsWhatCame) {
+  ControlRig rig;
+  const Follower follower(rig);
+  Controller controller("unix:" + rig.settings.path);
+  const Recorded recorded(
+      controller, 1'000'000, [&] { rig.server->stop(); }, kNeverEnough);
+  EXPECT_GE(recorded.records, 100U);
+  EXPECT_THAT(recorded.ended, HasSubstr("the controller closed the connection; see whether it still runs"));
+}
+
+TEST(Upload, ARecordingEndsWhenItIsEnoughAlsoWithoutTicks) {
+  ControlRig rig;
+  const Follower follower(rig);
+  {
+    Controller controller("unix:" + rig.settings.path);
+    bool enough = false;
+    const Recorded recorded(
+        controller, 1'000'000, [&] { enough = true; }, [&] { return enough; });
+    EXPECT_GE(recorded.records, 100U);
+    EXPECT_LT(recorded.records, 1'000'000U);
+    EXPECT_EQ(recorded.ended, "");
+  }
+  rig.tick.rests = true;
+  int asked = 0;
+  io::Speaker(rig.settings.path).greet();  // the server has heard that the one before has gone
+  Controller controller("unix:" + rig.settings.path);
+  const Recorded nothing(controller, 10, {}, [&] { return ++asked > 3; });
+  EXPECT_EQ(nothing.records, 0U);
+  EXPECT_EQ(nothing.ended, "");
+}
+
+TEST(Upload, WhatIsRefusedBeforeTheFirstTickIsThrown) {
+  ControlRig rig;
+  const Follower follower(rig);
+  Controller controller("unix:" + rig.settings.path), another("unix:" + rig.settings.path);
+  const Recorded recorded(
+      controller, 1000,
+      [&] { EXPECT_THAT(refusal([&] { const Recorded other(another, 10, {}, kNeverEnough); }), HasSubstr("another client is recording")); },
+      kNeverEnough);
+  EXPECT_EQ(recorded.records, 1000U);
+}
+
+TEST(Upload, TicksThatAreFollowedAndCutKeepWhatCame) {
+  ControlRig rig;
+  Controller controller("unix:" + rig.settings.path);
+  std::uint64_t shown = 0;
+  const auto show = [&](std::uint64_t, std::span<const std::uint8_t>) {
+    if (++shown == 100) rig.server->stop();
+  };
+  EXPECT_THAT(controller.watch(1, 1'000'000, show, kNeverEnough).ended, HasSubstr("the controller closed the connection"));
+  EXPECT_GE(shown, 100U);
 }
 
 /// A program that does what ssh would: it finds the words after "--" and runs the last one by a shell.
