@@ -129,10 +129,11 @@ void Controller::resume() {
 /// taken     so many have come before: as long as there are none, what goes wrong is thrown
 /// ended     why there are no more
 /// returns   nothing: no more are wanted, or will come
-std::optional<wire::Records> Controller::more_records(std::uint64_t taken, const std::function<bool()>& enough, std::string& ended) {
+std::optional<wire::Records> Controller::more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
+                                                      std::string& ended) {
   try {
     bool there = false;
-    for (int waited = 0; !there && waited < kAnswer && !enough(); waited += kAsksEnough) there = connection_.has_input(kAsksEnough);
+    for (int waited = 0; !there && waited < patience_ms && !enough(); waited += kAsksEnough) there = connection_.has_input(kAsksEnough);
     if (enough()) return std::nullopt;
     const auto records = read<wire::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
     if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0)
@@ -153,7 +154,7 @@ std::string Controller::record(std::uint64_t ticks, const std::function<void(std
   std::string ended;
   std::uint64_t next = 0;
   for (std::uint64_t taken = 0; taken < ticks;) {
-    const auto more = more_records(taken, enough, ended);
+    const auto more = more_records(taken, kAnswer, enough, ended);
     if (!more) return ended;
     if (taken > 0 && more->first_tick != next) return connection_.address().text + ": the recording has a gap; record again";
     for (std::size_t at = 0; at < more->bytes.size() && taken < ticks; at += more->record_bytes, ++taken) {
@@ -169,9 +170,10 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
                                       const std::function<bool()>& enough) {
   connection_.send(Kind::kSubscribe, wire::Subscribe{every});
   (void)expect(Kind::kDone, kAnswer);
+  const int patience_ms = kAnswer + static_cast<int>(std::min(1e8, every * (welcome_.period_ns / 1e6)));  // they may be far apart
   Watched watched;
   for (std::uint64_t taken = 0; taken < records;) {
-    const auto more = more_records(taken, enough, watched.ended);
+    const auto more = more_records(taken, patience_ms, enough, watched.ended);
     if (!more) return watched;
     watched.lost = more->lost;
     std::uint64_t tick = more->first_tick;

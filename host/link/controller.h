@@ -84,7 +84,7 @@ class Controller {
 
  private:
   wire::Frame expect(wire::Kind kind, int patience_ms);
-  std::optional<wire::Records> more_records(std::uint64_t taken, const std::function<bool()>& enough, std::string& ended);
+  std::optional<wire::Records> more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough, std::string& ended);
   template <class Message>
   Message read(const wire::Frame& frame);
   [[noreturn]] void complain(const std::string& sentence);
