@@ -7,10 +7,20 @@
 
 namespace isotouch::daemon {
 
+namespace {
+
+std::string why_not_opened(int error) {
+  if (error == EACCES || error == EPERM)
+    return "may not be opened by this user; add the user to the group gpio, and install 60-isotouch-gpio.rules, which gives it the chips";
+  return std::string(std::strerror(error)) + "; name a chip that 'gpiodetect' shows";
+}
+
+}  // namespace
+
 std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
   if (settings.line_chip.empty()) return {};
   lines.chip = io::open_gpio(settings.line_chip);
-  if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + std::strerror(errno) + "; name a chip that 'gpiodetect' shows";
+  if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
   std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
   if (complaint.empty()) lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
   return complaint;

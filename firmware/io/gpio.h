@@ -42,8 +42,8 @@ class Gpio {
   virtual std::unique_ptr<GpioLine> output(unsigned offset) = 0;
 };
 
-/// chip      "gpiochip0", or a path
-/// fails     nullptr: errno tells why
+/// chip      "gpiochip0", or a path in /dev
+/// fails     nullptr: errno tells why; EACCES: this user may not
 std::unique_ptr<Gpio> open_gpio(const std::string& chip);
 
 }  // namespace isotouch::io
