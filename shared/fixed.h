@@ -11,6 +11,7 @@
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace isotouch {
 
@@ -41,6 +42,14 @@ constexpr std::int64_t product(Narrow a, Narrow b) { return std::int64_t{a} * b;
 
 /// `round_shift` where the result is known to fit 32 bits.
 constexpr Narrow round_shift_narrow(std::int64_t value, int bits) { return static_cast<Narrow>(round_shift(value, bits)); }
+
+/// `value / 2^32` rounded down: on 32-bit processors no shift at all.
+constexpr Narrow upper_word(std::int64_t value) { return static_cast<Narrow>(value >> 32); }
+
+/// The same of the product of two that are not negative.
+constexpr std::uint_fast32_t upper_product(std::uint_fast32_t a, std::uint_fast32_t b) {
+  return static_cast<std::uint_fast32_t>((std::uint64_t{a} * b) >> 32);
+}
 
 /// The nearest value that fits 32 bits: saturates, never wraps.
 constexpr std::int32_t saturate32(std::int64_t value) {
@@ -93,6 +102,12 @@ class Fixed {
   constexpr explicit Fixed(std::int32_t raw) : raw_(raw) {}
   std::int32_t raw_ = 0;
 };
+
+/// The nearest value from `low` to `high`. By value, which std::clamp is not: what it refers to must lie in memory.
+template <class U, int F>
+constexpr Fixed<U, F> within(Fixed<U, F> value, std::type_identity_t<Fixed<U, F>> low, std::type_identity_t<Fixed<U, F>> high) {
+  return value < low ? low : high < value ? high : value;
+}
 
 /// The product in the format R, rounded once, saturated. Worst case 2^62 before the shift: fits.
 template <class R, class A, int FA, class B, int FB>

@@ -28,8 +28,8 @@ inline constexpr int kPoseSteps = 3;
 struct Mechanism {
   Mm arm;
   Mm joint;
-  Mm radial;
-  Mm tangential;
+  std::int64_t radial = 0;      ///< mm, 52 fraction bits, half a unit of Mm added: the upper word of a sum that begins with it is rounded
+  std::int64_t tangential = 0;  ///< the same
   Mm reach_across;              ///< |q| stays below 0.99 b
   std::int64_t rod_square = 0;  ///< b², mm², 40 fraction bits
   std::array<SineCosine, 3> azimuths{};
