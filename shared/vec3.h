@@ -27,6 +27,18 @@ constexpr Vec3<R> mul(const Vec3<Fixed<A, FA>>& v, Fixed<B, FB> factor) {
   return {mul<R>(v.x, factor), mul<R>(v.y, factor), mul<R>(v.z, factor)};
 }
 
+/// A part of every component, from none to all of it.
+template <class Q, int FP>
+constexpr Vec3<Q> part_of(const Vec3<Q>& v, Fixed<Unit<0, 0, 0, 0>, FP> part) {
+  return {part_of(v.x, part), part_of(v.y, part), part_of(v.z, part)};
+}
+
+/// Every component, if it is not beyond ±limit; else that.
+template <class Q>
+constexpr Vec3<Q> within(const Vec3<Q>& v, Q limit) {
+  return {within(v.x, -limit, limit), within(v.y, -limit, limit), within(v.z, -limit, limit)};
+}
+
 /// The dot product of the raw values, in the product's format. Each |raw| must stay below 2^30, so that three products fit 63 bits.
 template <class A, int FA, class B, int FB>
 constexpr std::int64_t dot_raw(const Vec3<Fixed<A, FA>>& a, const Vec3<Fixed<B, FB>>& b) {

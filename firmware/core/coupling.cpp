@@ -1,28 +1,29 @@
 #include "firmware/core/coupling.h"
 
-#include <algorithm>
-
 #include "shared/roots.h"
 
 namespace isotouch::core {
 
 namespace {
 
+struct Limited {
+  Vec3<Newton> newton;
+  bool limited;
+  Ratio kept;  // the part of the length that is left
+};
+
 /// Shortens a force to the limit, direction kept, to within two units of the last place. Components are clamped to ±8191 N first (2^29), so that
 /// three squares fit 63 bits.
-///
-/// kept      the part of the length that is left
-Vec3<Newton> limit_length(const Vec3<Newton>& force, Newton limit, bool& limited, Ratio& kept) {
-  const auto bounded = [](Newton f) { return std::clamp(f, Newton::of(-8191), Newton::of(8191)); };
-  const Vec3<Newton> f = {bounded(force.x), bounded(force.y), bounded(force.z)};
+Limited limited_length(const Vec3<Newton>& force, Newton limit) {
+  const Vec3<Newton> f = within(force, Newton::of(8191));
   const std::int64_t square = dot_raw(f, f);
-  limited = square > std::int64_t{limit.raw()} * limit.raw();
-  if (!limited) return force;
+  const bool limited = square > std::int64_t{limit.raw()} * limit.raw();
+  if (!limited) return {force, false, Ratio::of(1)};
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
   // limit / length with 30 fraction bits: limit is below 2^23, the mantissa at most 2^31, the shift at least 31
   const std::int64_t ratio = (std::int64_t{limit.raw()} * inverse_length.mantissa) >> (inverse_length.shift - Ratio::kFractionBits);
-  kept = Ratio::from_raw(saturate32(ratio));
-  return mul<Newton>(f, kept);
+  const auto kept = Ratio::from_raw(static_cast<std::int32_t>(ratio));
+  return {part_of(f, kept), true, kept};
 }
 
 }  // namespace
@@ -57,16 +58,12 @@ Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupli
   const bool in_ramp = contact.touching && state.ramp < coupling.ramp_ticks;
   state.ramp = !arrived ? 0 : in_ramp ? state.ramp + 1 : coupling.ramp_ticks;
 
-  Force force;
-  force.ramping = in_ramp;
-  if (!contact.touching) return force;
-  force.stretch = stretch;
-  force.spring = mul<Newton>(stretch, stiffness);
-  const Vec3<Newton> full = force.spring + mul<Newton>(change, coupling.damping) + damping;
+  if (!contact.touching) return {};
+  const Vec3<Newton> spring = mul<Newton>(stretch, stiffness);
+  const Vec3<Newton> full = spring + mul<Newton>(change, coupling.damping) + damping;
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
-  force.newton =
-      limit_length(in_ramp ? mul<Newton>(full, RampPart::from_raw(part)) : full, coupling.force_limit, force.limited, force.kept);
-  return force;
+  const Limited force = limited_length(in_ramp ? part_of(full, RampPart::from_raw(part)) : full, coupling.force_limit);
+  return {force.newton, force.limited, in_ramp, stretch, spring, force.kept};
 }
 
 }  // namespace isotouch::core

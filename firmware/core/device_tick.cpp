@@ -80,8 +80,7 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
     state.move = {};
     state.tick = {};
   }
-  Pose pose;
-  if (state.reply.homed) pose = follow_pose(joint_angles(state.reply.counts, model.device), model.mechanism, state.pose);
+  const Pose pose = state.reply.homed ? follow_pose(joint_angles(state.reply.counts, model.device), model.mechanism, state.pose) : Pose{};
   if (pose.settled) {
     out.hip = pose.hip - model.device.workspace_origin;
     const Vec3<MmPerS> velocity = hip_velocity(out.hip, reading.fresh, model.rate, state.velocity);
@@ -113,7 +112,7 @@ DeviceOutput device_tick(const DeviceInput& in, const BlobView* field, const Dev
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
 
   out.tick.force = with_handle_held_up(out.tick.force, state.felt.settings.weight);
-  if (!permission.granted || permission.ramping) state.tick.passivity = {};  // the hand does not feel what the ledger would book
+  if (!permission.granted || permission.ramping) forget(state.tick.passivity);  // the hand does not feel what the ledger would book
 
   MotorWords words;
   out.tick.force = permission.granted ? mul<Newton>(out.tick.force, permission.part) : Vec3<Newton>{};

@@ -33,9 +33,9 @@ inline Vec3<MmPerS> hip_velocity(const Vec3<Mm>& hip, bool fresh, PerSecond rate
   state.ticks = std::min<std::uint32_t>(state.ticks + 1, 8);
   if (!fresh) return state.velocity;
   if (state.has_last) {
-    const Vec3<Mm> moved = mul<Mm>(hip - state.last, kParts[state.ticks]);
+    const Vec3<Mm> moved = part_of(hip - state.last, kParts[state.ticks]);
     const Vec3<MmPerS> now = mul<MmPerS>(moved, rate);
-    state.velocity = state.velocity + mul<MmPerS>(now - state.velocity, Ratio::of(0.25));
+    state.velocity = state.velocity + part_of(now - state.velocity, Ratio::of(0.25));
   }
   state.last = hip;
   state.ticks = 0;

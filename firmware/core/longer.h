@@ -1,22 +1,19 @@
 /// Lengths against limits, without a root.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "shared/vec3.h"
 
 namespace isotouch::core {
 
-/// Is a vector longer than the limit? Components are clamped to 2^30, so that three squares fit 63 bits; the limit is below that.
+/// Is a vector longer than the limit? Three squares fit 64 bits without a sign; the limit is not below 0.
 ///
 /// tick      yes
 template <class Q>
 bool is_longer(const Vec3<Q>& v, Q limit) {
-  const Q most = Q::from_raw(1 << 30);
-  const auto bounded = [most](Q q) { return std::clamp(q, -most, most); };
-  const Vec3<Q> b = {bounded(v.x), bounded(v.y), bounded(v.z)};
-  return dot_raw(b, b) > std::int64_t{limit.raw()} * limit.raw();
+  const auto square = [](Q q) { return static_cast<std::uint64_t>(product(q.raw(), q.raw())); };
+  return square(v.x) + square(v.y) + square(v.z) > square(limit);
 }
 
 }  // namespace isotouch::core

@@ -13,12 +13,6 @@ constexpr Newton kMostForce = Newton::of(8191);
 constexpr Ratio kWhole = Ratio::of(1);
 constexpr int kWorkBits = Newton::kFractionBits + Mm::kFractionBits - Energy::kFractionBits;
 
-template <class Q>
-Vec3<Q> within(const Vec3<Q>& v, Q limit) {
-  const auto bounded = [limit](Q q) { return std::clamp(q, -limit, limit); };
-  return {bounded(v.x), bounded(v.y), bounded(v.z)};
-}
-
 Energy work(const Vec3<Newton>& force, const Vec3<Mm>& way) {
   return Energy::from_raw(saturate32(round_shift(dot_raw(force, way), kWorkBits)));
 }
@@ -27,22 +21,29 @@ Energy work(const Vec3<Newton>& force, const Vec3<Mm>& way) {
 Energy stored_energy(const Force& force) {
   const Energy whole = work(within(force.spring, kMostForce), within(force.stretch, Mm::of(1023)));
   const Ratio half = Ratio::from_raw(force.kept.raw() >> 1);
-  return mul<Energy>(whole, mul<Ratio>(force.kept, kWhole - half));
+  return part_of(whole, part_of(force.kept, kWhole - half));
 }
 
 }  // namespace
 
 Damping injected_damping(const Passivity& passivity, const PassivityState& state) {
-  const Energy debt = std::max(-state.balance, Energy{});
-  return mul<Damping>(passivity.most, std::min(mul<Ratio>(debt, kPerDebt), kWhole));
+  return part_of(passivity.most, within(mul<Ratio>(-state.balance, kPerDebt), Ratio{}, kWhole));
+}
+
+void forget(PassivityState& state) {
+  state.balance = {};
+  state.injected = {};
+  state.tick = 0;
+  state.begun = false;
 }
 
 void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state) {
-  if (force.ramping) state = {};
+  if (force.ramping) forget(state);
   const Energy stored = stored_energy(force);
   if (state.begun) {
     const Vec3<Mm> way = within(hip - state.hip, kMostMove);
-    const Vec3<Newton>& felt = state.forces[(state.tick - passivity.delay) & (PassivityState::kForces - 1)];
+    const bool felt_any = state.tick > passivity.delay;
+    const Vec3<Newton> felt = felt_any ? state.forces[(state.tick - passivity.delay) & (PassivityState::kForces - 1)] : Vec3<Newton>{};
     const Energy brought = work(mul<Newton>(way, passivity.device) - felt, way);
     state.balance = std::min(state.balance + brought - (stored - state.stored), kMostSurplus);
   }
@@ -51,7 +52,7 @@ void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& in
   state.injected = injected;
   state.stored = stored;
   state.begun = true;
-  ++state.tick;
+  state.tick = state.tick < 2 * PassivityState::kForces - 1 ? state.tick + 1 : PassivityState::kForces;
   state.forces[state.tick & (PassivityState::kForces - 1)] =
       force.newton - Vec3<Newton>{half(injected.x), half(injected.y), half(injected.z)};
 }

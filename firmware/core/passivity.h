@@ -54,9 +54,12 @@ struct PassivityState {
   Vec3<Mm> hip;
   std::array<Vec3<Newton>, kForces> forces{};  ///< said in the last ticks, the injected part by half
   Vec3<Newton> injected;                       ///< in the last tick
-  std::uint32_t tick = 0;
+  std::uint32_t tick = 0;                      ///< of the forces that are known: counts to 15, then again from 8
   bool begun = false;
 };
+
+/// The ledger begins anew with the next tick: without debt, and without a force that is still felt.
+void forget(PassivityState& state);
 
 /// returns   the damping to inject now: 0 without debt, at most `most`
 /// tick      yes

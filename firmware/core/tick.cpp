@@ -1,7 +1,5 @@
 #include "firmware/core/tick.h"
 
-#include <algorithm>
-
 #include "firmware/core/stiffness_at.h"
 
 namespace isotouch::core {
@@ -11,14 +9,10 @@ namespace {
 constexpr Mm kReach = Mm::of(512);              // of the input, each axis: three products of differences then fit 63 bits
 constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
 
-Vec3<Mm> clamp_to_reach(const Vec3<Mm>& hip) {
-  return {std::clamp(hip.x, -kReach, kReach), std::clamp(hip.y, -kReach, kReach), std::clamp(hip.z, -kReach, kReach)};
-}
+Vec3<Mm> clamp_to_reach(const Vec3<Mm>& hip) { return within(hip, kReach); }
 
 Vec3<Voxel> to_index(const Vec3<Mm>& point, const BlobView& field) {
-  const Vec3<Voxel> index = mul<Voxel>(point - field.origin, field.inverse_edge);
-  const auto bounded = [](Voxel v) { return std::clamp(v, -kIndexReach, kIndexReach); };
-  return {bounded(index.x), bounded(index.y), bounded(index.z)};
+  return within(mul<Voxel>(point - field.origin, field.inverse_edge), kIndexReach);
 }
 
 Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const BlobView& field) { return mul<Mm>(index, field.edge) + field.origin; }
@@ -97,14 +91,12 @@ TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& mod
   const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
   if (model.passivity.is_on()) book_energy(hip, force, damped.injected, model.passivity, state.passivity);
 
-  TickOutput out;
-  out.proxy = contact.touching || contact.following ? to_workspace(contact.proxy, field) : hip;
-  out.force = force.newton;
-  out.status = when(contact.touching, kContact) | when(contact.following, kFollowing) | when(contact.outside_grid, kOutsideGrid) |
-               when(contact.held_inside, kHeldInside) | when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
-               when(!in.fresh, kStale) | when(!(hip == in.hip), kInputClamped) |
-               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
-  return out;
+  const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
+                               when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
+                               when(force.ramping, kRamping) | when(force.limited, kForceLimited) | when(!in.fresh, kStale) |
+                               when(!(hip == in.hip), kInputClamped) |
+                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
+  return {contact.touching || contact.following ? to_workspace(contact.proxy, field) : hip, force.newton, {}, 0, status};
 }
 
 }  // namespace isotouch::core
