@@ -51,6 +51,12 @@ constexpr std::uint_fast32_t upper_product(std::uint_fast32_t a, std::uint_fast3
   return static_cast<std::uint_fast32_t>((std::uint64_t{a} * b) >> 32);
 }
 
+/// Is |value| below 2^bits, or value -2^bits?
+template <int bits>
+constexpr bool is_within_bits(std::int64_t value) {
+  return static_cast<std::uint64_t>(value + (std::int64_t{1} << bits)) >> (bits + 1) == 0;
+}
+
 /// The nearest value that fits 32 bits: saturates, never wraps.
 constexpr std::int32_t saturate32(std::int64_t value) {
   const auto kept = static_cast<std::int32_t>(value);

@@ -24,6 +24,7 @@ constexpr Narrow kDeterminantLimit = 16 * kOne;
 constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;  // what a reciprocal may be multiplied with
 constexpr Narrow kLengthLimit = 1 << 30;                        // of a component whose square is taken: three of them fit 63 bits
 constexpr Narrow kMinBend = kOne / 2;      // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
+constexpr int kTameBits = 42;              // of a product of two lengths: 1024 square voxels; beyond, wider numbers are needed
 constexpr Narrow kMinSpread = kOne / 512;  // half of the least distance that two eigenvalues count with
 
 struct Raw3 {
@@ -49,10 +50,21 @@ Raw3 scale(const Raw3& v, Narrow factor) { return {scaled(v.x, factor), scaled(v
 Narrow within(Narrow value, Narrow limit) { return std::clamp(value, -limit, limit); }
 Raw3 within(const Raw3& v, Narrow limit) { return {within(v.x, limit), within(v.y, limit), within(v.z, limit)}; }
 
-/// value / divisor, 16 fraction bits; what does not fit 32 bits acts like the nearest that does, before and after. The shift is from 22 to 45.
-Narrow divide(std::int64_t value, const Reciprocal& divisor) {
+/// value / divisor, 16 fraction bits, for |value| < 2^24 and a divisor from 1/64 on, whose shift is 41 at least: raised, so that the upper word is the quotient.
+constexpr int kNearBits = 24;
+Narrow divide_near(Narrow value, const Reciprocal& divisor) {
+  return upper_word(product(value * (1 << (31 - kNearBits)), divisor.mantissa)) >> (divisor.shift - 16 - (1 + kNearBits));
+}
+/// The same for any value; what does not fit 32 bits acts like the nearest that does, before and after.
+[[gnu::noinline]] Narrow divide_far(std::int64_t value, const Reciprocal& divisor) {
   return saturate32(product(saturate32(value), divisor.mantissa) >> (divisor.shift - 16));
 }
+Narrow divide(std::int64_t value, const Reciprocal& divisor) {
+  return is_within_bits<kNearBits>(value) ? divide_near(static_cast<Narrow>(value), divisor) : divide_far(value, divisor);
+}
+
+/// part / whole, 16 fraction bits, where |part| <= whole and `over` is 1 / whole: its shift, 59 at most, tells how far the part may be raised.
+Narrow ratio(Narrow part, const Reciprocal& over) { return upper_word(product(part << (60 - over.shift), over.mantissa)) >> 12; }
 
 /// x / sqrt(x), the square root of a value with 32 fraction bits, with 16: the leading 31 bits of x times the mantissa. x from 1 to 2^62.
 Narrow root(std::int64_t x, const Reciprocal& inverse_root) {
@@ -62,10 +74,10 @@ Narrow root(std::int64_t x, const Reciprocal& inverse_root) {
 
 /// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components beyond 2^30 act like 2^30.
 inline Raw3 shorten(const Raw3& any, Narrow limit) {
+  const auto square = [](Narrow q) { return static_cast<std::uint64_t>(product(q, q)); };  // three of 2^31 fit without a sign
+  if (square(any.x) + square(any.y) + square(any.z) <= square(limit)) return any;
   const Raw3 v = within(any, kLengthLimit);
-  const std::int64_t square = sum_of_products(v, v);
-  if (square <= product(limit, limit)) return v;
-  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
+  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(sum_of_products(v, v)));
   const auto ratio =
       static_cast<Narrow>(product(limit, inverse_length.mantissa) >> (inverse_length.shift - 30));  // below 1, 30 fraction bits
   const auto part = [ratio](Narrow q) { return static_cast<Narrow>(product(q, ratio) >> 30); };
@@ -104,7 +116,7 @@ struct LocalField {
   /// How far a point at `offset` lies above the plane that the sample predicts for the surface.
   std::int64_t clearance(const Raw3& offset) const { return distance + dot(gradient, offset); }
   /// -φ g / |g|², below 2^30
-  Raw3 onto_surface() const { return scale(gradient, -divide(distance, slope_square)); }
+  Raw3 onto_surface() const { return scale(gradient, -divide_near(distance, slope_square)); }
 };
 
 /// The step along the surface towards the point closest to the HIP: Newton's on the Lagrangian, within the tangent plane.
@@ -128,11 +140,17 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
   const Narrow b1 = std::max<Narrow>(std::abs(kOne - mu1), kMinBend), b2 = std::max<Narrow>(std::abs(kOne - mu2), kMinBend);
   const Reciprocal over_b1 = reciprocal32(static_cast<std::uint32_t>(b1));
   const Reciprocal over_b2 = reciprocal32(static_cast<std::uint32_t>(b2));
-  const Narrow factor = divide(divide((b1 - b2) >> 1, over_spread), over_b2);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±2
+  const Narrow share = ratio((b1 - b2) >> 1, over_spread);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±1
+  const Narrow factor = upper_word(product(share * (1 << 14), over_b2.mantissa)) >> (over_b2.shift - 34);  // share / b₂, within ±2
 
   const Raw3 turned = at.tangential(at.bend(pull));
   const auto solved = [&](Narrow pulled, Narrow turned_part) {
-    const std::int64_t beyond = (product(turned_part, depth) >> 16) - (product(pulled, mu1) >> 16);  // M pull - μ₁ pull, below 2^41
+    const std::int64_t bent = product(turned_part, depth), straight = product(pulled, mu1);  // M pull and μ₁ pull, below 2^57
+    if (is_within_bits<kTameBits>(bent) && is_within_bits<kTameBits>(straight)) [[likely]] {
+      const Narrow sum = pulled + scaled(static_cast<Narrow>(bent >> 16) - static_cast<Narrow>(straight >> 16), factor);  // below 2^29
+      return upper_word(product(sum * 4, over_b1.mantissa)) >> (over_b1.shift - 46);
+    }
+    const std::int64_t beyond = (bent >> 16) - (straight >> 16);
     const std::int64_t sum = std::clamp(pulled + ((beyond * factor) >> 16), -kDividendLimit, kDividendLimit);
     return Narrow{saturate32((sum * over_b1.mantissa) >> (over_b1.shift - 16))};
   };
