@@ -91,14 +91,15 @@ constexpr SineCosine sine_cosine(Angle angle) {
   const Narrow rest = static_cast<std::int32_t>((nearest & ((1U << kRestBits) - 1))) - (1 << (kRestBits - 1));  // within ±2^22
 
   // In radians with 34 fraction bits: 2π / 2^32 * 2^34 = 8π, here with 26 bits; below 2^22 * 2^31.
-  const Narrow r = round_shift_narrow(product(rest, 1686629713), 26);            // below 0.0062, 2^27
-  const Narrow half_square = round_shift_narrow(product(r, r), 39);              // r²/2, 30 fraction bits, below 2^15
-  const Narrow third = round_shift_narrow(product(half_square, 357913941), 30);  // r²/6
-  const Narrow sine_rest = r - round_shift_narrow(product(r, third), 30);        // r - r³/6, 34 fraction bits
+  // One factor of a product is raised where that makes the upper word the result.
+  const Narrow r = round_shift_narrow(product(rest * 64, 1686629713), 32);     // below 0.0062, 2^27
+  const Narrow square = 4 * round_shift_narrow(product(r, r), 39);             // r²/2 with 30 fraction bits, below 2^15, raised by 2
+  const Narrow third = round_shift_narrow(product(square, 357913941), 32);     // r²/6
+  const Narrow sine_rest = r - round_shift_narrow(product(4 * r, third), 32);  // r - r³/6, 34 fraction bits
   const Narrow s = kSine[place];
   const Narrow c = kSine[(std::size_t{1} << kQuarterBits) - place];
-  const Narrow sine = s + round_shift_narrow(product(c, sine_rest), 34) - round_shift_narrow(product(s, half_square), 30);
-  const Narrow cosine = c - round_shift_narrow(product(s, sine_rest), 34) - round_shift_narrow(product(c, half_square), 30);
+  const Narrow sine = s + round_shift_narrow(product(c, sine_rest), 34) - round_shift_narrow(product(s, square), 32);
+  const Narrow cosine = c - round_shift_narrow(product(s, sine_rest), 34) - round_shift_narrow(product(c, square), 32);
   const bool swapped = (quarter & 1) != 0, below = (quarter & 2) != 0, left = ((quarter + 1) & 2) != 0;
   const Narrow y = swapped ? cosine : sine, x = swapped ? sine : cosine;
   const auto ratio = [](Narrow raw) { return Ratio::from_raw(static_cast<std::int32_t>(raw)); };

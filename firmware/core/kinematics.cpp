@@ -22,7 +22,7 @@ constexpr Mm kLongestStep = Mm::of(20);
 constexpr Mm kConfirmed = Mm::of(0.001);
 constexpr std::uint32_t kPatience = 16;
 constexpr std::int64_t kSmallestDeterminant = std::int64_t{50'000} << kDeterminantBits;
-constexpr std::int64_t kLargestResidual = std::int64_t{2048} << kResidualBits;  // about 20 mm away; keeps a step's sum below 2^62
+constexpr int kLargestResidualBits = 11 + kResidualBits;  // 2048 mm², about 20 mm away; keeps a step's sum below 2^62
 
 constexpr Narrow kLargestGradient = 1 << 25;  // 512 mm: the difference of two products fits a cofactor
 
@@ -53,6 +53,22 @@ struct Closure {
   bool outside;          // |q| was cut
 };
 
+/// Hardly ever out of bounds, so one comparison decides; here and below.
+Narrow bounded(Narrow g) {
+  if (static_cast<std::uint_fast32_t>(g + kLargestGradient) < 2 * kLargestGradient) [[likely]]
+    return g;
+  return g < 0 ? -kLargestGradient : kLargestGradient - 1;
+}
+
+/// missing   E² - X² - Z², mm²
+Narrow bounded_residual(std::int64_t missing) {
+  constexpr int kShift = 2 * kMmBits - kResidualBits + 1;
+  const std::int64_t rounded = missing + (std::int64_t{1} << (kShift - 1));
+  if (is_within_bits<kLargestResidualBits + kShift>(rounded)) [[likely]]
+    return static_cast<Narrow>(rounded >> kShift);
+  return rounded < 0 ? -(1 << kLargestResidualBits) : 1 << kLargestResidualBits;
+}
+
 /// Lengths carry kMmBits and are below 512 mm: 2^29. Products of fine ones with ratios are below 2^62.
 Closure closure_of(const Vec3<Mm>& hip, const SineCosine& azimuth, const Arm& arm, const Mechanism& m) {
   const Narrow x = fine(hip.x), y = fine(hip.y);
@@ -73,11 +89,10 @@ Closure closure_of(const Vec3<Mm>& hip, const SineCosine& azimuth, const Arm& ar
   const Narrow T = round_shift_narrow(reach * slope, kRatioBits);  // joint and rod within the model's ranges: below 500 mm
 
   constexpr int kToGradient = kMmBits + kRatioBits - kGradientBits;
-  const auto bounded = [](Narrow g) { return std::clamp<Narrow>(g, -kLargestGradient, kLargestGradient - 1); };
-  const std::int64_t missing = round_shift(product(reach, reach) - (product(X, X) + product(Z, Z)), 2 * kMmBits - kResidualBits + 1);
+  const std::int64_t missing = product(reach, reach) - (product(X, X) + product(Z, Z));
   return {{bounded(round_shift_narrow(product(X, cos_phi) + product(-T, sin_phi), kToGradient)),
            bounded(round_shift_narrow(product(X, sin_phi) + product(T, cos_phi), kToGradient)), (Z + (1 << 3)) >> 4},
-          static_cast<Narrow>(std::clamp(missing, -kLargestResidual, kLargestResidual)),
+          bounded_residual(missing),
           X,
           Z,
           q != across};
