@@ -37,7 +37,9 @@ struct AxisPlace {
   std::int32_t at;      // place of sample 0 in its brick, 0 to 3
 
   constexpr std::int32_t in_brick(std::int32_t sample) const { return (at + sample) & 3; }
-  constexpr bool is_after(std::int32_t sample) const { return at + sample > 3; }
+  constexpr bool middle_is_after() const {
+    return at == 3;
+  }  // the first one is never, the last one always in a brick that may be called after
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
@@ -50,10 +52,12 @@ AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
 /// Three samples in a row along x: where each one's line of bricks begins.
 using Row = std::array<const std::int16_t*, 3>;
 
-/// The rows of the four columns of bricks around the point, along x; index bit 0 is y, bit 1 z: 0 before, 1 after.
-std::array<Row, 4> rows_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
+/// The rows of two columns of bricks around the point, along x: before the point along y, and after it.
+using Rows = std::array<Row, 2>;
+
+/// Those of the bricks before the point along z, and of those after it.
+std::array<Rows, 2> rows_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
   const std::int32_t x1 = x.in_brick(1), x2 = x.in_brick(2);
-  const bool middle_is_after = x.is_after(1);
   const auto row = [&](std::int32_t brick_y, std::int32_t brick_z) -> Row {
     const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
     const std::uint32_t* slots = field.nodes + (((brick_z & 3) << 4) | ((brick_y & 3) << 2));
@@ -62,9 +66,9 @@ std::array<Row, 4> rows_around(const BlobView& field, const AxisPlace& x, const 
     };
     const std::int16_t* before = brick(x.before);
     const std::int16_t* after = brick(x.after);
-    return {before + x.at, (middle_is_after ? after : before) + x1, after + x2};
+    return {before + x.at, (x.middle_is_after() ? after : before) + x1, after + x2};
   };
-  return {row(y.before, z.before), row(y.after, z.before), row(y.before, z.after), row(y.after, z.after)};
+  return {Rows{row(y.before, z.before), row(y.after, z.before)}, Rows{row(y.before, z.after), row(y.after, z.after)}};
 }
 
 /// Nine samples of constant z, contracted along x and y: the value and its derivatives within the plane.
@@ -72,14 +76,13 @@ struct Plane {
   std::int32_t value, dx, dy, dxx, dyy, dxy;
 };
 
-Plane contract_plane(const Row* rows, const AxisPlace& x, const AxisPlace& y, std::int32_t in_brick_z) {
-  const auto contract_row = [&](std::int32_t j) {
-    const Row& row = rows[y.is_after(j)];
-    const std::int32_t offset = in_brick_z | (y.in_brick(j) << 2);
+inline Plane contract_plane(const Rows& rows, const AxisPlace& x, const AxisPlace& y, std::int32_t layer) {
+  const auto contract_row = [&](const Row& row, std::int32_t j) {
+    const std::int32_t offset = layer | (y.in_brick(j) << 2);
     const auto sample = [&](std::size_t i) { return std::int32_t{row[i][offset]} * (1 << kCoefficientBits); };
     return along(sample(0), sample(1), sample(2), x.t);
   };
-  const Along row0 = contract_row(0), row1 = contract_row(1), row2 = contract_row(2);
+  const Along row0 = contract_row(rows[0], 0), row1 = contract_row(rows[y.middle_is_after()], 1), row2 = contract_row(rows[1], 2);
   const Along value = along(row0.value, row1.value, row2.value, y.t);
   const Along slope = along(row0.slope, row1.slope, row2.slope, y.t);
   const std::int32_t dxx = along(row0.bend, row1.bend, row2.bend, y.t).value;
@@ -95,10 +98,10 @@ void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& 
   const AxisPlace x = place(point.x.raw(), field.size[0], outside);
   const AxisPlace y = place(point.y.raw(), field.size[1], outside);
   const AxisPlace z = place(point.z.raw(), field.size[2], outside);
-  const std::array<Row, 4> rows = rows_around(field, x, y, z);
+  const std::array<Rows, 2> rows = rows_around(field, x, y, z);
 
-  const auto plane = [&](std::int32_t k) { return contract_plane(&rows[z.is_after(k) ? 2 : 0], x, y, z.in_brick(k) << 4); };
-  const Plane p0 = plane(0), p1 = plane(1), p2 = plane(2);
+  const auto plane = [&](const Rows& around, std::int32_t k) { return contract_plane(around, x, y, z.in_brick(k) << 4); };
+  const Plane p0 = plane(rows[0], 0), p1 = plane(rows[z.middle_is_after()], 1), p2 = plane(rows[1], 2);
   const Along value = along(p0.value, p1.value, p2.value, z.t);
   const Along dx = along(p0.dx, p1.dx, p2.dx, z.t);
   const Along dy = along(p0.dy, p1.dy, p2.dy, z.t);
