@@ -13,13 +13,11 @@ namespace {
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
-/// The model with the settings that hold now. Those that never changed stay as they were prepared, to the bit.
-TickModel retuned(const TickModel& model, const SettingsRamp& ramp) {
-  TickSettings settings = model.settings;
+/// Takes over the settings that hold now. Those that never changed stay as they were prepared, to the bit.
+void take_over(const SettingsRamp& ramp, TickModel& felt) {
+  TickSettings settings = felt.settings;
   store(ramp.now, settings);
-  TickModel felt = model;
-  if (!(settings == model.settings)) retune(settings, felt);
-  return felt;
+  if (!(settings == felt.settings)) retune(settings, felt);
 }
 
 /// Another field: nothing that was felt before holds. The proxy begins at the HIP.
@@ -27,7 +25,8 @@ void take_field(const BlobView* field, std::uint32_t generation, const DeviceTic
   state.field_generation = generation;
   state.tick = {};
   finish_settings(state.settings);
-  state.felt = retuned(model.any_field, state.settings);
+  state.felt = model.any_field;
+  take_over(state.settings, state.felt);
   if (field != nullptr) state.felt = for_field(state.felt, *field);
 }
 
@@ -39,7 +38,7 @@ void take_settings(const SettingChange& change, const DeviceTickModel& model, De
     state.has_settings = true;
   }
   const bool felt = state.supervisor.state == SupervisorState::kActive;
-  if (advance_settings(change, !felt, state.felt.coupling, state.settings)) state.felt = retuned(state.felt, state.settings);
+  if (advance_settings(change, !felt, state.felt.coupling, state.settings)) take_over(state.settings, state.felt);
 }
 
 /// The colours tell people what to expect; homing stays asked for, see the model.

@@ -17,6 +17,9 @@ struct VelocityState {
   bool has_last = false;
 };
 
+/// A fourth, rounded.
+constexpr MmPerS quarter(MmPerS whole) { return MmPerS::from_raw((whole.raw() >> 2) + ((whole.raw() >> 1) & 1)); }
+
 /// Counts are coarse: one is 10 to 40 µm, at 1 kHz 10 to 40 mm/s. Each difference enters with a quarter, so noise is halved and a step takes eight samples
 /// to come through to nine tenths.
 ///
@@ -35,7 +38,8 @@ inline Vec3<MmPerS> hip_velocity(const Vec3<Mm>& hip, bool fresh, PerSecond rate
   if (state.has_last) {
     const Vec3<Mm> moved = part_of(hip - state.last, kParts[state.ticks]);
     const Vec3<MmPerS> now = mul<MmPerS>(moved, rate);
-    state.velocity = state.velocity + part_of(now - state.velocity, Ratio::of(0.25));
+    const Vec3<MmPerS> change = now - state.velocity;
+    state.velocity = state.velocity + Vec3<MmPerS>{quarter(change.x), quarter(change.y), quarter(change.z)};
   }
   state.last = hip;
   state.ticks = 0;

@@ -27,9 +27,14 @@ inline JointTorques joint_torques(const Vec3<Newton>& force, const Statics& stat
                              std::int64_t{statics.inverse[i].y.raw()} * force.y.raw() +
                              std::int64_t{statics.inverse[i].z.raw()} * force.z.raw();
     const std::int64_t mu = round_shift(sum, PerMm::kFractionBits + Newton::kFractionBits - kBits);
-    const std::int64_t bounded = mu < -kLargest ? -kLargest : mu > kLargest ? kLargest : mu;
     constexpr int kShift = kBits + SquareMm::kFractionBits - NewtonMm::kFractionBits;
-    torques[i] = NewtonMm::from_raw(saturate32(round_shift(bounded * statics.levers[i].raw(), kShift)));
+    const auto torque = [&](std::int64_t moment) { return NewtonMm::from_raw(saturate32(round_shift(moment, kShift))); };
+    if (is_within_bits<31>(mu)) [[likely]] {  // below 2 N/mm
+      torques[i] = torque(product(static_cast<Narrow>(mu), statics.levers[i].raw()));
+      continue;
+    }
+    const std::int64_t bounded = mu < -kLargest ? -kLargest : mu > kLargest ? kLargest : mu;
+    torques[i] = torque(bounded * statics.levers[i].raw());
   }
   return torques;
 }

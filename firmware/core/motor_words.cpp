@@ -1,8 +1,6 @@
 #include "firmware/core/motor_words.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdlib>
 
 #include "shared/roots.h"
 
@@ -13,15 +11,21 @@ namespace {
 constexpr int kWordBits = 8;
 constexpr int kPerTorqueBits = 20;
 
-using Raw3 = std::array<std::int64_t, 3>;  // words with kWordBits, within 32 bits
+using Raw3 = std::array<std::int32_t, 3>;  // words with kWordBits
+
+/// Its size, without a number that has none.
+constexpr std::uint32_t size_of(std::int32_t value) {
+  return value < 0 ? 0 - static_cast<std::uint32_t>(value) : static_cast<std::uint32_t>(value);
+}
 
 /// Scales all three so that the largest is at the limit, if it is beyond.
-bool scale_to(std::int64_t limit, Raw3& values) {
-  const std::int64_t largest = std::max({std::abs(values[0]), std::abs(values[1]), std::abs(values[2])});
-  if (largest <= limit) return false;
-  const Reciprocal inverse = reciprocal(static_cast<std::uint64_t>(largest));
-  const std::int64_t factor = (limit * inverse.mantissa) >> (inverse.shift - 30);  // below 1 with 30 fraction bits; limit below 2^28
-  for (std::int64_t& value : values) value = round_shift(value * factor, 30);
+bool scale_to(std::int32_t limit, Raw3& values) {
+  const std::uint32_t x = size_of(values[0]), y = size_of(values[1]), z = size_of(values[2]);
+  const std::uint32_t larger = x > y ? x : y, largest = larger > z ? larger : z;
+  if (largest <= static_cast<std::uint32_t>(limit)) return false;
+  const Reciprocal inverse = reciprocal32(largest);
+  const auto factor = static_cast<Narrow>(product(limit, inverse.mantissa) >> (inverse.shift - 30));  // below 1 with 30 fraction bits
+  for (std::int32_t& value : values) value = static_cast<std::int32_t>(round_shift(product(value, factor), 30));
   return true;
 }
 
@@ -45,7 +49,7 @@ MotorWords motor_words(const JointTorques& torques, const Motors& motors, const 
   MotorWords out;
   out.limited = scale_to(motors.limit, words);
   Raw3 change{};
-  for (std::size_t i = 0; i < 3; ++i) change[i] = words[i] - std::int64_t{last[i]} * (1 << kWordBits);
+  for (std::size_t i = 0; i < 3; ++i) change[i] = words[i] - last[i] * (1 << kWordBits);  // both below 2^24
   out.slew_limited = scale_to(motors.slew, change);
   for (std::size_t i = 0; i < 3; ++i) out.words[i] = static_cast<std::int16_t>(last[i] + round_shift(change[i], kWordBits));
   return out;

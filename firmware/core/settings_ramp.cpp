@@ -8,11 +8,11 @@ namespace {
 
 constexpr std::size_t index_of(TickSetting setting) { return static_cast<std::size_t>(setting) - 1; }
 
-/// Every setting sets out from where it is. A difference is below 2^32, the ramp's part at most 2^30.
+/// Every setting sets out from where it is. None is far below 0, so a difference fits 32 bits; the ramp's part is at most 2^30.
 void set_out(const Coupling& coupling, SettingsRamp& ramp) {
   for (std::size_t i = 0; i < kTickSettings; ++i) {
-    const std::int64_t way = std::int64_t{ramp.target[i]} - ramp.now[i];
-    ramp.step[i] = saturate32(round_shift(way * coupling.ramp_part.raw(), RampPart::kFractionBits));
+    const std::int32_t way = saturated_difference(ramp.target[i], ramp.now[i]);
+    ramp.step[i] = static_cast<std::int32_t>(round_shift(product(way, coupling.ramp_part.raw()), RampPart::kFractionBits));
   }
   ramp.left = coupling.ramp_ticks;
 }
