@@ -109,10 +109,11 @@ class Fixed {
   std::int32_t raw_ = 0;
 };
 
-/// The nearest value from `low` to `high`. By value, which std::clamp is not: what it refers to must lie in memory.
+/// The nearest value from `low` to `high`. Of numbers, not of references as std::clamp is: what these refer to must lie in memory.
 template <class U, int F>
 constexpr Fixed<U, F> within(Fixed<U, F> value, std::type_identity_t<Fixed<U, F>> low, std::type_identity_t<Fixed<U, F>> high) {
-  return value < low ? low : high < value ? high : value;
+  const std::int32_t v = value.raw(), l = low.raw(), h = high.raw();
+  return Fixed<U, F>::from_raw(v < l ? l : h < v ? h : v);
 }
 
 /// The product in the format R, rounded once, saturated. Worst case 2^62 before the shift: fits.
