@@ -113,4 +113,21 @@ constexpr Reciprocal inverse_root_of_long(std::uint64_t x) {
   return roots::refined_inverse_root((upper << lead) | (lower >> 1 >> (31 - lead)), lead);
 }
 
+/// A square root and its reciprocal.
+struct Roots {
+  Reciprocal inverse;
+  Narrow root;
+};
+
+/// x         from 1 to 2^59
+/// returns   inverse: as `inverse_root`; root: sqrt(x), the leading 31 bits of x times that, rounded down
+constexpr Roots roots_of(std::uint64_t x) {
+  const int lead = std::countl_zero(x) & ~1;
+  const auto m = static_cast<std::uint_fast32_t>((x << lead) >> 32);
+  const Reciprocal inverse = roots::refined_inverse_root(m, lead);
+  const auto top = static_cast<int>(m >> 31);
+  const auto root = upper_product(m >> top, static_cast<std::uint_fast32_t>(inverse.mantissa)) >> (60 - top - inverse.shift);
+  return {inverse, static_cast<Narrow>(root)};
+}
+
 }  // namespace isotouch

@@ -189,8 +189,9 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
                           product(legs[2].residual, inverse.columns[2][axis]));
     };
     step = {along(0), along(1), along(2)};
-    hip = hip + step;
-    hip = {within(hip.x, -kWidest, kWidest), within(hip.y, -kWidest, kWidest), within(hip.z, Mm{}, kLongest)};
+    const auto moved = [](Mm from, Mm by) { return Mm::from_raw(from.raw() + by.raw()); };  // both far from 2^31
+    hip = {within(moved(hip.x, step.x), -kWidest, kWidest), within(moved(hip.y, step.y), -kWidest, kWidest),
+           within(moved(hip.z, step.z), Mm{}, kLongest)};
   }
 
   const std::array<SquareMm, 3> levers = {lever_of(legs[0], arms[0], mechanism.arm), lever_of(legs[1], arms[1], mechanism.arm),

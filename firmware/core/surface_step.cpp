@@ -72,12 +72,6 @@ Narrow divide(std::int64_t value, const Reciprocal& divisor) {
 /// part / whole, 16 fraction bits, where |part| <= whole and `over` is 1 / whole: its shift, 59 at most, tells how far the part may be raised.
 Narrow ratio(Narrow part, const Reciprocal& over) { return upper_word(product(part << (60 - over.shift), over.mantissa)) >> 12; }
 
-/// x / sqrt(x), the square root of a value with 32 fraction bits, with 16: the leading 31 bits of x times the mantissa. x from 1 to 2^62.
-Narrow root(std::int64_t x, const Reciprocal& inverse_root) {
-  const int spare = std::max(0, 33 - std::countl_zero(static_cast<std::uint64_t>(x)));
-  return static_cast<Narrow>(product(static_cast<Narrow>(x >> spare), inverse_root.mantissa) >> (inverse_root.shift - spare));
-}
-
 /// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components beyond 2^30 act like 2^30.
 inline Raw3 shorten(const Raw3& any, Narrow limit) {
   const auto square = [](Narrow q) { return static_cast<std::uint64_t>(product(q, q)); };  // three of 2^31 fit without a sign
@@ -139,8 +133,7 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
   const auto half_trace = static_cast<Narrow>(product(depth, plane_trace) >> 17);                          // below 2^28
   const std::int64_t determinant = product(scaled(depth, plane_determinant), depth) & ~((1LL << 16) - 1);  // 32 fraction bits, below 2^56
   const std::int64_t square = std::max(product(half_trace, half_trace) - determinant, product(kMinSpread, kMinSpread));
-  const Reciprocal over_spread = inverse_root(static_cast<std::uint64_t>(square));
-  const Narrow spread = root(square, over_spread);  // half of μ₂ - μ₁
+  const auto [over_spread, spread] = roots_of(static_cast<std::uint64_t>(square));  // spread: half of μ₂ - μ₁
 
   const Narrow mu1 = half_trace - spread, mu2 = half_trace + spread;
   const Narrow b1 = std::max<Narrow>(std::abs(kOne - mu1), kMinBend), b2 = std::max<Narrow>(std::abs(kOne - mu2), kMinBend);
