@@ -40,6 +40,15 @@ using Narrow = std::int_fast32_t;
 /// The whole product of two.
 constexpr std::int64_t product(Narrow a, Narrow b) { return std::int64_t{a} * b; }
 
+/// The nearest value within ±limit, for what is hardly ever beyond: one comparison decides.
+constexpr Narrow within(Narrow value, Narrow limit) {
+  if (static_cast<std::uint_fast32_t>(value) + static_cast<std::uint_fast32_t>(limit) <= 2 * static_cast<std::uint_fast32_t>(limit))
+      [[likely]] {
+    return value;
+  }
+  return value < 0 ? -limit : limit;
+}
+
 /// `round_shift` where the result is known to fit 32 bits.
 constexpr Narrow round_shift_narrow(std::int64_t value, int bits) { return static_cast<Narrow>(round_shift(value, bits)); }
 
@@ -114,6 +123,12 @@ template <class U, int F>
 constexpr Fixed<U, F> within(Fixed<U, F> value, std::type_identity_t<Fixed<U, F>> low, std::type_identity_t<Fixed<U, F>> high) {
   const std::int32_t v = value.raw(), l = low.raw(), h = high.raw();
   return Fixed<U, F>::from_raw(v < l ? l : h < v ? h : v);
+}
+
+/// The same within ±limit, which is not below 0, for what is hardly ever beyond.
+template <class U, int F>
+constexpr Fixed<U, F> within(Fixed<U, F> value, std::type_identity_t<Fixed<U, F>> limit) {
+  return Fixed<U, F>::from_raw(static_cast<std::int32_t>(within(Narrow{value.raw()}, Narrow{limit.raw()})));
 }
 
 /// The product in the format R, rounded once, saturated. Worst case 2^62 before the shift: fits.

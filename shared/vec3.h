@@ -36,7 +36,7 @@ constexpr Vec3<Q> part_of(const Vec3<Q>& v, Fixed<Unit<0, 0, 0, 0>, FP> part) {
 /// Every component, if it is not beyond ±limit; else that.
 template <class Q>
 constexpr Vec3<Q> within(const Vec3<Q>& v, Q limit) {
-  return {within(v.x, -limit, limit), within(v.y, -limit, limit), within(v.z, -limit, limit)};
+  return {within(v.x, limit), within(v.y, limit), within(v.z, limit)};
 }
 
 /// The dot product of the raw values, in the product's format. Each |raw| must stay below 2^30, so that three products fit 63 bits.

@@ -22,7 +22,7 @@ struct QuietVelocityState {
 
 /// The point dragged by the HIP, at most a play away on each axis.
 inline Vec3<Mm> drag(const Vec3<Mm>& hip, const Vec3<Mm>& dragged) {
-  const auto axis = [](Mm to, Mm from) { return within(from, to - kPlay, to + kPlay); };
+  const auto axis = [](Mm to, Mm from) { return to + within(from - to, kPlay); };
   return {axis(hip.x, dragged.x), axis(hip.y, dragged.y), axis(hip.z, dragged.z)};
 }
 

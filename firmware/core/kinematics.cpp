@@ -190,8 +190,7 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
     };
     step = {along(0), along(1), along(2)};
     const auto moved = [](Mm from, Mm by) { return Mm::from_raw(from.raw() + by.raw()); };  // both far from 2^31
-    hip = {within(moved(hip.x, step.x), -kWidest, kWidest), within(moved(hip.y, step.y), -kWidest, kWidest),
-           within(moved(hip.z, step.z), Mm{}, kLongest)};
+    hip = {within(moved(hip.x, step.x), kWidest), within(moved(hip.y, step.y), kWidest), within(moved(hip.z, step.z), Mm{}, kLongest)};
   }
 
   const std::array<SquareMm, 3> levers = {lever_of(legs[0], arms[0], mechanism.arm), lever_of(legs[1], arms[1], mechanism.arm),

@@ -37,9 +37,12 @@ Stiffness interpolated_stiffness(const Vec3<Voxel>& point, const BlobView& field
   const auto contracted = [&](std::int32_t k, std::int32_t& known) {
     std::int32_t sums[2], weights[2];
     for (std::int32_t j = 0; j < 2; ++j) {
+      const std::int32_t brick_y = y.before + j, brick_z = z.before + k;
+      const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
+      const std::uint32_t* slots = field.nodes + (((brick_z & 3) << 4) | ((brick_y & 3) << 2));
       const auto part = [&](std::int32_t i) -> std::int32_t {
-        return field.stiffness_parts[field.brick_number((x.before + i) << kBrickShift, (y.before + j) << kBrickShift,
-                                                        (z.before + k) << kBrickShift)];
+        const std::int32_t brick_x = x.before + i;
+        return field.stiffness_parts[slots[cells[brick_x >> 2] * kBricksPerNode + static_cast<std::uint32_t>(brick_x & 3)]];
       };
       const std::int32_t before = part(0), after = part(1);
       sums[j] = before * x.weight[0] + after * x.weight[1];                           // below 2^22

@@ -47,13 +47,7 @@ std::int64_t dot(const Raw3& a, const Raw3& b) { return sum_of_products(a, b) >>
 /// a b with 16 fraction bits, where it is known to fit 32 bits.
 Narrow scaled(Narrow a, Narrow b) { return static_cast<Narrow>(product(a, b) >> 16); }
 Raw3 scale(const Raw3& v, Narrow factor) { return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)}; }
-/// Hardly anything is beyond a limit, so one comparison decides.
-Narrow within(Narrow value, Narrow limit) {
-  if (static_cast<std::uint_fast32_t>(value) + static_cast<std::uint_fast32_t>(limit) <= 2 * static_cast<std::uint_fast32_t>(limit))
-      [[likely]]
-    return value;
-  return value < 0 ? -limit : limit;
-}
+using isotouch::within;
 Raw3 within(const Raw3& v, Narrow limit) { return {within(v.x, limit), within(v.y, limit), within(v.z, limit)}; }
 
 /// value / divisor, 16 fraction bits, for |value| < 2^24 and a divisor from 1/64 on, whose shift is 41 at least: raised, so that the upper word is the quotient.
