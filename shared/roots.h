@@ -113,6 +113,11 @@ constexpr Reciprocal inverse_root_of_long(std::uint64_t x) {
   return roots::refined_inverse_root((upper << lead) | (lower >> 1 >> (31 - lead)), lead);
 }
 
+/// value / sqrt(x), 30 fraction bits, rounded down, where |value| <= sqrt(x) and x is below 2^62: the reciprocal's shift tells how far the value may be raised.
+constexpr Narrow share_of_root(Narrow value, const Reciprocal& inverse_root) {
+  return static_cast<Narrow>(product(value << (61 - inverse_root.shift), inverse_root.mantissa) >> 31);
+}
+
 /// A square root and its reciprocal.
 struct Roots {
   Reciprocal inverse;

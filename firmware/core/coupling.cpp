@@ -20,9 +20,7 @@ Limited limited_length(const Vec3<Newton>& force, Newton limit) {
   const bool limited = square > std::int64_t{limit.raw()} * limit.raw();
   if (!limited) return {force, false, Ratio::of(1)};
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
-  // limit / length with 30 fraction bits: limit is below 2^23, the mantissa at most 2^31, the shift at least 31
-  const std::int64_t ratio = (std::int64_t{limit.raw()} * inverse_length.mantissa) >> (inverse_length.shift - Ratio::kFractionBits);
-  const auto kept = Ratio::from_raw(static_cast<std::int32_t>(ratio));
+  const auto kept = Ratio::from_raw(static_cast<std::int32_t>(share_of_root(limit.raw(), inverse_length)));
   return {part_of(f, kept), true, kept};
 }
 

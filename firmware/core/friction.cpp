@@ -13,10 +13,8 @@ constexpr int kRatioBits = Ratio::kFractionBits;
 
 /// The unit vector of v, 30 fraction bits; zero for zero.
 Vec3<Ratio> direction(const Vec3<Voxel>& v, std::int64_t square) {
-  const Reciprocal inverse = inverse_root(static_cast<std::uint64_t>(square));  // its shift is 31 at least
-  const auto part = [&](Voxel q) {
-    return Ratio::from_raw(static_cast<std::int32_t>((std::int64_t{q.raw()} * inverse.mantissa) >> (inverse.shift - kRatioBits)));
-  };
+  const Reciprocal inverse = inverse_root(static_cast<std::uint64_t>(square));
+  const auto part = [&](Voxel q) { return Ratio::from_raw(static_cast<std::int32_t>(share_of_root(q.raw(), inverse))); };
   return {part(v.x), part(v.y), part(v.z)};
 }
 

@@ -72,8 +72,7 @@ inline Raw3 shorten(const Raw3& any, Narrow limit) {
   if (square(any.x) + square(any.y) + square(any.z) <= square(limit)) return any;
   const Raw3 v = within(any, kLengthLimit);
   const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(sum_of_products(v, v)));
-  const auto ratio =
-      static_cast<Narrow>(product(limit, inverse_length.mantissa) >> (inverse_length.shift - 30));  // below 1, 30 fraction bits
+  const Narrow ratio = share_of_root(limit, inverse_length);  // below 1, 30 fraction bits
   const auto part = [ratio](Narrow q) { return static_cast<Narrow>(product(q, ratio) >> 30); };
   return {part(v.x), part(v.y), part(v.z)};
 }
