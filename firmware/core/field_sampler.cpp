@@ -37,9 +37,8 @@ struct AxisPlace {
   std::int32_t at;      // place of sample 0 in its brick, 0 to 3
 
   constexpr std::int32_t in_brick(std::int32_t sample) const { return (at + sample) & 3; }
-  constexpr bool middle_is_after() const {
-    return at == 3;
-  }  // the first one is never, the last one always in a brick that may be called after
+  // The first sample is never in a brick that is called after, the last one always may be.
+  constexpr std::size_t middle_is_after() const { return static_cast<std::size_t>(at + 1) >> kBrickShift; }
 };
 
 AxisPlace place(std::int32_t coordinate, std::int32_t size, bool& outside) {
@@ -66,7 +65,7 @@ std::array<Rows, 2> rows_around(const BlobView& field, const AxisPlace& x, const
     };
     const std::int16_t* before = brick(x.before);
     const std::int16_t* after = brick(x.after);
-    return {before + x.at, (x.middle_is_after() ? after : before) + x1, after + x2};
+    return {before + x.at, (x.at == 3 ? after : before) + x1, after + x2};
   };
   return {Rows{row(y.before, z.before), row(y.after, z.before)}, Rows{row(y.before, z.after), row(y.after, z.after)}};
 }
