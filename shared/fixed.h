@@ -140,7 +140,7 @@ constexpr R mul(Fixed<A, FA> a, Fixed<B, FB> b) {
   return R::from_raw(saturate32(round_shift(std::int64_t{a.raw()} * b.raw(), shift)));
 }
 
-/// A part of a quantity, from none (0) to all of it (1): what `mul` gives in its own format, which it cannot leave.
+/// A part of a quantity, none (0) to all of it (1 or -1): what `mul` gives in its own format, which it cannot leave.
 template <class U, int F, int FP>
 constexpr Fixed<U, F> part_of(Fixed<U, F> whole, Fixed<Unit<0, 0, 0, 0>, FP> part) {
   return Fixed<U, F>::from_raw(static_cast<std::int32_t>(round_shift_narrow(product(whole.raw(), part.raw()), FP)));

@@ -106,6 +106,12 @@ constexpr Reciprocal inverse_root(std::uint64_t x) {
   return roots::refined_inverse_root(static_cast<std::uint_fast32_t>(((x | std::uint64_t{x == 0}) << lead) >> 32), lead);
 }
 
+/// The same for a number that is surely not 0, to the bit.
+constexpr Reciprocal inverse_root_of_positive(std::uint64_t x) {
+  const int lead = std::countl_zero(x) & ~1;
+  return roots::refined_inverse_root(static_cast<std::uint_fast32_t>((x << lead) >> 32), lead);
+}
+
 /// The same for a number from 2^32 on, to the bit: small processors find its lead in one word.
 constexpr Reciprocal inverse_root_of_long(std::uint64_t x) {
   const auto upper = static_cast<std::uint32_t>(x >> 32), lower = static_cast<std::uint32_t>(x);

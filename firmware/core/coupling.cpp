@@ -19,7 +19,7 @@ Limited limited_length(const Vec3<Newton>& force, Newton limit) {
   const std::int64_t square = dot_raw(f, f);
   const bool limited = square > std::int64_t{limit.raw()} * limit.raw();
   if (!limited) return {force, false, Ratio::of(1)};
-  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(square));
+  const Reciprocal inverse_length = inverse_root_of_positive(static_cast<std::uint64_t>(square));
   const auto kept = Ratio::from_raw(static_cast<std::int32_t>(share_of_root(limit.raw(), inverse_length)));
   return {part_of(f, kept), true, kept};
 }

@@ -21,6 +21,11 @@ Vec3<Ratio> direction(const Vec3<Voxel>& v, std::int64_t square) {
 /// How far v reaches along a unit vector.
 Voxel along(const Vec3<Voxel>& v, const Vec3<Ratio>& unit) { return Voxel::from_raw(saturate32(dot_raw(v, unit) >> kRatioBits)); }
 
+/// A length along a unit vector.
+Vec3<Voxel> reaching(Voxel length, const Vec3<Ratio>& unit) {
+  return {part_of(length, unit.x), part_of(length, unit.y), part_of(length, unit.z)};
+}
+
 /// viscous / (stiffness + viscous), from 0 to 1.
 Ratio viscous_share(Stiffness stiffness, DampingPerTick viscous) {
   const std::int64_t b = viscous.raw() >> (DampingPerTick::kFractionBits - Stiffness::kFractionBits);
@@ -39,15 +44,15 @@ Vec3<Voxel> friction_offset(const Contact& contact, Stiffness stiffness, const F
   }
   const Vec3<Ratio> normal = direction(contact.stretch, dot_raw(contact.stretch, contact.stretch));
   const Vec3<Voxel> dragged = state.grip - contact.proxy;
-  const Vec3<Voxel> offset = dragged - mul<Voxel>(normal, along(dragged, normal));
+  const Vec3<Voxel> offset = dragged - reaching(along(dragged, normal), normal);
 
   const Voxel rim = mul<Voxel>(along(contact.stretch, normal), friction.coefficient);
   const std::int64_t square = dot_raw(offset, offset);
   if (square <= std::int64_t{rim.raw()} * rim.raw()) return offset;
 
   const Vec3<Ratio> back = direction(offset, square);
-  const Voxel left = rim + mul<Voxel>(along(offset, back) - rim, viscous_share(stiffness, friction.viscous));
-  const Vec3<Voxel> slid = mul<Voxel>(back, left);
+  const Voxel left = rim + part_of(along(offset, back) - rim, viscous_share(stiffness, friction.viscous));
+  const Vec3<Voxel> slid = reaching(left, back);
   state.grip = contact.proxy + slid;
   return slid;
 }

@@ -71,7 +71,7 @@ inline Raw3 shorten(const Raw3& any, Narrow limit) {
   const auto square = [](Narrow q) { return static_cast<std::uint64_t>(product(q, q)); };  // three of 2^31 fit without a sign
   if (square(any.x) + square(any.y) + square(any.z) <= square(limit)) return any;
   const Raw3 v = within(any, kLengthLimit);
-  const Reciprocal inverse_length = inverse_root(static_cast<std::uint64_t>(sum_of_products(v, v)));
+  const Reciprocal inverse_length = inverse_root_of_positive(static_cast<std::uint64_t>(sum_of_products(v, v)));
   const Narrow ratio = share_of_root(limit, inverse_length);  // below 1, 30 fraction bits
   const auto part = [ratio](Narrow q) { return static_cast<Narrow>(product(q, ratio) >> 30); };
   return {part(v.x), part(v.y), part(v.z)};
