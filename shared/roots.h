@@ -77,6 +77,11 @@ constexpr Reciprocal reciprocal32(std::uint32_t x) {
   const int lead = std::countl_zero(x | 1U);
   return roots::refined(((x | std::uint32_t{x == 0}) << lead) & ~1U, 61 + 1 - lead);
 }
+/// The same for one that is surely not 0.
+constexpr Reciprocal reciprocal32_of_positive(std::uint32_t x) {
+  const int lead = std::countl_zero(x);
+  return roots::refined((x << lead) & ~1U, 61 + 1 - lead);
+}
 
 /// value * 1/x rounded down; |value| below 2^32.
 constexpr std::int64_t times(std::int64_t value, const Reciprocal& r) { return (value * r.mantissa) >> (r.shift < 63 ? r.shift : 63); }

@@ -66,12 +66,22 @@ Narrow divide(std::int64_t value, const Reciprocal& divisor) {
 /// part / whole, 16 fraction bits, where |part| <= whole and `over` is 1 / whole: its shift, 59 at most, tells how far the part may be raised.
 Narrow ratio(Narrow part, const Reciprocal& over) { return upper_word(product(part << (60 - over.shift), over.mantissa)) >> 12; }
 
+/// The squares of three numbers of 32 bits fit 64 without a sign.
+std::uint64_t square_of(const Raw3& v) {
+  const auto square = [](Narrow q) { return static_cast<std::uint64_t>(product(q, q)); };
+  return square(v.x) + square(v.y) + square(v.z);
+}
+
 /// The vector, shortened to `limit` (16 voxels at most) where it is longer. Components beyond 2^30 act like 2^30.
 inline Raw3 shorten(const Raw3& any, Narrow limit) {
-  const auto square = [](Narrow q) { return static_cast<std::uint64_t>(product(q, q)); };  // three of 2^31 fit without a sign
-  if (square(any.x) + square(any.y) + square(any.z) <= square(limit)) return any;
-  const Raw3 v = within(any, kLengthLimit);
-  const Reciprocal inverse_length = inverse_root_of_positive(static_cast<std::uint64_t>(sum_of_products(v, v)));
+  std::uint64_t square = square_of(any);
+  if (square <= static_cast<std::uint64_t>(product(limit, limit))) return any;
+  Raw3 v = any;
+  if (square >> 60 != 0) [[unlikely]] {
+    v = within(any, kLengthLimit);
+    square = square_of(v);
+  }
+  const Reciprocal inverse_length = inverse_root_of_positive(square);
   const Narrow ratio = share_of_root(limit, inverse_length);  // below 1, 30 fraction bits
   const auto part = [ratio](Narrow q) { return static_cast<Narrow>(product(q, ratio) >> 30); };
   return {part(v.x), part(v.y), part(v.z)};
@@ -88,7 +98,9 @@ struct LocalField {
         gradient(raw(s.gradient)),
         second(raw(s.second)),
         mixed(raw(s.mixed)),
-        slope_square(reciprocal32(static_cast<std::uint32_t>(std::max(static_cast<Narrow>(dot(gradient, gradient)), kMinSlopeSquare)))) {}
+        slope_square(
+            reciprocal32_of_positive(static_cast<std::uint32_t>(std::max(static_cast<Narrow>(dot(gradient, gradient)), kMinSlopeSquare)))) {
+  }
 
   /// H v. |v| components below 2^26: sums below 2^49, the result below 2^31 up to 2^24.
   Raw3 bend(const Raw3& v) const {
@@ -130,8 +142,8 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
 
   const Narrow mu1 = half_trace - spread, mu2 = half_trace + spread;
   const Narrow b1 = std::max<Narrow>(std::abs(kOne - mu1), kMinBend), b2 = std::max<Narrow>(std::abs(kOne - mu2), kMinBend);
-  const Reciprocal over_b1 = reciprocal32(static_cast<std::uint32_t>(b1));
-  const Reciprocal over_b2 = reciprocal32(static_cast<std::uint32_t>(b2));
+  const Reciprocal over_b1 = reciprocal32_of_positive(static_cast<std::uint32_t>(b1));
+  const Reciprocal over_b2 = reciprocal32_of_positive(static_cast<std::uint32_t>(b2));
   const Narrow share = ratio((b1 - b2) >> 1, over_spread);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±1
   const Narrow factor = upper_word(product(share * (1 << 14), over_b2.mantissa)) >> (over_b2.shift - 34);  // share / b₂, within ±2
 

@@ -27,15 +27,13 @@ struct Damped {
 
 /// Nothing is known of the speed as long as nobody asks for it.
 Damped damp(const Vec3<Mm>& hip, bool fresh, const TickModel& model, TickState& state) {
-  Damped damped;
   if (model.hand_damping <= Damping{} && !model.passivity.is_on()) {
     state.velocity = {};
-    return damped;
+    return {};
   }
   const Vec3<MmPerS> velocity = quiet_velocity(hip, fresh, model.rate, state.velocity);
-  damped.injected = damping_force(velocity, injected_damping(model.passivity, state.passivity));
-  damped.force = damping_force(velocity, model.hand_damping) + damped.injected;
-  return damped;
+  const Vec3<Newton> injected = damping_force(velocity, injected_damping(model.passivity, state.passivity));
+  return {damping_force(velocity, model.hand_damping) + injected, injected};
 }
 
 /// What is felt is the proxy that friction holds.
