@@ -32,7 +32,7 @@ unsigned lock_memory();
 void touch_stack();
 inline constexpr int kTouchedStack = 256 * 1024;
 
-/// Gives the calling thread a second stack for the handler of its crash: one that has used up its first could not run it. Once a thread.
+/// Gives the calling thread a second stack for the handler of its crash, if it has none: one that has used up its first could not run it.
 void keep_crash_stack();
 
 /// Minor and major faults of the calling thread since it began. Asks the system; does not block.
