@@ -53,7 +53,7 @@ void touch_stack() {
 void keep_crash_stack() {
   constexpr std::size_t kBytes = 32 * 1024;  // registers of the widest vectors take a third of it
   stack_t second{};
-  if (sigaltstack(nullptr, &second) != 0 || (second.ss_flags & SS_DISABLE) == 0) return;  // there is one: a sanitizer's, which takes back its own
+  if (sigaltstack(nullptr, &second) != 0 || (second.ss_flags & SS_DISABLE) == 0) return;  // it has one: a sanitizer's
   alignas(16) thread_local std::array<std::byte, kBytes> stack;
   second = {};
   second.ss_sp = stack.data();
