@@ -107,21 +107,33 @@ TEST(Controller, EveryEndAndEveryOddAnswerHasItsSentence) {
               HasSubstr("shorter than it says"));
 }
 
-TEST(Controller, ARecordingWithAGapIsNone) {
+TEST(Controller, ARecordingEndsWhereItHasAGapOrIsRefusedAndSaysWhy) {
   const Bytes records(20), header(4);
-  const auto record = [](Controller& c) {
-    c.record(
-        5, [](std::span<const std::uint8_t>) {}, [](std::span<const std::uint8_t>) {});
+  std::size_t kept = 0;
+  const auto ended = [&](const Bytes& said) {
+    std::string why;
+    kept = 0;
+    const std::string thrown = complaint(said, [&](Controller& c) {
+      why = c.record(
+          5, [](std::span<const std::uint8_t>) {}, [&](std::span<const std::uint8_t>) { ++kept; }, [] { return false; });
+    });
+    EXPECT_EQ(thrown, "");
+    return why;
   };
   const Bytes begin =
       kWelcome + frame(Kind::kRecording, wire::Recording{header}) + frame(Kind::kRecords, wire::Records{7, 1, 10, 0, records});
-  EXPECT_EQ(complaint(begin + frame(Kind::kRecords, wire::Records{9, 1, 10, 0, records}) +
-                          frame(Kind::kRecords, wire::Records{11, 1, 10, 0, records}),
-                      record),
+  EXPECT_EQ(ended(begin + frame(Kind::kRecords, wire::Records{9, 1, 10, 0, records}) +
+                  frame(Kind::kRecords, wire::Records{11, 1, 10, 0, records})),
             "");
-  EXPECT_THAT(complaint(begin + frame(Kind::kRecords, wire::Records{10, 1, 10, 0, records}), record), HasSubstr("gap"));
-  EXPECT_THAT(complaint(begin + frame(Kind::kRecords, wire::Records{9, 1, 11, 0, records}), record), HasSubstr("gap"));
-  EXPECT_THAT(complaint(begin + refusal("the recording ended: another field"), record), HasSubstr("another field"));
+  EXPECT_EQ(kept, 5U);
+  EXPECT_THAT(ended(begin + frame(Kind::kRecords, wire::Records{10, 1, 10, 0, records})), HasSubstr("gap"));
+  EXPECT_EQ(kept, 2U);
+  EXPECT_THAT(ended(begin + refusal("the recording ended: another field")), HasSubstr("another field"));
+  EXPECT_EQ(kept, 2U);
+  EXPECT_THAT(ended(begin + frame(Kind::kRecords, wire::Records{9, 1, 11, 0, records})), HasSubstr("cut"));
+  EXPECT_EQ(kept, 2U);
+  EXPECT_THAT(ended(begin), HasSubstr("closed the connection"));
+  EXPECT_EQ(kept, 2U);
 }
 
 TEST(Controller, NobodyThereIsSaid) {
