@@ -42,6 +42,8 @@ end_controller() {
   say "controller ended with $?"
 }
 
+# A soft surface: packets may be late by many ticks of a loaded machine, and the hand must still come to rest on it.
+printf '[feel]\nstiffness = 0.2\n' >>/etc/isotouchd.toml
 stty -echo
 say "told what to do"
 while read -r command; do
