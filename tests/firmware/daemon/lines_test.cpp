@@ -31,7 +31,7 @@ TEST(Lines, AChipThatIsNotThereIsToldWithWhatToDo) {
   EXPECT_EQ(said, "lines.chip = /dev/no-such-chip: No such file or directory; name a chip that 'gpiodetect' shows");
 }
 
-/// A device's file that nobody may open; there is no chip behind it, but that comes to light only later.
+/// A device's file that nobody may open. There is no chip behind it, which libgpiod 1 finds out only later; libgpiod 2 looks for that first.
 TEST(LinesDeathTest, AChipThatThisUserMayNotOpenIsToldWithTheGroup) {
   if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "no /dev/shm";
   const std::string chip = "/dev/shm/isotouch-chip-" + std::to_string(::getpid());
@@ -44,7 +44,8 @@ TEST(LinesDeathTest, AChipThatThisUserMayNotOpenIsToldWithTheGroup) {
   };
   EXPECT_EXIT(
       as_a_stranger(), ::testing::ExitedWithCode(0),
-      "lines.chip = " + chip + ": may not be opened by this user; add the user to the group gpio, and install 60-isotouch-gpio.rules");
+      "lines.chip = " + chip +
+          ": (may not be opened by this user; add the user to the group gpio, and install 60-isotouch-gpio.rules|Inappropriate ioctl)");
   fs::remove(chip);
 }
 
