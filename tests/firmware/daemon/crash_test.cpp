@@ -13,31 +13,37 @@
 namespace isotouch::daemon {
 namespace {
 
+/// A program of its own whose device's thread says when it has rested it; `crash` must end it by that signal, and not before.
+template <class Crash>
+void expect_rest_before(int signal, Crash crash) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    static std::atomic<bool> stop{false};
+    rest_on_crash(stop);
+    std::thread device([&] {
+      while (!stop) usleep(100);
+      [[maybe_unused]] const auto rested = write(ends[1], "0", 1);
+    });
+    device.detach();
+    crash();
+    _exit(0);
+  }
+  close(ends[1]);
+  char said = 0;
+  EXPECT_EQ(read(ends[0], &said, 1), 1);
+  EXPECT_EQ(said, '0');
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), signal);
+  close(ends[0]);
+}
+
 TEST(RestOnCrash, TheDevicesThreadRestsItBeforeTheProgramEndsAsItWouldHave) {
   for (const int signal : {SIGSEGV, SIGABRT, SIGFPE}) {
-    int ends[2];
-    ASSERT_EQ(pipe(ends), 0);
-    const pid_t child = fork();
-    if (child == 0) {
-      static std::atomic<bool> stop{false};
-      rest_on_crash(stop);
-      std::thread device([&] {
-        while (!stop) usleep(100);
-        [[maybe_unused]] const auto rested = write(ends[1], "0", 1);
-      });
-      device.detach();
-      raise(signal);
-      _exit(0);
-    }
-    close(ends[1]);
-    char said = 0;
-    EXPECT_EQ(read(ends[0], &said, 1), 1);
-    EXPECT_EQ(said, '0');
-    int status = 0;
-    ASSERT_EQ(waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), signal);
-    close(ends[0]);
+    expect_rest_before(signal, [signal] { raise(signal); });
   }
 }
 
@@ -49,33 +55,13 @@ int fill_stack(int depth) {
 }
 
 TEST(RestOnCrash, AThreadThatUsesUpItsStackLeavesTheDeviceWithoutForceToo) {
-  int ends[2];
-  ASSERT_EQ(pipe(ends), 0);
-  const pid_t child = fork();
-  if (child == 0) {
-    static std::atomic<bool> stop{false};
-    rest_on_crash(stop);
-    std::thread device([&] {
-      while (!stop) usleep(100);
-      [[maybe_unused]] const auto rested = write(ends[1], "0", 1);
-    });
+  expect_rest_before(SIGSEGV, [] {
     std::thread deep([] {
       loop::keep_crash_stack();
       _exit(fill_stack(0));
     });
     deep.join();
-    device.join();
-    _exit(0);
-  }
-  close(ends[1]);
-  char said = 0;
-  EXPECT_EQ(read(ends[0], &said, 1), 1);
-  EXPECT_EQ(said, '0');
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status));
-  EXPECT_EQ(WTERMSIG(status), SIGSEGV);
-  close(ends[0]);
+  });
 }
 
 }  // namespace
