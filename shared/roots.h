@@ -67,21 +67,19 @@ constexpr Reciprocal reciprocal(std::uint64_t x) {
   return roots::refined(static_cast<std::uint_fast32_t>(((x | std::uint64_t{x == 0}) << lead) >> 33) << 1, 61 + 33 - lead);
 }
 
-/// The same for a number from 2^32 on, to the bit, and for one that fits 32 bits: small processors find their lead in one word.
+/// The same for a number from 2^32 on, to the bit: small processors find its lead in one word.
 constexpr Reciprocal reciprocal_of_long(std::uint64_t x) {
   const auto upper = static_cast<std::uint32_t>(x >> 32), lower = static_cast<std::uint32_t>(x);
   const int lead = std::countl_zero(upper);  // at most 31
   return roots::refined(((upper << lead) | (lower >> 1 >> (31 - lead))) & ~1U, 61 + 33 - lead);
 }
-constexpr Reciprocal reciprocal32(std::uint32_t x) {
-  const int lead = std::countl_zero(x | 1U);
-  return roots::refined(((x | std::uint32_t{x == 0}) << lead) & ~1U, 61 + 1 - lead);
-}
-/// The same for one that is surely not 0.
+/// The same for one that fits 32 bits and is surely not 0, to the bit.
 constexpr Reciprocal reciprocal32_of_positive(std::uint32_t x) {
   const int lead = std::countl_zero(x);
   return roots::refined((x << lead) & ~1U, 61 + 1 - lead);
 }
+/// The same for one that fits 32 bits, to the bit.
+constexpr Reciprocal reciprocal32(std::uint32_t x) { return reciprocal32_of_positive(x | std::uint32_t{x == 0}); }
 
 /// value * 1/x rounded down; |value| below 2^32.
 constexpr std::int64_t times(std::int64_t value, const Reciprocal& r) { return (value * r.mantissa) >> (r.shift < 63 ? r.shift : 63); }
@@ -105,17 +103,13 @@ constexpr Reciprocal refined_inverse_root(std::uint_fast32_t m, int lead) {
 
 /// 1 / sqrt(x) as mantissa / 2^shift; mantissa in [2^30, 2^31), relative error below 2^-28.
 ///
-/// x         above 0 (0 gives that of 1)
-constexpr Reciprocal inverse_root(std::uint64_t x) {
-  const int lead = std::countl_zero(x | 1U) & ~1;  // even, so that the exponent halves
-  return roots::refined_inverse_root(static_cast<std::uint_fast32_t>(((x | std::uint64_t{x == 0}) << lead) >> 32), lead);
-}
-
-/// The same for a number that is surely not 0, to the bit.
+/// x         above 0
 constexpr Reciprocal inverse_root_of_positive(std::uint64_t x) {
-  const int lead = std::countl_zero(x) & ~1;
+  const int lead = std::countl_zero(x) & ~1;  // even, so that the exponent halves
   return roots::refined_inverse_root(static_cast<std::uint_fast32_t>((x << lead) >> 32), lead);
 }
+/// The same; 0 gives that of 1.
+constexpr Reciprocal inverse_root(std::uint64_t x) { return inverse_root_of_positive(x | std::uint64_t{x == 0}); }
 
 /// The same for a number from 2^32 on, to the bit: small processors find its lead in one word.
 constexpr Reciprocal inverse_root_of_long(std::uint64_t x) {

@@ -52,6 +52,47 @@ TEST(Reciprocal, OfZeroIsThatOfOne) {
   EXPECT_EQ(inverse_root(0).shift, inverse_root(1).shift);
 }
 
+/// Forms for numbers of which more is known, and the general ones, are one function to the bit.
+TEST(Roots, EveryFormGivesTheSameBits) {
+  const auto same = [](const Reciprocal& a, const Reciprocal& b) { return a.mantissa == b.mantissa && a.shift == b.shift; };
+  int longs = 0, shorts = 0, moderate = 0;
+  over_whole_range([&](std::uint64_t x) {
+    EXPECT_TRUE(same(inverse_root_of_positive(x), inverse_root(x))) << x;
+    if (x >> 32 != 0) {
+      ++longs;
+      EXPECT_TRUE(same(reciprocal_of_long(x), reciprocal(x))) << x;
+      EXPECT_TRUE(same(inverse_root_of_long(x), inverse_root(x))) << x;
+    } else {
+      ++shorts;
+      EXPECT_TRUE(same(reciprocal32(static_cast<std::uint32_t>(x)), reciprocal(x))) << x;
+      EXPECT_TRUE(same(reciprocal32_of_positive(static_cast<std::uint32_t>(x)), reciprocal(x))) << x;
+    }
+    if (x < std::uint64_t{1} << 59) {
+      ++moderate;
+      const Roots roots = roots_of(x);
+      EXPECT_TRUE(same(roots.inverse, inverse_root(x))) << x;
+      const double exact = std::sqrt(static_cast<double>(x));
+      EXPECT_NEAR(static_cast<double>(roots.root), exact, 1 + exact * std::ldexp(1.0, -27)) << x;
+      EXPECT_LE(static_cast<double>(roots.root), exact * (1 + std::ldexp(1.0, -27))) << x;
+    }
+  });
+  EXPECT_TRUE(same(reciprocal32(0), reciprocal(0)));
+  EXPECT_GT(longs, 10'000);
+  EXPECT_GT(shorts, 10'000);
+  EXPECT_GT(moderate, 20'000);
+}
+
+TEST(Roots, AShareIsValueOverRoot) {
+  test::Random random(13);
+  for (int i = 0; i < 20000; ++i) {
+    const std::uint64_t x = (random.bits() >> 2 >> (random.bits() % 60)) | 1U;
+    const double root = std::sqrt(static_cast<double>(x));
+    const auto value = static_cast<Narrow>(root * (static_cast<double>(random.bits() % 1000) / 1000));
+    const double share = static_cast<double>(share_of_root(value, inverse_root(x))) / 1073741824.0;
+    EXPECT_NEAR(share, static_cast<double>(value) / root, std::ldexp(1.0, -27)) << x;
+  }
+}
+
 TEST(Times, DividesWithinOneUnit) {
   test::Random random(12);
   for (int i = 0; i < 20000; ++i) {
