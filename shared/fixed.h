@@ -146,17 +146,4 @@ constexpr Fixed<U, F> part_of(Fixed<U, F> whole, Fixed<Unit<0, 0, 0, 0>, FP> par
   return Fixed<U, F>::from_raw(static_cast<std::int32_t>(round_shift_narrow(product(whole.raw(), part.raw()), FP)));
 }
 
-/// The same value with another number of fraction bits; saturates when it gains bits, rounds when it loses them.
-template <class R, class U, int F>
-constexpr R rescale(Fixed<U, F> value) {
-  static_assert(R::UnitType::kMm == U::kMm && R::UnitType::kNewton == U::kNewton && R::UnitType::kSecond == U::kSecond &&
-                    R::UnitType::kVoxel == U::kVoxel,
-                "only the format may change");
-  if constexpr (R::kFractionBits >= F) {
-    return R::from_raw(saturate32(std::int64_t{value.raw()} * (std::int64_t{1} << (R::kFractionBits - F))));
-  } else {
-    return R::from_raw(saturate32(round_shift(value.raw(), F - R::kFractionBits)));
-  }
-}
-
 }  // namespace isotouch

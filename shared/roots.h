@@ -81,9 +81,6 @@ constexpr Reciprocal reciprocal32_of_positive(std::uint32_t x) {
 /// The same for one that fits 32 bits, to the bit.
 constexpr Reciprocal reciprocal32(std::uint32_t x) { return reciprocal32_of_positive(x | std::uint32_t{x == 0}); }
 
-/// value * 1/x rounded down; |value| below 2^32.
-constexpr std::int64_t times(std::int64_t value, const Reciprocal& r) { return (value * r.mantissa) >> (r.shift < 63 ? r.shift : 63); }
-
 namespace roots {
 
 /// 1 / sqrt(m · 2^(32 - lead)), m in [2^30, 2^32), lead even: y approximates 2^46 / sqrt(m) in [2^30, 2^31); y <- y (3 - m y^2) / 2 turns an error e into

@@ -39,7 +39,7 @@ concept CanConvert = std::is_convertible_v<A, B> || std::is_constructible_v<B, A
 
 static_assert(CanAdd<Mm, Mm> && CanSubtract<Newton, Newton> && CanCompare<Mm, Mm>);
 static_assert(!CanAdd<Mm, Newton> && !CanSubtract<Mm, Newton> && !CanCompare<Mm, Newton>);
-static_assert(!CanAdd<Mm, Fixed<Mm::UnitType, 16>>, "one unit in two formats must be rescaled by name");
+static_assert(!CanAdd<Mm, Fixed<Mm::UnitType, 16>>, "one unit in two formats does not mix");
 static_assert(!CanAdd<Mm, int> && !CanAdd<Mm, double> && !CanCompare<Mm, int>);
 static_assert(!CanConvert<int, Mm> && !CanConvert<double, Mm> && !CanConvert<Mm, int> && !CanConvert<Mm, double> &&
               !CanConvert<Mm, Newton>);
@@ -145,15 +145,6 @@ TEST(Fixed, RoundShiftIsTheRoundedQuotient) {
                                      std::int64_t{kLow} * kHigh}) {
       ASSERT_EQ(round_shift(value, bits), rounded(value, bits)) << value << " " << bits;
     }
-  }
-}
-
-TEST(Fixed, RescalingRoundsOneWayAndSaturatesTheOther) {
-  using Coarse = Fixed<Mm::UnitType, 8>;
-  for (const std::int32_t raw : raws()) {
-    ASSERT_EQ(rescale<Coarse>(Mm::from_raw(raw)).raw(), rounded(raw, 12));
-    ASSERT_EQ(rescale<Mm>(Coarse::from_raw(raw)).raw(), clamped(std::int64_t{raw} * 4096));
-    ASSERT_EQ(rescale<Mm>(Mm::from_raw(raw)).raw(), raw);
   }
 }
 
