@@ -36,9 +36,9 @@ void run(const Options& options) {
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
   std::optional<evaluate::DeviceTraceWriter> writer;
-  std::uint64_t taken = 0, chain = 0;
+  std::uint64_t taken = 0;
   const Interruption interruption;
-  const std::string ended = controller.record(
+  std::string ended = controller.record(
       ticks,
       [&](std::span<const std::uint8_t> bytes) {
         const Result<DeviceTraceHeader> header = decode_device_header(bytes, bytes.size());
@@ -50,19 +50,20 @@ void run(const Options& options) {
         const Result<DeviceTraceRecord> record = decode_device_record(bytes.first<kRecordBytes>());
         if (!record) throw refuse("a record of the recording cannot be read");
         writer->append(*record);
-        chain = record->chain;
         ++taken;
       },
-      [&] { return interruption.has_come(); });
+      [&] { return interruption.has_come() || (writer && writer->is_full()); });
   if (taken == 0) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
-  writer->finish();
+  const evaluate::DeviceTraceWriter::Kept kept = writer->finish_with_what_fits();
+  if (kept.records < taken) ended = "no more could be written: free space on that disk";
   if (options.json) {
-    const nlohmann::ordered_json json{{"ticks", taken}, {"hash", evaluate::hash_text(chain)}};
+    const nlohmann::ordered_json json{{"ticks", kept.records}, {"hash", evaluate::hash_text(kept.chain)}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(taken), evaluate::hash_text(chain).c_str());
+    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(kept.records), evaluate::hash_text(kept.chain).c_str());
   }
-  if (!ended.empty()) throw EndedEarly(ended + "; " + options.out.string() + " holds the " + std::to_string(taken) + " ticks before");
+  if (!ended.empty())
+    throw EndedEarly(ended + "; " + options.out.string() + " holds the " + std::to_string(kept.records) + " ticks before");
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
 
+constexpr std::size_t kPendingBytes = 1 << 16;
+
 void write_bytes(std::ofstream& out, const std::uint8_t* data, std::size_t size) {
   out.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
 }
@@ -110,6 +112,7 @@ template <class Format>
 TraceFileWriter<Format>::TraceFileWriter(std::filesystem::path file, const typename Format::Header& header)
     : file_(std::move(file)), part_(file_.string() + ".part"), header_(header) {
   Format::run(header_).record_count = 0;
+  out_.rdbuf()->pubsetbuf(nullptr, 0);
   out_.open(part_, std::ios::binary | std::ios::trunc);
   if (!out_) refuse(file_, "cannot be written; check that the folder exists and is writable");
   write_bytes(out_, encode(header_).data(), Format::kHeaderBytes);
@@ -125,12 +128,22 @@ TraceFileWriter<Format>::~TraceFileWriter() {
 
 template <class Format>
 void TraceFileWriter<Format>::append(const typename Format::Record& record) {
-  write_bytes(out_, encode(record).data(), Format::kRecordBytes);
+  const auto bytes = encode(record);
+  pending_.insert(pending_.end(), bytes.begin(), bytes.end());
+  chain_ = record.chain;
   ++Format::run(header_).record_count;
+  if (pending_.size() >= kPendingBytes) write_pending();
+}
+
+template <class Format>
+void TraceFileWriter<Format>::write_pending() {
+  write_bytes(out_, pending_.data(), pending_.size());
+  pending_.clear();
 }
 
 template <class Format>
 void TraceFileWriter<Format>::finish() {
+  write_pending();
   out_.seekp(0);
   write_bytes(out_, encode(header_).data(), Format::kHeaderBytes);
   out_.close();
@@ -138,6 +151,30 @@ void TraceFileWriter<Format>::finish() {
   if (out_) std::filesystem::rename(part_, file_, failed);
   if (!out_ || failed) refuse(file_, "could not be written to its end; check the free space and the permissions");
   finished_ = true;
+}
+
+template <class Format>
+typename TraceFileWriter<Format>::Kept TraceFileWriter<Format>::finish_with_what_fits() {
+  std::uint64_t& count = Format::run(header_).record_count;
+  write_pending();
+  if (is_full()) {
+    std::error_code failed;
+    const std::uint64_t bytes = std::filesystem::file_size(part_, failed);
+    const std::uint64_t fit = failed || bytes < Format::kHeaderBytes ? 0 : (bytes - Format::kHeaderBytes) / Format::kRecordBytes;
+    if (fit == 0) refuse(file_, "not one record could be written; check the free space");
+    count = std::min(count, fit);
+    const std::uint64_t end = Format::kHeaderBytes + count * Format::kRecordBytes;
+    std::filesystem::resize_file(part_, end, failed);
+    std::array<std::uint8_t, 8> chain{};
+    std::ifstream in(part_, std::ios::binary);
+    in.seekg(static_cast<std::streamoff>(end - Format::kRecordBytes + Format::kChainAt));
+    in.read(reinterpret_cast<char*>(chain.data()), chain.size());
+    chain_ = load_le<std::uint64_t>(chain.data());
+    out_.close();
+    out_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
+  }
+  finish();
+  return {count, chain_};
 }
 
 template class TraceFile<HipFormat>;

@@ -102,14 +102,27 @@ class TraceFileWriter {
   TraceFileWriter& operator=(const TraceFileWriter&) = delete;
 
   void append(const typename Format::Record& record);
+  /// Has a write failed? What is appended then is lost.
+  bool is_full() const { return !out_; }
   /// fails     InputError naming the file, also for what failed earlier
   void finish();
+  struct Kept {
+    std::uint64_t records = 0;
+    std::uint64_t chain = 0;  ///< of the last one
+  };
+  /// For what cannot be made again: when the disk is full, the whole records that it took.
+  /// fails     InputError naming the file, when it took none
+  Kept finish_with_what_fits();
 
  private:
+  void write_pending();
+
   std::filesystem::path file_;
   std::filesystem::path part_;
-  std::ofstream out_;
+  std::ofstream out_;                  ///< without a buffer: what the file holds after a failure is a beginning of what was written
+  std::vector<std::uint8_t> pending_;  ///< its buffer
   typename Format::Header header_;
+  std::uint64_t chain_ = 0;  ///< of the last record
   bool finished_ = false;
 };
 

@@ -11,6 +11,7 @@
 #include "host/error.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::evaluate {
@@ -81,6 +82,55 @@ TEST(TraceFile, AnUnfinishedWriterLeavesTheOldFileAndNothingElse) {
   }
   EXPECT_EQ(bytes_of(file), before);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+/// So many records on a disk with room for fewer.
+struct CutTrace {
+  CutTrace(const ScratchFolder& folder, std::size_t ticks, std::uint64_t room)
+      : disk(room), file(folder.path() / "a.trace"), writer(file, header) {
+    Chain chain(header, header.blob_hash);
+    for (std::size_t tick = 0; tick < ticks; ++tick) {
+      TraceRecord record = record_at(tick, true);
+      record.chain = chain.extend(record.input, record.output);
+      writer.append(record);
+    }
+  }
+  FullDisk disk;
+  TraceHeader header = [] {
+    TraceHeader made;
+    made.flags = trace_layout::kHasOutputs;
+    return made;
+  }();
+  std::filesystem::path file;
+  TraceWriter writer;
+};
+
+std::uint64_t room_for(std::uint64_t records) { return trace_layout::kHeaderBytes + records * trace_layout::kRecordBytes; }
+
+TEST(TraceFile, AFullDiskKeepsTheWholeRecordsThatItTook) {
+  for (const std::size_t ticks : {701UL, 2000UL, 5000UL}) {  // noticed at the end, or on the way
+    const ScratchFolder folder;
+    const auto [records, chain] = CutTrace(folder, ticks, room_for(700) + 7).writer.finish_with_what_fits();
+    EXPECT_EQ(records, 700U);
+    const Trace trace = Trace::read(folder.path() / "a.trace");
+    ASSERT_EQ(trace.size(), 700U);
+    for (std::size_t tick = 0; tick < 700; ++tick) ASSERT_TRUE(trace.chain_follows(tick)) << tick;
+    EXPECT_EQ(trace.chain(699), chain);
+  }
+}
+
+TEST(TraceFile, ADiskWithRoomForAllKeepsAll) {
+  const ScratchFolder folder;
+  const auto [records, chain] = CutTrace(folder, 700, room_for(700)).writer.finish_with_what_fits();
+  EXPECT_EQ(records, 700U);
+  EXPECT_EQ(Trace::read(folder.path() / "a.trace").chain(699), chain);
+}
+
+TEST(TraceFile, AFullDiskIsAnErrorWhereAllOrNothingWasWantedOrNothingFits) {
+  const ScratchFolder folder;
+  EXPECT_THROW(CutTrace(folder, 2000, room_for(700)).writer.finish(), InputError);
+  EXPECT_THROW(CutTrace(folder, 2000, room_for(1) - 1).writer.finish_with_what_fits(), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(TraceFile, AWriterWithoutItsFolderSaysSo) {
