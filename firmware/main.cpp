@@ -98,9 +98,10 @@ void watch_thread(const settings::Settings& settings, loop::Watch& watch) {
 
 /// Says what changes, until a signal comes or the ticks have ended.
 ///
+/// judge_delay     one sentence when the delay that was measured meanwhile has changed something
 /// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
 bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration,
-           const loop::TickStats& stats) {
+           const loop::TickStats& stats, const std::function<std::string()>& judge_delay) {
   const char* socket = std::getenv("NOTIFY_SOCKET");
   io::ServiceNotify systemd(socket == nullptr ? "" : socket);
   systemd.ready();
@@ -124,6 +125,7 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
       say(supervisor = line);
       systemd.status(line);
     }
+    if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
     systemd.alive(stats.ticks.value());
     if (calibration.waits() && may_begin_again(recorder.state()) && !options.lockstep && options.settings.record.empty()) return false;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
@@ -235,7 +237,13 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
   go = true;
   go.notify_all();
 
-  const bool to_the_end = watch(options, hardware, recorder, calibration, stats);
+  const auto judge_delay = [&, known = static_cast<std::uint32_t>(settings.delay_ticks)]() mutable {
+    const std::uint32_t delay = options.lockstep ? 0 : measured_delay();
+    if (delay <= known) return std::string();
+    known = delay;
+    return live.keep_within(intake.stiffness(), commands, delay);
+  };
+  const bool to_the_end = watch(options, hardware, recorder, calibration, stats, judge_delay);
   stop_exchange = true;
   stop_ticks = true;
   if (exchanges.joinable()) exchanges.join();

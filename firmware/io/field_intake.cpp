@@ -145,16 +145,21 @@ IntakeOutcome FieldIntake::activate(std::uint64_t hash, std::string refusal, con
 std::string FieldIntake::publish(std::uint64_t hash) {
   const Result<std::uint32_t> generation = slots_.commit();
   if (!generation) return unusable(generation.error());
-  hash_.store(hash, std::memory_order_release);
-  generation_.store(*generation, std::memory_order_release);
+  show_published(hash);
   return {};
+}
+
+void FieldIntake::show_published(std::uint64_t hash) {
+  const loop::ActiveField field = slots_.published();
+  stiffness_.store(field.view == nullptr ? 0 : field.view->stiffness.raw(), std::memory_order_release);
+  hash_.store(hash, std::memory_order_release);
+  generation_.store(field.generation, std::memory_order_release);
 }
 
 /// The tick does not come: as if nothing had been sent. returns the refusal; empty: the tick has come after all
 std::string FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
   if (!slots_.take_back()) return {};
-  hash_.store(felt, std::memory_order_release);
-  generation_.store(slots_.published().generation, std::memory_order_release);
+  show_published(felt);
   std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";
   if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", and the next start may begin with it";
   return refusal + "; look after the controller";

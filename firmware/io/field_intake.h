@@ -69,6 +69,8 @@ class FieldIntake {
   /// The field handed to the tick last; 0 = none. Any thread.
   std::uint64_t hash() const { return hash_.load(std::memory_order_acquire); }
   std::uint32_t generation() const { return generation_.load(std::memory_order_acquire); }
+  /// Its own stiffness, with a table the largest.
+  Stiffness stiffness() const { return Stiffness::from_raw(stiffness_.load(std::memory_order_acquire)); }
 
  private:
   /// What the store was like before a request.
@@ -82,6 +84,7 @@ class FieldIntake {
   std::string keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
   IntakeOutcome activate(std::uint64_t hash, std::string refusal, const Before& before);
   std::string publish(std::uint64_t hash);
+  void show_published(std::uint64_t hash);
   bool was_taken_over();
   std::string take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
 
@@ -93,6 +96,7 @@ class FieldIntake {
   ZSTD_DCtx_s* context_;
   std::atomic<std::uint64_t> hash_{0};
   std::atomic<std::uint32_t> generation_{0};
+  std::atomic<std::int32_t> stiffness_{0};
 };
 
 }  // namespace isotouch::io

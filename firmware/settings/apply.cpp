@@ -41,12 +41,6 @@ Loop loop_of(const Settings& settings, std::uint32_t measured_delay) {
           std::max(static_cast<std::uint32_t>(settings.delay_ticks), measured_delay)};
 }
 
-std::string n_mm(Stiffness stiffness) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g N/mm", std::floor(stiffness.raw() / 65.536) / 1000);
-  return text;
-}
-
 /// What is said of a delay that is longer than the settings know.
 std::string and_the_delay(const Settings& settings, std::uint32_t measured_delay) {
   if (measured_delay <= static_cast<std::uint32_t>(settings.delay_ticks)) return {};
@@ -109,14 +103,24 @@ std::string refusal_of(const BlobView& field, const Settings& settings, std::uin
   if (check.accepted) return {};
   if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
   return "the field is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) +
-         "; set feel.stiffness to at most " + n_mm(check.stiffness);
+         "; set feel.stiffness to at most " + n_mm(check.stiffness) + " N/mm";
 }
 
 std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay) {
-  const Stiffness most = largest_stiffness(loop_of(settings, measured_delay));
+  const Stiffness most = most_stiffness(settings, measured_delay);
   if (tick_settings(settings).stiffness <= most) return {};
   return "that is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) + "; feel.stiffness may be at most " +
-         n_mm(most);
+         n_mm(most) + " N/mm";
+}
+
+Stiffness most_stiffness(const Settings& settings, std::uint32_t measured_delay) {
+  return largest_stiffness(loop_of(settings, measured_delay));
+}
+
+std::string n_mm(Stiffness stiffness) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", std::floor((stiffness.raw() + 0.49) / 65.536) / 1000);  // what is rounded to no more than this
+  return text;
 }
 
 io::SessionSettings session_settings(const Settings& settings) {

@@ -35,6 +35,14 @@ std::string refusal_of(const BlobView& field, const Settings& settings, std::uin
 /// returns   one sentence why not; empty when it may
 std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay = 0);
 
+/// The largest stiffness that this device may render at these settings' rate.
+///
+/// measured_delay  as above
+Stiffness most_stiffness(const Settings& settings, std::uint32_t measured_delay = 0);
+
+/// The largest number of thousandths that the settings can give without being above a stiffness, in N/mm.
+std::string n_mm(Stiffness stiffness);
+
 io::SessionSettings session_settings(const Settings& settings);
 
 /// Numbers of the safety lines.

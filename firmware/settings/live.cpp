@@ -81,4 +81,13 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
   return {};
 }
 
+std::string LiveSettings::keep_within(Stiffness field, loop::Commands& commands, std::uint32_t measured_delay) {
+  const Settings settings = now();
+  const Stiffness wanted = tick_settings(settings).stiffness, most = most_stiffness(settings, measured_delay);
+  if ((wanted > Stiffness{} ? wanted : field) <= most) return {};
+  const std::string value = n_mm(most), refusal = set("stiffness", value, commands, measured_delay);
+  return "with the measured delay of " + std::to_string(measured_delay) + " ticks this device holds no more than " + value +
+         " N/mm at this rate; " + (refusal.empty() ? "feel.stiffness is so much now" : "it could not be set: " + refusal);
+}
+
 }  // namespace isotouch::settings

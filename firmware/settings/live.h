@@ -8,6 +8,7 @@
 
 #include "firmware/loop/commands.h"
 #include "firmware/settings/settings.h"
+#include "shared/units.h"
 
 namespace isotouch::settings {
 
@@ -26,6 +27,12 @@ class LiveSettings {
   /// measured_delay  ticks, see `loop::measured_delay_ticks`
   /// returns   one sentence why not; empty when it is set
   std::string set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay = 0);
+
+  /// Lowers the stiffness to what the loop holds with the delay that was measured, from the next tick on. Any thread.
+  ///
+  /// field     stiffness of the field that is felt, which holds where the settings have none
+  /// returns   one sentence that says so; empty where nothing had to change
+  std::string keep_within(Stiffness field, loop::Commands& commands, std::uint32_t measured_delay);
 
  private:
   mutable std::mutex mutex_;
