@@ -7,6 +7,7 @@
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/shape_trial.h"
 #include "host/evaluate/surface_error.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch {
 namespace {
@@ -44,9 +45,9 @@ TEST(PointsToForce, TheSphereIsFeltAsItIsAtOneMetreASecond) {
 /// To beat: the better of screened Poisson and SSD reconstruction on the same points (DESIGN.md), and never below the grid's own floor by more than
 /// chance.
 TEST(PointsToForce, EverySurfaceIsNearerTheTruthThanTheBetterPeer) {
-  const std::pair<const char*, double> peers[] = {
-      {"sphere", 0.019}, {"torus", 0.017}, {"box", 0.140}, {"plate", 0.414}, {"capsules", 0.045}};
-  for (const auto& [name, peer_rms] : peers) {
+  using Peer = std::pair<const char*, double>;
+  for (const auto& [name, peer_rms] :
+       test::examples<Peer>({{"capsules", 0.045}, {"sphere", 0.019}, {"torus", 0.017}, {"box", 0.140}, {"plate", 0.414}})) {
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
     const SurfaceError error = evaluate::surface_error(evaluate::trial_blob(trial, blob::Method::kDefault).view, trial.truth);
     const SurfaceError floor = evaluate::surface_error(evaluate::floor_blob(trial).view, trial.truth);

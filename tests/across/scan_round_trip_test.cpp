@@ -65,9 +65,6 @@ TEST(ScanRoundTrip, ATorusFeltAllOverComesBack) {
 TEST(HeavyScanRoundTrip, RealMeshesComeBack) {
   const char* data = std::getenv("ISOTOUCH_DATA");
   if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA is not set";
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "minutes under sanitizers; the torus takes the same way";
-#endif
   for (const std::string name : {"spot", "koala", "penguin"}) {
     const ScratchFolder folder;
     const auto [scan, compare] = round_trip(std::string(data) + "/meshes/" + name + ".ply", folder, "", "");

@@ -7,6 +7,7 @@
 
 #include "host/error.h"
 #include "tests/support/field_image.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::evaluate {
 namespace {
@@ -42,7 +43,7 @@ TEST(TruthComparison, ASurfaceIsNowhereAwayFromItself) {
 }
 
 TEST(TruthComparison, AKnownSkinIsMeasuredOnBothSides) {
-  for (const double skin : {-1.5, 0.25}) {
+  for (const double skin : test::examples<double>({-1.5, 0.25})) {
     const TruthComparison found = compare([&](const test::Point& p) { return to_ball(p, kMiddle, kRadius + skin); });
     EXPECT_NEAR(found.from_mesh_voxel(), std::abs(skin), 0.01);
     EXPECT_NEAR(found.from_blob_voxel(), std::abs(skin), 0.01);

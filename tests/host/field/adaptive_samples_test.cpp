@@ -7,6 +7,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/surface.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::field {
 namespace {
@@ -32,7 +33,7 @@ TEST(AdaptiveSamples, TakesASmallCloudAsItIs) {
 }
 
 TEST(AdaptiveSamples, ARoundBodyNeedsNoMoreOfThemForMorePoints) {
-  for (const char* name : {"sphere", "torus", "box"}) {
+  for (const char* name : test::examples<const char*>({"torus", "sphere", "box"})) {
     const AdaptiveSamples few = adaptive_samples(scatter(name, 40'000)), many = adaptive_samples(scatter(name, 200'000));
     EXPECT_LT(many.scan->size(), 10'000U) << name;
     EXPECT_LT(many.scan->size(), 5 * few.scan->size() / 4) << name;
@@ -69,7 +70,7 @@ TEST(AdaptiveSamples, FollowsAStiffnessThatChanges) {
   EXPECT_LT(samples.scan->size(), 15'000U);
 }
 
-TEST(AdaptiveSamples, ANoisyScanKeepsOneAVoxel) {
+TEST(AdaptiveSamplesHeavy, ANoisyScanKeepsOneAVoxel) {
   auto points = scatter("torus", 60'000);
   cloud::Random random(9);
   for (std::size_t i = 0; i < points.size(); ++i) points.positions[i] += random.uniform(-0.3, 0.3) * points.normals[i];

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/cloud/shapes.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::field {
 namespace {
@@ -27,7 +28,7 @@ cloud::OrientedPoints below(const std::string& name, double z, std::size_t point
 }
 
 void expect_no_shape_is_open(std::size_t points) {
-  for (const std::string& name : cloud::shape_names()) {
+  for (const std::string& name : test::examples(cloud::shape_names())) {
     const OpenRim rim = open_rim(Scan(cloud::sample_shape(cloud::shape(name), points)));
     EXPECT_EQ(rim.samples, 0U) << name << " of " << points;
   }
@@ -39,7 +40,7 @@ TEST(OpenRimHeavy, NorAreTheyWithMorePoints) { expect_no_shape_is_open(4000); }
 
 TEST(OpenRim, OfAHemisphereIsItsEquator) {
   const double equator = 2 * M_PI * 80;
-  for (const std::size_t points : {1000U, 4000U, 16000U}) {
+  for (const std::size_t points : test::examples<std::size_t>({4000, 1000, 16000})) {
     const OpenRim rim = open_rim(Scan(below("sphere", 0, points)));
     EXPECT_NEAR(rim.length, equator, 0.2 * equator) << points;
     EXPECT_LT(rim.place.norm(), 8) << points;

@@ -11,6 +11,7 @@
 #include "host/view/slice_picture.h"
 #include "host/view/surface_picture.h"
 #include "tests/host/view/sphere_blob.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::view {
 namespace {
@@ -29,7 +30,7 @@ const auto is_red = [](const Colour& c) { return c.r > 2.5F * c.g && c.r > 2.5F 
 
 TEST(SurfacePicture, shows_the_touch_wherever_it_is) {
   const SphereBlob blob;
-  for (const Eigen::Vector3d& out : {Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(-0.6, 0, -0.8), Eigen::Vector3d(0, 1, 0)}) {
+  for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{-0.6, 0, -0.8}, {0, -1, 0}, {0, 1, 0}})) {
     SurfaceOptions options{
         .width = 480, .height = 360, .direction = {}, .touch = Touch{.proxy = kTestRadius * out, .hip = (kTestRadius - 2) * out}};
     const Image image = surface_picture(blob.view, options);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tests/host/view/sphere_blob.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::view {
 namespace {
@@ -66,7 +67,7 @@ Image picture(const cloud::TriangleMesh& truth, const WorstPlace& worst) {
 
 TEST(WorstPicture, WhatStandsOutIsBlueAndWhatIsMissingIsRedOnBothSurfaces) {
   const Eigen::Vector3d front(0, 0, 1);
-  for (const bool on_truth : {false, true}) {
+  for (const bool on_truth : test::examples<bool>({true, false})) {
     const auto worst = [&](double truth) {
       return WorstPlace{.place = (on_truth ? truth : kTestRadius) * front, .on_truth = on_truth, .distance_mm = 1, .voxel_mm = kTestEdge};
     };
