@@ -184,7 +184,7 @@ class Follow {
   void look(int t, const TickRecord& now, const TickRecord& before) {
     const bool zero = !bench_.has_words();
     if (!zero && bench_.state() != S::kActive && broken_.empty()) broken_ = "words in a state that has none";
-    if (!zero && now.out.tick.words != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
+    if (now.out.tick.words != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
     if (shown_ < 0 && case_.shows && case_.shows(now, before)) shown_ = t;
     if (shown_ >= 0 && zero_ < 0 && zero) zero_ = t;
     if (!zero && case_.shows == nullptr) return;

@@ -79,6 +79,7 @@ Seen simulate(const Trial& run, int ticks) {
   std::deque<falcon_model::Commands> way(run.delay);  // to the motors
   Seen seen;
   double energy = 0, square = 0;
+  bool touched = false;
   Range late, earlier;
   Vec3<Newton> last;
   for (int t = 0; t < ticks; ++t) {
@@ -91,6 +92,10 @@ Seen simulate(const Trial& run, int ticks) {
     in.fresh = true;
     in.field_generation = 1;
     const DeviceOutput out = device_tick(in, &block().view(), model, state);
+    if (!touched && (out.tick.status & kContact) != 0) {  // what the hand lost on its way there is no credit
+      touched = true;
+      energy = seen.lowest = 0;
+    }
     way.push_back({out.tick.words[0], out.tick.words[1], out.tick.words[2]});
     const falcon_model::Commands commands = way.front();
     way.pop_front();
