@@ -53,7 +53,7 @@ void run(const Options& options) {
         ++taken;
       },
       [&] { return interruption.has_come() || (writer && writer->is_full()); });
-  if (taken == 0) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
+  if (taken == 0 && !(writer && writer->is_full())) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
   const evaluate::DeviceTraceWriter::Kept kept = writer->finish_with_what_fits();
   if (kept.records < taken) ended = "no more could be written: free space on that disk";
   if (options.json) {

@@ -169,6 +169,7 @@ typename TraceFileWriter<Format>::Kept TraceFileWriter<Format>::finish_with_what
     std::ifstream in(part_, std::ios::binary);
     in.seekg(static_cast<std::streamoff>(end - Format::kRecordBytes + Format::kChainAt));
     in.read(reinterpret_cast<char*>(chain.data()), chain.size());
+    if (failed || !in) refuse(file_, "could neither be written to its end nor cut; check the disk");
     chain_ = load_le<std::uint64_t>(chain.data());
     out_.close();
     out_.open(part_, std::ios::binary | std::ios::in | std::ios::out);
