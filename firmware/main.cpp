@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "firmware/daemon/crash.h"
@@ -96,6 +97,14 @@ void watch_thread(const settings::Settings& settings, loop::Watch& watch) {
   watch.leave();
 }
 
+/// Those by which a person or the system ends the program: it then leaves words of zero. A terminal that is closed is one of them.
+sigset_t ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) sigaddset(&signals, signal);
+  return signals;
+}
+
 /// Says what changes, until a signal comes or the ticks have ended.
 ///
 /// judge_delay     one sentence when the delay that was measured meanwhile has changed something
@@ -105,10 +114,7 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
   const char* socket = std::getenv("NOTIFY_SOCKET");
   io::ServiceNotify systemd(socket == nullptr ? "" : socket);
   systemd.ready();
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  const sigset_t signals = ending_signals();
   const timespec pause{0, 100'000'000};
   std::string device, supervisor;
   while (!ticks_ended) {
@@ -237,11 +243,14 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
   go = true;
   go.notify_all();
 
-  const auto judge_delay = [&, known = static_cast<std::uint32_t>(settings.delay_ticks)]() mutable {
-    const std::uint32_t delay = options.lockstep ? 0 : measured_delay();
-    if (delay <= known) return std::string();
-    known = delay;
-    return live.keep_within(intake.stiffness(), commands, delay);
+  // What was judged before there was a measurement is judged again: once for every delay and field.
+  const auto judge_delay = [&, judged = std::pair(static_cast<std::uint32_t>(settings.delay_ticks), std::uint32_t{0})]() mutable {
+    const std::pair now(options.lockstep ? 0 : measured_delay(), intake.generation());
+    if (now.first <= static_cast<std::uint32_t>(settings.delay_ticks) || now == judged) return std::string();
+    std::string changed = live.keep_within(commands, now.first);
+    if (changed.empty() && !intake.check_again(changed)) return std::string();
+    judged = now;
+    return changed;
   };
   const bool to_the_end = watch(options, hardware, recorder, calibration, stats, judge_delay);
   stop_exchange = true;
@@ -269,10 +278,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
 
 int main(int argc, char** argv) {
   using namespace isotouch::daemon;
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  sigset_t signals = ending_signals();
   sigaddset(&signals, SIGPIPE);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, `watch` takes them
   isotouch::loop::limit_stacks();

@@ -38,6 +38,7 @@ FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock
 FieldIntake::~FieldIntake() { ZSTD_freeDCtx(context_); }
 
 IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
+  const std::lock_guard guard(exchanging_);
   const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
   const Before before = store_before(promised.image_hash);
   std::string refusal = unpack(packed, promised.image_hash);
@@ -46,6 +47,7 @@ IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
 }
 
 IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
+  const std::lock_guard guard(exchanging_);
   if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
   const Before before = store_before(wanted);
   const Result<std::size_t> bytes = store_->read(wanted, upload_);
@@ -94,6 +96,18 @@ std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
   if (refusal.empty()) refusal = publish(hash);
   slots_.abandon();
   return refusal;
+}
+
+bool FieldIntake::check_again(std::string& refusal) {
+  const std::unique_lock guard(exchanging_, std::try_to_lock);
+  if (!guard) return false;
+  const loop::ActiveField field = slots_.published();
+  const std::string why = field.view == nullptr || !check_ ? std::string() : check_(*field.view);
+  if (why.empty()) return true;
+  if (!slots_.clear()) return false;
+  show_published(0);
+  refusal = "the field was taken away: " + why + " and choose it again";
+  return true;
 }
 
 std::vector<StoredField> FieldIntake::stored() { return store_ == nullptr ? std::vector<StoredField>{} : store_->list(); }
@@ -150,10 +164,8 @@ std::string FieldIntake::publish(std::uint64_t hash) {
 }
 
 void FieldIntake::show_published(std::uint64_t hash) {
-  const loop::ActiveField field = slots_.published();
-  stiffness_.store(field.view == nullptr ? 0 : field.view->stiffness.raw(), std::memory_order_release);
   hash_.store(hash, std::memory_order_release);
-  generation_.store(field.generation, std::memory_order_release);
+  generation_.store(slots_.published().generation, std::memory_order_release);
 }
 
 /// The tick does not come: as if nothing had been sent. returns the refusal; empty: the tick has come after all

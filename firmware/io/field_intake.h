@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -63,14 +64,19 @@ class FieldIntake {
   /// returns   a sentence when it was not loaded
   std::string begin_with(std::span<const std::uint8_t> field);
 
+  /// Asks `check` again about the newest field, when what it answers may have changed. A field that is refused now is taken away from the tick; the
+  /// next start may begin with it. Any thread.
+  ///
+  /// refusal   what the check says and what to do; empty where the field stays
+  /// returns   false: another field is just being taken over, ask later
+  bool check_again(std::string& refusal);
+
   /// What is stored, oldest first; empty without a store.
   std::vector<StoredField> stored();
 
   /// The field handed to the tick last; 0 = none. Any thread.
   std::uint64_t hash() const { return hash_.load(std::memory_order_acquire); }
   std::uint32_t generation() const { return generation_.load(std::memory_order_acquire); }
-  /// Its own stiffness, with a table the largest.
-  Stiffness stiffness() const { return Stiffness::from_raw(stiffness_.load(std::memory_order_acquire)); }
 
  private:
   /// What the store was like before a request.
@@ -94,9 +100,9 @@ class FieldIntake {
   FieldCheck check_;
   std::vector<std::uint8_t> upload_, residuals_;
   ZSTD_DCtx_s* context_;
+  std::mutex exchanging_;  ///< held while the slots or the store change
   std::atomic<std::uint64_t> hash_{0};
   std::atomic<std::uint32_t> generation_{0};
-  std::atomic<std::int32_t> stiffness_{0};
 };
 
 }  // namespace isotouch::io

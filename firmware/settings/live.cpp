@@ -70,24 +70,31 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
   Settings changed = now_;
   store_number(*setting, *wanted, changed);
   if (std::string refusal = refusal_of_stiffness(changed, measured_delay); !refusal.empty()) return refusal;
+  return change_to(changed, commands) ? std::string() : std::string("feel.").append(name).append(" must be more than nothing");
+}
+
+/// What differs goes to the tick. Under the lock. returns false, and nothing is changed: the tick cannot take a value
+bool LiveSettings::change_to(const Settings& changed, loop::Commands& commands) {
   const RawSettings before = raw_settings(tick_settings(now_)), after = raw_settings(tick_settings(changed));
   for (std::size_t i = 0; i < kTickSettings; ++i) {
     if (after[i] == before[i]) continue;
     const SettingChange change = {static_cast<TickSetting>(i + 1), after[i]};
-    if (!is_valid(change)) return std::string("feel.").append(name).append(" must be more than nothing");
+    if (!is_valid(change)) return false;
     commands.set(change);
   }
   now_ = changed;
-  return {};
+  return true;
 }
 
-std::string LiveSettings::keep_within(Stiffness field, loop::Commands& commands, std::uint32_t measured_delay) {
-  const Settings settings = now();
-  const Stiffness wanted = tick_settings(settings).stiffness, most = most_stiffness(settings, measured_delay);
-  if ((wanted > Stiffness{} ? wanted : field) <= most) return {};
-  const std::string value = n_mm(most), refusal = set("stiffness", value, commands, measured_delay);
-  return "with the measured delay of " + std::to_string(measured_delay) + " ticks this device holds no more than " + value +
-         " N/mm at this rate; " + (refusal.empty() ? "feel.stiffness is so much now" : "it could not be set: " + refusal);
+std::string LiveSettings::keep_within(loop::Commands& commands, std::uint32_t measured_delay) {
+  const std::lock_guard guard(mutex_);
+  const Stiffness most = most_stiffness(now_, measured_delay);
+  if (tick_settings(now_).stiffness <= most) return {};
+  Settings changed = now_;
+  changed.stiffness = *number(n_mm(most));
+  const bool done = change_to(changed, commands);
+  return "with the measured delay of " + std::to_string(measured_delay) + " ticks this device holds no more than " + n_mm(most) +
+         " N/mm at this rate; feel.stiffness " + (done ? "is so much now" : "must be lowered");
 }
 
 }  // namespace isotouch::settings

@@ -8,7 +8,6 @@
 
 #include "firmware/loop/commands.h"
 #include "firmware/settings/settings.h"
-#include "shared/units.h"
 
 namespace isotouch::settings {
 
@@ -28,13 +27,14 @@ class LiveSettings {
   /// returns   one sentence why not; empty when it is set
   std::string set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay = 0);
 
-  /// Lowers the stiffness to what the loop holds with the delay that was measured, from the next tick on. Any thread.
+  /// Lowers a stiffness of the settings to what the loop holds with the delay that was measured, from the next tick on. Any thread.
   ///
-  /// field     stiffness of the field that is felt, which holds where the settings have none
   /// returns   one sentence that says so; empty where nothing had to change
-  std::string keep_within(Stiffness field, loop::Commands& commands, std::uint32_t measured_delay);
+  std::string keep_within(loop::Commands& commands, std::uint32_t measured_delay);
 
  private:
+  bool change_to(const Settings& changed, loop::Commands& commands);
+
   mutable std::mutex mutex_;
   Settings now_;
 };

@@ -28,7 +28,7 @@ constexpr Setting kTable[] = {
      &S::refresh_ms,
      "ms",
      0.5,
-     100,
+     20,
      {},
      "longest time between two packets to the device, also when no tick comes",
      {}},

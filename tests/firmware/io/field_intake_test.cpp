@@ -111,6 +111,38 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   EXPECT_EQ(rig.upload(good).refusal, "") << "and what is good is accepted afterwards";
 }
 
+TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
+  std::string verdict;
+  Rig rig([&](const BlobView&) { return verdict; });
+  std::string said;
+  EXPECT_TRUE(rig.intake.check_again(said)) << "there is none";
+  const PackedField ball = packed_ball(1);
+  ASSERT_EQ(rig.upload(ball).refusal, "");
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "");
+  EXPECT_EQ(rig.felt(), ball.promise.image_hash);
+
+  verdict = "too stiff; set less";
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "the field was taken away: too stiff; set less and choose it again");
+  EXPECT_EQ(rig.felt(), 0U);
+  EXPECT_EQ(rig.intake.hash(), 0U);
+  EXPECT_EQ(rig.intake.generation(), 0U);
+  said.clear();
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "");
+
+  verdict.clear();
+  EXPECT_EQ(rig.intake.select(ball.promise.image_hash).refusal, "");
+  EXPECT_EQ(rig.felt(), ball.promise.image_hash);
+  verdict = "too stiff; set less";
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_FALSE(rig.slots.free()) << "the tick has not come by";
+  said.clear();
+  EXPECT_TRUE(rig.intake.check_again(said)) << "nothing is published any more";
+  EXPECT_EQ(said, "");
+}
+
 TEST(FieldIntake, ALoopThatDoesNotRunIsTold) {
   Rig rig;
   ASSERT_EQ(rig.upload(packed_ball(1)).refusal, "");

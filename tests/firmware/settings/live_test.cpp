@@ -45,16 +45,19 @@ TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
 
 TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchForIt) {
   loop::Commands commands;
-  LiveSettings live{Settings{}};
-  const Stiffness field = Stiffness::of(1.2);  // 2 * 0.003 / (5 * 1 ms) just holds it
-  EXPECT_EQ(live.keep_within(field, commands, 2), "");
-  EXPECT_EQ(live.now(), Settings{});
-  EXPECT_EQ(live.keep_within(field, commands, 3),
+  Settings settings;
+  LiveSettings without{settings};
+  EXPECT_EQ(without.keep_within(commands, 3), "") << "the field's own counts";
+  settings.stiffness = 1.2;  // 2 * 0.003 / (5 * 1 ms) just holds it
+  LiveSettings live{settings};
+  EXPECT_EQ(live.keep_within(commands, 2), "");
+  EXPECT_EQ(live.now(), settings);
+  EXPECT_EQ(live.keep_within(commands, 3),
             "with the measured delay of 3 ticks this device holds no more than 0.857 N/mm at this rate; feel.stiffness is so much now");
   EXPECT_EQ(live.now().stiffness, 0.857);
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kStiffness, Stiffness::of(0.857).raw()}));
-  EXPECT_EQ(live.keep_within(field, commands, 3), "") << "what is set counts, not the field's own";
-  EXPECT_NE(live.keep_within(field, commands, 5), "");
+  EXPECT_EQ(live.keep_within(commands, 3), "");
+  EXPECT_NE(live.keep_within(commands, 5), "");
   EXPECT_EQ(live.now().stiffness, 0.545);
 }
 
