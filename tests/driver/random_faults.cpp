@@ -66,6 +66,17 @@ std::string random_script(Random& random, std::uint64_t& count) {
   return script;
 }
 
+/// One of [feel], up to what a person would set; each may also be off.
+SettingChange random_setting(Random& random) {
+  constexpr RawSettings kMost = {Stiffness::of(2).raw(),   Damping::of(0.001).raw(), Newton::of(12).raw(),     Ratio::of(0.9).raw(),
+                                 Damping::of(0.002).raw(), Damping::of(0.004).raw(), Damping::of(0.012).raw(), Newton::of(1).raw()};
+  const std::uint64_t which = below(random, kTickSettings);
+  const auto setting = static_cast<TickSetting>(which + 1);
+  const bool may_be_off = setting != TickSetting::kStiffness && setting != TickSetting::kForceLimit;
+  if (may_be_off && below(random, 4) == 0) return {setting, 0};
+  return {setting, 1 + static_cast<std::int32_t>(below(random, static_cast<std::uint64_t>(kMost[which])))};
+}
+
 /// What a run must keep in every tick.
 class Judge {
  public:
@@ -138,6 +149,7 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
     if (below(random, 6000) == 0) bench->commands.ask(kCommandStop), ++run.faults;
     if (below(random, 9000) == 0) bench->commands.ask(kCommandRestart);
     if (below(random, 200) == 0) bench->commands.ask(kCommandResume);
+    if (below(random, 500) == 0) bench->commands.set(random_setting(random)), ++run.settings;
 
     const std::uint64_t before = loop::allocations_of_thread, by_driver = bench->allocations_of_driver;
     const loop::TickRecord& now = bench->tick();
@@ -182,7 +194,7 @@ RandomRun random_faults(std::uint64_t ticks, std::uint64_t seed) {
 std::string describe(const RandomRun& run) {
   constexpr const char* kNames[] = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
   const auto number = [](std::uint64_t n) { return std::to_string(n); };
-  std::string text = number(run.ticks) + " ticks, " + number(run.faults) + " faults; ticks in";
+  std::string text = number(run.ticks) + " ticks, " + number(run.faults) + " faults, " + number(run.settings) + " settings; ticks in";
   for (std::size_t i = 0; i < run.in_state.size(); ++i) text += std::string(" ") + kNames[i] + " " + number(run.in_state[i]);
   char chain[20];
   std::snprintf(chain, sizeof chain, "%016llx", static_cast<unsigned long long>(run.chain));

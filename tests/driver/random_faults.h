@@ -9,7 +9,7 @@
 namespace isotouch::test {
 
 struct RandomRun {
-  std::uint64_t ticks = 0, faults = 0;
+  std::uint64_t ticks = 0, faults = 0, settings = 0;  ///< settings: changed on the way
   std::array<std::uint64_t, 7> in_state{};
   std::uint64_t with_words = 0;
   std::uint64_t shown = 0;                  ///< ticks whose input shows a fault, and that must rest
