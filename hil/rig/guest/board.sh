@@ -9,8 +9,9 @@ say() { echo "hil: $*"; }
 
 fail() {
   say "FAILED: $*"
-  sed 's/^/hil: controller: /' /run/controller.log
-  sed 's/^/hil: falcon: /' /run/falcon.log
+  for log in controller falcon; do
+    [ ! -f /run/$log.log ] || sed "s/^/hil: $log: /" /run/$log.log
+  done
   exit 1
 }
 
