@@ -72,10 +72,18 @@ void add_qualify(CLI::App& app) {
   command->add_option("--left-out", limits.left_out, "limit of ticks that did not come, of a hundred expected ones")->capture_default_str();
   command->add_option("--late", limits.late_ticks, "limit of late ticks")->capture_default_str();
   command->add_option("--wakeup-us", limits.wakeup_us, "limit of 99.9 % of the wake-ups; 0 = a tenth of the period")->capture_default_str();
+  command->add_option("--round-trip-us", limits.round_trip_us, "limit of 99.9 % of the device's round trips")->capture_default_str();
   command->add_option("--word-ticks", limits.word_ticks, "limit of all delays from sensor to word")->capture_default_str();
+  command
+      ->add_option("--lost-samples", limits.lost_samples,
+                   "limit of samples that did not come, of a hundred: one a tick, at most one a millisecond")
+      ->capture_default_str();
   command->add_option("--celsius", limits.celsius, "limit of the temperature")->capture_default_str();
   command->add_option("--page-faults", limits.page_faults, "limit of the tick's page faults")->capture_default_str();
   command->add_option("--allocations", limits.allocations, "limit of the tick's allocations")->capture_default_str();
+  command->add_option("--faults", limits.faults, "limit of looks, one a second, that see the controller in fault")->capture_default_str();
+  command->add_option("--inactive", limits.inactive, "limit of looks that see it in another state than active, of a hundred")
+      ->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

@@ -92,6 +92,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     std::optional<double> limit;
     for (const Judgement& j : judgements) {
       if (measure == wire::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
+      if (measure == wire::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
       if (measure == wire::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
     }
     html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";

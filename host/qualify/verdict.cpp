@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "shared/device_io.h"
+
 namespace isotouch::qualify {
 
 namespace {
@@ -20,6 +22,28 @@ std::optional<double> quantile(const Figures& figures, wire::Measure measure, do
   return ns ? std::optional(*ns / unit_ns) : std::nullopt;
 }
 
+constexpr double kSamplesPerSecond = 1000;  // at most, of a Falcon
+
+/// Of a hundred expected samples, those that no tick has seen. Every fresh one left its round trip.
+std::optional<double> lost_samples(const Figures& figures) {
+  const double expected = std::min(static_cast<double>(figures.ticks), figures.seconds * kSamplesPerSecond);
+  if (expected <= 0) return std::nullopt;
+  const auto seen = static_cast<double>(figures.measures[static_cast<std::size_t>(wire::Measure::kRoundTrip)].count);
+  return std::max(0.0, 100 * (expected - seen) / expected);
+}
+
+/// How many looks saw the controller in this state; nothing when nobody looked.
+std::optional<double> looks_in(SupervisorState state, const std::vector<Moment>& moments) {
+  if (moments.empty()) return std::nullopt;
+  const auto in_state = [=](const Moment& moment) { return moment.state == static_cast<std::uint16_t>(state); };
+  return static_cast<double>(std::count_if(moments.begin(), moments.end(), in_state));
+}
+
+std::optional<double> inactive(const std::vector<Moment>& moments) {
+  const auto active = looks_in(SupervisorState::kActive, moments);
+  return active ? std::optional(100 - 100 * *active / static_cast<double>(moments.size())) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
@@ -31,11 +55,16 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
       against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
       against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late)),
       against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, wire::Measure::kWakeup, 0.999, 1000)),
+      against("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
+              quantile(figures, wire::Measure::kRoundTrip, 0.999, 1000)),
       against("word_max_ticks", "largest sensor to word", "ticks", limits.word_ticks,
               quantile(figures, wire::Measure::kDelay, 1, figures.period_ns)),
+      against("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
       against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
       against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
       against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
+      against("faults", "looks in fault", "", limits.faults, looks_in(SupervisorState::kFault, figures.moments)),
+      against("inactive", "looks without force", "%", limits.inactive, inactive(figures.moments)),
   };
 }
 

@@ -11,12 +11,16 @@ namespace isotouch::qualify {
 /// The largest values that are good. The defaults are for people's hands: a late tick or a page fault is a force that stumbles.
 struct Limits {
   double late_ticks = 0;
-  double wakeup_us = 0;   ///< 99.9 % of the wake-ups; 0: a tenth of the period
-  double word_ticks = 1;  ///< sensor to word, all of them: words are made of the newest sample
-  double celsius = 75;    ///< most boards slow down at 80
+  double wakeup_us = 0;         ///< 99.9 % of the wake-ups; 0: a tenth of the period
+  double round_trip_us = 2500;  ///< 99.9 % of the device's: a Falcon answers in a frame of USB, 1 ms, or in the next
+  double word_ticks = 1;        ///< sensor to word, all of them: words are made of the newest sample
+  double lost_samples = 1;      ///< of a hundred expected ones, one a tick or, where ticks are faster, one a millisecond
+  double celsius = 75;          ///< most boards slow down at 80
   double page_faults = 0;
   double allocations = 0;
-  double left_out = 1;  ///< of a hundred expected ticks, those that did not come
+  double left_out = 1;   ///< of a hundred expected ticks, those that did not come
+  double faults = 0;     ///< looks that saw the controller in fault
+  double inactive = 50;  ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
 };
 
 struct Judgement {
@@ -33,7 +37,7 @@ struct Judgement {
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, and the ticks themselves were measured.
+/// No limit is missed, and words were made of a device's samples.
 bool is_fit(const std::vector<Judgement>& judgements);
 
 /// The verdict in one sentence.

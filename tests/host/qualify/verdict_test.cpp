@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "shared/device_io.h"
 #include "tests/host/qualify/good_board.h"
 
 namespace isotouch::qualify {
@@ -30,7 +32,7 @@ constexpr auto kAsItIs = [](Figures&) {};
 
 TEST(Verdict, AGoodBoardIsFitAndEveryLimitWasJudged) {
   const auto judgements = judge(good_board(), {});
-  EXPECT_EQ(judgements.size(), 7U);
+  EXPECT_EQ(judgements.size(), 11U);
   EXPECT_TRUE(is_fit(judgements)) << sentence(judgements);
   EXPECT_EQ(sentence(judgements), "fit");
   EXPECT_TRUE(keys(Outcome::kNotMeasured, kAsItIs).empty());
@@ -44,6 +46,11 @@ TEST(Verdict, EachLimitFailsAloneAndByName) {
        [](Figures& f) {
          f.measures[0].bins.back() = {101'000, 20};
        }},
+      {"round_trip_p999_us",
+       [](Figures& f) {
+         f.measures[2].bins.back() = {2'501'000, 20};
+       }},
+      {"lost_samples", [](Figures& f) { f.measures[2].count = 9'899; }},
       {"word_max_ticks",
        [](Figures& f) {
          f.measures[3].bins.push_back({1'000'001, 1});
@@ -51,6 +58,8 @@ TEST(Verdict, EachLimitFailsAloneAndByName) {
       {"celsius_max", [](Figures& f) { f.moments[0].celsius = 75.1; }},
       {"page_faults", [](Figures& f) { f.page_faults = 1; }},
       {"allocations", [](Figures& f) { f.allocations = 1; }},
+      {"faults", [](Figures& f) { f.moments[1].state = 6; }},
+      {"inactive", [](Figures& f) { f.moments[0].state = f.moments[1].state = 3; }},
   };
   EXPECT_EQ(spoilt.size(), judge(good_board(), {}).size()) << "every limit has its case here";
   for (const auto& [key, spoil] : spoilt) {
@@ -67,6 +76,8 @@ TEST(Verdict, AValueAtItsLimitIsGood) {
   const auto at_the_limit = [](Figures& f) {
     f.moments[0].celsius = 75;
     f.measures[3].bins.back().upper = 1'000'000;
+    f.measures[2] = {9'801, {{2'500'000, 9'801}}};
+    f.moments[1].state = 5;
     f.measures[0].bins = {{100'000, 10'000}};
     f.ticks = 9'900;
   };
@@ -79,6 +90,21 @@ TEST(Verdict, TheWakeUpsLimitFollowsThePeriodUnlessItIsSet) {
   Limits own;
   own.wakeup_us = 39;
   EXPECT_EQ(keys(Outcome::kMissed, kAsItIs, own), std::set<std::string>{"wakeup_p999_us"});
+}
+
+TEST(Verdict, TicksFasterThanAFalconNeedNoSampleEach) {
+  const auto ten_kilohertz = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000, f.measures[0].bins = {{9'000, 100'000}}; };
+  EXPECT_TRUE(keys(Outcome::kMissed, ten_kilohertz).empty()) << "one a millisecond is all there is";
+  const auto and_slow = [&](Figures& f) { ten_kilohertz(f), f.measures[2].count = 9'000; };
+  EXPECT_EQ(keys(Outcome::kMissed, and_slow), std::set<std::string>{"lost_samples"});
+}
+
+TEST(Verdict, AControllerThatNeverGaveAForceIsNotFit) {
+  for (std::uint16_t state = 0; state <= 6; ++state) {
+    Figures figures = good_board();
+    for (Moment& moment : figures.moments) moment.state = state;
+    EXPECT_EQ(is_fit(judge(figures, {})), state == static_cast<std::uint16_t>(SupervisorState::kActive)) << state;
+  }
 }
 
 TEST(Verdict, WhatWasNotMeasuredIsSaidAndOnlyMissingWordsMakeABoardUnfit) {
