@@ -35,15 +35,25 @@ BoardShell::~BoardShell() {
   ::waitpid(child_, nullptr, 0);
 }
 
-BoardShell::Answer BoardShell::run(const std::string& command, double patience_s) {
-  using Clock = std::chrono::steady_clock;
-  const std::string line = "(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended %d\\n' $?\n";
-  for (std::size_t sent = 0; sent < line.size();) {
-    const ssize_t taken = ::send(stream_, line.data() + sent, line.size() - sent, MSG_NOSIGNAL);
+void BoardShell::send(const std::string& lines) {
+  for (std::size_t sent = 0; sent < lines.size();) {
+    const ssize_t taken = ::send(stream_, lines.data() + sent, lines.size() - sent, MSG_NOSIGNAL);
     if (taken < 0 && errno == EINTR) continue;
     if (taken < 0) throw InputError(text_ + ": there is no shell to ask; see what ssh said");
     sent += static_cast<std::size_t>(taken);
   }
+}
+
+void BoardShell::at_end(const std::string& command) {
+  // Each signal does it by itself, because one may come while another is served; PIPE is what an answer nobody hears any more brings.
+  std::string quoted;
+  for (const char c : command) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  send("trap '" + quoted + "' EXIT\ntrap '" + quoted + "\nexit 1' HUP INT PIPE TERM\n");
+}
+
+BoardShell::Answer BoardShell::run(const std::string& command, double patience_s) {
+  using Clock = std::chrono::steady_clock;
+  send("(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended %d\\n' $?\n");
   const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
   for (;;) {
     const auto mark = unread_.find(kEnded);

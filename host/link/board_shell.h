@@ -28,7 +28,14 @@ class BoardShell {
   /// fails     InputError: the shell is gone, or the command has not ended in so many seconds
   Answer run(const std::string& command, double patience_s);
 
+  /// What this shell does when it ends, however it ends: also when this program is killed or the connection is cut. It may be done twice.
+  ///
+  /// fails     InputError: the shell is gone
+  void at_end(const std::string& command);
+
  private:
+  void send(const std::string& lines);
+
   std::string text_;  ///< the address, as written
   int stream_ = -1;
   pid_t child_ = -1;

@@ -20,9 +20,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// The kernel's folder for tracing, where this user may make a buffer in it.
+/// The kernel's folder for tracing, where this user may make a buffer in it; ISOTOUCH_TRACING names another one.
 constexpr std::string_view kFindTracer =
-    "t=/sys/kernel/tracing; [ -d $t/instances ] || t=/sys/kernel/debug/tracing\n"
+    "t=${ISOTOUCH_TRACING:-/sys/kernel/tracing}; [ -d $t/instances ] || t=/sys/kernel/debug/tracing\n"
     "i=$t/instances/isotouch\n";
 
 }  // namespace
@@ -96,9 +96,11 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 
 std::string begin_tracing_command() {
   return std::string(kFindTracer) +
-         "mkdir $i 2>/dev/null || [ -d $i ] || exit 1\ncd $i || exit 1\n"
-         "echo 0 >tracing_on && echo mono >trace_clock && echo 2048 >buffer_size_kb && echo 1 >events/sched/sched_switch/enable &&\n"
-         "echo 1 >events/irq/irq_handler_entry/enable && echo 1 >events/irq/softirq_entry/enable && echo 1 >tracing_on";
+         "mkdir $i 2>/dev/null || [ -d $i ] || exit 1\n"
+         "cd $i && echo 0 >tracing_on && echo mono >trace_clock && echo 2048 >buffer_size_kb && echo 1 >events/sched/sched_switch/enable "
+         "&&\n"
+         "echo 1 >events/irq/irq_handler_entry/enable && echo 1 >events/irq/softirq_entry/enable && echo 1 >tracing_on ||\n"
+         "{ cd / && rmdir $i; exit 1; }";
 }
 
 std::string end_tracing_command() { return std::string(kFindTracer) + "[ ! -d $i ] || rmdir $i"; }

@@ -31,7 +31,9 @@ std::string timer_command(int priority, std::uint32_t period_us, double seconds)
 std::optional<link::Histogram> read_timer(int status, const std::string& text, std::string& why);
 
 /// The kernel's tracer: a buffer of its own that always holds the last second or so, with every switch of threads and every interrupt.
+/// It is there whole, or not at all.
 std::string begin_tracing_command();
+/// Takes it away; nothing when it is not there.
 std::string end_tracing_command();
 /// What it holds of the time from when a tick should have begun to when it began.
 std::string trace_command(const wire::WorstTick& tick);

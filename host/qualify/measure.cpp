@@ -38,7 +38,10 @@ class Causes {
   Causes(link::BoardShell& shell, bool wanted) : shell_(shell) {
     if (!wanted) {
       why_ = "the kernel's tracer was not asked";
-    } else if (shell_.run(begin_tracing_command(), kPatience).status != 0) {
+      return;
+    }
+    shell_.at_end(end_tracing_command());
+    if (shell_.run(begin_tracing_command(), kPatience).status != 0) {
       why_ =
           "the kernel's tracer may not be used by this user there (root may, as a rule), so it is unknown what the worst ticks waited for";
     }

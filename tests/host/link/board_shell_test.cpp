@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -44,6 +45,24 @@ TEST(BoardShell, OneThatHangsOrEndsIsSaid) {
   };
   EXPECT_THAT(complaint("sleep 10", 0.1), testing::HasSubstr("has not ended in time"));
   EXPECT_THAT(complaint("kill -9 $$", 10), testing::HasSubstr("has ended"));
+}
+
+TEST(BoardShell, WhatItDoesAtItsEndIsDoneHoweverItEnds) {
+  const ScratchFolder scratch;
+  for (const char* end : {"true", "kill -HUP $$", "kill -INT $$", "kill -PIPE $$", "kill -TERM $$"}) {
+    const auto done = scratch.path() / "it's done";
+    {
+      BoardShell shell(read_address("unix:/nowhere"));
+      shell.at_end("echo done >\"" + done.string() + "\"");
+      EXPECT_EQ(shell.run("echo here", 10).text, "here\n");
+      EXPECT_FALSE(std::filesystem::exists(done)) << "not before";
+      try {
+        (void)shell.run(end, 10);
+      } catch (const InputError&) {  // so it has ended
+      }
+    }
+    EXPECT_TRUE(std::filesystem::remove(done)) << end;
+  }
 }
 
 TEST(BoardShell, ARemoteOneIsReachedByTheChosenProgram) {

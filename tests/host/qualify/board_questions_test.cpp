@@ -3,7 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
+
+#include "host/link/board_shell.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch::qualify {
 namespace {
@@ -83,6 +89,58 @@ TEST(BoardQuestions, AProcessorThatSleptIsACauseToo) {
 TEST(BoardQuestions, TheTracersWindowIsFromWhenTheTickShouldHaveBegun) {
   const std::string command = trace_command({7, 100'000'050'000, 40'000, 5'000});
   EXPECT_THAT(command, HasSubstr("-v due=100.000010 -v from=99.999010 -v to=100.000052"));
+}
+
+/// A folder like the kernel's: a buffer that is made has its files at once, and goes with them. Where `events` is false the kernel has none.
+class FakeTracer {
+ public:
+  explicit FakeTracer(bool events) {
+    std::filesystem::create_directories(tracing() / "instances");
+    program("mkdir",
+            std::string("exec /bin/mkdir -p \"$1\"") + (events ? " \"$1\"/events/sched/sched_switch \"$1\"/events/irq/irq_handler_entry"
+                                                                 " \"$1\"/events/irq/softirq_entry"
+                                                               : ""));
+    program("rmdir", "exec rm -r \"$1\"");
+    ::setenv("PATH", (scratch_.path().string() + ":" + path_).c_str(), 1);
+    ::setenv("ISOTOUCH_TRACING", tracing().c_str(), 1);
+  }
+  ~FakeTracer() { ::unsetenv("ISOTOUCH_TRACING"), ::setenv("PATH", path_.c_str(), 1); }
+  FakeTracer(const FakeTracer&) = delete;
+  FakeTracer& operator=(const FakeTracer&) = delete;
+
+  std::filesystem::path instance() const { return tracing() / "instances/isotouch"; }
+  std::string file(const char* name) const {
+    std::string text;
+    std::getline(std::ifstream(instance() / name), text);
+    return text;
+  }
+
+ private:
+  std::filesystem::path tracing() const { return scratch_.path() / "tracing"; }
+  void program(const char* name, const std::string& text) {
+    std::filesystem::permissions(scratch_.write(name, "#!/bin/sh\n" + text + "\n"), std::filesystem::perms::owner_all);
+  }
+  ScratchFolder scratch_;
+  std::string path_ = std::getenv("PATH");
+};
+
+TEST(BoardQuestions, TheTracersBufferIsMadeAndTakenAway) {
+  const FakeTracer tracer(true);
+  link::BoardShell shell(link::read_address("unix:/nowhere"));
+  EXPECT_EQ(shell.run(begin_tracing_command(), 10).status, 0);
+  EXPECT_EQ(tracer.file("tracing_on"), "1");
+  EXPECT_EQ(tracer.file("events/irq/softirq_entry/enable"), "1");
+  EXPECT_EQ(shell.run(begin_tracing_command(), 10).status, 0) << "one that was left over serves as well";
+  EXPECT_EQ(shell.run(end_tracing_command(), 10).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(tracer.instance()));
+  EXPECT_EQ(shell.run(end_tracing_command(), 10).status, 0) << "twice does no harm";
+}
+
+TEST(BoardQuestions, ABufferThatCannotTraceIsNotLeftBehind) {
+  const FakeTracer tracer(false);
+  link::BoardShell shell(link::read_address("unix:/nowhere"));
+  EXPECT_NE(shell.run(begin_tracing_command(), 10).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(tracer.instance()));
 }
 
 }  // namespace
