@@ -20,7 +20,7 @@ enum DeviceCommands : std::uint8_t {
 
 /// What the safety lines tell, already judged; see `loop/watch.h`. Without lines none is ever set.
 enum DeviceLines : std::uint8_t {
-  kLineStop = 1U << 0,         ///< the emergency stop is pressed, or its wire is broken
+  kLineStop = 1U << 0,         ///< the emergency stop is pressed, its wire is broken, or nobody reads it
   kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
 };
 

@@ -23,7 +23,7 @@ inline constexpr std::array<FaultName, 9> kFaultNames = {{
     {kFaultPose, "pose", "the grip was where the arms cannot reach; check geometry and homing of the device"},
     {kFaultSpeed, "speed", "the grip moved faster than it may for too long; hold it"},
     {kFaultLate, "late", "ticks came too late for too long; give the controller its priority and a core, or a lower rate"},
-    {kFaultEmergency, "emergency", "the emergency stop is pressed, or its wire is broken; release it"},
+    {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or nobody reads it any more; release it"},
     {kFaultEnable, "enable", "the motors' enable does not read back as it was set; check relay and wires"},
 }};
 

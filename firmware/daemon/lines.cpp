@@ -22,7 +22,9 @@ std::string take_lines(const settings::Settings& settings, loop::Clock& clock, c
   lines.chip = io::open_gpio(settings.line_chip);
   if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
   std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
-  if (complaint.empty()) lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
+  if (!complaint.empty()) return complaint;
+  lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
+  lines.state.set_patience(static_cast<std::uint32_t>(settings.tick_hz / 10));  // 100 ms: the watch looks every millisecond
   return complaint;
 }
 

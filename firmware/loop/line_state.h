@@ -14,17 +14,32 @@ class LineState {
 
  public:
   /// The watch's side. bits: DeviceLines
-  void put(std::uint8_t bits) { bits_.store(bits, std::memory_order_release); }
+  void put(std::uint8_t bits) {
+    bits_.store(bits, std::memory_order_release);
+    words_.store(words_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
   SupervisorState told() const { return static_cast<SupervisorState>(state_.load(std::memory_order_acquire)); }
 
+  /// What the lines say; pressed, too, when the watch has said nothing for longer than the patience: nobody would hear the stop.
+  ///
   /// tick      yes
-  std::uint8_t get() const { return bits_.load(std::memory_order_acquire); }
+  std::uint8_t get() {
+    const std::uint32_t words = words_.load(std::memory_order_acquire);
+    silent_ticks_ = words == heard_ ? silent_ticks_ + 1 : 0;
+    heard_ = words;
+    const unsigned bits = bits_.load(std::memory_order_acquire);
+    return static_cast<std::uint8_t>(patience_ != 0 && silent_ticks_ > patience_ ? bits | kLineStop : bits);
+  }
+  /// ticks     0, as at the beginning: for ever. Before the first tick
+  void set_patience(std::uint32_t ticks) { patience_ = ticks; }
   /// tick      yes
   void tell(std::uint16_t state) { state_.store(state, std::memory_order_release); }
 
  private:
   std::atomic<std::uint8_t> bits_{0};
+  std::atomic<std::uint32_t> words_{0};
   std::atomic<std::uint16_t> state_{0};
+  std::uint32_t patience_ = 0, heard_ = 0, silent_ticks_ = 0;  ///< the tick's own
 };
 
 }  // namespace isotouch::loop

@@ -140,6 +140,26 @@ TEST(Watch, TheLightIsOnWithForcesAndBlinksInFault) {
   EXPECT_FALSE(bench.lines.out.light);
 }
 
+TEST(Watch, OneThatSaysNothingMoreIsAStop) {
+  Bench bench;
+  bench.state.set_patience(100);
+  for (int t = 0; t < 1000; ++t) {
+    bench.run(1);
+    ASSERT_EQ(bench.state.get(), 0);
+  }
+  for (int t = 0; t < 100; ++t) ASSERT_EQ(bench.state.get(), 0) << t;
+  for (int t = 0; t < 100; ++t) ASSERT_EQ(bench.state.get(), kLineStop) << t;
+  bench.run(1);
+  EXPECT_EQ(bench.state.get(), 0);
+}
+
+TEST(Watch, OneThatNeverBeganIsAStopToo) {
+  LineState state;
+  for (int t = 0; t < 1000; ++t) ASSERT_EQ(state.get(), 0) << "without lines nobody watches";
+  state.set_patience(100);
+  EXPECT_EQ(state.get(), kLineStop);
+}
+
 TEST(Watch, LeavesEverythingOffAndAllocatesNothing) {
   VirtualClock clock;
   test::FakeLines lines{clock};
