@@ -112,4 +112,14 @@ std::vector<Fault> read_faults(std::istream& in, const std::string& name) {
   return faults;
 }
 
+std::string line_of(const Fault& fault) {
+  const auto* form = std::find_if(std::begin(kForms), std::end(kForms), [&](const Form& f) { return f.kind == fault.kind; });
+  std::ostringstream line;
+  line << "at " << fault.packet << ' ' << form->name;
+  std::size_t told = form->arguments.size();
+  while (told > 0 && !form->arguments[told - 1].needed && fault.arguments[told - 1] == form->arguments[told - 1].otherwise) --told;
+  for (std::size_t i = 0; i < told; ++i) line << ' ' << fault.arguments[i];
+  return line.str();
+}
+
 }  // namespace isotouch::falcon_model

@@ -43,4 +43,7 @@ struct Fault {
 /// fails     std::runtime_error, a sentence with file, line, what is wrong and what to write
 std::vector<Fault> read_faults(std::istream& in, const std::string& name);
 
+/// The line that orders it, arguments that are as they would be otherwise left out.
+std::string line_of(const Fault& fault);
+
 }  // namespace isotouch::falcon_model

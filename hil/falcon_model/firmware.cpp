@@ -36,7 +36,11 @@ ReplyPacket Firmware::take(const CommandPacket& packet, const Counts& now, std::
   return reply;
 }
 
-void Firmware::miss(int packets) { age_ = std::min(age_ + std::min(packets, hold_packets_), hold_packets_); }
+void Firmware::miss(int packets) {
+  const bool felt = commands() != Commands{};
+  age_ = std::min(age_ + std::min(packets, hold_packets_), hold_packets_);
+  if (felt && commands() == Commands{}) ++expired_;
+}
 
 Commands Firmware::commands() const { return age_ < hold_packets_ ? commands_ : Commands{}; }
 

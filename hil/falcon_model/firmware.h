@@ -27,6 +27,8 @@ class Firmware {
   Commands commands() const;
   std::uint8_t leds() const { return leds_; }
   std::uint8_t homed() const { return homed_; }
+  /// How often a torque ended because no packet renewed it.
+  int expired() const { return expired_; }
 
   /// Every axis counts from where it stands, as after a start.
   void lose_homing(const Counts& now);
@@ -42,6 +44,7 @@ class Firmware {
   std::uint8_t leds_ = 0;
   Commands commands_{};
   int age_ = 0;  ///< packets' times since the commands came
+  int expired_ = 0;
 };
 
 }  // namespace isotouch::falcon_model

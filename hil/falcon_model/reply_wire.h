@@ -13,6 +13,8 @@ class ReplyWire {
  public:
   /// The next reply suffers this; kinds that are not a reply's are ignored.
   void order(const Fault& fault);
+  /// What the next reply suffers.
+  const std::deque<Fault>& orders() const { return orders_; }
 
   /// Sends one reply, or nothing, or those that waited.
   void send(const PacketBytes& reply, Ft232r& chip);

@@ -85,6 +85,7 @@ void SimulatedFalcon::take(const CommandPacket& packet) {
   const bool heard = present_ && running() && stalled_ == 0;
   if (heard) {
     const std::uint8_t buttons = pressed_ > 0 ? buttons_ : std::uint8_t{0};
+    for (const Fault& fault : wire_.orders()) settings_.on_fault(fault);
     wire_.send(encode_reply(firmware_.take(packet, mechanism_.counts(), buttons)), chip_);
   } else {
     firmware_.miss();
@@ -119,8 +120,9 @@ void SimulatedFalcon::apply(const Fault& fault) {
     case FaultKind::kEncoderJump: firmware_.jump(static_cast<std::size_t>(first), second); break;
     case FaultKind::kNoWallPower: board_.set_power(false); break;
     case FaultKind::kWallPower: board_.set_power(true); break;
-    default: wire_.order(fault); break;
+    default: wire_.order(fault); return;
   }
+  settings_.on_fault(fault);
 }
 
 }  // namespace isotouch::falcon_model

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct Settings {
   double step_ms = 1;         ///< of the mechanism, per packet
   double hold_ms = 10;        ///< a torque lasts so long without a new packet
   std::vector<Fault> faults;  ///< ordered by packet
+  /// Told of each when it happens: one of a reply with the reply that suffers it.
+  std::function<void(const Fault&)> on_fault = [](const Fault&) {};
 };
 
 class SimulatedFalcon {

@@ -96,6 +96,10 @@ Settings settings_of(const Options& o) {
     if (!in) throw std::runtime_error(o.faults.string() + ": cannot be opened");
     settings.faults = read_faults(in, o.faults.string());
   }
+  settings.on_fault = [](const Fault& fault) {
+    std::printf("falcon-sim: %s\n", line_of(fault).c_str());
+    std::fflush(stdout);
+  };
   return settings;
 }
 
@@ -114,11 +118,12 @@ void run(const Options& o) {
   std::printf("falcon-sim: ready\n");
   std::fflush(stdout);
   serve_faces(faces);
-  const Vector p = device.falcon().mechanism().position_mm();
-  std::printf("falcon-sim: %llu packets, torque until the %lluth, firmware uploaded %d times, board %s, grip at %.3f %.3f %.3f mm\n",
-              static_cast<unsigned long long>(device.falcon().packets()),
-              static_cast<unsigned long long>(device.falcon().last_torque_packet()), device.falcon().uploads(),
-              name_of(device.falcon().board().state()), p.x, p.y, p.z);
+  const SimulatedFalcon& falcon = device.falcon();
+  const Vector p = falcon.mechanism().position_mm();
+  std::printf("falcon-sim: %llu packets, torque until the %lluth, ran out %d times, ", static_cast<unsigned long long>(falcon.packets()),
+              static_cast<unsigned long long>(falcon.last_torque_packet()), falcon.firmware().expired());
+  std::printf("firmware uploaded %d times, board %s, grip at %.3f %.3f %.3f mm\n", falcon.uploads(), name_of(falcon.board().state()), p.x,
+              p.y, p.z);
 }
 
 }  // namespace

@@ -8,9 +8,6 @@ use_wires() { printf '[lines]\nchip = "gpiochip0"\nstop = 0\nenable = 1\nheartbe
 # Does the hand feel a force just now?
 is_pressed() { isotouch watch --to $control --rate 1000 --seconds 0.02 | awk -F, 'NR > 1 && $2 == "active" && ($9 != 0 || $10 != 0 || $11 != 0) { n++ } END { exit n < 20 }'; }
 
-# Has it ticked so often?
-has_had() { [ "$(status_of ticks)" -ge "$1" ]; }
-
 # Has the driver said so often that the device runs?
 times_running() { [ "$(grep -c '^device: running' /run/controller.log)" -ge "$1" ]; }
 
@@ -23,13 +20,20 @@ replayed() {
   say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
 }
 
-# zero: in that recording each input that speaks against forces ended them, as on the virtual board; what took longest. Which ones there are beside the one
-# that was ordered, nobody knows: here a packet may come too late for a tick at any time.
+# zero CONDITION: in that recording each input that speaks against forces ended them, as on the virtual board, and one of them showed this; what took longest.
+# Which ones there are beside, nobody knows: here a packet may come too late for a tick at any time.
 zero() {
   isotouch trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
   ticks=$(awk 'NR > 1 { print $3 }' /run/zero.log | sort -n | tail -1)
-  [ -n "$ticks" ] || fail "no force ended"
+  awk 'NR > 1 { print "+" $2 "+" }' /run/zero.log | grep -qF "+$1+" || fail "no force ended with '$1': $(cat /run/zero.log)"
   say "to zero $ticks"
+}
+
+# touched NAME TICKS: has a recording so many ticks with a force?
+touched() {
+  forces=$(od -An -v -tx1 -w96 -j224 "/run/$1.trace" | awk '$61 $62 $63 $64 $65 $66 != "000000000000"' | wc -l)
+  say "touched: $forces ticks"
+  [ "$forces" -ge "$2" ]
 }
 
 report() {

@@ -20,6 +20,7 @@ leave() {
 trap leave EXIT
 
 fail() {
+  trap '' PIPE   # a board that failed has left
   say "FAILED: $*"
   [ $machine = 0 ] || { patience=60 && printf '%s\n' 'sed "s/^/hil: controller: /" /run/controller.log' 'status' >&$to && hear '^hil: ended' && hear '^hil: ended'; }
   sed 's/^/hil: falcon: /' "$room"/falcon*.log >>"$console"
@@ -43,6 +44,15 @@ start_falcon() {
   "$bin/falcon-sim" --usbredir "$room/falcon" --hold-ms 500 --hand "$@" >>"$room/falcon.log" 2>&1 &
   falcon=$!
   within 10 grep -q ready "$room/falcon.log" || fail "the simulated device did not start"
+}
+
+# happened FAULT...: waits until the device says that each, as it was ordered, has happened.
+happened() {
+  local fault
+  for fault in "$@"; do
+    within "$patience" grep -qxF "falcon-sim: $fault" "$room/falcon.log" || fail "it did not happen: $fault"
+    say "happened: $fault"
+  done
 }
 
 kill_falcon() {

@@ -110,13 +110,22 @@ tour() {
   dialogue "$1"
 }
 
+# Ends the device; each fault that was ordered must have happened.
+end_falcon() {
+  kill $falcon_process && wait $falcon_process
+  [ -f /run/faults ] || return 0
+  while read -r fault; do
+    grep -qxF "falcon-sim: $fault" /run/falcon.log || fail "it did not happen: $fault"
+  done </run/faults
+}
+
 # What every scenario ends with: the counts and the delays.
 conclude() {
   status | sed 's/^/hil: status: /'
   isotouch latency --to $control | sed 's/^/hil: /'
   kill $controller_process && wait $controller_process
   say "controller ended with $?"
-  kill $falcon_process && wait $falcon_process
+  end_falcon
   tail -1 /run/falcon.log | sed 's/^/hil: /'
   say done
 }

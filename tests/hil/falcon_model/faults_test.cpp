@@ -22,6 +22,13 @@ std::string complaint(const std::string& text) {
   return {};
 }
 
+TEST(Faults, AreWrittenAsTheLineThatOrdersThem) {
+  for (const char* line : {"at 3 unplug", "at 3 unplug 2", "at 4 corrupt", "at 4 corrupt 5 255", "at 4 corrupt 1", "at 9 short",
+                           "at 20 stall 7", "at 20 encoder-jump 2 -5", "at 0 no-wall-power"}) {
+    EXPECT_EQ(line_of(read(line).at(0)), line);
+  }
+}
+
 TEST(Faults, AreReadInTheOrderOfTheirPackets) {
   const std::vector<Fault> faults =
       read("# a day\n\nat 20 stall 7   # ms\nat 3 unplug\nat 20 encoder-jump 2 -5\nat 4 corrupt\nat 5 corrupt 1 0xff\n");

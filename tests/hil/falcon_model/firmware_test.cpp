@@ -33,12 +33,16 @@ TEST(Firmware, TorquesRunOutLightsDoNot) {
   firmware.start({});
   firmware.take(kPlain, {}, 0);
   firmware.miss(9);
+  EXPECT_EQ(firmware.expired(), 0);
   EXPECT_EQ(firmware.commands(), (Commands{100, -200, 300}));
   firmware.miss();
   EXPECT_EQ(firmware.commands(), Commands{});
   EXPECT_EQ(firmware.leds(), 2);
+  firmware.miss(20);
+  EXPECT_EQ(firmware.expired(), 1);  // it had ended already
   firmware.take(kPlain, {}, 0);
   EXPECT_EQ(firmware.commands(), (Commands{100, -200, 300}));
+  EXPECT_EQ(firmware.expired(), 1);
 }
 
 TEST(Firmware, ShowsButtons) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/hil/falcon_model/driver.h"
 
@@ -95,6 +96,22 @@ TEST(SimulatedFalcon, TheGoldenReplyStandsAtItsPose) {
   EXPECT_EQ(reply[15], 'A');  // not homed; homed it would be B1
   reply[15] = 0xB1;
   EXPECT_EQ(reply, (Bytes{0x01, 0x60, 0x3c, 0x4d, 0x50, 0x4e, 0x50, 0x4d, 0x50, 0x4e, 0x50, 0x4d, 0x50, 0x4e, 0x50, 0xb1, 0x41, 0x3e}));
+}
+
+TEST(SimulatedFalcon, TellsOfAFaultWhenItHappens) {
+  Settings settings;
+  std::istringstream script("at 1 short\nat 3 stall 3\nat 4 repeated");
+  settings.faults = read_faults(script, "script");
+  std::vector<std::string> told;
+  settings.on_fault = [&told](const Fault& fault) { told.push_back(line_of(fault)); };
+  SimulatedFalcon falcon = running(settings);
+  std::vector<std::size_t> after;
+  for (int packet = 1; packet <= 6; ++packet) {
+    send(falcon, driver::command({}));
+    after.push_back(told.size());
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"at 1 short", "at 3 stall 3", "at 4 repeated"}));
+  EXPECT_EQ(after, (std::vector<std::size_t>{1, 1, 2, 2, 2, 3}));  // the packets that are not heard have no reply that could be repeated
 }
 
 TEST(SimulatedFalcon, TwoQueuedRepliesComeInOnePacket) {
