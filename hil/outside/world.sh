@@ -11,6 +11,7 @@ falcon=0 machine=0 wires=0 patience=${HIL_PATIENCE:-600}   # seconds for whateve
 say() { echo "hil: $*" >>"$console"; }
 
 leave() {
+  trap '' INT TERM
   local process
   for process in $wires $machine $falcon; do [ "$process" = 0 ] || kill -9 "$process" 2>/dev/null; done
   wait 2>/dev/null
@@ -18,6 +19,7 @@ leave() {
   rm -rf "$room"
 }
 trap leave EXIT
+trap 'exit 130' INT TERM
 
 fail() {
   trap '' PIPE   # a board that failed has left
