@@ -37,7 +37,7 @@ touched() {
 }
 
 report() {
-  status | sed 's/^/hil: status: /'
+  tell_status
   isotouch latency --to $control | sed 's/^/hil: /'
 }
 

@@ -26,6 +26,9 @@ within() {
   done
 }
 
+# The counts; `run` takes ticks and late ones from here, so every controller that is ended tells them before.
+tell_status() { status | sed 's/^/hil: status: /'; }
+
 status() { isotouch status --to $control --json; }
 
 # A value of the status, by its key.
@@ -40,11 +43,15 @@ start_falcon() {
   within 10 grep -q ready /run/falcon.log || fail "the simulated device did not start"
 }
 
+ticks_come() { [ "$(status_of ticks)" -gt 0 ]; }
+
 # start_controller OPTIONS...: with lines it first hears a stop, because taking a line pulls it down, as a broken wire would be
 start_controller() {
   isotouchd --config /etc/isotouchd.toml --device usb --control /run/control "$@" >/run/controller.log 2>&1 &
   controller_process=$!
   within 10 test -S /run/control || fail "the controller did not start"
+  within 5 ticks_come || fail "the controller does not tick"
+  ! grep -q '^runs without' /run/controller.log || fail "the controller is refused what makes it real-time"   # said before the first tick
   [ -d $lines ] || return 0
   within 5 is_in fault || fail "an open stop line is not heard"
   release_stop
@@ -121,7 +128,7 @@ end_falcon() {
 
 # What every scenario ends with: the counts and the delays.
 conclude() {
-  status | sed 's/^/hil: status: /'
+  tell_status
   isotouch latency --to $control | sed 's/^/hil: /'
   kill $controller_process && wait $controller_process
   say "controller ended with $?"
