@@ -54,7 +54,7 @@ constexpr const char* describe(Error error) {
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
     case Error::kTooStiff: return "its stiffness would feed energy into the hand";
-    case Error::kTooSteep: return "its distances rise faster than a field without a certificate may have them";
+    case Error::kTooSteep: return "its distances rise by more than 2 voxels between neighbours, the most for a field without a certificate";
     case Error::kBadCertificate: return "its certificate contradicts itself or the samples";
     case Error::kTimedOut: return "it did not answer in time";
     case Error::kGone: return "it was unplugged or its connection was closed";

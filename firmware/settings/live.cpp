@@ -1,9 +1,11 @@
 #include "firmware/settings/live.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "firmware/settings/apply.h"
 #include "firmware/settings/table.h"
@@ -76,12 +78,12 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
 /// What differs goes to the tick. Under the lock. returns false, and nothing is changed: the tick cannot take a value
 bool LiveSettings::change_to(const Settings& changed, loop::Commands& commands) {
   const RawSettings before = raw_settings(tick_settings(now_)), after = raw_settings(tick_settings(changed));
+  std::vector<SettingChange> changes;
   for (std::size_t i = 0; i < kTickSettings; ++i) {
-    if (after[i] == before[i]) continue;
-    const SettingChange change = {static_cast<TickSetting>(i + 1), after[i]};
-    if (!is_valid(change)) return false;
-    commands.set(change);
+    if (after[i] != before[i]) changes.push_back({static_cast<TickSetting>(i + 1), after[i]});
   }
+  if (!std::all_of(changes.begin(), changes.end(), is_valid)) return false;
+  for (const SettingChange& change : changes) commands.set(change);
   now_ = changed;
   return true;
 }
