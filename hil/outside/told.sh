@@ -11,6 +11,14 @@ is_pressed() { isotouch watch --to $control --rate 1000 --seconds 0.02 | awk -F,
 # Has the driver said so often that the device runs?
 times_running() { [ "$(grep -c '^device: running' /run/controller.log)" -ge "$1" ]; }
 
+# A person resumes and feels the ball. Where the hand of a device that was just homed is still on its way through it, that is a fault anew, and the person
+# resumes once more.
+resumed() {
+  isotouch resume --to $control >/run/resume.log 2>&1 || fail "resume: $(cat /run/resume.log)"
+  sleep 0.5
+  is_in active
+}
+
 # A controller that has a ball, and records from the first tick on.
 start_recorded() { start_controller --field /fields/sphere.itf --record /run/all.trace; }
 
