@@ -72,7 +72,7 @@ start_board() {
     -icount shift=0,sleep=off -seed "$seed" -rtc base=2026-01-01,clock=vm -semihosting-config enable=on,userspace=on,target=native \
     -device qemu-xhci,id=xhci -chardev "socket,id=falcon,path=$room/falcon,reconnect=1" -device usb-redir,chardev=falcon,bus=xhci.0 \
     -qmp "unix:$room/qmp,server=on,wait=off" -qtest "unix:$room/qtest,server=on,wait=off" -qtest-log /dev/null \
-    -kernel "$board_folder/vmlinuz" -initrd "$out/initramfs.gz" -append "console=ttyAMA0 panic=-1 quiet hil=told" \
+    -kernel "$board_folder/vmlinuz" -initrd "$out/initramfs.gz" -append "console=ttyAMA0 panic=-1 quiet kpti=0 hil=told" \
     <"$room/to" >"$room/from" 2>"$room/machine.log" &
   machine=$!
   exec {to}>"$room/to" {from}<"$room/from"

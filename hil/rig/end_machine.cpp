@@ -3,11 +3,20 @@
 /// source    "Semihosting for AArch32 and AArch64", SYS_EXIT_EXTENDED (0x20): a reason and a code; QEMU needs `-semihosting-config userspace=on`
 #include <cstdlib>
 
+#if defined(__arm__)
+__attribute__((target("arm")))  // its number does not fit into a Thumb instruction
+#endif
 int main(int argc, char** argv) {
   constexpr unsigned long kApplicationExit = 0x20026;
   const unsigned long block[2] = {kApplicationExit, argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 255};
+#if defined(__aarch64__)
   register unsigned long operation asm("x0") = 0x20;
   register const unsigned long* argument asm("x1") = block;
   asm volatile("hlt #0xf000" : "+r"(operation) : "r"(argument) : "memory");
+#else
+  register unsigned long operation asm("r0") = 0x20;
+  register const unsigned long* argument asm("r1") = block;
+  asm volatile("svc #0x123456" : "+r"(operation) : "r"(argument) : "memory");
+#endif
   return 1;  // not inside a machine that listens
 }
