@@ -1,4 +1,5 @@
-/// What QEMU offers a plugin, as far as it is used here. Debian ships no header; version 1 of the interface, QEMU 4.2 and later.
+/// What QEMU offers a plugin, as far as it is used here. Debian ships no header. Versions 1 and 2 of the interface, QEMU 4.2 and 9.0 and later, which differ in
+/// nothing that is used, but a QEMU of one of them refuses a plugin of the other.
 ///
 /// source    QEMU, docs/devel/tcg-plugins.rst
 #pragma once
@@ -24,5 +25,7 @@ void qemu_plugin_register_atexit_cb(qemu_plugin_id_t, MachineEnds, void* user);
 std::size_t qemu_plugin_tb_n_insns(const qemu_plugin_tb*);
 std::uint64_t qemu_plugin_tb_vaddr(const qemu_plugin_tb*);
 std::uint64_t qemu_plugin_start_code();  // where a program's code was loaded; 0 for a whole machine
+
+__attribute__((weak)) int qemu_plugin_num_vcpus();  // has come with version 2
 
 }  // extern "C"

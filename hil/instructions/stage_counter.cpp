@@ -21,7 +21,7 @@
 
 extern "C" __attribute__((visibility("default"))) int qemu_plugin_version;
 extern "C" __attribute__((visibility("default"))) int qemu_plugin_install(qemu_plugin_id_t, const qemu_info_t*, int, char**);
-int qemu_plugin_version = 1;
+int qemu_plugin_version = qemu_plugin_num_vcpus == nullptr ? 1 : 2;
 
 namespace {
 
