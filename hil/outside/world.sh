@@ -64,12 +64,12 @@ kill_falcon() {
 
 # ---- the board ----------------------------------------------------------------------------------------------------------------------
 
-# Time there passes by a nanosecond an instruction, and jumps to the next timer where the board has nothing to do: it has no relation to the time here. So what
-# depends on the world outside is waited for outside, with `eventually`.
+# Time there passes by a nanosecond an instruction, and as here where the board has nothing to do: never faster than here, so that the device's answers are not late,
+# but slower where the board is busy. So what depends on the world outside is waited for outside, with `eventually`.
 start_board() {
   mkfifo "$room/to" "$room/from"
   qemu-system-aarch64 -M virt -cpu cortex-a53 -smp 1 -m 256 -display none -monitor none -serial stdio -no-reboot -nic none \
-    -icount shift=0,sleep=off -seed "$seed" -rtc base=2026-01-01,clock=vm -semihosting-config enable=on,userspace=on,target=native \
+    -icount shift=0,sleep=on -seed "$seed" -rtc base=2026-01-01,clock=vm -semihosting-config enable=on,userspace=on,target=native \
     -device qemu-xhci,id=xhci -chardev "socket,id=falcon,path=$room/falcon,reconnect=1" -device usb-redir,chardev=falcon,bus=xhci.0 \
     -qmp "unix:$room/qmp,server=on,wait=off" -qtest "unix:$room/qtest,server=on,wait=off" -qtest-log /dev/null \
     -kernel "$board_folder/vmlinuz" -initrd "$out/initramfs.gz" -append "console=ttyAMA0 panic=-1 quiet kpti=0 hil=told" \
