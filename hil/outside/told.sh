@@ -49,11 +49,6 @@ report() {
   isotouch latency --to $control | sed 's/^/hil: /'
 }
 
-end_controller() {
-  kill $controller_process && wait $controller_process
-  say "controller ended with $?"
-}
-
 # A soft surface: packets may be late by many ticks of a loaded machine, and the hand must still come to rest on it.
 printf '[feel]\nstiffness = 0.2\n' >>/etc/isotouchd.toml
 stty -echo

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "host/cloud/files.h"
@@ -41,13 +42,24 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!file.empty()) cloud::write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
+/// So that minutes of measuring do not end in a file that nobody can write.
+void check_folder(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code failed;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, failed))
+    throw InputError(file.string() + ": there is no folder " + folder.string() + "; make it, or name another one");
+}
+
 void run(const Options& options) {
+  check_folder(options.page);
+  check_folder(options.json);
   const qualify::Figures figures =
       qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
   const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
+  print(figures, judgements);
+  std::fflush(stdout);  // known, even where no file can be written
   write(options.page, qualify::html_report(figures, judgements));
   write(options.json, qualify::json_report(figures, judgements).dump(2) + "\n");
-  print(figures, judgements);
   if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));
   std::printf("%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
 }

@@ -31,12 +31,15 @@ const char* state_of(const evaluate::FaultResponse& response) { return state_nam
 
 void print_json(const Responses& responses) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array(), most = nullptr;
+  bool never = false;
   for (const evaluate::FaultResponse& response : responses) {
     nlohmann::ordered_json ticks = nullptr;
     if (response.ticks) ticks = *response.ticks;
-    if (response.ticks && (most.is_null() || most < ticks)) most = ticks;
+    if (ticks.is_null()) never = true;
+    if (!ticks.is_null() && (most.is_null() || most < ticks)) most = ticks;
     rows.push_back({{"tick", response.tick}, {"condition", response.condition}, {"ticks_to_zero", ticks}, {"state", state_of(response)}});
   }
+  if (never) most = nullptr;
   const nlohmann::ordered_json json{{"ticks_to_zero", most}, {"responses", rows}};
   std::printf("%s\n", json.dump(2).c_str());
 }

@@ -41,6 +41,7 @@ struct Figures {
   std::string cause_unknown;     ///< one sentence why causes are not known
 
   link::Histogram timer;      ///< cyclictest's wake-ups; ns
+  int timer_priority = 0;     ///< of cyclictest under SCHED_FIFO
   std::string timer_unknown;  ///< one sentence why there are none
 };
 

@@ -97,10 +97,9 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     }
     html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";
     if (measure == wire::Measure::kWakeup) {
-      html += figures.timer.count > 0
-                  ? "<p>The line beside it is cyclictest, the same priority and rate afterwards: " + quantiles(figures.timer, 1000, "us") +
-                        "</p>\n"
-                  : "<p>Nothing stands beside it: " + escaped(figures.timer_unknown) + "</p>\n";
+      html += figures.timer.count > 0 ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " +
+                                            std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
+                                      : "<p>Nothing stands beside it: " + escaped(figures.timer_unknown) + "</p>\n";
     }
     html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
                           measure == wire::Measure::kWakeup ? figures.timer : link::Histogram{});

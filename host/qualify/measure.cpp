@@ -5,6 +5,7 @@
 #include <map>
 #include <thread>
 
+#include "host/error.h"
 #include "host/link/board_shell.h"
 #include "host/link/controller.h"
 #include "host/qualify/board_questions.h"
@@ -89,9 +90,14 @@ void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) 
     figures.timer_unknown = "cyclictest was not asked for";
     return;
   }
-  const link::BoardShell::Answer answer =
-      shell.run(timer_command(wish.priority, figures.period_ns / 1000, wish.seconds), wish.seconds + 3 * kPatience);
-  if (auto timer = read_timer(answer.status, answer.text, figures.timer_unknown)) figures.timer = std::move(*timer);
+  figures.timer_priority = wish.priority;
+  try {
+    const link::BoardShell::Answer answer =
+        shell.run(timer_command(wish.priority, figures.period_ns / 1000, wish.seconds), wish.seconds + 3 * kPatience);
+    if (auto timer = read_timer(answer.status, answer.text, figures.timer_unknown)) figures.timer = std::move(*timer);
+  } catch (const InputError& e) {  // the ticks are measured, and stay so
+    figures.timer_unknown = e.what();
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace isotouch::qualify {
 
 struct Wish {
   double seconds = 60;  ///< of the ticks, and of cyclictest after them
-  int priority = 80;    ///< of cyclictest, the tick's own by default; 0 = it is not run
+  int priority = 80;    ///< of cyclictest, as isotouchd's tick unless its settings say otherwise; 0 = it is not run
   bool trace = true;    ///< ask the kernel's tracer for causes
 };
 

@@ -36,20 +36,28 @@ status_of() { status | sed -nE "s/^ *\"$1\": \"?([^\",]*)\"?,?\$/\1/p"; }
 
 is_in() { status | grep -qE "\"state\": \"($1)\""; }
 
+# Where the kernel puts a new program in memory: 2, wherever the seed says, for the controller and the device; 0, in one place, for the tools, because
+# QEMU translates a program anew in each place where it stands.
+places() { echo $1 >/proc/sys/kernel/randomize_va_space; }
+
 # start_falcon OPTIONS...: plugs the simulated device into the kernel's USB.
 start_falcon() {
+  places 2
   falcon-sim --vhci $falcon "$@" >/run/falcon.log 2>&1 &
   falcon_process=$!
   within 10 grep -q ready /run/falcon.log || fail "the simulated device did not start"
+  places 0
 }
 
 ticks_come() { [ "$(status_of ticks)" -gt 0 ]; }
 
 # start_controller OPTIONS...: with lines it first hears a stop, because taking a line pulls it down, as a broken wire would be
 start_controller() {
+  places 2
   isotouchd --config /etc/isotouchd.toml --device usb --control /run/control "$@" >/run/controller.log 2>&1 &
   controller_process=$!
   within 10 test -S /run/control || fail "the controller did not start"
+  places 0
   within 5 ticks_come || fail "the controller does not tick"
   ! grep -q '^runs without' /run/controller.log || fail "the controller is refused what makes it real-time"   # said before the first tick
   [ -d $lines ] || return 0
@@ -122,9 +130,17 @@ tour() {
   dialogue "$1"
 }
 
+# Ends the controller, which must do so in order.
+end_controller() {
+  kill $controller_process && wait $controller_process
+  code=$?
+  say "controller ended with $code"
+  [ $code = 0 ] || fail "not an orderly end"
+}
+
 # Ends the device; each fault that was ordered must have happened.
 end_falcon() {
-  kill $falcon_process && wait $falcon_process
+  kill $falcon_process && wait $falcon_process || fail "the simulated device ended with $?"
   [ -f /run/faults ] || return 0
   while read -r fault; do
     grep -qxF "falcon-sim: $fault" /run/falcon.log || fail "it did not happen: $fault"
@@ -135,8 +151,7 @@ end_falcon() {
 conclude() {
   tell_status
   isotouch latency --to $control | sed 's/^/hil: /'
-  kill $controller_process && wait $controller_process
-  say "controller ended with $?"
+  end_controller
   end_falcon
   tail -1 /run/falcon.log | sed 's/^/hil: /'
   say done

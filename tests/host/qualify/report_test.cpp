@@ -33,6 +33,7 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   EXPECT_EQ(json["worst_ticks"][0]["cause"], "processor 0: kworker/0:1");
   EXPECT_TRUE(json["worst_ticks"][1]["cause"].is_null());
   EXPECT_EQ(json["moments"][0]["celsius"], 55.5);
+  EXPECT_EQ(json["cyclictest_priority"], 80);
 }
 
 TEST(Report, WhatIsUnknownIsNullAndSaid) {
@@ -63,6 +64,7 @@ TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {
   for (auto at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++pictures;
   EXPECT_EQ(pictures, 7U) << "four histograms, temperature, clock rate, late ticks";
   EXPECT_THAT(page, HasSubstr("class=\"beside\"")) << "cyclictest on the wake-ups' axes";
+  EXPECT_THAT(page, HasSubstr("cyclictest, the same rate afterwards, priority 80"));
   figures.late = 3;
   page = html_report(figures, judge(figures, {}));
   EXPECT_THAT(page, HasSubstr("<span class=\"unfit\">not fit; beyond the limit: late ticks</span>"));
