@@ -29,18 +29,24 @@ using Responses = std::vector<evaluate::FaultResponse>;
 
 const char* state_of(const evaluate::FaultResponse& response) { return state_name(static_cast<std::uint16_t>(response.state)); }
 
+/// Of the slowest response; null where there is none, or one that never came.
+nlohmann::ordered_json slowest(const Responses& responses) {
+  nlohmann::ordered_json most = nullptr;
+  for (const evaluate::FaultResponse& response : responses) {
+    if (!response.ticks) return nullptr;
+    if (most.is_null() || most < *response.ticks) most = *response.ticks;
+  }
+  return most;
+}
+
 void print_json(const Responses& responses) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array(), most = nullptr;
-  bool never = false;
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const evaluate::FaultResponse& response : responses) {
     nlohmann::ordered_json ticks = nullptr;
     if (response.ticks) ticks = *response.ticks;
-    if (ticks.is_null()) never = true;
-    if (!ticks.is_null() && (most.is_null() || most < ticks)) most = ticks;
     rows.push_back({{"tick", response.tick}, {"condition", response.condition}, {"ticks_to_zero", ticks}, {"state", state_of(response)}});
   }
-  if (never) most = nullptr;
-  const nlohmann::ordered_json json{{"ticks_to_zero", most}, {"responses", rows}};
+  const nlohmann::ordered_json json{{"ticks_to_zero", slowest(responses)}, {"responses", rows}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
