@@ -1,24 +1,14 @@
 /// isotouch: from oriented points to a field that can be touched. One sub-command per file in commands/.
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <new>
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
 #include "host/commands/commands.h"
-#include "host/error.h"
+#include "host/commands/run.h"
 
 namespace {
-
-enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
-
-int complain(ExitCode code, const char* sentence) {
-  std::fprintf(stderr, "isotouch: %s\n", sentence);
-  return code;
-}
 
 /// Freed memory is kept for the next step, which wants as much: handed back, every page of it would have to be cleared and mapped again.
 void keep_freed_memory() {
@@ -35,8 +25,6 @@ int main(int argc, char** argv) {
   using namespace isotouch;
   keep_freed_memory();
   CLI::App app{"Turns oriented points into a distance field that a haptic controller can touch."};
-  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
-  app.require_subcommand(1);
   commands::add_build(app);
   commands::add_info(app);
   commands::add_export(app);
@@ -60,20 +48,5 @@ int main(int argc, char** argv) {
   commands::add_resume(app);
   commands::add_set(app);
   commands::add_qualify(app);
-  try {
-    app.parse(argc, argv);
-    return kDone;
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? kDone : kWrongUsage;
-  } catch (const commands::ComparisonFailed& e) {
-    return complain(kComparisonFailed, e.what());
-  } catch (const commands::EndedEarly& e) {
-    return complain(kEndedEarly, e.what());
-  } catch (const InputError& e) {
-    return complain(kBadInput, e.what());
-  } catch (const std::bad_alloc&) {
-    return complain(kBadInput, "not enough memory for this input; use a larger --voxel or a smaller --grid");
-  } catch (const std::exception& e) {
-    return complain(kBadInput, e.what());
-  }
+  return commands::run(app, argc, argv);
 }

@@ -18,7 +18,7 @@ using Path = std::function<Vector(double ms)>;
 ///   rest     stays in the middle
 ///   press    in from the front at 25 mm/s, through a ball of 35 mm to 10 mm before its middle, a rest, and back
 ///   stab     straight through from right to left and back, 45 mm to each side, at up to 1 m/s
-///   tour     a sweep over a ball of 45 mm that closes after 60 s
+///   tour     a sweep in and out of a ball of 33 mm, to 21 and 45 mm, that closes after 60 s
 ///   stroke   from side to side, 2 mm below the front of a ball of 35 mm
 ///   tremor   comes from the front, stays 3 mm below it and trembles 10 times a second, 0.5 mm around
 std::vector<std::string> motion_names();

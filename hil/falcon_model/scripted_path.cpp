@@ -30,7 +30,7 @@ Vector press(double ms) { return {0, 0, 45 - 35 * in_and_out(ms, 1400, 300)}; }
 Vector stab(double ms) { return {45 - 90 * in_and_out(ms, 170, 400), 3, 5}; }
 
 Vector tour(double ms) {
-  const double radius = 33 + 12 * wave(ms, 7500);
+  const double radius = 33 - 12 * wave(ms, 7500);
   const double height = 0.9 * wave(ms + 1000, 20000);
   const double around = std::sqrt(1 - height * height);
   return radius * Vector{around * wave(ms, 3000), height, around * wave(ms + 750, 3000)};

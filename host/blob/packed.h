@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/image.h"
 #include "shared/blob.h"
 
 namespace isotouch::blob {

@@ -13,15 +13,12 @@
 #include "host/blob/brick_rows.h"
 #include "host/blob/brick_tree.h"
 #include "host/blob/certificate.h"
-#include "host/blob/packed.h"
 #include "host/blob/round_creases.h"
 #include "host/blob/specks.h"
 #include "host/blob/spline.h"
-#include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
-#include "shared/packed_blob.h"
 
 namespace isotouch::blob {
 
@@ -175,14 +172,6 @@ BlobInfo info_of(const BlobView& view) {
   info.point_count = load_le<std::uint32_t>(at + kPointCountAt);
   info.placement = {real(kScaleAt), {real(kOffsetAt), real(kOffsetAt + 8), real(kOffsetAt + 16)}};
   return info;
-}
-
-Image read_image(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = cloud::read_file(file);
-  if (PackedBlob::has_magic(bytes)) return unpack(bytes, file.string());
-  Image image(bytes.size());
-  std::copy(bytes.begin(), bytes.end(), image.data());
-  return image;
 }
 
 }  // namespace isotouch::blob

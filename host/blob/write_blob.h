@@ -2,10 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <span>
-#include <vector>
 
+#include "host/blob/image.h"
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
 #include "shared/blob.h"
@@ -23,20 +21,6 @@ struct BlobInfo {
   cloud::Placement placement;
 };
 
-/// The 8-byte aligned bytes of an image.
-class Image {
- public:
-  explicit Image(std::size_t bytes) : words_((bytes + 7) / 8), bytes_(bytes) {}
-  std::uint8_t* data() { return reinterpret_cast<std::uint8_t*>(words_.data()); }
-  const std::uint8_t* data() const { return reinterpret_cast<const std::uint8_t*>(words_.data()); }
-  std::size_t size() const { return bytes_; }
-  std::span<const std::uint8_t> bytes() const { return {data(), bytes_}; }
-
- private:
-  std::vector<std::uint64_t> words_;
-  std::size_t bytes_;
-};
-
 /// Turns distances into spline coefficients, rounds them and lays out the image. The same field gives the same bytes on every machine.
 ///
 /// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
@@ -49,10 +33,5 @@ Image write_blob(field::BandField field, const BlobInfo& info);
 
 /// What `write_blob` was told, read back from a checked image; stiffness as rounded.
 BlobInfo info_of(const BlobView& view);
-
-/// Reads a file into an image, unpacked where it is packed. The caller parses it.
-///
-/// fails     InputError naming the file when it cannot be read or unpacked
-Image read_image(const std::filesystem::path& file);
 
 }  // namespace isotouch::blob

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host/blob/write_blob.h"
 #include "host/error.h"
 #include "host/evaluate/real.h"
 #include "host/field/mesh_distance.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/image.h"
 #include "shared/blob.h"
 
 namespace isotouch::evaluate {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "firmware/core/field_sampler.h"
+#include "host/blob/write_blob.h"
 #include "host/cloud/random.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"

@@ -29,7 +29,7 @@ within() {
 # The counts; `run` takes ticks and late ones from here, so every controller that is ended tells them before.
 tell_status() { status | sed 's/^/hil: status: /'; }
 
-status() { isotouch status --to $control --json; }
+status() { isotouchctl status --to $control --json; }
 
 # A value of the status, by its key.
 status_of() { status | sed -nE "s/^ *\"$1\": \"?([^\",]*)\"?,?\$/\1/p"; }
@@ -67,7 +67,7 @@ start_controller() {
   resume
 }
 
-resume() { isotouch resume --to $control >/run/resume.log 2>&1 || fail "resume: $(cat /run/resume.log)"; }
+resume() { isotouchctl resume --to $control >/run/resume.log 2>&1 || fail "resume: $(cat /run/resume.log)"; }
 
 homed() { within 60 is_in 'idle|ready|active|hold' || fail "the device was not homed"; }
 
@@ -80,21 +80,21 @@ press() {
   sleep 1.2   # from the middle of its way in it presses
 }
 
-upload() { isotouch upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 || fail "upload: $(cat /run/upload.log)"; }
+upload() { isotouchctl upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 || fail "upload: $(cat /run/upload.log)"; }
 
 # record NAME SECONDS FIELD: records, and wants the core to repeat every word.
 record() {
-  isotouch record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
-  isotouch replay "/fields/$3.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  isotouchctl record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
+  isotouchctl replay "/fields/$3.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   say "trace $1 $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
 }
 
 # The recording of everything, once the controller has ended: the core must repeat it, and each input that speaks against forces must have ended them.
-# zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouch trace zero`.
+# zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouchctl trace zero`.
 zeros() {
-  isotouch replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  isotouchctl replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
-  isotouch trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
+  isotouchctl trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
   sed -i 1d /run/zero.log
   [ "$(wc -l </run/zero.log)" = $# ] || fail "not $# faults ended forces: $(cat /run/zero.log)"
   while read -r tick condition ticks state; do
@@ -108,13 +108,13 @@ zeros() {
 
 # dialogue FIELD: the core repeats the whole recording, and its dialogue is the one that desk and hand had in lockstep.
 dialogue() {
-  isotouch replay "/fields/$1.itf" /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  isotouchctl replay "/fields/$1.itf" /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   as_on_desk "$1"
 }
 
 # as_on_desk FIELD: the recording has that dialogue.
 as_on_desk() {
-  said=$(sh /lib/dialogue /run/all.trace 8000)
+  said=$(sh /lib/dialogue /run/all.trace 4000)
   say "trace $1 $said"
   [ "$said" = "$(cat "/fields/$1.dialogue")" ] || fail "on the desk it is $(cat "/fields/$1.dialogue")"
 }
@@ -125,7 +125,7 @@ tour() {
   start_controller --field "/fields/$1.itf" --record /run/all.trace
   homed
   within 20 is_in active || fail "the field was not felt"
-  sleep 8
+  sleep 4
   conclude
   dialogue "$1"
 }
@@ -150,7 +150,7 @@ end_falcon() {
 # What every scenario ends with: the counts and the delays.
 conclude() {
   tell_status
-  isotouch latency --to $control | sed 's/^/hil: /'
+  isotouchctl latency --to $control | sed 's/^/hil: /'
   end_controller
   end_falcon
   tail -1 /run/falcon.log | sed 's/^/hil: /'

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "host/blob/write_blob.h"
 #include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/blob.h"

@@ -1,0 +1,31 @@
+/// The bytes of a blob in memory, and how they are read from a file.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace isotouch::blob {
+
+/// The 8-byte aligned bytes of an image.
+class Image {
+ public:
+  explicit Image(std::size_t bytes) : words_((bytes + 7) / 8), bytes_(bytes) {}
+  std::uint8_t* data() { return reinterpret_cast<std::uint8_t*>(words_.data()); }
+  const std::uint8_t* data() const { return reinterpret_cast<const std::uint8_t*>(words_.data()); }
+  std::size_t size() const { return bytes_; }
+  std::span<const std::uint8_t> bytes() const { return {data(), bytes_}; }
+
+ private:
+  std::vector<std::uint64_t> words_;
+  std::size_t bytes_;
+};
+
+/// Reads a file into an image, unpacked where it is packed. The caller parses it.
+///
+/// fails     InputError naming the file when it cannot be read or unpacked
+Image read_image(const std::filesystem::path& file);
+
+}  // namespace isotouch::blob

@@ -1,0 +1,44 @@
+#include "host/commands/run.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "host/commands/commands.h"
+#include "host/error.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
+
+int complain(ExitCode code, const char* sentence) {
+  std::fprintf(stderr, "isotouch: %s\n", sentence);
+  return code;
+}
+
+}  // namespace
+
+int run(CLI::App& app, int argc, char** argv) {
+  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? kDone : kWrongUsage;
+  } catch (const ComparisonFailed& e) {
+    return complain(kComparisonFailed, e.what());
+  } catch (const EndedEarly& e) {
+    return complain(kEndedEarly, e.what());
+  } catch (const InputError& e) {
+    return complain(kBadInput, e.what());
+  } catch (const std::bad_alloc&) {
+    return complain(kBadInput, "not enough memory for this input; use a larger --voxel or a smaller --grid");
+  } catch (const std::exception& e) {
+    return complain(kBadInput, e.what());
+  }
+}
+
+}  // namespace isotouch::commands
