@@ -1,14 +1,15 @@
-/// isotouchctl: what a controller's own board needs of isotouch. It speaks with the controller and replays what it recorded; what makes, compares and draws
-/// fields, and the libraries for that, stay on the desk.
+/// isotouchctl: what a controller's own board needs of isotouch. It speaks with the controller and replays what it recorded;
+/// what makes, compares and draws fields, and the libraries for that, stay on the desk.
 #include <CLI/CLI.hpp>
 
 #include "host/commands/commands.h"
 #include "host/commands/run.h"
 #include "host/commands/trace_zero.h"
 
-int main(int argc, char** argv) {
+namespace {
+
+void add_commands(CLI::App& app) {
   using namespace isotouch;
-  CLI::App app{"Speaks with a haptic controller, and replays what it recorded: the commands of isotouch that a board needs."};
   commands::add_status(app);
   commands::add_latency(app);
   commands::add_watch(app);
@@ -19,8 +20,15 @@ int main(int argc, char** argv) {
   commands::add_stop(app);
   commands::add_resume(app);
   commands::add_replay(app);
-  CLI::App* trace = app.add_subcommand("trace", "Judge recorded hands");
+  CLI::App* trace = app.add_subcommand("trace", "Judge a controller's recording");
   trace->require_subcommand(1);
   commands::add_zero(*trace);
-  return commands::run(app, argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return isotouch::commands::run(
+      "isotouchctl", "Speaks with a haptic controller, and replays what it recorded: the commands of isotouch that a board needs.",
+      add_commands, argc, argv);
 }

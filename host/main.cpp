@@ -19,12 +19,8 @@ void keep_freed_memory() {
 #endif
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+void add_commands(CLI::App& app) {
   using namespace isotouch;
-  keep_freed_memory();
-  CLI::App app{"Turns oriented points into a distance field that a haptic controller can touch."};
   commands::add_build(app);
   commands::add_info(app);
   commands::add_export(app);
@@ -48,5 +44,12 @@ int main(int argc, char** argv) {
   commands::add_resume(app);
   commands::add_set(app);
   commands::add_qualify(app);
-  return commands::run(app, argc, argv);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  keep_freed_memory();
+  return isotouch::commands::run("isotouch", "Turns oriented points into a distance field that a haptic controller can touch.",
+                                 add_commands, argc, argv);
 }

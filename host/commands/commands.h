@@ -1,4 +1,4 @@
-/// The sub-commands of `isotouch`, one file each. A command adds itself to the parser; its callback does the work.
+/// The sub-commands of `isotouch` and `isotouchctl`, one file each. A command adds itself to the parser; its callback does the work.
 ///
 /// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
 /// as EndedEarly (exit 4); wrong usage is the parser's (exit 2).

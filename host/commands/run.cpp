@@ -13,31 +13,33 @@ namespace {
 
 enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
 
-int complain(ExitCode code, const char* sentence) {
-  std::fprintf(stderr, "isotouch: %s\n", sentence);
+int complain(const char* program, ExitCode code, const char* sentence) {
+  std::fprintf(stderr, "%s: %s\n", program, sentence);
   return code;
 }
 
 }  // namespace
 
-int run(CLI::App& app, int argc, char** argv) {
+int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
+  CLI::App app{about};
   app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
   app.require_subcommand(1);
+  add(app);  // last: a sub-command takes over what is said before it is made
   try {
     app.parse(argc, argv);
     return kDone;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? kDone : kWrongUsage;
   } catch (const ComparisonFailed& e) {
-    return complain(kComparisonFailed, e.what());
+    return complain(program, kComparisonFailed, e.what());
   } catch (const EndedEarly& e) {
-    return complain(kEndedEarly, e.what());
+    return complain(program, kEndedEarly, e.what());
   } catch (const InputError& e) {
-    return complain(kBadInput, e.what());
+    return complain(program, kBadInput, e.what());
   } catch (const std::bad_alloc&) {
-    return complain(kBadInput, "not enough memory for this input; use a larger --voxel or a smaller --grid");
+    return complain(program, kBadInput, "not enough memory for this input; a field with a larger --voxel or a smaller --grid takes less");
   } catch (const std::exception& e) {
-    return complain(kBadInput, e.what());
+    return complain(program, kBadInput, e.what());
   }
 }
 
