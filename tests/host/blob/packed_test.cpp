@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "host/blob/image.h"
 #include "host/blob/write_blob.h"
-#include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/blob.h"
 #include "shared/bytes.h"
@@ -106,19 +106,6 @@ TEST(Packed, a_ball_of_that_size_takes_so_many_bits) {
   const double bits = 8.0 * static_cast<double>(packed(image).size()) / samples;
   EXPECT_LT(bits, 4.0);
   EXPECT_GT(bits, 2.0) << "so much better: tighten the bound";
-}
-
-TEST(Packed, either_form_is_read_from_a_file) {
-  const Image image = ball_image();
-  const Bytes bytes = packed(image);
-  const auto file = std::filesystem::path(::testing::TempDir()) / "packed_test.itf";
-  cloud::write_file(file, bytes.data(), bytes.size());
-  EXPECT_TRUE(same(read_image(file), image));
-  cloud::write_file(file, image.data(), image.size());
-  EXPECT_TRUE(same(read_image(file), image));
-  cloud::write_file(file, bytes.data(), bytes.size() - 1);
-  EXPECT_THROW(read_image(file), InputError);
-  std::filesystem::remove(file);
 }
 
 TEST(Packed, the_golden_file_unpacks_to_its_image) {

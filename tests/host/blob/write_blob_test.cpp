@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "host/cloud/files.h"
 #include "host/error.h"
 #include "shared/blob.h"
 #include "tests/host/blob/blob_bodies.h"
@@ -154,16 +153,6 @@ TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
 TEST(WriteBlob, a_body_that_reaches_the_border_is_refused) {
   const field::Grid grid = field::make_grid({-9, -9, -9}, {9, 9, 9}, 1.0, 2.0);
   EXPECT_THAT(refusal(field::sample_distance(test::ball(9), grid, 4.0)), HasSubstr("border"));
-}
-
-TEST(WriteBlob, an_image_comes_back_from_its_file) {
-  const Image image = write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
-  const auto file = std::filesystem::path(::testing::TempDir()) / "write_blob_test.itf";
-  cloud::write_file(file, image.data(), image.size());
-  const Image read = read_image(file);
-  std::filesystem::remove(file);
-  EXPECT_TRUE(std::equal(image.bytes().begin(), image.bytes().end(), read.bytes().begin(), read.bytes().end()));
-  EXPECT_THROW(read_image(file), InputError);
 }
 
 }  // namespace
