@@ -10,16 +10,7 @@ namespace {
 
 void add_commands(CLI::App& app) {
   using namespace isotouch;
-  commands::add_status(app);
-  commands::add_latency(app);
-  commands::add_watch(app);
-  commands::add_upload(app);
-  commands::add_fields(app);
-  commands::add_set(app);
-  commands::add_record(app);
-  commands::add_stop(app);
-  commands::add_resume(app);
-  commands::add_replay(app);
+  commands::add_on_board(app);
   CLI::App* trace = app.add_subcommand("trace", "Judge a controller's recording");
   trace->require_subcommand(1);
   commands::add_zero(*trace);

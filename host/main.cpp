@@ -27,22 +27,13 @@ void add_commands(CLI::App& app) {
   commands::add_shape(app);
   commands::add_scan(app);
   commands::add_trace(app);
-  commands::add_replay(app);
   commands::add_compare(app);
   commands::add_evaluate(app);
   commands::add_bench(app);
   commands::add_render(app);
   commands::add_demo(app);
-  commands::add_upload(app);
-  commands::add_status(app);
-  commands::add_latency(app);
-  commands::add_watch(app);
+  commands::add_on_board(app);
   commands::add_calibrate(app);
-  commands::add_fields(app);
-  commands::add_record(app);
-  commands::add_stop(app);
-  commands::add_resume(app);
-  commands::add_set(app);
   commands::add_qualify(app);
 }
 

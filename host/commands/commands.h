@@ -45,4 +45,7 @@ void add_resume(CLI::App& app);
 void add_set(CLI::App& app);
 void add_qualify(CLI::App& app);
 
+/// Those that a controller's board has, too; `trace zero` beside them.
+void add_on_board(CLI::App& app);
+
 }  // namespace isotouch::commands
