@@ -31,6 +31,7 @@
 #include "firmware/io/linux_folder.h"
 #include "firmware/io/recorder.h"
 #include "firmware/io/replay_port.h"
+#include "firmware/io/run_mark.h"
 #include "firmware/io/service_notify.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
@@ -110,9 +111,7 @@ sigset_t ending_signals() {
 /// judge_delay     one sentence when the delay that was measured meanwhile has changed something
 /// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
 bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration,
-           const loop::TickStats& stats, const std::function<std::string()>& judge_delay) {
-  const char* socket = std::getenv("NOTIFY_SOCKET");
-  io::ServiceNotify systemd(socket == nullptr ? "" : socket);
+           const loop::TickStats& stats, const std::function<std::string()>& judge_delay, io::ServiceNotify& systemd) {
   systemd.ready();
   const sigset_t signals = ending_signals();
   const timespec pause{0, 100'000'000};
@@ -140,9 +139,19 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
   return true;
 }
 
+/// A run that follows one without an orderly end is in fault until a person resumes. In lockstep nobody is there.
+void mark_run(io::RunMark& mark, const std::string& folder, loop::Commands& commands) {
+  if (mark.was_left()) {
+    commands.ask(kCommandStop);
+    say("the run before had no orderly end; no force until 'resume'");
+  }
+  if (const Result<void> set = mark.set(); !set)
+    say(folder + ": a crash of this run will not be known to the next: " + describe(set.error()));
+}
+
 /// again     not for the first time
 /// returns   the exit code; nothing: begin again
-std::optional<int> run(const Options& options, settings::LiveSettings& live, bool again) {
+std::optional<int> run(const Options& options, settings::LiveSettings& live, io::ServiceNotify& systemd, bool again) {
   stop_ticks = stop_exchange = go = ticks_ended = false;
   refused = 0;
   const settings::Settings settings = live.now();
@@ -205,6 +214,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
     if (by_name) return refuse(refusal);
     say(refusal);
   }
+  systemd.busy();  // a large field from a slow card
   const auto hash_of = [&](std::uint32_t generation) { return intake.generation() == generation ? intake.hash() : 0; };
   io::Recorder recorder({header, settings.state, ticks_in(settings.before_fault_s), ticks_in(0.5)}, trace,
                         settings.control.empty() ? nullptr : &watched, commands, hash_of, say);
@@ -223,6 +233,9 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
                                                            }});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
+
+  std::optional<io::RunMark> mark;
+  if (folder && !options.lockstep) mark_run(mark.emplace(*folder), settings.state, commands);
 
   rest_on_crash(stop_exchange);
   loop::keep_crash_stack();
@@ -252,7 +265,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
     judged = now;
     return changed;
   };
-  const bool to_the_end = watch(options, hardware, recorder, calibration, stats, judge_delay);
+  const bool to_the_end = watch(options, hardware, recorder, calibration, stats, judge_delay, systemd);
   stop_exchange = true;
   stop_ticks = true;
   if (exchanges.joinable()) exchanges.join();
@@ -264,7 +277,9 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, boo
   records.join();
   recorder.drain();
   recorder.stop();
+  if (mark) mark->clear();
   if (!to_the_end) {
+    systemd.busy();
     say("device: calibrated, beginning again with it");
     return std::nullopt;
   }
@@ -287,8 +302,10 @@ int main(int argc, char** argv) {
     int exit_code = 0;
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
     isotouch::settings::LiveSettings live(options.settings);
+    const char* socket = std::getenv("NOTIFY_SOCKET");
+    isotouch::io::ServiceNotify systemd(socket == nullptr ? "" : socket);
     std::optional<int> ended;
-    for (bool again = false; !ended; again = true) ended = run(options, live, again);
+    for (bool again = false; !ended; again = true) ended = run(options, live, systemd, again);
     return *ended;
   } catch (const std::exception& error) {
     return refuse(error.what());

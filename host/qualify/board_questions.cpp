@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <regex>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 namespace isotouch::qualify {
 
@@ -61,9 +63,11 @@ void read_sensors(const std::string& text, Moment& moment) {
 }
 
 std::string timer_command(int priority, std::uint32_t period_us, double seconds) {
-  const std::string options = "-q -m -p " + std::to_string(priority) + " -i " + std::to_string(period_us) + " -h 20000 -D " +
-                              std::to_string(static_cast<int>(std::ceil(seconds)));
+  const std::string options = "--default-system $a -q -m -p " + std::to_string(priority) + " -i " + std::to_string(period_us) +
+                              " -h 20000 -D " + std::to_string(static_cast<int>(std::ceil(seconds)));
   return "command -v cyclictest >/dev/null || { echo 'cyclictest is not installed there (package rt-tests)'; exit 3; }\n"
+         "t=$(grep -lx tick /proc/[0-9]*/task/[0-9]*/comm 2>/dev/null | head -1)\n"
+         "a=$(sed -nE 's/^Cpus_allowed_list:[[:space:]]*([0-9]+)$/--affinity=\\1/p' \"${t%comm}status\" 2>/dev/null)\n"
          "o=$(cyclictest " +
          options + " 2>&1) || { echo \"$o\" | grep -v '^#' | head -1; exit 4; }\necho \"$o\" | grep -v ' 000000$'";
 }
@@ -105,19 +109,28 @@ std::string begin_tracing_command() {
 
 std::string end_tracing_command() { return std::string(kFindTracer) + "[ ! -d $i ] || rmdir $i"; }
 
-std::string trace_command(const wire::WorstTick& tick) {
-  // A millisecond before, because the last switch tells who had the processor; the tracer's times are microseconds, cut off.
-  const double begun = static_cast<double>(tick.start_ns) / 1e9, due = begun - tick.wake_ns / 1e9;
-  char window[160];
-  std::snprintf(window, sizeof window, "-v due=%.6f -v from=%.6f -v to=%.6f", due, due - 0.001, begun + 0.000002);
-  return std::string(kFindTracer) + "awk " + window +
-         " '/^#/ { next }\n"
-         "   match($0, / [0-9]+\\.[0-9]+: /) { t = substr($0, RSTART + 1, RLENGTH - 3) + 0; if (t >= from && t <= to) print (t < due ? "
-         "\"before\" : \"since\"), $0 }'\n"
-         "   $i/trace";
+std::string trace_command(std::span<const wire::WorstTick> ticks) {
+  // A millisecond before, because the last switch tells who had the processor; the tracer's times are whole microseconds.
+  std::string windows;
+  for (const wire::WorstTick& tick : ticks) {
+    const double begun = static_cast<double>(tick.start_ns) / 1e9, due = begun - tick.wake_ns / 1e9;
+    char window[80];
+    std::snprintf(window, sizeof window, "%.6f %.6f %.6f ", due, due - 0.001, begun + 0.000002);
+    windows += window;
+  }
+  return std::string(kFindTracer) + "awk -v windows='" + windows +
+         "' 'BEGIN { n = split(windows, w, \" \") }\n"
+         "   /^#/ { next }\n"
+         "   match($0, / [0-9]+\\.[0-9]+: /) {\n"
+         "     t = substr($0, RSTART + 1, RLENGTH - 3) + 0\n"
+         "     for (i = 1; i < n; i += 3) if (t >= w[i + 1] + 0 && t <= w[i + 2] + 0)\n"
+         "       print (i + 2) / 3, (t < w[i] + 0 ? \"before\" : \"since\"), $0 }' $i/trace";
 }
 
-std::string read_cause(const std::string& text) {
+namespace {
+
+/// Of one tick: its lines without its number.
+std::string read_cause(const std::vector<std::string>& lines) {
   // The processor is that of the last switch to the tick.
   static const std::regex kEvent(R"(^(before|since) .*\[(\d+)\] .*: (sched_switch|irq_handler_entry|softirq_entry): (.*)$)");
   static const std::regex kNext(R"(prev_comm=(.*) prev_pid=.*next_comm=(.*) next_pid=)");
@@ -128,7 +141,7 @@ std::string read_cause(const std::string& text) {
   };
   std::vector<Event> events;
   std::string processor;
-  for (const std::string& line : lines_of(text)) {
+  for (const std::string& line : lines) {
     std::smatch m, names;
     if (!std::regex_match(line, m, kEvent)) continue;
     events.push_back({m[1] == "since", m[2], m[3], m[4]});
@@ -158,6 +171,21 @@ std::string read_cause(const std::string& text) {
   return text_of.empty()
              ? text_of
              : "processor " + processor.substr(std::min(processor.find_first_not_of('0'), processor.size() - 1)) + ": " + text_of;
+}
+
+}  // namespace
+
+std::vector<std::string> read_causes(const std::string& text, std::size_t ticks) {
+  std::vector<std::vector<std::string>> lines(ticks);
+  for (const std::string& line : lines_of(text)) {
+    std::size_t tick = 0;
+    const auto [end, failed] = std::from_chars(line.data(), line.data() + line.size(), tick);
+    if (failed == std::errc() && tick >= 1 && tick <= ticks && *end == ' ')
+      lines[tick - 1].push_back(line.substr(static_cast<std::size_t>(end + 1 - line.data())));
+  }
+  std::vector<std::string> causes;
+  for (const std::vector<std::string>& one : lines) causes.push_back(read_cause(one));
+  return causes;
 }
 
 }  // namespace isotouch::qualify

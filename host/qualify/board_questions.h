@@ -2,8 +2,10 @@
 /// taken away again.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,7 +25,8 @@ std::string sensors_command();
 /// Fills `celsius` and `megahertz` with what there is.
 void read_sensors(const std::string& text, Moment& moment);
 
-/// cyclictest: one thread of this priority that wakes up so often for so long.
+/// cyclictest: one thread of this priority that wakes up so often for so long; where the tick is bound to one processor, on that one, and with the power
+/// management that the tick has.
 std::string timer_command(int priority, std::uint32_t period_us, double seconds);
 /// Its histogram of microseconds, and the longest delays that it counted beyond.
 ///
@@ -35,11 +38,12 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 std::string begin_tracing_command();
 /// Takes it away; nothing when it is not there.
 std::string end_tracing_command();
-/// What it holds of the time from when a tick should have begun to when it began.
-std::string trace_command(const wire::WorstTick& tick);
-/// Which threads and interrupts had the tick's processor, in that time.
+/// What it holds of the times from when each of these ticks should have begun to when it began; read once, because it is long.
+std::string trace_command(std::span<const wire::WorstTick> ticks);
+/// Which threads and interrupts had each tick's processor, in that time.
 ///
-/// returns   empty: the tracer does not know
-std::string read_cause(const std::string& text);
+/// ticks     so many were asked for
+/// returns   one for each; empty: the tracer does not know
+std::vector<std::string> read_causes(const std::string& text, std::size_t ticks);
 
 }  // namespace isotouch::qualify

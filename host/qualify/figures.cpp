@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace isotouch::qualify {
 
@@ -15,6 +16,16 @@ link::Histogram between(const link::Histogram& before, const link::Histogram& af
     if (bin.count > known) grown.bins.push_back({bin.upper, bin.count - known});
   }
   return grown;
+}
+
+link::Histogram sum(const link::Histogram& one, const link::Histogram& other) {
+  std::map<std::uint32_t, std::uint64_t> counts;
+  for (const link::Histogram* part : {&one, &other}) {
+    for (const wire::Bin& bin : part->bins) counts[bin.upper] += bin.count;
+  }
+  link::Histogram both{one.count + other.count, {}};
+  for (const auto& [upper, count] : counts) both.bins.push_back({upper, count});
+  return both;
 }
 
 std::optional<std::uint32_t> quantile_ns(const link::Histogram& histogram, double share) {

@@ -48,6 +48,9 @@ struct Figures {
 /// What came between two readings of a histogram that only grows.
 link::Histogram between(const link::Histogram& before, const link::Histogram& after);
 
+/// Both counts in one, by rising bounds.
+link::Histogram sum(const link::Histogram& one, const link::Histogram& other);
+
 /// The bound of a class that `share` of all values do not exceed; nothing when there are no values.
 ///
 /// share     0 to 1; 1: the largest value's class

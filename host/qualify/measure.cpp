@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <map>
 #include <thread>
 
@@ -16,7 +17,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kPatience = 20;  // seconds, with a small command on a busy board
+constexpr double kPatience = 20;       // seconds, with a small command on a busy board
+constexpr double kFirstPatience = 60;  // somebody may have to type a password
+constexpr double kTimerSlice = 10;     // seconds of cyclictest at a time: it outlives a connection that is cut, but no longer than this
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -58,10 +61,11 @@ class Causes {
 
   void look(const std::vector<wire::WorstTick>& worst) {
     if (!why_.empty()) return;
-    for (const wire::WorstTick& tick : worst) {
-      if (known_.count(tick.number) > 0) continue;
-      known_[tick.number] = read_cause(shell_.run(trace_command(tick), kPatience).text);
-    }
+    std::vector<wire::WorstTick> fresh;
+    std::copy_if(worst.begin(), worst.end(), std::back_inserter(fresh), [&](const auto& tick) { return known_.count(tick.number) == 0; });
+    if (fresh.empty()) return;
+    const std::vector<std::string> causes = read_causes(shell_.run(trace_command(fresh), kPatience).text, fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i) known_[fresh[i].number] = causes[i];
   }
   std::string of(std::uint64_t tick) const {
     const auto found = known_.find(tick);
@@ -92,9 +96,14 @@ void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) 
   }
   figures.timer_priority = wish.priority;
   try {
-    const link::BoardShell::Answer answer =
-        shell.run(timer_command(wish.priority, figures.period_ns / 1000, wish.seconds), wish.seconds + 3 * kPatience);
-    if (auto timer = read_timer(answer.status, answer.text, figures.timer_unknown)) figures.timer = std::move(*timer);
+    for (double left = wish.seconds; left > 0; left -= kTimerSlice) {
+      const double slice = std::min(left, kTimerSlice);
+      const link::BoardShell::Answer answer =
+          shell.run(timer_command(wish.priority, figures.period_ns / 1000, slice), slice + 3 * kPatience);
+      const auto timer = read_timer(answer.status, answer.text, figures.timer_unknown);
+      if (!timer) return;
+      figures.timer = sum(figures.timer, *timer);
+    }
   } catch (const InputError& e) {  // the ticks are measured, and stay so
     figures.timer_unknown = e.what();
   }
@@ -109,7 +118,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.address = address;
   figures.program = controller.welcome().program.view();
   figures.period_ns = std::max(controller.welcome().period_ns, 1U);
-  figures.board = read_description(shell.run(describe_command(), kPatience).text);
+  figures.board = read_description(shell.run(describe_command(), kFirstPatience).text);
 
   Causes causes(shell, wish.trace);
   tell("the ticks, for " + std::to_string(static_cast<int>(wish.seconds)) + " s");

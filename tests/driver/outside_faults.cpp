@@ -164,7 +164,7 @@ FaultRow killed() {
   for (; has_torque(bench) && ms < 100; ++ms) bench.falcon().silence(1);
   row.sentence = "none; the device's own time limit rests the motors, here after " + std::to_string(ms) +
                  " ms; the heartbeat stops, and a relay opens";
-  row.recovery = "started anew by systemd; soft start";
+  row.recovery = "started anew by systemd; a fault until a person resumes";
   if (ms != 10) row.broken = "the simulated device's time limit is 10 ms";
   return row;
 }

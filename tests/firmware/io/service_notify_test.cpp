@@ -41,6 +41,8 @@ TEST(ServiceNotify, SaysWhatSystemdWantsToHear) {
     EXPECT_EQ(listener.hear(), "READY=1");
     notify.status("state: active");
     EXPECT_EQ(listener.hear(), "STATUS=state: active");
+    notify.busy();
+    EXPECT_EQ(listener.hear(), "WATCHDOG=1");
     notify.ending();
     EXPECT_EQ(listener.hear(), "STOPPING=1");
     EXPECT_EQ(listener.hear(), "");

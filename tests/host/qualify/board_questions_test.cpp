@@ -64,31 +64,41 @@ TEST(BoardQuestions, TheTimerIsAskedWithWholeSecondsAndItsPriority) {
   EXPECT_THAT(command, HasSubstr("-D 3"));
 }
 
+/// What the kernel's tracer holds of a tick that should have begun at 100.001 s and did at 100.00104 s, and of another, a second later.
 const char* kTrace =
-    "before       exchange-101     [001] d..2.   100.000100: sched_switch: prev_comm=exchange prev_pid=101 prev_prio=14 prev_state=S ==> "
+    "# tracer: nop\n"
+    "        exchange-101     [001] d..2.   100.000100: sched_switch: prev_comm=exchange prev_pid=101 prev_prio=14 prev_state=S ==> "
     "next_comm=sshd next_pid=50 next_prio=120\n"
-    "since            sshd-50      [001] d.h..   100.001003: irq_handler_entry: irq=12 name=mmc0\n"
-    "since            bash-60      [000] d..2.   100.001004: sched_switch: prev_comm=bash prev_pid=60 prev_prio=120 prev_state=S ==> "
+    "            sshd-50      [001] d.h..   100.001003: irq_handler_entry: irq=12 name=mmc0\n"
+    "            bash-60      [000] d..2.   100.001004: sched_switch: prev_comm=bash prev_pid=60 prev_prio=120 prev_state=S ==> "
     "next_comm=swapper/0 next_pid=0 next_prio=120\n"
-    "since            sshd-50      [001] ..s..   100.001009: softirq_entry: vec=3 [action=NET_RX]\n"
-    "since            sshd-50      [001] d..2.   100.001040: sched_switch: prev_comm=sshd prev_pid=50 prev_prio=120 prev_state=R ==> "
-    "next_comm=tick next_pid=99 next_prio=19\n";
+    "            sshd-50      [001] ..s..   100.001009: softirq_entry: vec=3 [action=NET_RX]\n"
+    "            sshd-50      [001] d..2.   100.001040: sched_switch: prev_comm=sshd prev_pid=50 prev_prio=120 prev_state=R ==> "
+    "next_comm=tick next_pid=99 next_prio=19\n"
+    "            sshd-50      [001] d.h..   100.500000: irq_handler_entry: irq=13 name=between\n"
+    "          <idle>-0       [003] d..2.   101.001040: sched_switch: prev_comm=swapper/3 prev_pid=0 prev_prio=120 "
+    "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n";
 
-TEST(BoardQuestions, ACauseIsWhatHadTheTicksProcessor) {
-  EXPECT_EQ(read_cause(kTrace), "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd");
-  EXPECT_EQ(read_cause(""), "");
-  EXPECT_EQ(read_cause("cat: trace: Permission denied\n"), "");
+/// The causes of ticks, asked of a tracer with this content.
+std::vector<std::string> causes(const std::string& trace, const std::vector<wire::WorstTick>& ticks) {
+  const ScratchFolder tracing;
+  std::filesystem::create_directories(tracing.path() / "instances/isotouch");
+  std::ofstream(tracing.path() / "instances/isotouch/trace") << trace;
+  ::setenv("ISOTOUCH_TRACING", tracing.path().c_str(), 1);
+  link::BoardShell shell(link::read_address("unix:/nowhere"));
+  ::unsetenv("ISOTOUCH_TRACING");
+  return read_causes(shell.run(trace_command(ticks), 10).text, ticks.size());
 }
 
-TEST(BoardQuestions, AProcessorThatSleptIsACauseToo) {
-  EXPECT_EQ(read_cause("since          <idle>-0       [003] d..2.   100.001040: sched_switch: prev_comm=swapper/3 prev_pid=0 prev_prio=120 "
-                       "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n"),
-            "nothing else ran: the processor slept");
+TEST(BoardQuestions, ACauseIsWhatHadTheTicksProcessorSinceItShouldHaveBegun) {
+  const wire::WorstTick held{7, 100'001'041'000, 41'000, 5'000}, slept{8, 101'001'041'000, 41'000, 5'000},
+      forgotten{9, 50'000'000'000, 41'000, 5'000};
+  EXPECT_THAT(causes(kTrace, {slept, forgotten, held}),
+              testing::ElementsAre("nothing else ran: the processor slept", "", "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd"));
 }
 
-TEST(BoardQuestions, TheTracersWindowIsFromWhenTheTickShouldHaveBegun) {
-  const std::string command = trace_command({7, 100'000'050'000, 40'000, 5'000});
-  EXPECT_THAT(command, HasSubstr("-v due=100.000010 -v from=99.999010 -v to=100.000052"));
+TEST(BoardQuestions, WithoutATracerThereIsNoCause) {
+  EXPECT_THAT(read_causes("awk: cannot open trace\n3 since x\n-1 since x\n", 2), testing::ElementsAre("", ""));
 }
 
 /// A folder like the kernel's: a buffer that is made has its files at once, and goes with them. Where `events` is false the kernel has none.

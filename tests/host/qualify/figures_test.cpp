@@ -45,5 +45,14 @@ TEST(Figures, ABoardWithoutSensorsHasNoTemperature) {
   EXPECT_EQ(hottest({Moment{}, Moment{}}), std::nullopt);
 }
 
+TEST(Figures, TwoHistogramsAreOneByRisingBounds) {
+  const link::Histogram all = sum({3, {{5'000, 2}, {9'000, 1}}}, {4, {{4'000, 1}, {9'000, 3}}});
+  EXPECT_EQ(all.count, 7U);
+  ASSERT_EQ(all.bins.size(), 3U);
+  EXPECT_EQ(all.bins[0].upper, 4'000U);
+  EXPECT_EQ(all.bins[2].count, 4U);
+  EXPECT_EQ(sum({}, all).bins.size(), 3U);
+}
+
 }  // namespace
 }  // namespace isotouch::qualify
