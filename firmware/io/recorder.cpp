@@ -71,7 +71,8 @@ void Recorder::record(const loop::TickRecord& tick) {
 }
 
 void Recorder::remember(const loop::TickRecord& tick) {
-  if (tick.out.tick.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0) {
+  // A run that begins in fault, because the one before crashed, has nothing to show of it.
+  if (tick.out.tick.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
     faulted_ = tick.number;
     faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;

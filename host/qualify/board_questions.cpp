@@ -101,7 +101,7 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 std::string begin_tracing_command() {
   return std::string(kFindTracer) +
          "mkdir $i 2>/dev/null || [ -d $i ] || exit 1\n"
-         "cd $i && echo 0 >tracing_on && echo mono >trace_clock && echo 2048 >buffer_size_kb && echo 1 >events/sched/sched_switch/enable "
+         "cd $i && echo 0 >tracing_on && echo mono >trace_clock && echo 1024 >buffer_size_kb && echo 1 >events/sched/sched_switch/enable "
          "&&\n"
          "echo 1 >events/irq/irq_handler_entry/enable && echo 1 >events/irq/softirq_entry/enable && echo 1 >tracing_on ||\n"
          "{ cd / && rmdir $i; exit 1; }";
@@ -118,13 +118,19 @@ std::string trace_command(std::span<const wire::WorstTick> ticks) {
     std::snprintf(window, sizeof window, "%.6f %.6f %.6f ", due, due - 0.001, begun + 0.000002);
     windows += window;
   }
-  return std::string(kFindTracer) + "awk -v windows='" + windows +
-         "' 'BEGIN { n = split(windows, w, \" \") }\n"
+  // It stands while it is read, or the reader would never catch up; and the reader takes nothing from the ticks.
+  return std::string(kFindTracer) +
+         "echo 0 >$i/tracing_on\n"
+         "nice -n 19 timeout 10 awk -v windows='" +
+         windows +
+         "' 'BEGIN { n = split(windows, w, \" \"); for (i = 3; i <= n; i += 3) if (w[i] + 0 > last) last = w[i] + 0 }\n"
          "   /^#/ { next }\n"
          "   match($0, / [0-9]+\\.[0-9]+: /) {\n"
          "     t = substr($0, RSTART + 1, RLENGTH - 3) + 0\n"
+         "     if (t > last) exit\n"
          "     for (i = 1; i < n; i += 3) if (t >= w[i + 1] + 0 && t <= w[i + 2] + 0)\n"
-         "       print (i + 2) / 3, (t < w[i] + 0 ? \"before\" : \"since\"), $0 }' $i/trace";
+         "       print (i + 2) / 3, (t < w[i] + 0 ? \"before\" : \"since\"), $0 }' $i/trace\n"
+         "r=$?; echo 1 >$i/tracing_on; exit $r";
 }
 
 namespace {
@@ -133,7 +139,7 @@ namespace {
 std::string read_cause(const std::vector<std::string>& lines) {
   // The processor is that of the last switch to the tick.
   static const std::regex kEvent(R"(^(before|since) .*\[(\d+)\] .*: (sched_switch|irq_handler_entry|softirq_entry): (.*)$)");
-  static const std::regex kNext(R"(prev_comm=(.*) prev_pid=.*next_comm=(.*) next_pid=)");
+  static const std::regex kNext(R"(prev_comm=(.*) prev_pid=.* prev_state=(\S+) ==> next_comm=(.*) next_pid=)");
   static const std::regex kIrq(R"(irq=(\d+) name=(.*))"), kSoftirq(R"(action=(\w+))");
   struct Event {
     bool since;
@@ -146,7 +152,7 @@ std::string read_cause(const std::vector<std::string>& lines) {
     if (!std::regex_match(line, m, kEvent)) continue;
     events.push_back({m[1] == "since", m[2], m[3], m[4]});
     const std::string rest = m[4];
-    if (m[3] == "sched_switch" && std::regex_search(rest, names, kNext) && names[2] == "tick") processor = m[2];
+    if (m[3] == "sched_switch" && std::regex_search(rest, names, kNext) && names[3] == "tick") processor = m[2];
   }
   if (processor.empty()) return {};
   std::vector<std::string> seen;
@@ -155,8 +161,11 @@ std::string read_cause(const std::vector<std::string>& lines) {
   };
   std::string running;
   for (const Event& event : events) {
-    if (event.processor != processor) continue;
     std::smatch m;
+    // The tick itself went to rest after this one was due, wherever it ran.
+    if (event.since && event.kind == "sched_switch" && std::regex_search(event.rest, m, kNext) && m[1] == "tick" && m[2].str()[0] != 'R')
+      add("the tick before");
+    if (event.processor != processor) continue;
     if (event.kind == "sched_switch" && std::regex_search(event.rest, m, kNext)) {
       if (event.since) add(m[1].str().starts_with("swapper") ? "idle" : m[1].str());
     } else if (event.since && event.kind == "irq_handler_entry" && std::regex_search(event.rest, m, kIrq)) {

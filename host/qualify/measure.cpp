@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <thread>
@@ -45,14 +46,15 @@ class Causes {
       return;
     }
     shell_.at_end(end_tracing_command());
-    if (shell_.run(begin_tracing_command(), kPatience).status != 0) {
+    tracing_ = shell_.run(begin_tracing_command(), kPatience).status == 0;
+    if (!tracing_) {
       why_ =
           "the kernel's tracer may not be used by this user there (root may, as a rule), so it is unknown what the worst ticks waited for";
     }
   }
   ~Causes() {
     try {
-      if (why_.empty()) (void)shell_.run(end_tracing_command(), kPatience);
+      if (tracing_) (void)shell_.run(end_tracing_command(), kPatience);
     } catch (const std::exception&) {  // the board is gone, and its tracer with it
     }
   }
@@ -64,8 +66,13 @@ class Causes {
     std::vector<wire::WorstTick> fresh;
     std::copy_if(worst.begin(), worst.end(), std::back_inserter(fresh), [&](const auto& tick) { return known_.count(tick.number) == 0; });
     if (fresh.empty()) return;
-    const std::vector<std::string> causes = read_causes(shell_.run(trace_command(fresh), kPatience).text, fresh.size());
-    for (std::size_t i = 0; i < fresh.size(); ++i) known_[fresh[i].number] = causes[i];
+    const link::BoardShell::Answer answer = shell_.run(trace_command(fresh), kPatience);
+    if (answer.status != 0) {
+      why_ = "the kernel's tracer could not be read in time, so it is unknown what some of the worst ticks waited for";
+      return;
+    }
+    const std::vector<std::string> causes = read_causes(answer.text, fresh.size());
+    for (std::size_t i = 0; i < fresh.size(); ++i) known_[fresh[i].number] = causes[i].empty() ? "no longer in the tracer" : causes[i];
   }
   std::string of(std::uint64_t tick) const {
     const auto found = known_.find(tick);
@@ -77,6 +84,7 @@ class Causes {
   link::BoardShell& shell_;
   std::map<std::uint64_t, std::string> known_;
   std::string why_;
+  bool tracing_ = false;
 };
 
 Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
@@ -126,11 +134,11 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   const Counts before = counts(controller);
   const auto begun = Clock::now();
   std::vector<wire::WorstTick> worst;
-  for (int n = 1; seconds_since(begun) < wish.seconds; ++n) {
+  while (seconds_since(begun) < wish.seconds) {
     figures.moments.push_back(look(controller, shell, begun, before.status.late));
     causes.look(worst = controller.worst_ticks(false));
-    std::this_thread::sleep_until(
-        begun + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min<double>(n, wish.seconds))));
+    std::this_thread::sleep_until(begun + std::chrono::duration_cast<Clock::duration>(
+                                              std::chrono::duration<double>(std::min(std::floor(seconds_since(begun)) + 1, wish.seconds))));
   }
   const Counts after = counts(controller);
   figures.seconds = seconds_since(begun);

@@ -126,6 +126,13 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   EXPECT_FALSE(std::filesystem::exists(state + "/fault-3.trace")) << "a fault that comes and goes does not fill the disk";
 }
 
+TEST(Recorder, ARunThatBeginsInFaultHasNothingToShow) {
+  Bench bench(true);
+  bench.ticks(200, 3, SupervisorState::kFault);
+  EXPECT_EQ(bench.recorder->state(), SupervisorState::kFault);
+  EXPECT_TRUE(std::filesystem::is_empty(bench.state));
+}
+
 /// Saved with so many ticks before the fault and from it on; no others.
 void expect_saved(const Bench& bench, std::size_t before, std::size_t from) {
   const WireTrace trace = bench.read(bench.state + "/fault-1.trace");

@@ -64,7 +64,7 @@ TEST(BoardQuestions, TheTimerIsAskedWithWholeSecondsAndItsPriority) {
   EXPECT_THAT(command, HasSubstr("-D 3"));
 }
 
-/// What the kernel's tracer holds of a tick that should have begun at 100.001 s and did at 100.00104 s, and of another, a second later.
+/// What the kernel's tracer holds of a tick that should have begun at 100.001 s and did at 100.00104 s, and of others, each a second later.
 const char* kTrace =
     "# tracer: nop\n"
     "        exchange-101     [001] d..2.   100.000100: sched_switch: prev_comm=exchange prev_pid=101 prev_prio=14 prev_state=S ==> "
@@ -77,6 +77,10 @@ const char* kTrace =
     "next_comm=tick next_pid=99 next_prio=19\n"
     "            sshd-50      [001] d.h..   100.500000: irq_handler_entry: irq=13 name=between\n"
     "          <idle>-0       [003] d..2.   101.001040: sched_switch: prev_comm=swapper/3 prev_pid=0 prev_prio=120 "
+    "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n"
+    "            tick-99      [000] d..2.   102.001020: sched_switch: prev_comm=tick prev_pid=99 prev_prio=19 prev_state=S ==> "
+    "next_comm=swapper/0 next_pid=0 next_prio=120\n"
+    "          <idle>-0       [001] d..2.   102.001040: sched_switch: prev_comm=swapper/1 prev_pid=0 prev_prio=120 "
     "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n";
 
 /// The causes of ticks, asked of a tracer with this content.
@@ -93,8 +97,10 @@ std::vector<std::string> causes(const std::string& trace, const std::vector<wire
 TEST(BoardQuestions, ACauseIsWhatHadTheTicksProcessorSinceItShouldHaveBegun) {
   const wire::WorstTick held{7, 100'001'041'000, 41'000, 5'000}, slept{8, 101'001'041'000, 41'000, 5'000},
       forgotten{9, 50'000'000'000, 41'000, 5'000};
-  EXPECT_THAT(causes(kTrace, {slept, forgotten, held}),
-              testing::ElementsAre("nothing else ran: the processor slept", "", "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd"));
+  const wire::WorstTick followed{10, 102'001'041'000, 41'000, 5'000};
+  EXPECT_THAT(causes(kTrace, {slept, forgotten, held, followed}),
+              testing::ElementsAre("nothing else ran: the processor slept", "", "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd",
+                                   "processor 1: the tick before, idle"));
 }
 
 TEST(BoardQuestions, WithoutATracerThereIsNoCause) {
