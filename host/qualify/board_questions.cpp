@@ -193,6 +193,7 @@ std::vector<std::string> read_causes(const std::string& text, std::size_t ticks)
       lines[tick - 1].push_back(line.substr(static_cast<std::size_t>(end + 1 - line.data())));
   }
   std::vector<std::string> causes;
+  causes.reserve(ticks);
   for (const std::vector<std::string>& one : lines) causes.push_back(read_cause(one));
   return causes;
 }
