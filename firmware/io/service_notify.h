@@ -27,7 +27,7 @@ class ServiceNotify {
   /// service and starts it anew.
   void alive(std::uint64_t ticks);
 
-  /// Tells that the service lives, though no ticks can come: between two runs.
+  /// Tells that the service lives, though no ticks can come: a run begins or follows another.
   void busy() const { say("WATCHDOG=1"); }
 
  private:
