@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""What run_blocks.py promises, tried on pages that are made here."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import run_blocks
+
+
+class RunBlocksTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        (self.root / "docs").mkdir()
+
+    def page(self, name: str, text: str) -> None:
+        (self.root / name).write_text(text, encoding="utf-8")
+
+    def run_all(self, *options: str) -> tuple[int, str]:
+        """Exit code, and everything that was said."""
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+            code = run_blocks.main(["/nowhere", str(self.root), *options])
+        return code, said.getvalue()
+
+    def test_blocks_of_a_page_run_in_their_order_in_one_folder_and_one_shell(self) -> None:
+        self.page("README.md", "```sh\necho one >file\nname=two\n```\nwords\n```sh\ntest $(cat file) = one\ntest $name = two\n```\n")
+        self.assertEqual(self.run_all()[0], 0)
+
+    def test_pages_do_not_see_each_other(self) -> None:
+        self.page("README.md", "```sh\ntouch file\n```\n")
+        self.page("docs/a.md", "```sh\ntest ! -e file\ntouch file\n```\n")
+        self.page("docs/b.md", "```sh\ntest ! -e file\n```\n")
+        code, said = self.run_all()
+        self.assertEqual((code, said.count(" blocks, ")), (0, 3), said)
+
+    def test_a_command_that_fails_is_named_with_its_page_and_line(self) -> None:
+        self.page("README.md", "```sh\ntrue\n```\n")
+        self.page("docs/a.md", "words\n\n```sh\ntrue\n```\n```sh\necho because\nfalse\ntrue\n```\n")
+        code, said = self.run_all()
+        self.assertEqual(code, 1)
+        self.assertIn("docs/a.md, line 6: this block failed, exit code 1", said)
+        self.assertIn("because", said)
+
+    def test_a_failure_within_a_pipe_counts(self) -> None:
+        self.page("README.md", "```sh\nfalse | cat\n```\n")
+        self.assertEqual(self.run_all()[0], 1)
+
+    def test_a_page_without_a_block_to_run_fails(self) -> None:
+        self.page("README.md", "```sh\ntrue\n```\n")
+        self.page("docs/a.md", "words\n```text\nfalse\n```\n")
+        code, said = self.run_all()
+        self.assertEqual(code, 1)
+        self.assertIn("docs/a.md, there is no block marked sh", said)
+
+    def test_no_page_fails(self) -> None:
+        self.assertEqual(self.run_all(), (1, f"{self.root}: no page was found\n"))
+        self.page("README.md", "```sh\ntrue\n```\n")
+        self.assertEqual(self.run_all("--page", "docs.md")[0], 1)
+
+    def test_a_block_without_a_known_mark_fails(self) -> None:
+        for mark in ("", "bash", "shell"):
+            self.page("README.md", f"```sh\ntrue\n```\n```{mark}\nfalse\n```\n")
+            code, said = self.run_all()
+            self.assertEqual(code, 1)
+            self.assertIn("README.md, line 4: this block is marked", said)
+
+    def test_a_block_that_does_not_end_fails(self) -> None:
+        self.page("README.md", "```sh\ntrue\n")
+        self.assertIn("line 1: this block does not end", self.run_all()[1])
+
+    def test_a_block_in_a_list_loses_its_indentation(self) -> None:
+        self.page("README.md", "1. words\n   ```sh\n   cat >file <<END\n   word\n   END\n   test $(cat file) = word\n   ```\n")
+        self.assertEqual(self.run_all()[0], 0)
+
+    def test_a_page_that_takes_too_long_fails(self) -> None:
+        self.page("README.md", "```sh\nsleep 60\n```\n")
+        code, said = self.run_all("--seconds", "0.5")
+        self.assertEqual(code, 1)
+        self.assertIn("not done after 0.5 s", said)
+
+    def test_what_a_page_leaves_running_is_ended(self) -> None:
+        note = self.root / "note"
+        self.page("README.md", f"```sh\n(trap 'echo ended >{note}; exit' TERM; while true; do sleep 0.1; done) &\nsleep 0.3\n```\n")
+        begin = time.monotonic()
+        self.assertEqual(self.run_all()[0], 0)
+        self.assertEqual(note.read_text(), "ended\n")
+        self.assertLess(time.monotonic() - begin, 5)
+
+
+if __name__ == "__main__":
+    unittest.main()
