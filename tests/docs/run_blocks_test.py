@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import contextlib
 import io
+import sys
 import tempfile
 import time
 import unittest
 from pathlib import Path
 
-import run_blocks
+sys.dont_write_bytecode = True  # nothing is left beside the sources
+import run_blocks  # noqa: E402
 
 
 class RunBlocksTest(unittest.TestCase):
