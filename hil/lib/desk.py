@@ -1,0 +1,130 @@
+"""A controller and, unless a real device is named, the simulated Falcon, in a folder of their own that goes with the script."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+
+class Failure(Exception):
+    """Why the script cannot go on, as one clause."""
+
+
+def within(seconds: float, condition: Callable[[], bool]) -> bool:
+    """Waits until the condition holds; returns False if it still does not after that many seconds."""
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() >= end:
+            return False
+        time.sleep(0.1)
+    return True
+
+
+def whole_number(text: str) -> int:
+    """An argument of the command line, from 1 to 999999."""
+    if text.isascii() and text.isdigit() and 1 <= int(text) < 1_000_000:
+        return int(text)
+    raise ValueError(text)
+
+
+class Desk:
+    """bin is the folder of the programs, room a short temporary folder: the path of a socket has at most 107 characters."""
+
+    def __init__(self, programs: str) -> None:
+        self.bin = Path(programs)
+        self.room = Path(tempfile.mkdtemp())
+        self.control = f"unix:{self.room}/control"
+        self.started: list[subprocess.Popen[bytes]] = []
+
+    def __enter__(self) -> Desk:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end_controller()
+        shutil.rmtree(self.room, ignore_errors=True)
+
+    def end_controller(self) -> None:
+        """Ends the controller first, so that its last commands reach the device; then what was started with it."""
+        for process in reversed(self.started):
+            process.terminate()
+            process.wait()
+        self.started.clear()
+
+    def start(self, log: str, *command: str | Path) -> None:
+        with open(self.room / log, "wb") as said:
+            self.started.append(subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL))
+
+    def start_controller(self, device: str, *options: str | Path) -> None:
+        """device is usb, usb:SERIAL, or sim: the simulated Falcon with a hand that tours the object. Returns when it is homed."""
+        what = f"{device}: pull the grip out as far as it goes, then push it in"
+        if device == "sim":
+            self.start("falcon.log", self.bin / "falcon-sim", "--socket", self.room / "falcon", "--hand", "tour")
+            self._await_socket("falcon", "the simulated Falcon")
+            device, what = f"sim:{self.room}/falcon", "a simulated Falcon, booted with a synthetic image and homed by its hand"
+        self.start("controller.log", self.bin / "isotouchd", "--device", device, "--control", self.room / "control", *options)
+        self._await_socket("control", "the controller")
+        print(f"controller    on {what}", flush=True)
+        if not within(60, lambda: self.is_in("idle", "ready", "active", "hold")):
+            raise Failure("the device was not homed")
+
+    def _await_socket(self, name: str, who: str) -> None:
+        ended = self.started[-1].poll
+        if not within(10, lambda: (self.room / name).is_socket() or ended() is not None) or ended() is not None:
+            raise Failure(f"{who} did not start")
+
+    def ask(self, *command: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
+        """The host tool's answer to a command, whatever its exit code."""
+        return subprocess.run([self.bin / "isotouch", *command], capture_output=True, text=True, check=False, **options)
+
+    def tell(self, what: str, *command: str | Path) -> str:
+        """What the host tool prints; a command that fails ends the script with `what` and the tool's own sentence."""
+        answer = self.ask(*command)
+        if answer.returncode != 0:
+            raise Failure(f"{what}: {answer.stderr.strip() or f'exit code {answer.returncode}'}")
+        return answer.stdout
+
+    def json(self, command: str) -> dict[str, Any]:
+        """A command of the host tool to the controller, answered in JSON."""
+        answer: dict[str, Any] = json.loads(self.tell(f"isotouch {command}", command, "--to", self.control, "--json"))
+        return answer
+
+    def status(self) -> dict[str, Any]:
+        return self.json("status")
+
+    def is_in(self, *states: str) -> bool:
+        """Is the controller in one of these states? One that does not answer is in none."""
+        answer = self.ask("status", "--to", self.control, "--json")
+        return answer.returncode == 0 and json.loads(answer.stdout).get("state") in states
+
+    def upload(self, field: str | Path) -> str:
+        return self.tell("an upload was refused", "upload", field, "--to", self.control)
+
+    def feel(self, field: str | Path) -> None:
+        """Uploads a field and waits until the hand feels it."""
+        self.upload(field)
+        if not within(20, lambda: self.is_in("active")):
+            raise Failure("the field was not felt")
+
+    def controller_log(self) -> str:
+        log = self.room / "controller.log"
+        return log.read_text(errors="replace") if log.exists() else ""
+
+
+def at_desk(name: str, programs: str, work: Callable[[Desk], None]) -> int:
+    """The exit code of work: 1, with the controller's log, where it failed. A script that is ended ends what it started."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    with Desk(programs) as desk:
+        try:
+            work(desk)
+        except (Failure, OSError) as failure:   # OSError: a program is missing
+            print(f"{name}: {failure}; the controller said:\n{desk.controller_log()}", end="", file=sys.stderr)
+            return 1
+    return 0

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""What hil/soak promises."""
+
+import unittest
+
+import fakes
+
+
+def soak(*arguments: str, **environment: str) -> tuple[int, str]:
+    return fakes.run("soak", "BIN", "a.itf", "b.itf", *(arguments or ("1", "2")), **environment)
+
+
+class SoakTest(unittest.TestCase):
+    def test_a_good_run_prints_its_figures_and_leaves_nothing_behind(self) -> None:
+        code, said = soak()
+        self.assertEqual(code, 0, said)
+        self.assertIn("followed      10000 of 10000 a second, with 0 gaps", said)
+        self.assertRegex(said, r"recordings +[1-9]\d* whole ones of 200 ms, 0 that another field ended; [1-9]\d* ticks replayed to the bit")
+        self.assertIn("      1 futex FUTEX_WAKE_PRIVATE", said)
+        self.assertNotIn("LEFT BEHIND", said)
+
+    def test_a_child_that_fails_fails_the_script(self) -> None:
+        for child in ("falcon-sim", "isotouchd", "upload", "status", "latency", "watch", "record", "replay"):
+            with self.subTest(child):
+                code, said = soak(FAKE_FAILS=child)
+                self.assertEqual(code, 1, said)
+                self.assertIn("; the controller said:", said)
+                self.assertNotIn("LEFT BEHIND", said)
+
+    def test_what_the_tick_must_not_do_fails_the_script(self) -> None:
+        for what, environment in (("allocated", {"FAKE_STATUS": '{"allocations": 1}'}), ("page faults", {"FAKE_STATUS": '{"page_faults": 1}'}),
+                                  ("ticks did not reach", {"FAKE_GAP": "1"}), ("does not name: write 3", {"FAKE_CALLS": fakes.CALLS + "write(3, 0) = 1\n"}),
+                                  ("neither waited nor woke", {"FAKE_CALLS": "getrusage(RUSAGE_THREAD, 0) = 0\n"})):
+            with self.subTest(what):
+                code, said = soak(**environment)
+                self.assertEqual(code, 1, said)
+                self.assertIn(what, said)
+
+    def test_without_strace_system_calls_are_not_judged(self) -> None:
+        code, said = soak(FAKE_FAILS="strace")
+        self.assertEqual(code, 0, said)
+        self.assertIn("not seen: strace may not look at threads here (it is meant to fail)", said)
+
+    def test_a_number_that_is_none_is_wrong_usage(self) -> None:
+        for arguments in (("0",), ("1", "x"), ("1", "2", "3"), ("1234567",)):
+            self.assertEqual(soak(*arguments)[0], 2)
+
+    def test_gaps_are_counted_between_ticks_alone(self) -> None:
+        count = fakes.load("soak").count_gaps
+        self.assertEqual(count(["tick,state\n"]), (0, 0))
+        self.assertEqual(count(["tick,state\n", "7,a\n", "8,a\n", "10,a\n"]), (3, 1))
+
+    def test_the_calls_at_both_ends_of_strace_are_not_counted(self) -> None:
+        calls = fakes.load("soak").calls_in
+        trace = ["restart_syscall(<... resuming interrupted futex ...>) = 0", "futex_time64(0x1, FUTEX_WAKE_PRIVATE, 1) = 0", "read(3 <unfinished ...>"]
+        self.assertEqual(calls(trace), {"futex FUTEX_WAKE_PRIVATE": 1})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+"""What hil/wakeups promises, and hil/touch_demo."""
+
+import unittest
+
+import fakes
+
+
+def wakeups(*arguments: str, **environment: str) -> tuple[int, str]:
+    return fakes.run("wakeups", "BIN", "a.itf", "b.itf", *(arguments or ("1", "1")), **environment)
+
+
+class WakeupsTest(unittest.TestCase):
+    def test_a_good_run_prints_ratios(self) -> None:
+        code, said = wakeups()
+        self.assertEqual(code, 0, said)
+        self.assertIn("1     cyclictest        0.0      0.0       0.0", said)
+        self.assertIn("controller (uploads) / cyclictest, median and quartiles of 1 pairs of 1 s:\n  p50    1500.00 (1500.00 to 1500.00)", said)
+        self.assertNotIn("LEFT BEHIND", said)
+
+    def test_a_child_that_fails_fails_the_script(self) -> None:
+        for child in ("cyclictest", "falcon-sim", "isotouchd", "upload", "latency"):
+            with self.subTest(child):
+                code, said = wakeups(FAKE_FAILS=child)
+                self.assertEqual(code, 1, said)
+                self.assertNotIn("LEFT BEHIND", said)
+
+    def test_a_number_that_is_none_is_wrong_usage(self) -> None:
+        self.assertEqual(wakeups("-1")[0], 2)
+
+    def test_a_quantile_is_the_bound_that_reaches_its_share(self) -> None:
+        script = fakes.load("wakeups")
+        self.assertEqual(script.quantiles({2.0: 9, 1.0: 990, 9.0: 1}), (1.0, 1.0, 2.0))
+        with self.assertRaises(script.Failure):
+            script.quantiles({})
+
+    def test_delays_beyond_the_range_count_at_its_end(self) -> None:
+        said = "# Histogram\n000001 000002\n# Histogram Overflows: 00003\n"
+        self.assertEqual(fakes.load("wakeups").cyclictest_histogram(said), {0.001: 2, 2000.0: 3})
+
+    def test_quartiles_are_interpolated(self) -> None:
+        self.assertEqual(fakes.load("wakeups").summary([4.0, 1.0, 2.0, 3.0], 2), "2.50 (1.75 to 3.25)")
+
+
+class TouchDemoTest(unittest.TestCase):
+    def test_a_child_that_fails_fails_the_script(self) -> None:
+        for child in ("", "falcon-sim", "isotouchd", "upload", "record", "status", "latency", "replay"):
+            with self.subTest(child):
+                code, said = fakes.run("touch_demo", "BIN", "a.itf", "BIN", FAKE_FAILS=child)
+                self.assertEqual(code, 1 if child else 0, said)
+
+    def test_without_its_arguments_it_says_its_usage(self) -> None:
+        self.assertEqual(fakes.run("touch_demo", "BIN")[0], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
