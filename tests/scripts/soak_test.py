@@ -25,6 +25,7 @@ class SoakTest(unittest.TestCase):
                 code, said = soak(FAKE_FAILS=child)
                 self.assertEqual(code, 1, said)
                 self.assertIn("; the controller said:", said)
+                self.assertIn("did not start" if child in ("falcon-sim", "isotouchd") else "it is meant to fail", said)   # for this reason, and no later one
                 self.assertNotIn("LEFT BEHIND", said)
 
     def test_what_the_tick_must_not_do_fails_the_script(self) -> None:

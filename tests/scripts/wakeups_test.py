@@ -23,6 +23,7 @@ class WakeupsTest(unittest.TestCase):
             with self.subTest(child):
                 code, said = wakeups(FAKE_FAILS=child)
                 self.assertEqual(code, 1, said)
+                self.assertIn("did not start" if child in ("falcon-sim", "isotouchd") else "it is meant to fail", said)
                 self.assertNotIn("LEFT BEHIND", said)
 
     def test_a_number_that_is_none_is_wrong_usage(self) -> None:
