@@ -1,0 +1,31 @@
+"""What one scenario of a rung says of itself: one JSON object in one line. hil/run reads it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass
+
+
+@dataclass
+class Outcome:
+    """None where there is no such figure."""
+
+    rung: int
+    scenario: str
+    seed: int
+    exit: int
+    ticks: int | None = None
+    missed: int | None = None
+    trace_hash: str | None = None
+    log_hash: str | None = None
+    ticks_to_zero: int | None = None
+    skipped: int = 0
+    seconds: int | None = None
+
+    def line(self) -> str:
+        return json.dumps(asdict(self))
+
+
+def exit_code(returncode: int) -> int:
+    """As a shell has it: 128 and the signal's number for a program that a signal ended."""
+    return returncode if returncode >= 0 else 128 - returncode
