@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass
+from typing import Any
 
 
 @dataclass
@@ -29,3 +30,15 @@ class Outcome:
 def exit_code(returncode: int) -> int:
     """As a shell has it: 128 and the signal's number for a program that a signal ended."""
     return returncode if returncode >= 0 else 128 - returncode
+
+
+def objects_in(log: str) -> list[dict[str, Any]]:
+    """The JSON objects that end a line."""
+    objects = []
+    for line in log.splitlines():
+        try:
+            found = json.loads(line[line.index("{"):])
+        except ValueError:
+            continue
+        objects.append(found)
+    return objects

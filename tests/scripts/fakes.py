@@ -8,9 +8,11 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
+import unittest
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import ModuleType
@@ -44,3 +46,33 @@ def run(script: str, *arguments: str, **environment: str) -> tuple[int, str]:
         left = [entry.name for entry in Path(folder).iterdir() if entry.name not in PROGRAMS]
     assert "Traceback" not in ended.stdout, ended.stdout
     return ended.returncode, ended.stdout + "".join(f"LEFT BEHIND: {name}\n" for name in left)
+
+
+class Tree(unittest.TestCase):
+    """A copy of the scripts in a folder of its own, in which everything that they start can be replaced."""
+
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name)
+        shutil.copytree(ROOT / "hil/lib", self.root / "hil/lib", ignore=shutil.ignore_patterns("__pycache__"))
+        for name in ("run", "desk/run", "mutants/run"):
+            (self.root / "hil" / name).parent.mkdir(exist_ok=True)
+            shutil.copy(ROOT / "hil" / name, self.root / "hil" / name)
+
+    def script(self, path: str, text: str) -> None:
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("#!/bin/sh\n" + text)
+        file.chmod(0o755)
+
+    def start(self, *command: str, **environment: str) -> subprocess.Popen[str]:
+        return subprocess.Popen([self.root / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                env={**os.environ, **environment})
+
+    def call(self, *command: str, **environment: str) -> tuple[int, str, str]:
+        """Exit code, output, complaints."""
+        with self.start(*command, **environment) as process:
+            said, complaints = process.communicate(timeout=60)
+        self.assertNotIn("Traceback", complaints)
+        return process.returncode, said, complaints

@@ -4,11 +4,7 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import signal
-import subprocess
-import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -18,37 +14,7 @@ import fakes
 OBJECT = '{"rung": %d, "scenario": "\'$1\'", "seed": \'$2\', "exit": 0, "ticks": 5, "missed": null, "trace_hash": "0123456789abcdef", "ticks_to_zero": 2, "skipped": 1, "seconds": 3}'
 
 
-class Tree(unittest.TestCase):
-    """A copy of the scripts in a folder of its own, in which everything that they start can be replaced."""
-
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = Path(folder.name)
-        (self.root / "hil/desk").mkdir(parents=True)
-        shutil.copytree(fakes.ROOT / "hil/lib", self.root / "hil/lib", ignore=shutil.ignore_patterns("__pycache__"))
-        for name in ("run", "desk/run"):
-            shutil.copy(fakes.ROOT / "hil" / name, self.root / "hil" / name)
-
-    def script(self, path: str, text: str) -> None:
-        file = self.root / path
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text("#!/bin/sh\n" + text)
-        file.chmod(0o755)
-
-    def start(self, *command: str, **environment: str) -> subprocess.Popen[str]:
-        return subprocess.Popen([self.root / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                env={**os.environ, **environment})
-
-    def call(self, *command: str, **environment: str) -> tuple[int, str, str]:
-        """Exit code, output, complaints."""
-        with self.start(*command, **environment) as process:
-            said, complaints = process.communicate(timeout=60)
-        self.assertNotIn("Traceback", complaints)
-        return process.returncode, said, complaints
-
-
-class RunTest(Tree):
+class RunTest(fakes.Tree):
     def setUp(self) -> None:
         super().setUp()
         for rung, folder in enumerate(("desk", "processors", "rig", "outside")):
@@ -112,7 +78,7 @@ class RunTest(Tree):
         self.assertTrue(not child.exists() or child.read_text().split()[2] == "Z")
 
 
-class DeskRunTest(Tree):
+class DeskRunTest(fakes.Tree):
     def setUp(self) -> None:
         super().setUp()
         self.script("build/release/bin/replay_plain", 'echo \'{"ticks": 10, "hash": "00000000000000ab", "first_difference": null}\'\n')

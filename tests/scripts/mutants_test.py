@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""What hil/mutants/run promises, with a core of one line and programs that look for words in it."""
+
+from __future__ import annotations
+
+import os
+import unittest
+
+import fakes
+
+LIST = """# a comment
+mutant one for the case
+file shared/core.h
+-good
++seen by case
+why a case sees it
+
+mutant two for the test
+file shared/core.h
+-good
++seen by test
+why a test sees it
+"""
+
+
+class MutantsTest(fakes.Tree):
+    def setUp(self) -> None:
+        super().setUp()
+        (self.root / "shared").mkdir()
+        (self.root / "shared/core.h").write_text("good\nlast\n")
+        self.list(LIST)
+        self.script("hil/cases/run", "echo ball\n")
+        self.script("path/git", "echo shared/core.h\n")
+        self.script("path/cmake", 'case "$*" in *"${CMAKE_FAILS:-nothing}"*) exit 1;; esac\n')
+        look = "grep -q '%s' build/mutants/tree/shared/core.h"
+        self.script("build/mutants/build/bin/replay_plain", f"if {look % 'by case'}; then echo '{{\"first_difference\": 12}}'; exit 3; fi\n")
+        self.script("build/mutants/build/bin/test_shared", f"if {look % 'by test'}; then echo '[  FAILED  ] A.B (3 ms)'; exit 1; fi\n{look % 'by crash'} && exit 134\nexit 0\n")
+        self.script("build/mutants/build/bin/test_firmware_core", "")
+
+    def list(self, text: str) -> None:
+        (self.root / "hil/mutants/list").write_text(text)
+
+    def mutants(self, *words: str, **environment: str) -> tuple[int, str, str]:
+        answer = self.call("hil/mutants/run", *words, PATH=f"{self.root}/path:{os.environ['PATH']}", **environment)
+        self.assertEqual((self.root / "shared/core.h").read_text(), "good\nlast\n")
+        return answer
+
+    def test_each_mutant_is_caught_by_the_first_that_sees_it(self) -> None:
+        code, said, _ = self.mutants()
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"killed    one for the case +case ball, tick 12 \(\d+ s\)\nkilled    two for the test +test A.B \(")
+        self.assertIn("2 mutants: 1 killed by cases, 1 by tests, 0 survived\n", said)
+        self.assertEqual((self.root / "build/mutants/tree/shared/core.h").read_text(), "good\nlast\n")
+
+    def test_a_mutant_that_nothing_sees_survives(self) -> None:
+        self.list(LIST.replace("seen by test", "seen by nobody"))
+        code, said, _ = self.mutants()
+        self.assertEqual((code, said.splitlines()[-2:]), (3, ["SURVIVED  two for the test (shared/core.h)", "2 mutants: 1 killed by cases, 0 by tests, 1 survived"]))
+
+    def test_a_test_program_that_crashes_catches_too(self) -> None:
+        self.list(LIST.replace("seen by test", "seen by crash"))
+        code, said, _ = self.mutants("two")
+        self.assertEqual(code, 0)
+        self.assertIn("test program test_shared, exit code 134", said)
+
+    def test_a_mutant_that_does_not_apply_or_is_not_whole_survives(self) -> None:
+        for text in (LIST.replace("-good", "-gone"), LIST.replace("-good", "-o"), LIST.replace("-good\n", ""), LIST.replace("why a", "#"), LIST.replace("file s", "file x")):
+            self.list(text)
+            self.assertEqual(self.mutants()[0], 3, text)
+
+    def test_a_core_that_is_not_broken_must_pass(self) -> None:
+        self.script("build/mutants/build/bin/test_firmware_core", "exit 1\n")
+        self.assertEqual(self.mutants("two")[::2], (3, "mutants: the core that is not broken fails test program test_firmware_core, exit code 1\n"))
+        self.script("build/mutants/build/bin/replay_plain", "exit 1\n")
+        self.assertEqual(self.mutants("one")[0], 3)
+
+    def test_a_child_that_fails_fails_the_script(self) -> None:
+        for what in ("-S build", "--target replay_plain", "--target test_shared"):
+            self.assertEqual(self.mutants(CMAKE_FAILS=what)[0], 1, what)
+        self.script("path/git", "echo shared/core.h\nexit 1\n")
+        self.assertEqual(self.mutants()[0], 1)
+        self.script("hil/cases/run", "echo ball\nexit 1\n")
+        self.assertEqual(self.mutants()[::2], (1, "mutants: the cases cannot be made\n"))
+
+    def test_words_choose_and_one_that_chooses_nothing_is_wrong_usage(self) -> None:
+        self.assertIn("1 mutants: 0 killed by cases, 1 by tests", self.mutants("two")[1])
+        self.assertEqual(self.mutants("three")[0], 2)
+
+    def test_a_line_that_begins_otherwise_is_refused(self) -> None:
+        self.list(LIST + "what\n")
+        self.assertEqual(self.mutants()[0], 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
