@@ -207,8 +207,7 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
 
 }  // namespace
 
-Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
-  const PlyHeader header = read_ply_header(name, bytes);
+Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes, const PlyHeader& header) {
   const auto body = bytes.subspan(header.bytes);
   Model model;
   switch (header.encoding) {
@@ -228,10 +227,10 @@ Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
   return model;
 }
 
-bool is_bare_ply_mesh(const std::string& name, std::span<const std::uint8_t> bytes) {
+bool is_bare_ply_mesh(const PlyHeader& header) {
   bool faces = false;
   bool normals = false;
-  for (const PlyElement& element : read_ply_header(name, bytes).elements) {
+  for (const PlyElement& element : header.elements) {
     for (const PlyProperty& property : element.properties) {
       const Use use = use_of(element, property);
       faces = faces || (use == Use::kCorners && element.count > 0);

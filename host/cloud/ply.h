@@ -8,22 +8,25 @@
 
 #include "host/cloud/model.h"
 #include "host/cloud/oriented_points.h"
+#include "host/cloud/ply_header.h"
 
 namespace isotouch::cloud {
 
 /// Takes `x y z`, `nx ny nz` (or `normal_x ...`) and `stiffness` of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
 ///
 /// name      of the file, for the sentences
+/// header    of the same bytes
 /// returns   a model; without normals, stiffness or faces where the file has none
 /// fails     InputError with the line, or for binary files the element's number: bad grammar, unknown types, counts that the file cannot hold,
 ///           a body that is too short or too long, numbers that are not finite, faces that refer to no vertex
 /// source    G. Turk, "The PLY Polygon File Format", 1994
-Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes);
+Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes, const PlyHeader& header);
+inline Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
+  return read_ply(name, bytes, read_ply_header(name, bytes));
+}
 
 /// Does the header declare faces, but no normals?
-///
-/// fails     InputError as `read_ply`, of the header
-bool is_bare_ply_mesh(const std::string& name, std::span<const std::uint8_t> bytes);
+bool is_bare_ply_mesh(const PlyHeader& header);
 
 /// Writes binary little-endian PLY with double coordinates, so that nothing is lost. The file is replaced as a whole.
 ///

@@ -1,10 +1,9 @@
 /// A file → oriented points that everything after may trust.
 #pragma once
 
-#include <filesystem>
-
 #include "host/cloud/check.h"
 #include "host/cloud/oriented_points.h"
+#include "host/cloud/source_file.h"
 
 namespace isotouch::cloud {
 
@@ -13,6 +12,6 @@ namespace isotouch::cloud {
 ///
 /// returns   points in the file's order and units, unit outward normals, no two at one place
 /// fails     InputError, one sentence: file, place, what is wrong, what to do
-OrientedPoints read_cloud(const std::filesystem::path& file, CloudReport& report);
+OrientedPoints read_cloud(const SourceFile& file, CloudReport& report);
 
 }  // namespace isotouch::cloud

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <span>
 #include <vector>
 
-#include "host/cloud/file_kind.h"
-#include "host/cloud/files.h"
 #include "host/cloud/model.h"
-#include "host/cloud/obj.h"
-#include "host/cloud/ply.h"
-#include "host/cloud/stl.h"
 #include "host/error.h"
-#include "shared/hash64.h"
 
 namespace isotouch::cloud {
 namespace {
@@ -21,18 +14,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFarthest = 1e12;
-
-Model read_faces(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  const std::string name = file.string();
-  switch (file_kind(file, bytes)) {
-    case FileKind::kPly: return read_ply(name, bytes);
-    case FileKind::kObj: return read_obj_faces(name, bytes);
-    case FileKind::kStl: return read_stl(name, bytes);
-    case FileKind::kText:
-    case FileKind::kUnknown: break;
-  }
-  throw InputError(name + ": this is no kind of mesh file that is known; a mesh ends in .ply, .obj or .stl");
-}
 
 /// The model's faces on vertices of which no two share a place; vertices keep their order.
 TriangleMesh joined(const Model& model) {
@@ -73,37 +54,23 @@ TriangleMesh joined(const Model& model) {
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::filesystem::path& file, MeshReport& report) {
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  if (bytes.empty()) throw InputError(file.string() + ": the file is empty");
-  const Model model = read_faces(file, bytes);
-  report = {model.format, hash64(bytes.data(), bytes.size())};
+TriangleMesh read_mesh(const SourceFile& file, MeshReport& report) {
+  const Model model = file.faces();
+  report = {model.format, file.hash()};
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
     if (model.positions[i].cwiseAbs().maxCoeff() > kFarthest) {
-      throw InputError(file.string() + ": " + model.place(i) +
+      throw InputError(file.name() + ": " + model.place(i) +
                        ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
   }
   TriangleMesh mesh = joined(model);
-  if (mesh.faces.empty()) throw InputError(file.string() + ": there are no faces in it; a mesh is a closed surface of faces");
+  if (mesh.faces.empty()) throw InputError(file.name() + ": there are no faces in it; a mesh is a closed surface of faces");
   return mesh;
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {
   MeshReport report;
-  return read_mesh(file, report);
-}
-
-bool is_mesh_file(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  switch (file_kind(file, bytes)) {
-    case FileKind::kStl: return true;
-    case FileKind::kPly: return is_bare_ply_mesh(file.string(), bytes);
-    case FileKind::kObj: return is_bare_obj_mesh(file.string(), bytes);
-    case FileKind::kText:
-    case FileKind::kUnknown: break;
-  }
-  return false;
+  return read_mesh(SourceFile(file), report);
 }
 
 }  // namespace isotouch::cloud

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/cloud/mesh.h"
+#include "host/cloud/source_file.h"
 
 namespace isotouch::cloud {
 
@@ -20,12 +21,6 @@ struct MeshReport {
 ///
 /// fails     InputError: as the readers; a coordinate beyond 1e12; no faces left
 TriangleMesh read_mesh(const std::filesystem::path& file);
-TriangleMesh read_mesh(const std::filesystem::path& file, MeshReport& report);
-
-/// Is the file a mesh, when nobody says? STL always is, PLY and OBJ where there are faces and no normals: scans often carry faces too, and the
-/// points with their normals are what was measured.
-///
-/// fails     InputError: the file cannot be read, or not understood so far
-bool is_mesh_file(const std::filesystem::path& file);
+TriangleMesh read_mesh(const SourceFile& file, MeshReport& report);
 
 }  // namespace isotouch::cloud

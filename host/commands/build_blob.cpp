@@ -61,10 +61,9 @@ void require_default_method(const BuildOptions& options, const char* what) {
   }
 }
 
-Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
-  progress.begin("read");
+Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
-  const cloud::OrientedPoints in_cloud = cloud::read_cloud(options.input, read);
+  const cloud::OrientedPoints in_cloud = cloud::read_cloud(source, read);
   progress.end();
   report.placement = placement(options, in_cloud.positions);
   report.format = read.format;
@@ -92,11 +91,10 @@ Made from_cloud(const BuildOptions& options, BuildReport& report, field::Progres
   return made;
 }
 
-Made from_mesh(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
+Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   require_default_method(options, "a mesh");
-  progress.begin("read");
   cloud::MeshReport read;
-  const cloud::TriangleMesh file = cloud::read_mesh(options.input, read);
+  const cloud::TriangleMesh file = cloud::read_mesh(source, read);
   progress.begin("check");
   field::MeshRepair repair;
   const cloud::TriangleMesh in_file = field::closed_mesh(file, options.input.string(), repair);
@@ -162,20 +160,18 @@ Made from_level_set(const BuildOptions& options, BuildReport& report, field::Pro
   return made;
 }
 
-/// fails     InputError when the file cannot be read
-InputKind kind_of(const BuildOptions& options) {
-  if (options.as) return *options.as;
-  if (vdb::is_vdb_file(options.input)) return InputKind::kLevelSet;
-  return cloud::is_mesh_file(options.input) ? InputKind::kMesh : InputKind::kCloud;
-}
-
+/// The file's field; what kind of file it is enters the report.
 Made make_field(const BuildOptions& options, BuildReport& report, field::Progress& progress) {
-  switch (report.kind) {
-    case InputKind::kCloud: return from_cloud(options, report, progress);
-    case InputKind::kMesh: return from_mesh(options, report, progress);
-    case InputKind::kLevelSet: break;
+  const bool is_level_set = options.as ? *options.as == InputKind::kLevelSet : vdb::is_vdb_file(options.input);
+  report.kind = InputKind::kLevelSet;
+  if (is_level_set) return from_level_set(options, report, progress);
+  if (!options.grid_name.empty()) {
+    throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
   }
-  return from_level_set(options, report, progress);
+  progress.begin("read");
+  const cloud::SourceFile source(options.input);
+  report.kind = options.as ? *options.as : source.is_mesh() ? InputKind::kMesh : InputKind::kCloud;
+  return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
 }
 
 }  // namespace
@@ -184,10 +180,6 @@ BuiltBlob build_blob(const BuildOptions& options) {
   field::threads_wanted = options.threads;
   BuildReport report;
   field::Progress progress(options.quiet ? field::Progress::Show{} : progress_bar());
-  report.kind = kind_of(options);
-  if (!options.grid_name.empty() && report.kind != InputKind::kLevelSet) {
-    throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
-  }
   Made made = make_field(options, report, progress);
   if (!options.quiet) {
     for (const std::string& warning : report.warnings)

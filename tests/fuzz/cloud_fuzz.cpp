@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::span<const std::uint8_t> file(data + 1, size - 1);
   try {
     switch (data[0] % 3) {
-      case 0: cloud::read_ply("a.ply", file), cloud::is_bare_ply_mesh("a.ply", file); break;
+      case 0: cloud::read_ply("a.ply", file), cloud::is_bare_ply_mesh(cloud::read_ply_header("a.ply", file)); break;
       case 1: cloud::read_obj_points("a.obj", file); break;
       default: cloud::read_xyz("a.xyz", file); break;
     }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "host/error.h"
@@ -17,18 +18,20 @@ std::string ply(const std::string& properties, const std::string& row, const std
   return text + "0 0 0" + row + "\n1 0 0" + row + "\n0 1 0" + row + "\n" + faces;
 }
 
+bool is_mesh(const std::filesystem::path& file) { return SourceFile(file).is_mesh(); }
+
 TEST(ReadMesh, faces_without_normals_are_a_mesh_and_normals_a_cloud) {
   const ScratchFolder folder;
   const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
-  EXPECT_TRUE(is_mesh_file(folder.write("a.stl", "solid\nendsolid\n")));
-  EXPECT_TRUE(is_mesh_file(folder.write("a.ply", ply("", "", "3 0 1 2\n"))));
-  EXPECT_FALSE(is_mesh_file(folder.write("b.ply", ply(normals, " 0 0 1", "3 0 1 2\n"))));
-  EXPECT_FALSE(is_mesh_file(folder.write("c.ply", ply("", "", ""))));
-  EXPECT_TRUE(is_mesh_file(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
-  EXPECT_FALSE(is_mesh_file(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")));
-  EXPECT_FALSE(is_mesh_file(folder.write("c.obj", "v 0 0 0\n")));
-  EXPECT_FALSE(is_mesh_file(folder.write("a.xyz", "0 0 0 0 0 1\n")));
-  EXPECT_FALSE(is_mesh_file(folder.write("a.what", "0 0 0 0 0 1\n")));
+  EXPECT_TRUE(is_mesh(folder.write("a.stl", "solid\nendsolid\n")));
+  EXPECT_TRUE(is_mesh(folder.write("a.ply", ply("", "", "3 0 1 2\n"))));
+  EXPECT_FALSE(is_mesh(folder.write("b.ply", ply(normals, " 0 0 1", "3 0 1 2\n"))));
+  EXPECT_FALSE(is_mesh(folder.write("c.ply", ply("", "", ""))));
+  EXPECT_TRUE(is_mesh(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")));
+  EXPECT_FALSE(is_mesh(folder.write("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")));
+  EXPECT_FALSE(is_mesh(folder.write("c.obj", "v 0 0 0\n")));
+  EXPECT_FALSE(is_mesh(folder.write("a.xyz", "0 0 0 0 0 1\n")));
+  EXPECT_FALSE(is_mesh(folder.write("a.what", "0 0 0 0 0 1\n")));
 }
 
 TEST(ReadMesh, tells_the_format_and_drops_vertices_without_a_face) {
