@@ -140,9 +140,9 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
 }
 
 /// A run that follows one without an orderly end is in fault until a person resumes. In lockstep nobody is there.
-void mark_run(io::RunMark& mark, const std::string& folder, loop::Commands& commands) {
+void mark_run(io::RunMark& mark, const std::string& folder, loop::Requests& requests) {
   if (mark.was_left()) {
-    commands.ask(kCommandStop);
+    requests.ask(kRequestStop);
     say("the run before had no orderly end; no force until 'resume'");
   }
   if (const Result<void> set = mark.set(); !set)
@@ -176,16 +176,16 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   if (!calibration.trouble().empty()) say(calibration.trouble());
   loop::LoopSettings loop_settings{calibration.in_use().model, settings::tick_settings(settings), settings::period_ns(settings),
                                    options.lockstep};
-  DeviceTraceHeader header;
+  TraceHeader header;
   header.device = loop_settings.device;
-  header.run.period_ns = loop_settings.period_ns;
-  header.run.settings = loop_settings.tick;
+  header.period_ns = loop_settings.period_ns;
+  header.settings = loop_settings.tick;
 
   // Everything that the tick exchanges with other threads.
   io::LinuxClock real_clock;
   loop::VirtualClock virtual_clock;
   loop::FieldSlots fields(settings::field_bytes(settings));
-  loop::Commands commands;
+  loop::Requests requests;
   const auto ticks_in = [&](double seconds) { return static_cast<std::size_t>(seconds * settings.tick_hz); };
   loop::TraceRing trace(ticks_in(4)), watched(ticks_in(4));
   loop::Latest<loop::TickRecord> shown;
@@ -217,7 +217,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   systemd.busy();  // a large field from a slow card
   const auto hash_of = [&](std::uint32_t generation) { return intake.generation() == generation ? intake.hash() : 0; };
   io::Recorder recorder({header, settings.state, ticks_in(settings.before_fault_s), ticks_in(0.5)}, trace,
-                        settings.control.empty() ? nullptr : &watched, commands, hash_of, say);
+                        settings.control.empty() ? nullptr : &watched, requests, hash_of, say);
   if (!settings.record.empty()) {
     if (const std::string complaint = recorder.start(settings.record); !complaint.empty()) return refuse(complaint);
   }
@@ -227,19 +227,19 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
     if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
-    control.emplace(std::move(wish), io::ControlNeighbours{intake, commands, stats, shown, real_clock, &watched, &calibration,
+    control.emplace(std::move(wish), io::ControlNeighbours{intake, requests, stats, shown, real_clock, &watched, &calibration,
                                                            [&](std::string_view name, std::string_view value) {
-                                                             return live.set(name, value, commands, measured_delay());
+                                                             return live.set(name, value, requests, measured_delay());
                                                            }});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
 
   std::optional<io::RunMark> mark;
-  if (folder && !options.lockstep) mark_run(mark.emplace(*folder), settings.state, commands);
+  if (folder && !options.lockstep) mark_run(mark.emplace(*folder), settings.state, requests);
 
   rest_on_crash(stop_exchange);
   loop::keep_crash_stack();
-  loop::Loop loop(loop_settings, device, clock, {fields, commands, trace, shown, stats, &lines.state});
+  loop::Loop loop(loop_settings, device, clock, {fields, requests, trace, shown, stats, &lines.state});
   std::atomic<bool> stop_recorder{false};
   std::thread records([&] {
     loop::keep_crash_stack();
@@ -260,7 +260,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   const auto judge_delay = [&, judged = std::pair(static_cast<std::uint32_t>(settings.delay_ticks), std::uint32_t{0})]() mutable {
     const std::pair now(options.lockstep ? 0 : measured_delay(), intake.generation());
     if (now.first <= static_cast<std::uint32_t>(settings.delay_ticks) || now == judged) return std::string();
-    std::string changed = live.keep_within(commands, now.first);
+    std::string changed = live.keep_within(requests, now.first);
     if (changed.empty() && !intake.check_again(changed)) return std::string();
     judged = now;
     return changed;

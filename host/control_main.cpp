@@ -4,16 +4,18 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/run.h"
-#include "host/commands/trace_zero.h"
+#include "host/commands/trace_show.h"
+#include "host/commands/trace_stop_latency.h"
 
 namespace {
 
 void add_commands(CLI::App& app) {
   using namespace isotouch;
   commands::add_on_board(app);
-  CLI::App* trace = app.add_subcommand("trace", "Judge a controller's recording");
+  CLI::App* trace = app.add_subcommand("trace", "Show and judge a controller's recording");
   trace->require_subcommand(1);
-  commands::add_zero(*trace);
+  commands::add_show(*trace);
+  commands::add_stop_latency(*trace);
 }
 
 }  // namespace

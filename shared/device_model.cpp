@@ -1,25 +1,13 @@
 #include "shared/device_model.h"
 
+#include <type_traits>
+
 #include "shared/bytes.h"
 #include "shared/hash64.h"
 
 namespace isotouch {
 
 namespace {
-
-/// Walks over the bytes in the order of SPEC.md, writing or reading: one list for both.
-template <class Model, class Use>
-void for_each_number(Model& m, Use use) {
-  use(m.arm), use(m.rod), use(m.joint), use(m.radial), use(m.tangential);
-  for (auto& leg : m.legs) use(leg.azimuth), use(leg.per_count), use(leg.at_zero);
-  use(m.word_torque);
-  use(m.workspace_origin.x), use(m.workspace_origin.y), use(m.workspace_origin.z);
-  use(m.word_limit), use(m.word_slew);
-  use(m.penetration_limit), use(m.speed_limit);
-  use(m.hold_ticks), use(m.fault_age_ns), use(m.count_jump), use(m.ramp_ticks);
-  use(m.homing_flag), use(m.led_homing), use(m.led_idle), use(m.led_active);
-  use(m.heat_word), use(m.heat_ms), use(m.buttons), use(m.hold_to_run);
-}
 
 template <class T>
 constexpr auto raw_of(const T& number) {
@@ -30,29 +18,14 @@ constexpr auto raw_of(const T& number) {
   }
 }
 
-template <class T>
-bool is_within(const T& value, const std::type_identity_t<T>& low, const std::type_identity_t<T>& high) {
-  return value >= low && value <= high;
-}
-
-/// SPEC.md 5.1: ranges in which no product of the tick overflows and every limit limits.
+/// Ranges in which no product of the tick overflows and every limit limits.
 bool is_valid(const DeviceModel& m) {
-  bool valid = is_within(m.arm, Mm::of(20), Mm::of(120)) && is_within(m.rod, Mm::of(50), Mm::of(150)) &&
-               is_within(m.joint, Mm::of(0), Mm::of(50)) && is_within(m.radial, Mm::of(-60), Mm::of(60)) &&
-               is_within(m.tangential, Mm::of(-30), Mm::of(30));
-  for (const DeviceLeg& leg : m.legs) valid &= leg.per_count.raw() != 0;
-  valid &= is_within(m.word_torque, NewtonMmPerWord::of(0.01), NewtonMmPerWord::of(1));
-  for (const Mm axis : {m.workspace_origin.x, m.workspace_origin.y, m.workspace_origin.z})
-    valid &= is_within(axis, Mm::of(-300), Mm::of(300));
-  valid &= is_within(m.word_limit, 0, 4095) && is_within(m.word_slew, 1'000, 100'000'000);
-  valid &= is_within(m.penetration_limit, Mm::of(0.1), Mm::of(200)) && is_within(m.speed_limit, MmPerS::of(1), MmPerS::of(100'000));
-  valid &= is_within(m.hold_ticks, 1U, 1000U) && is_within(m.fault_age_ns, 1'000'000U, 1'000'000'000U);
-  valid &= is_within(m.count_jump, 10, 4000) && is_within(m.ramp_ticks, 1U, 100'000U);
-  for (const std::uint8_t flags : {m.homing_flag, m.led_homing, m.led_idle, m.led_active, m.buttons}) valid &= flags <= 0x0F;
-  const bool heat_unwatched = m.heat_word == 0 && m.heat_ms == 0;  // version 2.0 of the trace knew none
-  valid &= heat_unwatched || (is_within(m.heat_word, 1, 4095) && is_within(m.heat_ms, 1'000U, 1'000'000U));
-  valid &= m.hold_to_run <= 1;
-  return valid;
+  bool valid = true;
+  for_each_number(m, [&](const SettingRow* row, const auto& number) {
+    if (row != nullptr) valid = valid && raw_range(*row).holds(static_cast<std::int64_t>(raw_of(number)));
+  });
+  for (const DeviceLeg& leg : m.legs) valid = valid && leg.per_count.raw() != 0;
+  return valid && (m.heat_word == 0) == (m.heat_ms == 0);
 }
 
 constexpr DeviceLeg leg(Angle azimuth, AnglePerCount per_count, Angle at_zero) { return {azimuth, per_count, at_zero}; }
@@ -92,7 +65,7 @@ DeviceModel martin_hillier_model() {
 DeviceModelBytes encode(const DeviceModel& model) {
   DeviceModelBytes bytes{};
   std::uint8_t* at = bytes.data();
-  for_each_number(model, [&](const auto& number) {
+  for_each_number(model, [&](const SettingRow*, const auto& number) {
     store_le(at, raw_of(number));
     at += sizeof(raw_of(number));
   });
@@ -102,7 +75,7 @@ DeviceModelBytes encode(const DeviceModel& model) {
 Result<DeviceModel> decode_model(const DeviceModelBytes& bytes) {
   DeviceModel model;
   const std::uint8_t* at = bytes.data();
-  for_each_number(model, [&](auto& number) {
+  for_each_number(model, [&](const SettingRow*, auto& number) {
     using T = std::remove_reference_t<decltype(number)>;
     using Raw = decltype(raw_of(number));
     if constexpr (std::is_integral_v<T>) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch {
 

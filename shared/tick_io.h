@@ -1,21 +1,64 @@
-/// What enters one tick and what leaves it: the argument list of the pure function, and so the content of a trace record.
+/// What enters one tick and what leaves it: the arguments of the pure function, and so the content of a trace's record.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
+#include "shared/falcon_packet.h"
+#include "shared/tick_settings.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
 
 namespace isotouch {
 
-/// One sample of the device, as the tick sees it. Arrival times stay outside: they are not the same twice.
-struct TickInput {
-  Vec3<Mm> hip;              ///< where the hand is, workspace frame
-  std::uint8_t buttons = 0;  ///< bit 0 to 3
-  bool fresh = true;         ///< false: the same sample as in an earlier tick
-  std::uint16_t age = 0;     ///< whole ticks since the sample was fresh
+/// What an input knows of the hand.
+enum class InputKind : std::uint8_t {
+  kPosition = 0,  ///< where it is: a hand without a device
+  kPacket = 1,    ///< what the device sent
 };
+
+/// What a person or the loop asks of the tick; each bit holds for the tick in which it stands.
+enum RequestBits : std::uint8_t {
+  kRequestStop = 1U << 0,     ///< no force from this tick on: fault "stopped"
+  kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
+  kRequestRestart = 1U << 2,  ///< forget everything before this tick: a recording that begins here replays
+};
+
+/// The state of the safety lines, already judged by `loop/watchdog.h`. Without lines no bit is ever set.
+enum LineBits : std::uint8_t {
+  kLineStop = 1U << 0,         ///< the emergency stop is pressed, its wire is broken, or nobody reads it
+  kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
+};
+
+/// Largest number of periods that `Input::late` counts.
+inline constexpr std::uint8_t kMaxLate = 31;
+
+/// Everything that a tick gets to know. Arrival times stay outside: they are not the same twice.
+struct Input {
+  InputKind kind = InputKind::kPacket;
+  bool fresh = false;                  ///< false: the same sample as in an earlier tick, or none yet
+  std::uint8_t lines = 0;              ///< LineBits
+  std::uint8_t late = 0;               ///< whole periods that were left out since the tick before; kMaxLate = that many or more
+  std::uint8_t requests = 0;           ///< RequestBits
+  std::uint16_t age = 0;               ///< whole ticks since the sample was fresh
+  SettingChange change;                ///< what a person set anew
+  std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
+  FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first
+  Vec3<Mm> hip;                        ///< kPosition: workspace frame
+  std::uint8_t buttons = 0;            ///< kPosition: bits 0 to 3
+
+  bool operator==(const Input&) const = default;
+};
+
+/// A fresh sample of a hand without a device, in a field that is loaded.
+constexpr Input position_input(const Vec3<Mm>& hip) {
+  Input in;
+  in.kind = InputKind::kPosition;
+  in.fresh = true;
+  in.field_generation = 1;
+  in.hip = hip;
+  return in;
+}
 
 /// Conditions of one tick; "limited" bits are not faults.
 enum StatusBits : std::uint32_t {
@@ -27,51 +70,59 @@ enum StatusBits : std::uint32_t {
   kForceLimited = 1U << 5,  ///< the force was shortened to the limit, its direction kept
   kStale = 1U << 6,         ///< the input was not fresh
   kInputClamped = 1U << 7,  ///< the HIP was outside ±512 mm and was moved to the border
-  // Only in the tick of a device.
-  kBadReply = 1U << 8,        ///< the packet was malformed and counts as none
-  kCountJump = 1U << 9,       ///< the counts took another reference: the pose is sought anew
-  kPoseUncertain = 1U << 10,  ///< the HIP is not known: no force
-  kNearSingular = 1U << 11,   ///< the mechanism is nearly singular: torques are smaller than asked for
-  kTooFast = 1U << 12,        ///< the HIP is faster than the model's limit
-  kWordsLimited = 1U << 13,   ///< the motor words were shortened to the limit, their direction kept
-  kSlewLimited = 1U << 14,    ///< the change of the motor words was shortened, its direction kept
-  kHeatLimited = 1U << 20,    ///< the limit of the motor words is lowered, because the motors are warm
-  kLate = 1U << 21,           ///< periods were left out before this tick
+  // Only with a device.
+  kBadReply = 1U << 8,          ///< the packet was malformed and counts as none
+  kCountJump = 1U << 9,         ///< the counts took another reference: the pose is sought anew
+  kPoseUncertain = 1U << 10,    ///< the HIP is not known: no force
+  kNearSingular = 1U << 11,     ///< the mechanism is nearly singular: torques are smaller than asked for
+  kTooFast = 1U << 12,          ///< the HIP is faster than the model's limit
+  kCommandsLimited = 1U << 13,  ///< the motor commands were shortened to the limit, their direction kept
+  kSlewLimited = 1U << 14,      ///< the change of the motor commands was shortened, its direction kept
+  kHeatLimited = 1U << 20,      ///< the limit of the motor commands is lowered, because the motors are warm
+  kLate = 1U << 21,             ///< periods were left out before this tick
   // Of how it feels.
   kDamped = 1U << 24,  ///< the passivity controller adds damping
 };
 
-struct TickOutput {
-  Vec3<Mm> proxy;                       ///< workspace frame
-  Vec3<Newton> force;                   ///< on the hand, device axes
-  std::array<std::int16_t, 3> words{};  ///< motor words
-  std::uint16_t state = 0;              ///< supervisor state
-  std::uint32_t status = 0;             ///< StatusBits
-
-  bool operator==(const TickOutput&) const = default;
+/// What the supervisor allows. Motor commands are zero in every state but kActive.
+enum class SupervisorState : std::uint16_t {
+  kBoot = 0,    ///< no valid packet yet
+  kHoming = 1,  ///< the counts have no reference: the grip must be pulled out and pushed in once
+  kIdle = 2,    ///< the pose is known, no field
+  kReady = 3,   ///< a field is loaded; active in the next tick, or as long as a button is held
+  kActive = 4,  ///< forces
+  kHold = 5,    ///< samples missing, ticks late, pose uncertain or hand too fast: no force; leaves by itself, forces rise by a ramp
+  kFault = 6,   ///< no force until a person resumes: kRequestResume, or a button pressed anew
 };
 
-inline constexpr Ratio kMostFriction = Ratio::of(1.5);
-inline constexpr Damping kMostDamping = Damping::of(0.1);
-inline constexpr Newton kMostWeight = Newton::of(5);
-inline constexpr std::uint32_t kMostDelay = 7;
+/// Why the supervisor is in fault; kept until it is resumed.
+enum Faults : std::uint16_t {
+  kFaultStopped = 1U << 0,      ///< kRequestStop
+  kFaultSilent = 1U << 1,       ///< no valid fresh packet for longer than the model's fault age
+  kFaultPenetration = 1U << 2,  ///< the hand is further from the proxy than the model's limit
+  kFaultEncoders = 1U << 3,     ///< the counts jumped while there were forces
+  kFaultPose = 1U << 4,         ///< the pose was uncertain for longer than the fault age: no place that the mechanism reaches
+  kFaultSpeed = 1U << 5,        ///< the hand was too fast for longer than the fault age
+  kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age
+  kFaultEmergency = 1U << 7,    ///< kLineStop
+  kFaultEnable = 1U << 8,       ///< kLineEnableWrong
+};
 
-/// What a person may set; part of the trace's header and of the chain.
-struct TickSettings {
-  Stiffness stiffness;                   ///< the largest of the surface; 0 = the blob's
-  Damping damping;                       ///< between proxy and HIP; 0 = pure spring
-  Newton force_limit = Newton::of(8.0);  ///< the Falcon gives about 9 N
-  std::uint32_t ramp_ticks = 50;         ///< from no force to full force where contact did not begin at rest
-  // What the published method has none of; all off where it is 0.
-  Ratio friction{};               ///< Coulomb's μ between proxy and surface, 0 to 1.5
-  Damping friction_damping{};     ///< viscous friction of the sliding proxy
-  Damping hand_damping{};         ///< of the hand's filtered speed, in contact
-  Damping passivity{};            ///< the most that the passivity controller may add to it
-  Damping device_damping{};       ///< of the device itself, which the controller counts on
-  Newton weight{};                ///< of the handle, held up along +y; ±5 N
-  std::uint32_t delay_ticks = 0;  ///< from a sample to its force being felt, 0 to 7; the controller's ledger needs it
+using MotorCommands = std::array<std::int16_t, 3>;
 
-  bool operator==(const TickSettings&) const = default;
+/// Everything that a tick answers. Of a hand without a device: HIP, proxy, force, status and buttons; the rest is zero.
+struct Output {
+  Vec3<Mm> hip;                   ///< workspace frame; zero while the pose is not known
+  Vec3<Mm> proxy;                 ///< workspace frame
+  Vec3<Newton> force;             ///< on the hand, device axes; what the motor commands ask for, before their limits
+  MotorCommands commands{};       ///< motor commands, legs 1 to 3
+  std::uint16_t state = 0;        ///< SupervisorState
+  std::uint32_t status = 0;       ///< StatusBits
+  std::uint16_t faults = 0;       ///< Faults
+  std::uint8_t packet_flags = 0;  ///< FalconFlags of the next command packet
+  std::uint8_t buttons = 0;       ///< bits 0 to 3 of the newest valid packet
+
+  bool operator==(const Output&) const = default;
 };
 
 }  // namespace isotouch

@@ -26,10 +26,6 @@ Limited limited_length(const Vec3<Newton>& force, Newton limit) {
 
 }  // namespace
 
-Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
-  return for_field(make_coupling(settings, period_ns), field);
-}
-
 Coupling for_field(const Coupling& prepared, const BlobView& field) {
   Coupling coupling = prepared;
   coupling.edge = field.edge;
@@ -37,10 +33,10 @@ Coupling for_field(const Coupling& prepared, const BlobView& field) {
   return coupling;
 }
 
-Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns) {
+Coupling make_coupling(const TickSettings& settings, PerSecond rate) {
   Coupling coupling;
   coupling.stiffness = settings.stiffness;
-  coupling.damping = DampingPerTick::from_raw(saturate32(std::int64_t{settings.damping.raw()} * 1'000'000'000 / period_ns));
+  coupling.damping = per_tick(settings.damping, rate);
   coupling.force_limit = settings.force_limit;
   coupling.ramp_ticks = settings.ramp_ticks;
   coupling.ramp_part = RampPart::from_raw(settings.ramp_ticks == 0 ? 0 : static_cast<std::int32_t>((1U << 30) / settings.ramp_ticks));

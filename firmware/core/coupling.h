@@ -14,6 +14,13 @@ namespace isotouch::core {
 
 /// Damping over one tick period: newton for a change of stretch of one millimetre a tick. Range ±127 N/mm.
 using DampingPerTick = Fixed<Unit<-1, 1, 0, 0>, 24>;
+
+/// The one conversion of a damping to the tick's rate; clamped to 127 N/mm.
+///
+/// rate      ticks a second
+/// tick      yes
+constexpr DampingPerTick per_tick(Damping damping, PerSecond rate) { return mul<DampingPerTick>(damping, rate); }
+
 /// One part of the ramp. Range ±1.99.
 using RampPart = Fixed<Unit<0, 0, 0, 0>, 30>;
 
@@ -42,13 +49,13 @@ struct Force {
   Ratio kept = Ratio::of(1);  ///< how much of the force the limit left
 };
 
-/// settings     damping is clamped to 127 N/mm · period
-/// field        gives the stiffness when the settings name none; where they do, a table of stiffness still says how much of it is felt where
-/// tick         no: divides
-Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
-
-/// The same in two halves, for a field that comes later: this one divides, `for_field` does not.
-Coupling make_coupling(const TickSettings& settings, std::uint32_t period_ns);
+/// A coupling for any field: its edge and, where the settings name none, its stiffness come with `for_field`.
+///
+/// rate      ticks a second
+/// tick      no: divides
+Coupling make_coupling(const TickSettings& settings, PerSecond rate);
+/// A table of stiffness scales the settings' stiffness as it scales the field's.
+///
 /// prepared     by the function above
 /// tick         yes
 Coupling for_field(const Coupling& prepared, const BlobView& field);

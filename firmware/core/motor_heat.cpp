@@ -8,7 +8,7 @@
 namespace isotouch::core {
 
 namespace {
-constexpr int kWordBits = 8, kSquareBits = 16, kQuarterBits = 40, kPartBits = 30;
+constexpr int kCommandBits = 8, kSquareBits = 16, kQuarterBits = 40, kPartBits = 30;
 }
 
 HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) {
@@ -21,13 +21,13 @@ HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) 
   budget.quarter = std::max(whole / 4, std::int64_t{1});
   budget.of_quarter = (std::int64_t{1} << kQuarterBits) / budget.quarter;
   budget.knee = (whole - budget.quarter) << kSquareBits;
-  budget.fall = std::int64_t{std::max<std::int32_t>(device.word_limit - device.heat_word, 0)} << kWordBits;
+  budget.fall = std::int64_t{std::max<std::int32_t>(device.word_limit - device.heat_word, 0)} << kCommandBits;
   budget.forgotten = std::int64_t{period_ns} * (std::int64_t{1} << kPartBits) / (std::int64_t{device.heat_ms} * 1'000'000);  // below 2^23
   return budget;
 }
 
-WordLimit word_limit(const Motors& motors, const HeatBudget& budget, const MotorHeat& heat) {
-  WordLimit limit{motors, false};
+CommandLimit command_limit(const Motors& motors, const HeatBudget& budget, const MotorHeat& heat) {
+  CommandLimit limit{motors, false};
   const std::int64_t most = std::max({heat.squares[0], heat.squares[1], heat.squares[2]});
   if (most <= budget.knee) return limit;
   const std::int64_t over = std::min((most - budget.knee) >> kSquareBits, budget.quarter);
@@ -37,11 +37,11 @@ WordLimit word_limit(const Motors& motors, const HeatBudget& budget, const Motor
   return limit;
 }
 
-void warm(const std::array<std::int16_t, 3>& words, const HeatBudget& budget, MotorHeat& heat) {
+void warm(const MotorCommands& commands, const HeatBudget& budget, MotorHeat& heat) {
   for (std::size_t i = 0; i < 3; ++i) {
     std::int64_t& square = heat.squares[i];
     if (!heat.has_begun) square = budget.knee;
-    const std::int64_t now = (std::int64_t{words[i]} * words[i]) << kSquareBits;
+    const std::int64_t now = (std::int64_t{commands[i]} * commands[i]) << kSquareBits;
     square += ((now - square) * budget.forgotten) >> kPartBits;  // below 2^63
   }
   heat.has_begun = true;

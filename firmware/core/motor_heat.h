@@ -1,5 +1,5 @@
-/// How warm the motors are, and what they may still be asked: the mean square of the words, forgotten with the motors' time constant, against the
-/// square of the word that they stand for ever. A limit, not a fault: forces become weaker and the status tells.
+/// How warm the motors are, and what they may still be asked: the mean square of the commands, forgotten with the motors' time constant, against the
+/// square of the command that they stand for ever. A limit, not a fault: forces become weaker and the status tells.
 ///
 /// source    I²t protection of servo drives; torque is in proportion to current, heat to its square
 #pragma once
@@ -7,17 +7,17 @@
 #include <array>
 #include <cstdint>
 
-#include "firmware/core/motor_words.h"
+#include "firmware/core/motor_commands.h"
 #include "shared/device_model.h"
 
 namespace isotouch::core {
 
-/// See `make_heat_budget`. Squares of words have 16 fraction bits.
+/// See `make_heat_budget`. Squares of commands have 16 fraction bits.
 struct HeatBudget {
   std::int64_t knee = 0;        ///< from here on the limit falls: three quarters of the budget
   std::int64_t quarter = 1;     ///< the rest of it, in whole squares
   std::int64_t of_quarter = 0;  ///< 1 / quarter, 40 fraction bits
-  std::int64_t fall = 0;        ///< by so much the limit falls there, words, 8 fraction bits
+  std::int64_t fall = 0;        ///< how far the limit falls there, 8 fraction bits
   std::int64_t forgotten = 0;   ///< part of the heat in one tick, 30 fraction bits
 };
 
@@ -30,7 +30,7 @@ struct MotorHeat {
   bool has_begun = false;
 };
 
-struct WordLimit {
+struct CommandLimit {
   Motors motors;         ///< with the limit that holds now, the same for all three
   bool lowered = false;  ///< it is below the model's
 };
@@ -39,11 +39,11 @@ struct WordLimit {
 /// passes the budget by more than one tick's.
 ///
 /// tick      yes
-WordLimit word_limit(const Motors& motors, const HeatBudget& budget, const MotorHeat& heat);
+CommandLimit command_limit(const Motors& motors, const HeatBudget& budget, const MotorHeat& heat);
 
-/// Takes in the words of a tick.
+/// Takes in the commands of a tick.
 ///
 /// tick      yes
-void warm(const std::array<std::int16_t, 3>& words, const HeatBudget& budget, MotorHeat& heat);
+void warm(const MotorCommands& commands, const HeatBudget& budget, MotorHeat& heat);
 
 }  // namespace isotouch::core

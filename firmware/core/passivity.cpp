@@ -37,18 +37,17 @@ void forget(PassivityState& state) {
   state.begun = false;
 }
 
-void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state) {
+void book_energy(const Vec3<Mm>& way, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state) {
   if (force.ramping) forget(state);
   const Energy stored = stored_energy(force);
   if (state.begun) {
-    const Vec3<Mm> way = within(hip - state.hip, kMostMove);
+    const Vec3<Mm> moved = within(way, kMostMove);
     const bool felt_any = state.tick > passivity.delay;
     const Vec3<Newton> felt = felt_any ? state.forces[(state.tick - passivity.delay) & (PassivityState::kForces - 1)] : Vec3<Newton>{};
-    const Energy brought = work(mul<Newton>(way, passivity.device) - felt, way);
+    const Energy brought = work(mul<Newton>(moved, passivity.device) - felt, moved);
     state.balance = std::min(state.balance + brought - (stored - state.stored), kMostSurplus);
   }
   const auto half = [](Newton f) { return Newton::from_raw(f.raw() >> 1); };
-  state.hip = hip;
   state.injected = injected;
   state.stored = stored;
   state.begun = true;

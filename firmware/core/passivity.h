@@ -50,8 +50,7 @@ struct Passivity {
 struct PassivityState {
   static constexpr std::uint32_t kForces = 8;  // a power of two
   Energy balance;
-  Energy stored;  ///< in the spring
-  Vec3<Mm> hip;
+  Energy stored;                               ///< in the spring
   std::array<Vec3<Newton>, kForces> forces{};  ///< said in the last ticks, the injected part by half
   Vec3<Newton> injected;                       ///< in the last tick
   std::uint32_t tick = 0;                      ///< of the forces that are known: counts to 15, then again from 8
@@ -67,10 +66,10 @@ Damping injected_damping(const Passivity& passivity, const PassivityState& state
 
 /// Books one tick.
 ///
-/// hip       within ±512 mm; a move of more than 16 mm counts as one of 16
+/// way       of the HIP since the tick before; more than 16 mm count as 16
 /// force     what is said to the motors, with the spring that it comes from. A ramping one begins the ledger anew
 /// injected  the part of it that this controller added
 /// tick      yes: constant cost, no division
-void book_energy(const Vec3<Mm>& hip, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state);
+void book_energy(const Vec3<Mm>& way, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state);
 
 }  // namespace isotouch::core

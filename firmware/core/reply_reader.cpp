@@ -22,7 +22,7 @@ bool is_jump(const Counts& from, const Counts& to, std::uint32_t gap, std::int32
 
 }  // namespace
 
-Reading read_reply(const DeviceInput& in, const DeviceModel& device, ReplyState& state) {
+Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state) {
   const Result<FalconReply> reply = decode_reply(in.packet);
   Reading reading;
   reading.fresh = in.fresh && reply.has_value();

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "firmware/core/joint_angles.h"
-#include "shared/device_io.h"
 #include "shared/device_model.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::core {
 
@@ -30,6 +30,6 @@ struct Reading {
 ///
 /// fails     never: a malformed packet counts as none
 /// tick      yes
-Reading read_reply(const DeviceInput& in, const DeviceModel& device, ReplyState& state);
+Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state);
 
 }  // namespace isotouch::core

@@ -6,11 +6,9 @@ namespace isotouch::core {
 
 namespace {
 
-constexpr std::size_t index_of(TickSetting setting) { return static_cast<std::size_t>(setting) - 1; }
-
 /// Every setting sets out from where it is. None is far below 0, so a difference fits 32 bits; the ramp's part is at most 2^30.
 void set_out(const Coupling& coupling, SettingsRamp& ramp) {
-  for (std::size_t i = 0; i < kTickSettings; ++i) {
+  for (std::size_t i = 0; i < kLiveSettings; ++i) {
     const std::int32_t way = saturated_difference(ramp.target[i], ramp.now[i]);
     ramp.step[i] = static_cast<std::int32_t>(round_shift(product(way, coupling.ramp_part.raw()), RampPart::kFractionBits));
   }
@@ -20,7 +18,7 @@ void set_out(const Coupling& coupling, SettingsRamp& ramp) {
 }  // namespace
 
 void begin_settings(const TickSettings& settings, SettingsRamp& ramp) {
-  ramp.target = raw_settings(settings);
+  ramp.target = live_settings(settings);
   finish_settings(ramp);
 }
 
@@ -43,7 +41,7 @@ bool advance_settings(const SettingChange& change, bool at_once, const Coupling&
     return true;
   }
   --ramp.left;
-  for (std::size_t i = 0; i < kTickSettings; ++i) ramp.now[i] += ramp.step[i];
+  for (std::size_t i = 0; i < kLiveSettings; ++i) ramp.now[i] += ramp.step[i];
   return true;
 }
 

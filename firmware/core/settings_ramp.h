@@ -6,14 +6,14 @@
 #include <cstdint>
 
 #include "firmware/core/coupling.h"
-#include "shared/setting_change.h"
+#include "shared/tick_settings.h"
 
 namespace isotouch::core {
 
 struct SettingsRamp {
-  RawSettings now{};  ///< what holds
-  RawSettings target{};
-  RawSettings step{};      ///< a tick
+  LiveRaw now{};  ///< what holds
+  LiveRaw target{};
+  LiveRaw step{};          ///< a tick
   std::uint32_t left = 0;  ///< ticks until the target holds
 };
 

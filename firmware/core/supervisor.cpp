@@ -28,7 +28,7 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
   const bool forces = memory.state == S::kActive || memory.state == S::kHold;
   const bool too_long = memory.state == S::kHold && memory.held_ticks >= limits.fault_ticks;
   return static_cast<std::uint16_t>(
-      when((seen.commands & kCommandStop) != 0, kFaultStopped) | when(seen.heard && seen.stale_ticks > limits.fault_ticks, kFaultSilent) |
+      when((seen.requests & kRequestStop) != 0, kFaultStopped) | when(seen.heard && seen.stale_ticks > limits.fault_ticks, kFaultSilent) |
       when(seen.too_deep && memory.state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
       when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) | when(doubts.late && too_long, kFaultLate) |
       when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable));
@@ -71,23 +71,23 @@ Supervision make_supervision(const DeviceModel& device, std::uint32_t period_ns)
 
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
   const std::uint32_t most_late = 2 * limits.hold_ticks * kLatenessOfAPeriod;  // after a long pause it is well again within that many ticks
-  memory.lateness = seen.late >= kMostLate ? most_late : std::min(memory.lateness + seen.late * kLatenessOfAPeriod, most_late);
+  memory.lateness = seen.late >= kMaxLate ? most_late : std::min(memory.lateness + seen.late * kLatenessOfAPeriod, most_late);
   const Doubts doubts = doubts_of(seen, limits, memory);
   if (memory.lateness > 0) --memory.lateness;
 
   const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
   memory.buttons = seen.buttons;
-  const bool asks = (seen.commands & kCommandResume) != 0 || pressed != 0;
+  const bool asks = (seen.requests & kRequestResume) != 0 || pressed != 0;
   const std::uint16_t now = faults_of(seen, doubts, limits, memory);
   const bool resumed = memory.state == S::kFault && asks && now == 0;
   memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
   memory.state = next_state(memory.state, finding(seen, doubts, now, resumed, limits));
   memory.held_ticks = memory.state == S::kHold ? std::min(memory.held_ticks + 1, kMostTicks) : 0;
 
-  if (allows_words(memory.state) && !seen.new_field) return ramped(limits, memory);
+  if (allows_force(memory.state) && !seen.new_field) return ramped(limits, memory);
   memory.ramp = 0;
   Permission none;
-  none.granted = allows_words(memory.state);
+  none.granted = allows_force(memory.state);
   return none;
 }
 

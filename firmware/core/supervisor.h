@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "firmware/core/supervisor_table.h"
-#include "shared/device_io.h"
 #include "shared/device_model.h"
+#include "shared/tick_io.h"
 #include "shared/units.h"
 
 namespace isotouch::core {
@@ -43,9 +43,9 @@ struct Observations {
   bool too_fast = false;          ///< beyond the speed limit
   std::uint32_t stale_ticks = 0;  ///< since the last valid fresh packet
   std::uint32_t late = 0;         ///< periods left out before this tick
-  std::uint8_t lines = 0;         ///< DeviceLines
+  std::uint8_t lines = 0;         ///< LineBits
   std::uint8_t buttons = 0;       ///< of the newest valid packet
-  std::uint8_t commands = 0;      ///< DeviceCommands
+  std::uint8_t requests = 0;      ///< RequestBits
 };
 
 struct SupervisorMemory {
@@ -64,11 +64,11 @@ struct Permission {
   ForcePart part;
 };
 
-/// Lateness is a bucket: each period left out pours in 8, each tick takes out 1, kMostLate fills it. Hold begins at 8 times hold_ticks, by one tick
+/// Lateness is a bucket: each period left out pours in 8, each tick takes out 1, kMaxLate fills it. Hold begins at 8 times hold_ticks, by one tick
 /// that is so late or by several in a row that are less so.
 inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 
-/// One step of the machine. A cause of fault outweighs everything, and stays until it is gone and a person resumes: by kCommandResume, or by
+/// One step of the machine. A cause of fault outweighs everything, and stays until it is gone and a person resumes: by kRequestResume, or by
 /// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault.
 ///
 /// tick      yes

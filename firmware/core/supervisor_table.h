@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::core {
 
@@ -50,6 +50,6 @@ constexpr SupervisorState next_state(SupervisorState state, Finding finding) {
 }
 
 /// May there be motor words other than zero?
-constexpr bool allows_words(SupervisorState state) { return state == SupervisorState::kActive; }
+constexpr bool allows_force(SupervisorState state) { return state == SupervisorState::kActive; }
 
 }  // namespace isotouch::core

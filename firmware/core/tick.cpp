@@ -1,100 +1,164 @@
 #include "firmware/core/tick.h"
 
-#include "firmware/core/stiffness_at.h"
+#include "firmware/core/handle_weight.h"
+#include "firmware/core/joint_angles.h"
+#include "firmware/core/joint_torques.h"
+#include "firmware/core/longer.h"
 
 namespace isotouch::core {
 
 namespace {
 
-constexpr Mm kReach = Mm::of(512);              // of the input, each axis: three products of differences then fit 63 bits
-constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
-
-Vec3<Mm> clamp_to_reach(const Vec3<Mm>& hip) { return within(hip, kReach); }
-
-Vec3<Voxel> to_index(const Vec3<Mm>& point, const BlobView& field) {
-  return within(mul<Voxel>(point - field.origin, field.inverse_edge), kIndexReach);
-}
-
-Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const BlobView& field) { return mul<Mm>(index, field.edge) + field.origin; }
-
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
-/// Forces against the hand's speed.
-struct Damped {
-  Vec3<Newton> force;     ///< all of it
-  Vec3<Newton> injected;  ///< the passivity controller's part
-};
-
-/// Nothing is known of the speed as long as nobody asks for it.
-Damped damp(const Vec3<Mm>& hip, bool fresh, const TickModel& model, TickState& state) {
-  if (model.hand_damping <= Damping{} && !model.passivity.is_on()) {
-    state.velocity = {};
-    return {};
-  }
-  const Vec3<MmPerS> velocity = quiet_velocity(hip, fresh, model.rate, state.velocity);
-  const Vec3<Newton> injected = damping_force(velocity, injected_damping(model.passivity, state.passivity));
-  return {damping_force(velocity, model.hand_damping) + injected, injected};
+/// Takes over the settings that hold now. Those that never changed stay as they were prepared, to the bit.
+void take_over(const SettingsRamp& ramp, RenderModel& felt) {
+  const TickSettings settings = with_live(felt.settings, ramp.now);
+  if (!(settings == felt.settings)) retune(settings, felt);
 }
 
-/// What is felt is the proxy that friction holds.
-void add_friction(Stiffness stiffness, const Friction& friction, FrictionState& state, Contact& contact) {
-  if (!friction.is_on()) {
-    state.holds = false;
-    return;
+/// What a person has set anew since the last tick.
+void take_settings(const SettingChange& change, const TickModel& model, TickState& state) {
+  if (!state.has_settings) {
+    begin_settings(model.any_field.settings, state.settings);
+    state.felt = model.any_field;
+    state.has_settings = true;
   }
-  const Vec3<Voxel> offset = friction_offset(contact, stiffness, friction, state);
-  contact.proxy = contact.proxy + offset;
-  contact.stretch = contact.stretch + offset;
+  const bool felt = state.supervisor.state == SupervisorState::kActive;
+  if (advance_settings(change, !felt, state.felt.coupling, state.settings)) take_over(state.settings, state.felt);
+}
+
+/// Another field: nothing that was felt before holds, and the proxy begins at the HIP. returns whether there is one
+bool take_field(const BlobView* field, std::uint32_t generation, const TickModel& model, TickState& state) {
+  if (generation == state.field_generation) return false;
+  state.field_generation = generation;
+  state.render = {};
+  forget_quiet(state.motion);
+  finish_settings(state.settings);
+  state.felt = model.any_field;
+  take_over(state.settings, state.felt);
+  if (field != nullptr) state.felt = for_field(state.felt, *field);
+  return true;
+}
+
+/// Counts that took another reference make void what was computed from the old ones.
+Pose find_pose(const Reading& reading, const TickModel& model, TickState& state) {
+  if (reading.jumped || !state.reply.homed) {
+    state.pose = {};
+    state.motion = {};
+    state.render = {};
+  }
+  return state.reply.homed ? follow_pose(joint_angles(state.reply.counts, model.device), model.mechanism, state.pose) : Pose{};
+}
+
+Motion find_motion(const Pose& pose, bool fresh, const TickModel& model, TickState& state) {
+  if (!pose.settled) return {};
+  return track_motion(within(pose.hip - model.device.workspace_origin, kReach), fresh, state.felt.damps(), model.motion, state.motion);
+}
+
+Rendering render_contact(const Pose& pose, const Motion& motion, const BlobView* field, TickState& state) {
+  if (pose.settled && field != nullptr) return render(motion, *field, state.felt, state.render);
+  Rendering nothing;
+  nothing.proxy = motion.hip;
+  return nothing;
+}
+
+bool is_too_fast(const Motion& motion, const TickModel& model) {
+  return motion.leapt || is_longer(motion.velocity, model.device.speed_limit);
+}
+
+/// What the supervisor judges by.
+Observations observe(const Input& in, const Reading& reading, const Pose& pose, const Motion& motion, const Rendering& felt, bool has_field,
+                     bool new_field, const TickModel& model, const ReplyState& reply) {
+  Observations seen;
+  seen.heard = reply.heard;
+  seen.homed = reply.homed;
+  seen.jumped = reading.jumped;
+  seen.pose_settled = pose.settled;
+  seen.has_field = has_field;
+  seen.new_field = new_field;
+  seen.too_deep = felt.touching && is_longer(felt.proxy - motion.hip, model.device.penetration_limit);
+  seen.too_fast = is_too_fast(motion, model);
+  seen.stale_ticks = reply.stale;
+  seen.late = in.late;
+  seen.lines = in.lines;
+  seen.buttons = reply.buttons;
+  seen.requests = in.requests;
+  return seen;
+}
+
+/// What the motors are told, and which force that stands for.
+struct Drive {
+  Vec3<Newton> force;
+  Commanded motors;
+  bool heat_limited = false;
+};
+
+/// Without permission the motors rest.
+Drive drive_motors(const Rendering& felt, const Permission& permission, const Pose& pose, const TickModel& model, TickState& state) {
+  Drive drive;
+  const CommandLimit limit = command_limit(model.motors, model.heat, state.heat);
+  drive.heat_limited = limit.lowered;
+  if (permission.granted) {
+    drive.force = mul<Newton>(with_handle_held_up(felt.force, state.felt.settings.weight), permission.part);
+    drive.motors = motor_commands(joint_torques(drive.force, pose.statics), limit.motors, state.commands);
+  }
+  state.commands = drive.motors.commands;
+  warm(state.commands, model.heat, state.heat);
+  return drive;
+}
+
+/// The colours tell people what to expect; homing stays asked for, see the model.
+std::uint8_t packet_flags(SupervisorState state, const DeviceModel& device) {
+  const bool looking = state == SupervisorState::kBoot || state == SupervisorState::kHoming;
+  const bool red = looking || state == SupervisorState::kFault;
+  const std::uint8_t led = red ? device.led_homing : state == SupervisorState::kActive ? device.led_active : device.led_idle;
+  return static_cast<std::uint8_t>(led | (looking ? std::uint8_t{kFalconHoming} : device.homing_flag));
 }
 
 }  // namespace
 
-TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
-  return for_field(make_model(settings, period_ns), field);
-}
-
-TickModel make_model(const TickSettings& settings, std::uint32_t period_ns) {
+TickModel make_tick_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns) {
   TickModel model;
-  model.settings = settings;
-  model.coupling = make_coupling(settings, period_ns);
-  model.rate = PerSecond::from_raw(static_cast<std::int32_t>(1'000'000'000LL * (1 << PerSecond::kFractionBits) / period_ns));
-  model.hand_damping = settings.hand_damping;
-  model.friction = {settings.friction, mul<DampingPerTick>(settings.friction_damping, model.rate)};
-  model.passivity = {settings.passivity, mul<DampingPerTick>(settings.device_damping, model.rate), settings.delay_ticks};
+  model.device = device;
+  model.mechanism = make_mechanism(device);
+  model.motion = make_motion_model(device, period_ns);
+  model.any_field = make_render_model(settings, model.motion.rate);
+  model.supervision = make_supervision(device, period_ns);
+  model.motors = make_motors(device, period_ns);
+  model.heat = make_heat_budget(device, period_ns);
   return model;
 }
 
-void retune(const TickSettings& settings, TickModel& model) {
-  model.settings = settings;
-  if (settings.stiffness > Stiffness{}) model.coupling.stiffness = settings.stiffness;
-  model.coupling.damping = mul<DampingPerTick>(settings.damping, model.rate);
-  model.coupling.force_limit = settings.force_limit;
-  model.hand_damping = settings.hand_damping;
-  model.friction = {settings.friction, mul<DampingPerTick>(settings.friction_damping, model.rate)};
-  model.passivity.most = settings.passivity;
-}
+Output tick(const Input& in, const BlobView* field, const TickModel& model, TickState& state) {
+  if ((in.requests & kRequestRestart) != 0) state = {};
+  take_settings(in.change, model, state);
+  const bool new_field = take_field(field, in.field_generation, model, state);
 
-TickModel for_field(const TickModel& prepared, const BlobView& field) {
-  TickModel model = prepared;
-  model.coupling = for_field(prepared.coupling, field);
-  return model;
-}
+  const Reading reading = read_reply(in, model.device, state.reply);
+  const Pose pose = find_pose(reading, model, state);
+  const Motion motion = find_motion(pose, reading.fresh, model, state);
+  const Rendering felt = render_contact(pose, motion, field, state);
+  const Observations seen = observe(in, reading, pose, motion, felt, field != nullptr, new_field, model, state.reply);
+  const Permission permission = supervise(seen, model.supervision, state.supervisor);
+  if (!permission.granted || permission.ramping) forget(state.render.passivity);  // the hand does not feel what the ledger would book
+  const Drive drive = drive_motors(felt, permission, pose, model, state);
 
-TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& model, TickState& state) {
-  const Vec3<Mm> hip = clamp_to_reach(in.hip);
-  Contact contact = step_proxy(to_index(hip, field), field, state.proxy);
-  const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
-  add_friction(stiffness, model.friction, state.friction, contact);
-  const Damped damped = damp(hip, in.fresh, model, state);
-  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
-  if (model.passivity.is_on()) book_energy(hip, force, damped.injected, model.passivity, state.passivity);
-
-  const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
-                               when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
-                               when(force.ramping, kRamping) | when(force.limited, kForceLimited) | when(!in.fresh, kStale) |
-                               when(!(hip == in.hip), kInputClamped) |
-                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
-  return {contact.touching || contact.following ? to_workspace(contact.proxy, field) : hip, force.newton, {}, 0, status};
+  Output out;
+  out.hip = motion.hip;
+  out.proxy = felt.proxy;
+  out.force = drive.force;
+  out.commands = drive.motors.commands;
+  out.state = static_cast<std::uint16_t>(state.supervisor.state);
+  out.status = felt.status | when(!reading.fresh, kStale) | when(reading.malformed, kBadReply) | when(reading.jumped, kCountJump) |
+               when(state.reply.homed && !pose.settled, kPoseUncertain) | when(seen.too_fast, kTooFast) |
+               when(pose.settled && pose.statics.near_singular, kNearSingular) | when(permission.ramping, kRamping) |
+               when(drive.motors.limited, kCommandsLimited) | when(drive.motors.slew_limited, kSlewLimited) |
+               when(drive.heat_limited, kHeatLimited) | when(in.late > 0, kLate);
+  out.faults = state.supervisor.faults;
+  out.packet_flags = packet_flags(state.supervisor.state, model.device);
+  out.buttons = state.reply.buttons;
+  return out;
 }
 
 }  // namespace isotouch::core

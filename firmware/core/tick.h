@@ -1,59 +1,62 @@
-/// The one function that the hand feels: inputs and field in, force out. Pure and integer, so that a recorded trace replays to the bit.
+/// The whole tick: reply packet → pose → motion → contact → force → supervisor → motor commands. Pure and integer, so that a recorded trace replays to the bit.
 #pragma once
 
-#include "firmware/core/coupling.h"
-#include "firmware/core/friction.h"
-#include "firmware/core/hand_damping.h"
-#include "firmware/core/passivity.h"
-#include "firmware/core/proxy.h"
+#include <cstdint>
+
+#include "firmware/core/kinematics.h"
+#include "firmware/core/motion.h"
+#include "firmware/core/motor_commands.h"
+#include "firmware/core/motor_heat.h"
+#include "firmware/core/render.h"
+#include "firmware/core/reply_reader.h"
+#include "firmware/core/settings_ramp.h"
+#include "firmware/core/supervisor.h"
 #include "shared/blob.h"
+#include "shared/device_model.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::core {
 
 /// What does not change between ticks, prepared once so that the tick needs no division.
 struct TickModel {
-  TickSettings settings;
-  Coupling coupling;
-  Friction friction;
-  Damping hand_damping;
-  Passivity passivity;
-  PerSecond rate;  ///< ticks a second
+  DeviceModel device;
+  Mechanism mechanism;
+  MotionModel motion;
+  RenderModel any_field;  ///< what is felt, before a field says its edge and stiffness
+  Supervision supervision;
+  Motors motors;
+  HeatBudget heat;
 };
 
+/// device       a valid model (`decode_model` accepts its bytes)
 /// settings     as in the trace's header
 /// period_ns    the tick period, 100,000 to 4,000,000
-/// field        gives the largest stiffness when the settings name none
 /// tick         no: divides
-TickModel make_model(const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
-
-/// The same in two halves, for a field that comes later: this one divides, `for_field` does not.
-TickModel make_model(const TickSettings& settings, std::uint32_t period_ns);
-/// prepared     by the function above
-/// tick         yes
-TickModel for_field(const TickModel& prepared, const BlobView& field);
-
-/// Takes over the settings that may change while they are felt; a stiffness of 0 leaves the one that is felt.
-///
-/// tick         yes
-void retune(const TickSettings& settings, TickModel& model);
+TickModel make_tick_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns);
 
 /// Everything a tick remembers; a default one is the state before the first tick.
 struct TickState {
-  ProxyState proxy;
-  CouplingState coupling;
-  FrictionState friction;
-  QuietVelocityState velocity;
-  PassivityState passivity;
+  SettingsRamp settings;      ///< those that may change
+  bool has_settings = false;  ///< false: those of the model hold
+  RenderModel felt;           ///< prepared for the field of this generation and these settings
+  std::uint32_t field_generation = 0;
+  ReplyState reply;
+  PoseState pose;
+  MotionState motion;
+  RenderState render;
+  SupervisorMemory supervisor;
+  MotorHeat heat;
+  MotorCommands commands{};
 };
 
-/// One tick: where the hand is → what it feels.
+/// One tick of the device.
 ///
-/// in        HIP in the workspace, ±512 mm; beyond, it is clamped and kInputClamped is set
-/// field     a checked view, the same in every tick of a state's life
-/// returns   proxy, force and status; the force is zero in every tick without contact
-/// fails     never
+/// in        the newest packet with its age, and what is asked of the tick. A malformed packet counts as none
+/// field     a checked view, or nullptr as long as there is none: then, and only then, `in.field_generation` is 0. Another field comes with another
+///           generation: the proxy starts at the HIP and the force rises from zero by a ramp
+/// returns   motor commands and flags for the next command packet, and everything that a trace records. Commands are zero in every state but kActive
+/// fails     never: the resting output needs no permission
 /// tick      yes: constant loop counts, no division, no allocation
-TickOutput tick(const TickInput& in, const BlobView& field, const TickModel& model, TickState& state);
+Output tick(const Input& in, const BlobView* field, const TickModel& model, TickState& state);
 
 }  // namespace isotouch::core

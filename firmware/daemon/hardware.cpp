@@ -15,8 +15,11 @@ namespace isotouch::daemon {
 namespace {
 
 std::string make_replay(const Options& options, Hardware& made) {
-  io::WireTrace trace;
-  std::string complaint = io::read_wire_trace(options.name, trace);
+  files::TraceFile trace;
+  std::string complaint = files::read_trace(options.name, trace);
+  if (complaint.empty() && trace.kind() != InputKind::kPacket) {
+    complaint = options.name + ": it holds positions of a hand, not the packets of a device; make some with 'isotouch trace to-packets'";
+  }
   if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
   if (complaint.empty()) made.replay = std::make_unique<io::ReplayPort>(std::move(trace), *made.clock);
   return complaint;

@@ -10,6 +10,7 @@
 #include "firmware/settings/apply.h"
 #include "firmware/settings/read_settings.h"
 #include "firmware/settings/table.h"
+#include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
 
@@ -41,6 +42,7 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   CLI::App app("The controller: renders a field to a force-feedback device", "isotouchd");
   std::string config, check, device = "usb", control, field, record, relay_socket = "/run/isotouch/control";
   bool print = false, list = false;
+  app.set_version_flag("--version", files::version_text("isotouchd"), "print version, commit, formats and compiler");
   app.add_option("--config", config, "settings, a TOML file; see --print-config");
   app.add_option("--check-config", check, "only say whether this settings file is good");
   app.add_flag("--print-config", print, "only print every setting with its default");

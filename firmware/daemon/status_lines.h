@@ -6,7 +6,7 @@
 
 #include "firmware/io/falcon_port.h"
 #include "firmware/loop/tick_stats.h"
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::daemon {
 

@@ -32,7 +32,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
     : settings_(std::move(settings)),
       neighbours_(neighbours),
       clients_(settings_.clients),
-      feed_(neighbours.ring, settings_.recordings, neighbours.commands),
+      feed_(neighbours.ring, settings_.recordings, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
       scratch_(std::max(kHistogramScratch, wire::kMaxBody)),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -179,8 +179,8 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
     case Kind::kRecordEnd:
       if (client.records) feed_.end_recording(client);
       return client.say(Kind::kDone);
-    case Kind::kStop: neighbours_.commands.ask(kCommandStop); return client.say(Kind::kDone);
-    case Kind::kResume: neighbours_.commands.ask(kCommandResume); return client.say(Kind::kDone);
+    case Kind::kStop: neighbours_.requests.ask(kRequestStop); return client.say(Kind::kDone);
+    case Kind::kResume: neighbours_.requests.ask(kRequestResume); return client.say(Kind::kDone);
     case Kind::kFields: return start_work(client, FieldWork::Kind::kList, {});
     case Kind::kSelect: {
       const auto wanted = wire::decode<wire::Select>(frame.body);
@@ -220,7 +220,7 @@ void ControlServer::hello(ControlClient& client, const wire::Frame& frame) const
   }
   client.greeted = true;
   wire::Welcome welcome;
-  welcome.period_ns = settings_.recordings.run.period_ns;
+  welcome.period_ns = settings_.recordings.period_ns;
   welcome.image_limit = neighbours_.fields.image_limit();
   welcome.program = wire::Text::of(settings_.program);
   client.say(Kind::kWelcome, welcome);
@@ -326,7 +326,7 @@ void ControlServer::measure(ControlClient& client) {
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kBusy);
   // The tick under way may not have heard of a stop yet.
-  posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.run.period_ns, 1U)),
+  posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.period_ns, 1U)),
                  neighbours_.shown.get().number + 1);
   measuring_ = &client;
   measured_by_ns_ = neighbours_.clock.now_ns() + kMeasuringPatienceNs;

@@ -23,8 +23,8 @@
 #include "firmware/io/tick_feed.h"
 #include "firmware/io/worst_ticks.h"
 #include "firmware/loop/clock.h"
-#include "firmware/loop/commands.h"
 #include "firmware/loop/latest.h"
+#include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
 
@@ -36,7 +36,7 @@ struct ControlSettings {
   std::optional<gid_t> group;                 ///< of the socket's file
   Admission admission;                        ///< who may come in
   std::string program;                        ///< name and version, for people
-  DeviceTraceHeader recordings;               ///< device, settings and period of every recording
+  TraceHeader recordings;                     ///< device, settings and period of every recording
   std::size_t clients = 8;                    ///< at once
   std::int64_t patience_ns = 10'000'000'000;  ///< with a client that stops in the middle of something
   std::function<Peer(int)> peer = peer_of;    ///< who is at the other end; a seam for tests
@@ -45,7 +45,7 @@ struct ControlSettings {
 /// What the server exchanges with the rest of the program; all of it lives longer.
 struct ControlNeighbours {
   FieldIntake& fields;
-  loop::Commands& commands;
+  loop::Requests& requests;
   const loop::TickStats& stats;
   loop::Latest<loop::TickRecord>& shown;  ///< the server is its one reader
   loop::Clock& clock;                     ///< of the machine

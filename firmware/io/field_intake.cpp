@@ -80,18 +80,15 @@ std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
     const Result<PackedBlob> packed = PackedBlob::parse(field);
     if (!packed) return unusable(packed.error());
     hash = packed->image_hash;
-    refusal = unpack(field, hash);
+    refusal = unpack(*packed);
   } else {
     const std::span<std::uint8_t> image = slots_.begin(field.size());
     if (image.empty()) return unusable(Error::kBadSize);
     std::copy(field.begin(), field.end(), image.begin());
-    const Result<BlobView> view = BlobView::parse(image);
-    if (!view) {
-      refusal = unusable(view.error());
-    } else {
-      hash = view->hash();
-      refusal = check_ ? check_(*view) : std::string();
-    }
+    const Result<const BlobView*> view = slots_.verify();
+    if (!view) return unusable(view.error());
+    hash = (*view)->hash();
+    refusal = judge(**view);
   }
   if (refusal.empty()) refusal = publish(hash);
   slots_.abandon();
@@ -102,7 +99,7 @@ bool FieldIntake::check_again(std::string& refusal) {
   const std::unique_lock guard(exchanging_, std::try_to_lock);
   if (!guard) return false;
   const loop::ActiveField field = slots_.published();
-  const std::string why = field.view == nullptr || !check_ ? std::string() : check_(*field.view);
+  const std::string why = field.view == nullptr ? std::string() : judge(*field.view);
   if (why.empty()) return true;
   if (!slots_.clear()) return false;
   show_published(0);
@@ -117,23 +114,29 @@ FieldIntake::Before FieldIntake::store_before(std::uint64_t hash) {
   return {store_->active(), store_->holds(hash)};
 }
 
-/// Into the slot that the tick does not use.
+std::string FieldIntake::judge(const BlobView& field) const { return check_ ? check_(field) : std::string(); }
+
+/// A packed field that was promised by its hash.
 std::string FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
   const Result<PackedBlob> packed = PackedBlob::parse(bytes);
   if (!packed) return unusable(packed.error());
   if (packed->image_hash != hash) return unusable(Error::kBadChecksum);
-  if (packed->image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
-  const auto image_bytes = static_cast<std::size_t>(packed->image_bytes);
+  return unpack(*packed);
+}
+
+/// Into the slot that the tick does not use.
+std::string FieldIntake::unpack(const PackedBlob& packed) {
+  if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
+  const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
   if (!slots_.free()) return "the controller's loop has not taken over the field before this one; try again in a moment";
   const std::span<std::uint8_t> image = slots_.begin(image_bytes);
-  const auto residuals = std::span(residuals_).first(static_cast<std::size_t>(packed->residual_bytes()));
-  const auto unpacked = isotouch::unpack(*packed, residuals, image, [this](auto frame, auto out) {
+  const auto residuals = std::span(residuals_).first(static_cast<std::size_t>(packed.residual_bytes()));
+  const auto unpacked = isotouch::unpack(packed, residuals, image, [this](auto frame, auto out) {
     return ZSTD_decompressDCtx(context_, out.data(), out.size(), frame.data(), frame.size());
   });
   if (!unpacked) return unusable(unpacked.error());
-  const Result<BlobView> view = BlobView::parse(image);
-  if (!view) return unusable(view.error());
-  return check_ ? check_(*view) : std::string();
+  const Result<const BlobView*> view = slots_.verify();
+  return view ? judge(**view) : unusable(view.error());
 }
 
 /// Stored and chosen for the next start; when that fails the choice before stays.

@@ -16,6 +16,7 @@
 #include "firmware/loop/clock.h"
 #include "firmware/loop/field_slots.h"
 #include "shared/blob.h"
+#include "shared/packed_blob.h"
 #include "shared/wire_messages.h"
 
 struct ZSTD_DCtx_s;
@@ -87,6 +88,8 @@ class FieldIntake {
 
   Before store_before(std::uint64_t hash);
   std::string unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
+  std::string unpack(const PackedBlob& packed);
+  std::string judge(const BlobView& field) const;
   std::string keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
   IntakeOutcome activate(std::uint64_t hash, std::string refusal, const Before& before);
   std::string publish(std::uint64_t hash);

@@ -14,10 +14,10 @@ constexpr std::int64_t kCountFraction = 256;
 
 /// Why this tick is none to measure in; nullptr: it is.
 const char* objection(const loop::TickRecord& tick) {
-  const auto& words = tick.out.tick.words;
+  const auto& words = tick.out.commands;
   if (std::any_of(words.begin(), words.end(), [](std::int16_t word) { return word != 0; }))
     return "the motors push; take the force away first with isotouch stop";
-  switch (static_cast<SupervisorState>(tick.out.tick.state)) {
+  switch (static_cast<SupervisorState>(tick.out.state)) {
     case SupervisorState::kReady:
     case SupervisorState::kHold:  // from where the force returns by itself
     case SupervisorState::kActive: return "force is active; take it away first with isotouch stop";
@@ -40,7 +40,7 @@ void PostureMeter::take(const loop::TickRecord& tick) {
   const Result<FalconReply> reply = decode_reply(tick.in.packet);
   if (reply && tick.in.fresh) {
     // A pose that no angles explain leaves the state at homing: there the packet itself tells. In idle the tick knows better, see keep_homing_flag.
-    const bool homed = reply->homed == kAllHomed || tick.out.tick.state == static_cast<std::uint16_t>(SupervisorState::kIdle);
+    const bool homed = reply->homed == kAllHomed || tick.out.state == static_cast<std::uint16_t>(SupervisorState::kIdle);
     if (!homed) return end("the device is not homed; pull the grip out as far as it goes, push it in, and measure again");
     for (std::size_t i = 0; i < sum_.size(); ++i) {
       const std::int16_t count = reply->counts[i];

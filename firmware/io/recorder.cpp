@@ -11,12 +11,12 @@ namespace {
 constexpr auto kFault = static_cast<std::uint16_t>(SupervisorState::kFault);
 }
 
-Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Commands& commands,
+Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
                    std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell)
     : settings_(std::move(settings)),
       ring_(ring),
       passed_on_(passed_on),
-      commands_(commands),
+      requests_(requests),
       hash_of_(std::move(hash_of)),
       tell_(std::move(tell)),
       memory_(settings_.state.empty() ? 0 : settings_.remembered + 1 + settings_.after_fault) {}
@@ -35,7 +35,7 @@ std::string Recorder::start(const std::string& path) {
   generation_ = 0;
   hash_ = 0;
   std::string complaint = writer_.begin(path, settings_.header);
-  if (complaint.empty()) commands_.ask(kCommandRestart);
+  if (complaint.empty()) requests_.ask(kRequestRestart);
   return complaint;
 }
 
@@ -53,12 +53,12 @@ void Recorder::take(const loop::TickRecord& tick) {
   if (passed_on_ != nullptr) passed_on_->push(tick);
   if (writer_.is_open()) record(tick);
   if (!memory_.empty()) remember(tick);
-  state_.store(tick.out.tick.state, std::memory_order_relaxed);
+  state_.store(tick.out.state, std::memory_order_relaxed);
   faults_.store(tick.out.faults, std::memory_order_relaxed);
 }
 
 void Recorder::record(const loop::TickRecord& tick) {
-  if (!begun_ && (tick.in.commands & kCommandRestart) == 0) return;
+  if (!begun_ && (tick.in.requests & kRequestRestart) == 0) return;
   if (!begun_) next_ = tick.number;
   begun_ = true;
   if (tick.number != next_) return end("ticks were lost, because nobody took them off the ring in time");
@@ -72,7 +72,7 @@ void Recorder::record(const loop::TickRecord& tick) {
 
 void Recorder::remember(const loop::TickRecord& tick) {
   // A run that begins in fault, because the one before crashed, has nothing to show of it.
-  if (tick.out.tick.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
+  if (tick.out.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
     faulted_ = tick.number;
     faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;
@@ -109,7 +109,7 @@ void Recorder::save() {
   std::size_t number = 1;
   do path = settings_.state + "/fault-" + std::to_string(number++) + ".trace";
   while (access(path.c_str(), F_OK) == 0);
-  WireTraceWriter writer;
+  TickWriter writer;
   std::string complaint = writer.begin(path, settings_.header);
   for (std::size_t i = from; i < to && complaint.empty(); ++i) complaint = writer.append(at(i));
   const std::string ended = writer.finish(faulted_hash_);

@@ -14,14 +14,14 @@
 #include <string>
 #include <vector>
 
-#include "firmware/io/wire_trace_file.h"
-#include "firmware/loop/commands.h"
+#include "firmware/io/tick_writer.h"
+#include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 
 namespace isotouch::io {
 
 struct RecorderSettings {
-  DeviceTraceHeader header;       ///< device, settings and period of every recording
+  TraceHeader header;             ///< device, settings and period of every recording
   std::string state;              ///< folder for what is saved at a fault; empty: nothing is saved
   std::size_t remembered = 5000;  ///< ticks before a fault
   std::size_t after_fault = 500;  ///< ticks after it, saved too
@@ -34,7 +34,7 @@ class Recorder {
   /// passed_on     gets every tick, too; nullptr: nobody else does
   /// hash_of       the blob's hash of a field's generation, 0 = not known (yet)
   /// tell          gets one sentence whenever a recording ends or fails, or something was saved
-  Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Commands& commands,
+  Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
            std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell);
   /// Completes what is being written.
   ~Recorder();
@@ -65,12 +65,12 @@ class Recorder {
   RecorderSettings settings_;
   loop::TraceRing& ring_;
   loop::TraceRing* passed_on_;
-  loop::Commands& commands_;
+  loop::Requests& requests_;
   std::function<std::uint64_t(std::uint32_t)> hash_of_;
   std::function<void(const std::string&)> tell_;
 
   std::mutex mutex_;  ///< between whoever starts and stops, and the recorder's thread; the tick knows nothing of it
-  WireTraceWriter writer_;
+  TickWriter writer_;
   bool begun_ = false;            ///< the recording's first tick has come
   std::uint64_t next_ = 0;        ///< tick that the recording goes on with
   std::uint32_t generation_ = 0;  ///< of the recording's field

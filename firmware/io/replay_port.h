@@ -4,21 +4,21 @@
 #include <cstddef>
 #include <utility>
 
-#include "firmware/io/wire_trace_file.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/device.h"
+#include "shared/files/trace_file.h"
 
 namespace isotouch::io {
 
 class ReplayPort final : public loop::Port {
  public:
   /// clock     lives longer; every exchange takes a period of the recording on it
-  ReplayPort(WireTrace trace, loop::Clock& clock) : trace_(std::move(trace)), clock_(clock), next_ns_(clock.now_ns()) {}
+  ReplayPort(files::TraceFile trace, loop::Clock& clock) : trace_(std::move(trace)), clock_(clock), next_ns_(clock.now_ns()) {}
 
   loop::Answer exchange(const FalconCommand& /*command*/, FalconPacket& reply) override {
-    if (at_ >= trace_.records.size()) return loop::Answer::kEnd;
-    clock_.sleep_until_ns(next_ns_ += trace_.header.run.period_ns);
-    const DeviceInput& in = trace_.records[at_++].input;
+    if (at_ >= trace_.size()) return loop::Answer::kEnd;
+    clock_.sleep_until_ns(next_ns_ += trace_.header().period_ns);
+    const Input in = trace_.record(at_++).input;
     if (!in.fresh) return loop::Answer::kSilent;
     reply = in.packet;
     return loop::Answer::kReply;
@@ -27,7 +27,7 @@ class ReplayPort final : public loop::Port {
   void rest() override {}
 
  private:
-  WireTrace trace_;
+  files::TraceFile trace_;
   loop::Clock& clock_;
   std::int64_t next_ns_;
   std::size_t at_ = 0;

@@ -7,7 +7,7 @@ namespace isotouch::io {
 
 namespace {
 
-using device_trace_layout::kRecordBytes;
+using trace_layout::kRecordBytes;
 using wire::Kind;
 
 /// Beside the records a frame holds where they begin.
@@ -18,9 +18,9 @@ constexpr const char* kTooSlow =
 
 }  // namespace
 
-TickFeed::TickFeed(loop::TraceRing* ring, const DeviceTraceHeader& header, loop::Commands& commands)
-    : ring_(ring), header_(header), chain_(header), commands_(commands), bytes_(kRecordRoom) {
-  header_.run.flags |= trace_layout::kHasOutputs;
+TickFeed::TickFeed(loop::TraceRing* ring, const TraceHeader& header, loop::Requests& requests)
+    : ring_(ring), header_(header), records_(header), requests_(requests), bytes_(kRecordRoom) {
+  header_.has_outputs = true;
 }
 
 void TickFeed::subscribe(ControlClient& client, std::uint32_t every) {
@@ -30,15 +30,15 @@ void TickFeed::subscribe(ControlClient& client, std::uint32_t every) {
 }
 
 void TickFeed::record(ControlClient& client, std::uint64_t field_hash, std::uint32_t generation) {
-  header_.run.blob_hash = field_hash;
-  chain_ = DeviceChain(header_);
-  const DeviceTraceHeaderBytes header = encode(header_);
+  header_.field_hash = field_hash;
+  records_ = RecordMaker(header_);
+  const TraceHeaderBytes header = encode(header_);
   client.say(Kind::kRecording, wire::Recording{header});
   client.records = true;
   client.every = 0;
   begun_ = false;
   generation_ = generation;
-  commands_.ask(kCommandRestart);
+  requests_.ask(kRequestRestart);
 }
 
 void TickFeed::end_recording(ControlClient& client) { client.records = false; }
@@ -75,16 +75,15 @@ void TickFeed::give(ControlClient& client, std::span<const loop::TickRecord> tic
     if (tick.number % client.every != 0) continue;
     if (used_ > 0 && (tick.number != next || used_ + kRecordBytes > bytes_.size())) (void)flush(client, first, client.every);
     if (used_ == 0) first = tick.number;
-    put(tick, 0, 0);
+    put({tick.in, tick.out, 0, 0});
     next = tick.number + client.every;
   }
   if (used_ > 0) (void)flush(client, first, client.every);
 }
 
 /// One record more of those that go together.
-void TickFeed::put(const loop::TickRecord& tick, std::uint64_t chain, std::int64_t since_ns) {
-  const auto arrival = static_cast<std::uint64_t>(std::max(since_ns, std::int64_t{0}));
-  const DeviceTraceRecordBytes bytes = encode(DeviceTraceRecord{tick.in, tick.out, chain, arrival});
+void TickFeed::put(const TraceRecord& record) {
+  const TraceRecordBytes bytes = encode(record);
   std::copy(bytes.begin(), bytes.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(used_));
   used_ += bytes.size();
 }
@@ -98,16 +97,15 @@ void TickFeed::give_recording(ControlClient& client, std::span<const loop::TickR
   std::uint64_t first = 0;
   for (const loop::TickRecord& tick : ticks) {
     if (!begun_) {
-      if ((tick.in.commands & kCommandRestart) == 0) continue;
+      if ((tick.in.requests & kRequestRestart) == 0) continue;
       begun_ = true;
-      begun_ns_ = tick.arrival_ns;
       next_ = tick.number;
     }
     if (tick.number != next_) return end(kTooSlow);
     if (tick.in.field_generation != generation_) return end("the recording ended: another field was taken over; record again");
     if (used_ + kRecordBytes > bytes_.size() && !flush(client, first, 1)) return end(kTooSlow);
     if (used_ == 0) first = tick.number;
-    put(tick, chain_.extend(tick.in, tick.out), tick.arrival_ns - begun_ns_);
+    put(records_(tick));
     ++next_;
   }
   if (used_ > 0 && !flush(client, first, 1)) end(kTooSlow);

@@ -9,10 +9,11 @@
 
 #include "firmware/io/control_client.h"
 #include "firmware/io/posture_meter.h"
+#include "firmware/io/tick_writer.h"
 #include "firmware/io/worst_ticks.h"
-#include "firmware/loop/commands.h"
+#include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
-#include "shared/device_trace.h"
+#include "shared/trace.h"
 
 namespace isotouch::io {
 
@@ -20,7 +21,7 @@ class TickFeed {
  public:
   /// ring      nullptr: nothing can be watched
   /// header    device, settings and period of every recording
-  TickFeed(loop::TraceRing* ring, const DeviceTraceHeader& header, loop::Commands& commands);
+  TickFeed(loop::TraceRing* ring, const TraceHeader& header, loop::Requests& requests);
 
   bool is_there() const { return ring_ != nullptr; }
 
@@ -48,19 +49,18 @@ class TickFeed {
   static constexpr std::size_t kBatch = 64;
 
   void give(ControlClient& client, std::span<const loop::TickRecord> ticks);
-  void put(const loop::TickRecord& tick, std::uint64_t chain, std::int64_t since_ns);
+  void put(const TraceRecord& record);
   void give_recording(ControlClient& client, std::span<const loop::TickRecord> ticks);
   bool flush(ControlClient& client, std::uint64_t first, std::uint32_t every);
 
   loop::TraceRing* ring_;
-  DeviceTraceHeader header_;
-  DeviceChain chain_;  ///< of the recording
-  loop::Commands& commands_;
+  TraceHeader header_;
+  RecordMaker records_;  ///< of the recording
+  loop::Requests& requests_;
   std::array<loop::TickRecord, kBatch> batch_;
   std::vector<std::uint8_t> bytes_;  ///< of the records that go into one frame
   std::size_t used_ = 0;
   bool begun_ = false;            ///< the recording's first tick has come
-  std::int64_t begun_ns_ = 0;     ///< when its first packet arrived
   std::uint64_t next_ = 0;        ///< tick that the recording goes on with
   std::uint32_t generation_ = 0;  ///< of the field that the recording's header names
 };

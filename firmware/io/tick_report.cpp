@@ -19,7 +19,7 @@ const loop::Histogram& histogram(wire::Measure measure, const loop::TickStats& s
 
 wire::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, std::uint64_t field_hash) {
   wire::StatusReport report;
-  report.state = newest.out.tick.state;
+  report.state = newest.out.state;
   report.faults = newest.out.faults;
   report.generation = newest.in.field_generation;
   report.ticks = stats.ticks.value();

@@ -16,20 +16,29 @@ FieldSlots::FieldSlots(std::size_t bytes) : capacity_(bytes), memory_((2 * whole
 bool FieldSlots::free() const { return published_.load(std::memory_order_relaxed) == acknowledged_.load(std::memory_order_acquire); }
 
 std::span<std::uint8_t> FieldSlots::begin(std::size_t bytes) {
-  receiving_ = 0;
+  abandon();
   if (bytes == 0 || bytes > capacity_ || !free()) return {};
   receiving_ = bytes;
-  const std::uint32_t used = published_.load(std::memory_order_relaxed) & kSlot;
-  return {places_[used == 0 ? 1 : 0], bytes};
+  return {places_[receiving_slot()], bytes};
+}
+
+Result<const BlobView*> FieldSlots::verify() {
+  if (receiving_ == 0) return Error::kTruncated;
+  const std::uint32_t slot = receiving_slot();
+  const auto view = BlobView::parse({places_[slot], receiving_});
+  if (!view) {
+    abandon();
+    return view.error();
+  }
+  views_[slot] = *view;
+  verified_ = true;
+  return &views_[slot];
 }
 
 Result<std::uint32_t> FieldSlots::commit() {
-  if (receiving_ == 0) return Error::kTruncated;
-  const std::uint32_t slot = (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0;
-  const auto view = BlobView::parse({places_[slot], receiving_});
-  receiving_ = 0;
-  if (!view) return view.error();
-  views_[slot] = *view;
+  if (!verified_) return Error::kTruncated;
+  const std::uint32_t slot = receiving_slot();
+  abandon();
   publish(slot);
   return generation_;
 }
@@ -44,7 +53,7 @@ bool FieldSlots::take_back() {
 
 bool FieldSlots::clear() {
   if (!free()) return false;
-  receiving_ = 0;
+  abandon();
   publish(kNone);
   return true;
 }

@@ -1,10 +1,11 @@
 /// Two places for a field: the tick feels one while the other is filled. Two atomic words, no lock.
 ///
 ///   empty      upload: `begin` with a size that fits        → receiving
-///   receiving  upload: `commit`, BlobView::parse succeeded  → verified, published by a generation
-///   verified   tick: `field` at the start of a tick         → active; the other one retires
+///   receiving  upload: `verify`, BlobView::parse succeeded  → verified
+///   verified   upload: `commit`                             → published by a generation
+///   published  tick: `field` at the start of a tick         → active; the other one retires
 ///   retiring   upload: has seen the tick's acknowledgement  → empty
-///   verified   upload: `take_back`, the tick does not come  → retiring; the active one is published anew
+///   published  upload: `take_back`, the tick does not come  → retiring; the active one is published anew
 ///
 /// A lost connection leaves `receiving` without effect; a refused image is never seen by the tick.
 #pragma once
@@ -45,10 +46,16 @@ class FieldSlots {
   /// returns   where to write the image, 64-byte aligned; empty: too large, or the tick has not taken the last field over yet
   std::span<std::uint8_t> begin(std::size_t bytes);
 
-  /// Checks what was received and hands it to the tick.
+  /// Checks what was received: the only place where an image is parsed.
+  ///
+  /// returns   the field, for whoever else judges it; valid until the next `begin`
+  /// fails     as BlobView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
+  Result<const BlobView*> verify();
+
+  /// Hands what was verified to the tick.
   ///
   /// returns   the generation by which the tick will know it
-  /// fails     as BlobView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
+  /// fails     kTruncated: nothing was verified
   Result<std::uint32_t> commit();
 
   /// Takes back what `commit` handed over and the tick did not take: it goes on with the field before, by a new generation.
@@ -57,7 +64,7 @@ class FieldSlots {
   bool take_back();
 
   /// Gives up what was begun.
-  void abandon() { receiving_ = 0; }
+  void abandon() { receiving_ = 0, verified_ = false; }
 
   /// Takes the field away from the tick: it goes on without one.
   ///
@@ -80,6 +87,7 @@ class FieldSlots {
  private:
   static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
 
+  std::uint32_t receiving_slot() const { return (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0; }
   void publish(std::uint32_t slot);
 
   std::size_t capacity_;
@@ -87,6 +95,7 @@ class FieldSlots {
   std::array<std::uint8_t*, 2> places_{};
   std::array<BlobView, 2> views_{};
   std::size_t receiving_ = 0;  ///< bytes; 0 = nothing was begun
+  bool verified_ = false;      ///< what was received is a field
   std::uint32_t generation_ = 0;
   std::atomic<std::uint32_t> published_{kNone};
   std::atomic<std::uint32_t> acknowledged_{kNone};

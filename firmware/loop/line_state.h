@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::loop {
 
@@ -13,7 +13,7 @@ class LineState {
   static_assert(std::atomic<std::uint16_t>::is_always_lock_free);
 
  public:
-  /// The watch's side. bits: DeviceLines
+  /// The watch's side. bits: LineBits
   void put(std::uint8_t bits) {
     bits_.store(bits, std::memory_order_release);
     words_.store(words_.load(std::memory_order_relaxed) + 1, std::memory_order_release);

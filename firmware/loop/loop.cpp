@@ -16,7 +16,7 @@ std::uint32_t short_ns(std::int64_t ns) { return static_cast<std::uint32_t>(std:
 
 Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Neighbours& neighbours)
     : settings_(settings),
-      model_(core::make_device_model(settings.device, settings.tick, settings.period_ns)),
+      model_(core::make_tick_model(settings.device, settings.tick, settings.period_ns)),
       device_(device),
       clock_(clock),
       neighbours_(neighbours),
@@ -44,15 +44,15 @@ bool Loop::step() {
   record.arrival_ns = sample.arrival_ns;
   record.in = look(sample, missed);
   const ActiveField field = neighbours_.fields.field();
-  record.in.commands = commands();
-  record.in.change = neighbours_.commands.take_change();
+  record.in.requests = requests();
+  record.in.change = neighbours_.requests.take_change();
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
-  record.out = core::device_tick(record.in, field.view, model_, state_);
+  record.out = core::tick(record.in, field.view, model_, state_);
   device_.leave(
-      {{record.out.tick.words, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
+      {{record.out.commands, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
 
-  if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.tick.state);
+  if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.state);
   record.wake_ns = short_ns(start - wanted);
   record.tick_ns = short_ns(clock_.now_ns() - start);
   TickStats& stats = neighbours_.stats;
@@ -77,17 +77,17 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
 }
 
 /// What is asked of this tick. A restart forgets everything, but it is no way out of a fault: there it comes with a stop.
-std::uint8_t Loop::commands() {
-  const std::uint8_t asked = neighbours_.commands.take();
-  if ((asked & kCommandRestart) != 0) neighbours_.commands.repeat_changes();
+std::uint8_t Loop::requests() {
+  const std::uint8_t asked = neighbours_.requests.take();
+  if ((asked & kRequestRestart) != 0) neighbours_.requests.repeat_changes();
   const bool in_fault = state_.supervisor.state == SupervisorState::kFault;
-  return in_fault && (asked & kCommandRestart) != 0 ? static_cast<std::uint8_t>(asked | kCommandStop) : asked;
+  return in_fault && (asked & kRequestRestart) != 0 ? static_cast<std::uint8_t>(asked | kRequestStop) : asked;
 }
 
 /// What the wire holds for this tick, and how old it is.
-DeviceInput Loop::look(const Sample& sample, std::uint32_t missed) {
+Input Loop::look(const Sample& sample, std::uint32_t missed) {
   TickStats& stats = neighbours_.stats;
-  DeviceInput in;
+  Input in;
   in.packet = sample.packet;
   in.fresh = sample.number != seen_;
   if (in.fresh) {
@@ -101,7 +101,7 @@ DeviceInput Loop::look(const Sample& sample, std::uint32_t missed) {
   (in.fresh ? stats.fresh : stats.stale).add();
   seen_ = sample.number;
   in.age = static_cast<std::uint16_t>(age_);
-  in.late = static_cast<std::uint8_t>(std::min<std::uint32_t>(missed, kMostLate));
+  in.late = static_cast<std::uint8_t>(std::min<std::uint32_t>(missed, kMaxLate));
   if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
   return in;
 }

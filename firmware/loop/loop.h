@@ -5,14 +5,14 @@
 #include <atomic>
 #include <cstdint>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "firmware/loop/clock.h"
-#include "firmware/loop/commands.h"
 #include "firmware/loop/device.h"
 #include "firmware/loop/field_slots.h"
 #include "firmware/loop/latest.h"
 #include "firmware/loop/line_state.h"
 #include "firmware/loop/pace.h"
+#include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
 
@@ -21,7 +21,7 @@ namespace isotouch::loop {
 /// Everything that the tick exchanges with other threads. One static table, made before the first tick.
 struct Neighbours {
   FieldSlots& fields;
-  Commands& commands;
+  Requests& requests;
   TraceRing& trace;           ///< every tick; a full ring loses records, never time
   Latest<TickRecord>& shown;  ///< the newest tick, for one reader
   TickStats& stats;
@@ -51,16 +51,16 @@ class Loop {
   void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
 
  private:
-  std::uint8_t commands();
-  DeviceInput look(const Sample& sample, std::uint32_t missed);
+  std::uint8_t requests();
+  Input look(const Sample& sample, std::uint32_t missed);
   void count_own_costs();
 
   LoopSettings settings_;
-  core::DeviceTickModel model_;
+  core::TickModel model_;
   Device& device_;
   Clock& clock_;
   Neighbours neighbours_;
-  core::DeviceState state_;
+  core::TickState state_;
   Pace pace_;
   std::uint64_t ticks_ = 0;
   std::uint64_t seen_ = 0;  ///< number of the newest sample that a tick has had

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "firmware/loop/ring.h"
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::loop {
 
@@ -12,8 +12,8 @@ struct TickRecord {
   std::uint64_t number = 0;  ///< of the tick, from 1; 0 = none yet
   std::int64_t start_ns = 0;
   std::int64_t arrival_ns = 0;  ///< of the newest packet; 0 = none yet
-  DeviceInput in;
-  DeviceOutput out;
+  Input in;
+  Output out;
   std::uint32_t wake_ns = 0;  ///< from when it should have begun to its begin
   std::uint32_t tick_ns = 0;  ///< from its begin to its words being left
 };

@@ -68,6 +68,7 @@ Result<DeviceModel> device_model(const Settings& settings, const std::string& se
   model.hold_ticks = ticks_of_ms(settings.hold_ms, settings, 2);
   model.fault_age_ns = static_cast<std::uint32_t>(ns_of_ms(settings.fault_age_ms));
   model.count_jump = settings.count_jump;
+  model.play = fixed<Mm>(settings.play_mm);
   model.ramp_ticks = ticks_of_ms(settings.ramp_after_rest_ms, settings, 1);
   model.homing_flag = settings.keep_homing_flag ? std::uint8_t{kFalconHoming} : std::uint8_t{0};
   model.led_homing = led(settings.led_homing);
@@ -89,10 +90,10 @@ TickSettings tick_settings(const Settings& settings) {
   tick.friction = fixed<Ratio>(settings.friction);
   tick.friction_damping = fixed<Damping>(settings.friction_damping);
   tick.hand_damping = fixed<Damping>(settings.hand_damping);
-  tick.passivity = std::min(fixed<Damping>(settings.passivity_damping), kMostDamping);
-  tick.device_damping = std::min(fixed<Damping>(settings.damping_n_s_mm), kMostDamping);
+  tick.passivity = fixed<Damping>(settings.passivity_damping);
+  tick.device_damping = fixed<Damping>(settings.damping_n_s_mm);
   tick.weight = fixed<Newton>(settings.weight_n);
-  tick.delay_ticks = std::min(static_cast<std::uint32_t>(settings.delay_ticks), kMostDelay);
+  tick.delay_ticks = static_cast<std::uint32_t>(settings.delay_ticks);
   return tick;
 }
 

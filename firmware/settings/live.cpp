@@ -1,15 +1,13 @@
 #include "firmware/settings/live.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <optional>
 #include <variant>
-#include <vector>
 
 #include "firmware/settings/apply.h"
 #include "firmware/settings/table.h"
-#include "shared/setting_change.h"
+#include "shared/tick_settings.h"
 
 namespace isotouch::settings {
 
@@ -45,7 +43,7 @@ std::string range(const Setting& setting) {
 std::string all_names() {
   std::string names;
   for (const Setting& setting : table()) {
-    if (setting.live) names.append(names.empty() ? "" : ", ").append(setting.name);
+    if (setting.live != TickSetting::kNone) names.append(names.empty() ? "" : ", ").append(setting.name);
   }
   return names;
 }
@@ -57,11 +55,11 @@ Settings LiveSettings::now() const {
   return now_;
 }
 
-std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay) {
+std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay) {
   constexpr std::string_view kSection = "feel.";
   if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
   const Setting* setting = find("feel", name);
-  if (setting == nullptr || !setting->live) {
+  if (setting == nullptr || setting->live == TickSetting::kNone) {
     return std::string("'").append(name).append("' cannot be set while running; it may be one of ") + all_names();
   }
   const std::optional<double> wanted = number(value);
@@ -72,31 +70,29 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
   Settings changed = now_;
   store_number(*setting, *wanted, changed);
   if (std::string refusal = refusal_of_stiffness(changed, measured_delay); !refusal.empty()) return refusal;
-  return change_to(changed, commands) ? std::string() : std::string("feel.").append(name).append(" must be more than nothing");
+  change_to(changed, requests);
+  return {};
 }
 
-/// What differs goes to the tick. Under the lock. returns false, and nothing is changed: the tick cannot take a value
-bool LiveSettings::change_to(const Settings& changed, loop::Commands& commands) {
-  const RawSettings before = raw_settings(tick_settings(now_)), after = raw_settings(tick_settings(changed));
-  std::vector<SettingChange> changes;
-  for (std::size_t i = 0; i < kTickSettings; ++i) {
-    if (after[i] != before[i]) changes.push_back({static_cast<TickSetting>(i + 1), after[i]});
+/// What differs goes to the tick. Under the lock.
+void LiveSettings::change_to(const Settings& changed, loop::Requests& requests) {
+  const LiveRaw before = live_settings(tick_settings(now_)), after = live_settings(tick_settings(changed));
+  for (std::size_t i = 0; i < kLiveSettings; ++i) {
+    if (after[i] != before[i]) requests.set({static_cast<TickSetting>(i + 1), after[i]});
   }
-  if (!std::all_of(changes.begin(), changes.end(), is_valid)) return false;
-  for (const SettingChange& change : changes) commands.set(change);
   now_ = changed;
-  return true;
 }
 
-std::string LiveSettings::keep_within(loop::Commands& commands, std::uint32_t measured_delay) {
+std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t measured_delay) {
   const std::lock_guard guard(mutex_);
   const Stiffness most = most_stiffness(now_, measured_delay);
   if (tick_settings(now_).stiffness <= most) return {};
   Settings changed = now_;
   changed.stiffness = *number(n_mm(most));
-  const bool done = change_to(changed, commands);
-  return "with the measured delay of " + std::to_string(measured_delay) + " ticks this device holds no more than " + n_mm(most) +
-         " N/mm at this rate; feel.stiffness " + (done ? "is so much now" : "must be lowered");
+  change_to(changed, requests);
+  return "feel.stiffness was lowered to " + n_mm(most) +
+         " N/mm, the largest that this device can render stably at this rate with the measured delay of " + std::to_string(measured_delay) +
+         " ticks";
 }
 
 }  // namespace isotouch::settings

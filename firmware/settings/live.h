@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/loop/commands.h"
+#include "firmware/loop/requests.h"
 #include "firmware/settings/settings.h"
 
 namespace isotouch::settings {
@@ -22,18 +22,18 @@ class LiveSettings {
   ///
   /// name      of the setting, with or without "feel."
   /// value     a number as in the file
-  /// commands  take it to the tick
+  /// requests  take it to the tick
   /// measured_delay  ticks, see `loop::measured_delay_ticks`
   /// returns   one sentence why not; empty when it is set
-  std::string set(std::string_view name, std::string_view value, loop::Commands& commands, std::uint32_t measured_delay = 0);
+  std::string set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0);
 
   /// Lowers a stiffness of the settings to what the loop holds with the delay that was measured, from the next tick on. Any thread.
   ///
   /// returns   one sentence that says so; empty where nothing had to change
-  std::string keep_within(loop::Commands& commands, std::uint32_t measured_delay);
+  std::string keep_within(loop::Requests& requests, std::uint32_t measured_delay);
 
  private:
-  bool change_to(const Settings& changed, loop::Commands& commands);
+  void change_to(const Settings& changed, loop::Requests& requests);
 
   mutable std::mutex mutex_;
   Settings now_;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "shared/settings_table.h"
+
 namespace isotouch::settings {
 
 /// What was measured on one device: replaces what the geometry set says.
@@ -18,7 +20,7 @@ struct Calibration {
 /// Values as a person writes them; empty ones are the geometry set's or the blob's.
 struct Settings {
   // [loop]
-  double tick_hz = 1000;
+  double tick_hz = 1e9 / rows::kPeriod.standard;
   int priority = 80;
   int exchange_priority = 75;
   int core = -1;
@@ -31,6 +33,7 @@ struct Settings {
   std::optional<double> gear_ratio;
   std::optional<double> angle_at_zero_deg;
   std::array<double, 3> workspace_origin_mm = {0, 0, 125};
+  double play_mm = rows::kPlay.standard;
   double damping_n_s_mm = 0.003;
   int delay_ticks = 1;
   bool keep_homing_flag = true;
@@ -48,30 +51,30 @@ struct Settings {
 
   // [feel]
   std::optional<double> stiffness;
-  double damping = 0;
-  double force_limit_n = 8;
+  double damping = rows::kDamping.standard;
+  double force_limit_n = rows::kForceLimit.standard;
   double ramp_ms = 50;
-  double friction = 0;
-  double friction_damping = 0;
-  double hand_damping = 0;
-  double passivity_damping = 0;
-  double weight_n = 0;
+  double friction = rows::kFriction.standard;
+  double friction_damping = rows::kFrictionDamping.standard;
+  double hand_damping = rows::kHandDamping.standard;
+  double passivity_damping = rows::kPassivity.standard;
+  double weight_n = rows::kWeight.standard;
 
   // [limits]
-  int word = 4095;
-  int word_slew = 1'000'000;
-  double penetration_mm = 20;
-  double speed_mm_s = 2000;
+  int word = static_cast<int>(rows::kWordLimit.standard);
+  int word_slew = static_cast<int>(rows::kWordSlew.standard);
+  double penetration_mm = rows::kPenetration.standard;
+  double speed_mm_s = rows::kSpeed.standard;
   double hold_ms = 3;
-  double fault_age_ms = 100;
-  int count_jump = 400;
+  double fault_age_ms = rows::kFaultAge.standard * 1e-6;
+  int count_jump = static_cast<int>(rows::kCountJump.standard);
   double ramp_after_rest_ms = 200;
-  int heat_word = 2000;
-  double heat_s = 20;
+  int heat_word = static_cast<int>(rows::kHeatWord.standard);
+  double heat_s = rows::kHeatTime.standard * 1e-3;
   double field_mib = 16;
 
   // [buttons]
-  int button_mask = 15;
+  int button_mask = static_cast<int>(rows::kButtonMask.standard);
   bool hold_to_run = false;
 
   // [lines]

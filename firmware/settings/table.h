@@ -1,4 +1,5 @@
-/// The one table of settings: name, unit, range, default and meaning of each. Reading, printing and the manual come from it.
+/// The settings file: where each setting stands in it, and in which unit a person writes it. What decides how device and field behave takes its name, range
+/// and meaning from `shared/settings_table.h`; what only the program knows stands here alone. Reading, printing and the manual come from this table.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <variant>
 
 #include "firmware/settings/settings.h"
+#include "shared/tick_settings.h"
 
 namespace isotouch::settings {
 
@@ -24,8 +26,8 @@ struct Setting {
   double low = 0, high = 0;
   std::string_view choices;  ///< of a text, separated by '|'; empty: any text
   std::string_view meaning;
-  std::string_view otherwise;  ///< what holds when an optional one is left out
-  bool live = false;           ///< may change while it is felt
+  std::string_view otherwise;             ///< what holds when an optional one is left out
+  TickSetting live = TickSetting::kNone;  ///< which setting of the tick it changes while it is felt; kNone: only at a start
 };
 
 /// In the order in which they are printed; a section's settings stand together.

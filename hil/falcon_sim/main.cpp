@@ -1,4 +1,5 @@
 /// falcon-sim: a Falcon of numbers behind a local socket, on a virtual machine's USB, or on this machine's own.
+#include <isotouch_version.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -131,6 +132,8 @@ void run(const Options& o) {
 int main(int argc, char** argv) {
   CLI::App app{"A simulated Falcon: chip, boot loader, firmware, mechanism and the hand that holds it. Ends on SIGTERM."};
   Options options;
+  app.set_version_flag("--version", "falcon-sim " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT ", " ISOTOUCH_COMPILER,
+                       "print version, commit and compiler");
   add_options(app, options);
   try {
     app.parse(argc, argv);

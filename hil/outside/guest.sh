@@ -34,7 +34,7 @@ replayed() {
 # zero CONDITION: in that recording each input that speaks against forces ended them, as on the virtual board, and one of them showed this; what took longest.
 # Which ones there are beside, nobody knows: here a packet may come too late for a tick at any time.
 zero() {
-  isotouchctl trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
+  isotouchctl trace stop-latency /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
   ticks=$(awk 'NR > 1 { print $3 }' /run/zero.log | sort -n | tail -1)
   awk 'NR > 1 { print "+" $2 "+" }' /run/zero.log | grep -qF "+$1+" || fail "no force ended with '$1': $(cat /run/zero.log)"
   say "to zero $ticks"
@@ -42,7 +42,7 @@ zero() {
 
 # touched NAME TICKS: has a recording so many ticks with a force?
 touched() {
-  forces=$(od -An -v -tx1 -w96 -j224 "/run/$1.trace" | awk '$61 $62 $63 $64 $65 $66 != "000000000000"' | wc -l)
+  forces=$(commands_in "$1" | wc -l)
   say "touched: $forces ticks"
   [ "$forces" -ge "$2" ]
 }

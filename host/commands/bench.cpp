@@ -78,7 +78,7 @@ Motion slide_on(const BlobView& field) {
   evaluate::MotionOptions options;
   options.kind = "slide";
   options.ticks = 24'000;
-  evaluate::make_motion(&field, options, [&](const TickInput& input) { motion.push_back(evaluate::real(input.hip)); });
+  evaluate::make_motion(&field, options, [&](const Input& input) { motion.push_back(evaluate::real(input.hip)); });
   return motion;
 }
 

@@ -10,6 +10,7 @@
 
 #include "host/blob/dense_bytes.h"
 #include "host/commands/build_blob.h"
+#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
 #include "host/evaluate/hash_text.h"
@@ -99,7 +100,7 @@ void add_build(CLI::App& app) {
       command->add_option("--fit", options->fit_mm, "scale the longest side to this length, such as 70mm")->capture_default_str();
   fit->transform(quantity(kLength, 1, 1000));
   command->add_option("--units", options->units, "keep the true size: the input's unit is mm, cm, m or in")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}))
+      ->check(one_of({"mm", "cm", "m", "in"}))
       ->excludes(fit);
   command->add_option("--threads", options->threads, "as many as there are processors unless given; the blob is the same for any number")
       ->check(CLI::Range(1, 1024));

@@ -13,6 +13,7 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/build_blob.h"
+#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
@@ -69,15 +70,15 @@ Tour feel(const BlobView& field, const fs::path& folder) {
   const fs::path inputs = folder / "tour.inputs.trace", recorded = folder / "tour.trace";
   evaluate::TraceWriter writer(inputs, header);
   std::uint64_t tick = 0;
-  evaluate::make_motion(&field, {}, [&](const TickInput& input) { writer.append({input, {}, 0, header.period_ns * tick++}); });
+  evaluate::make_motion(&field, {}, [&](const Input& input) { writer.append({input, {}, 0, header.period_ns * tick++}); });
   writer.finish();
 
-  const evaluate::Trace trace = evaluate::Trace::read(inputs);
+  const evaluate::Trace trace = evaluate::read_trace(inputs);
   evaluate::TraceWriter out(recorded, evaluate::replay_header(field, trace.header()));
   Tour tour;
   tour.first = evaluate::replay(field, trace, false, &out);
   out.finish();
-  const evaluate::Trace with_outputs = evaluate::Trace::read(recorded);
+  const evaluate::Trace with_outputs = evaluate::read_trace(recorded);
   const evaluate::ReplayReport again = evaluate::replay(field, with_outputs, true);
   tour.repeated = !again.first_difference && again.hash == tour.first.hash;
   tour.deepest = deepest_touch(with_outputs, field);
@@ -101,7 +102,7 @@ SphereForce sphere_force() {
   const evaluate::ForceTick tick = evaluate::core_force(blob.view, slide.period_s);
   evaluate::MotionOptions motion;
   motion.kind = "slide";
-  evaluate::make_motion(&blob.view, motion, [&](const TickInput& input) {
+  evaluate::make_motion(&blob.view, motion, [&](const Input& input) {
     const Eigen::Vector3d hip = evaluate::real(input.hip);
     result.curve.time_s.push_back(static_cast<double>(result.curve.time_s.size()) * slide.period_s);
     result.curve.felt_n.push_back(tick(hip).norm());
@@ -201,7 +202,7 @@ void add_demo(CLI::App& app) {
   command->add_option("CLOUD", options->cloud, "oriented points: PLY, OBJ or text; the project's hydrant if not given");
   command->add_option("-o,--out", options->folder, "the folder for blob, traces and pictures")->capture_default_str();
   command->add_option("--up", options->up, "the cloud's axis that points upwards on the pictures: x, y or z")
-      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->check(one_of({"x", "y", "z"}))
       ->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

@@ -81,7 +81,8 @@ void add_qualify(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("!--no-trace", options->wish.trace, "leave the kernel's tracer alone; then causes are not known");
   qualify::Limits& limits = options->limits;
-  command->add_option("--left-out", limits.left_out, "limit of ticks that did not come, of a hundred expected ones")->capture_default_str();
+  command->add_option("--missed,--left-out", limits.left_out, "limit of ticks that did not come, of a hundred expected ones")
+      ->capture_default_str();
   command->add_option("--late", limits.late_ticks, "limit of late ticks")->capture_default_str();
   command->add_option("--wakeup-us", limits.wakeup_us, "limit of 99.9 % of the wake-ups; 0 = a tenth of the period")->capture_default_str();
   command->add_option("--round-trip-us", limits.round_trip_us, "limit of 99.9 % of the device's round trips")->capture_default_str();

@@ -47,4 +47,24 @@ CLI::Validator quantity(std::vector<UnitName> units, double low, double high) {
   return {convert, range, "quantity"};
 }
 
+CLI::Validator value_of(const SettingRow& row) {
+  std::string unit(row.unit);
+  unit.erase(std::remove(unit.begin(), unit.end(), ' '), unit.end());
+  const std::vector<UnitName> units = unit == "N/mm" ? kStiffness : std::vector<UnitName>{{row.unit, 1.0}};
+  const std::string range = shortest(row.low) + unit + " to " + shortest(row.high) + unit + (row.zero_means_unset ? ", or 0" : "");
+  const auto convert = [units, unit, range, row](std::string& text) -> std::string {
+    const bool negative = row.low < 0 && !text.empty() && text.front() == '-';
+    std::string_view digits = std::string_view(text).substr(negative ? 1 : 0);
+    if (units.size() == 1 && !unit.empty() && digits.ends_with(unit)) digits.remove_suffix(unit.size());
+    std::optional<double> value = parse_quantity(digits, units);
+    if (value && negative) value = -*value;
+    if (value && ((*value >= row.low && *value <= row.high) || (row.zero_means_unset && *value == 0))) {
+      text = shortest(*value);
+      return {};
+    }
+    return "'" + text + "' is not a value from " + range;
+  };
+  return {convert, range, std::string(row.name)};
+}
+
 }  // namespace isotouch::commands

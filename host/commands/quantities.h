@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shared/settings_table.h"
+
 namespace isotouch::commands {
 
 struct UnitName {
@@ -20,6 +22,9 @@ std::optional<double> parse_quantity(std::string_view text, const std::vector<Un
 
 /// For `option->transform(...)`: replaces the text by the plain number; wrong texts and values outside [low, high] are wrong usage.
 CLI::Validator quantity(std::vector<UnitName> units, double low, double high);
+
+/// The same for a number of the table of settings: its unit, its range, and 0 where that means "unset".
+CLI::Validator value_of(const SettingRow& row);
 
 inline const std::vector<UnitName> kLength = {{"mm", 1.0}, {"um", 0.001}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}};
 inline const std::vector<UnitName> kStiffness = {{"N/mm", 1.0}, {"N/m", 0.001}};

@@ -16,7 +16,7 @@
 #include "host/evaluate/hash_text.h"
 #include "host/evaluate/trace_file.h"
 #include "host/link/controller.h"
-#include "shared/device_trace.h"
+#include "shared/trace.h"
 
 namespace isotouch::commands {
 
@@ -30,31 +30,31 @@ struct Options {
 };
 
 void run(const Options& options) {
-  using device_trace_layout::kRecordBytes;
+  using trace_layout::kRecordBytes;
   link::Controller controller(options.to);
   const double period = controller.welcome().period_ns / 1e9;
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
-  std::optional<evaluate::DeviceTraceWriter> writer;
+  std::optional<evaluate::TraceWriter> writer;
   std::uint64_t taken = 0;
   const Interruption interruption;
   std::string ended = controller.record(
       ticks,
       [&](std::span<const std::uint8_t> bytes) {
-        const Result<DeviceTraceHeader> header = decode_device_header(bytes, bytes.size());
+        const Result<TraceHeader> header = decode_header(bytes, bytes.size());
         if (!header) throw refuse("the recording's header cannot be read");
         writer.emplace(options.out, *header);
       },
       [&](std::span<const std::uint8_t> bytes) {
         if (bytes.size() != kRecordBytes) throw refuse("the recording has another format");
-        const Result<DeviceTraceRecord> record = decode_device_record(bytes.first<kRecordBytes>());
+        const Result<TraceRecord> record = decode_record(bytes.first<kRecordBytes>());
         if (!record) throw refuse("a record of the recording cannot be read");
         writer->append(*record);
         ++taken;
       },
       [&] { return interruption.has_come() || (writer && writer->is_full()); });
   if (taken == 0 && !(writer && writer->is_full())) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
-  const evaluate::DeviceTraceWriter::Kept kept = writer->finish_with_what_fits();
+  const evaluate::TraceWriter::Kept kept = writer->finish_with_what_fits();
   if (kept.records < taken) ended = "no more could be written: free space on that disk";
   if (options.json) {
     const nlohmann::ordered_json json{{"ticks", kept.records}, {"hash", evaluate::hash_text(kept.chain)}};

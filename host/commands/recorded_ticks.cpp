@@ -13,7 +13,7 @@ namespace {
 
 view::Touch touch_of(const evaluate::Trace& trace, std::size_t tick, const TraceRecord& record) {
   return {.proxy = evaluate::real(record.output.proxy),
-          .hip = evaluate::real(record.input.hip),
+          .hip = evaluate::real(record.output.hip),
           .force_n = evaluate::real(record.output.force).norm(),
           .tick = tick,
           .time_s = static_cast<double>(tick) * trace.header().period_ns * 1e-9};
@@ -23,11 +23,8 @@ view::Touch touch_of(const evaluate::Trace& trace, std::size_t tick, const Trace
 
 void for_each_tick(const evaluate::Trace& trace, const BlobView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
   std::optional<evaluate::Run> run;
-  if (!trace.header().has_outputs()) {
-    if (field == nullptr) throw InputError(trace.file().string() + ": it holds inputs only, name the blob that they touch with --blob");
-    if (trace.header().model_hash != 0 || (trace.header().flags & trace_layout::kEncoderCounts) != 0) {
-      throw InputError(trace.file().string() + ": its inputs are encoder counts, and there is no device model to read them with");
-    }
+  if (!trace.header().has_outputs) {
+    if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only, name the field that they touch with --blob");
     run.emplace(*field, trace.header());
   }
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
@@ -42,7 +39,7 @@ view::Touch touch_at(const evaluate::Trace& trace, const BlobView& field, std::s
     if (number == tick && (record.output.status & kContact) != 0) touch = touch_of(trace, number, record);
   });
   if (!touch)
-    throw InputError(trace.file().string() + ": nothing is touched at tick " + std::to_string(tick) + ", choose another or --tick deepest");
+    throw InputError(trace.path() + ": nothing is touched at tick " + std::to_string(tick) + ", choose another or --tick deepest");
   return *touch;
 }
 
@@ -53,7 +50,7 @@ view::Touch deepest_touch(const evaluate::Trace& trace, const BlobView& field) {
     const view::Touch touch = touch_of(trace, number, record);
     if (!deepest || touch.depth_mm() > deepest->depth_mm()) deepest = touch;
   });
-  if (!deepest) throw InputError(trace.file().string() + ": the hand never touches this blob");
+  if (!deepest) throw InputError(trace.path() + ": the hand never touches this field");
   return *deepest;
 }
 

@@ -10,11 +10,11 @@
 
 #include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
+#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
-#include "host/evaluate/hand_trace.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
 #include "host/evaluate/trace_file.h"
@@ -62,7 +62,7 @@ struct SurfaceRun {
                                  .touch = std::nullopt,
                                  .title = blob.stem().string()};
     if (!trace.empty()) {
-      const evaluate::Trace recorded = evaluate::read_hand(trace);
+      const evaluate::Trace recorded = evaluate::read_trace(trace);
       options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
     }
     view::write_png(picture.out, view::surface_picture(open.view, options));
@@ -99,7 +99,7 @@ struct ForceRun {
   double sphere_mm = 0;
 
   void operator()() const {
-    const evaluate::Trace recorded = evaluate::read_hand(trace);
+    const evaluate::Trace recorded = evaluate::read_trace(trace);
     std::optional<evaluate::OpenBlob> open;
     if (!blob.empty()) open.emplace(evaluate::open_blob(blob));
     const double limit = evaluate::real(recorded.header().settings.force_limit);
@@ -109,7 +109,7 @@ struct ForceRun {
       curve.time_s.push_back(static_cast<double>(tick) * recorded.header().period_ns * 1e-9);
       curve.felt_n.push_back(evaluate::real(record.output.force).norm());
       if (sphere_mm <= 0) return;
-      const double depth = std::max(0.0, sphere_mm - evaluate::real(record.input.hip).norm());
+      const double depth = std::max(0.0, sphere_mm - evaluate::real(record.output.hip).norm());
       curve.exact_n.push_back(std::min(stiffness * depth, limit));
     });
     view::write_png(picture.out, view::force_picture(curve, {.width = picture.size[0],
@@ -154,7 +154,7 @@ void add_render(CLI::App& app) {
 
   const auto [slice, slice_run] = add<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
   slice->add_option("BLOB", slice_run->blob, "the field (.itf)")->required();
-  slice->add_option("--axis", slice_run->axis, "across the slice")->check(CLI::IsMember({"x", "y", "z"}))->capture_default_str();
+  slice->add_option("--axis", slice_run->axis, "across the slice")->check(one_of({"x", "y", "z"}))->capture_default_str();
   slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
 
   const auto [force, force_run] = add<ForceRun>(*render, "force", "Force over time of a recorded hand");

@@ -58,22 +58,14 @@ void warn(const Options& options, const BlobView& field, const TraceHeader& run)
   std::fprintf(stderr, "\n");
 }
 
-template <class Format>
-evaluate::ReplayReport replay_file(const BlobView& field, const Options& options) {
-  const auto trace = evaluate::TraceFile<Format>::read(options.trace);
-  warn(options, field, Format::run(trace.header()));
-  std::optional<evaluate::TraceFileWriter<Format>> writer;
-  if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(field, trace.header()));
-  const evaluate::ReplayReport report = evaluate::replay(field, trace, options.check, writer ? &*writer : nullptr);
-  if (writer) writer->finish();
-  return report;
-}
-
 void run(const Options& options) {
   const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
-  const bool at_the_wire = evaluate::trace_major(options.trace) == evaluate::WireFormat::kMajor;
-  const evaluate::ReplayReport report =
-      at_the_wire ? replay_file<evaluate::WireFormat>(blob.view, options) : replay_file<evaluate::HipFormat>(blob.view, options);
+  const evaluate::Trace trace = evaluate::read_trace(options.trace);
+  warn(options, blob.view, trace.header());
+  std::optional<evaluate::TraceWriter> writer;
+  if (!options.out.empty()) writer.emplace(options.out, evaluate::replay_header(blob.view, trace.header()));
+  const evaluate::ReplayReport report = evaluate::replay(blob.view, trace, options.check, writer ? &*writer : nullptr);
+  if (writer) writer->finish();
   if (options.json) {
     print_json(report);
   } else {

@@ -8,6 +8,7 @@
 
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
+#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 
 namespace isotouch::commands {
@@ -45,7 +46,7 @@ void make_shape(const ShapeOptions& options) {
 void add_shape(CLI::App& app) {
   CLI::App* command = app.add_subcommand("shape", "Draw evenly spread points with exact normals from one of the project's own objects");
   auto options = std::make_shared<ShapeOptions>();
-  command->add_option("name", options->name, "the object")->required()->check(CLI::IsMember(cloud::shape_names()));
+  command->add_option("name", options->name, "the object")->required()->check(one_of(cloud::shape_names()));
   command->add_option("-o,--out", options->out, "the cloud to write, as PLY")->required();
   command->add_option("--points", options->points, "how many; the object's own number if not given")->check(CLI::Range(8, 1000000));
   command->add_option("--seed", options->seed, "another seed draws other points")->capture_default_str();

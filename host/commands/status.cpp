@@ -1,4 +1,5 @@
 /// isotouch status: how a running controller is.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/controller_options.h"
+#include "host/error.h"
 #include "host/evaluate/hash_text.h"
 #include "host/link/controller.h"
 #include "shared/fault_names.h"
@@ -18,6 +20,7 @@ namespace {
 
 struct Options {
   std::string to;
+  std::string field;  ///< only this value of the JSON object
   bool json = false;
 };
 
@@ -39,7 +42,7 @@ std::string angles_from(const wire::DeviceReport& device) {
   return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
 }
 
-void print_json(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
+nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
   nlohmann::ordered_json json{{"program", welcome.program.view()},
                               {"state", state_name(status.state)},
                               {"ticks", status.ticks},
@@ -58,7 +61,36 @@ void print_json(const wire::StatusReport& status, const wire::DeviceReport& devi
                     {"angles_from", angles_from(device)},
                     {"angle_at_zero_deg", {degrees_of(device.at_zero[0]), degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2])}},
                     {"other_angles_wait", device.waits != 0}};
-  std::printf("%s\n", json.dump(2).c_str());
+  return json;
+}
+
+/// One value as a script wants it: text without quotation marks, the parts of a list separated by spaces, nothing for null.
+std::string plain(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& part : value) text += (text.empty() ? "" : " ") + plain(part);
+  return text;
+}
+
+/// name      a key, or keys joined by dots: "tick_us.p999"
+void print_field(const nlohmann::ordered_json& json, const std::string& name) {
+  const nlohmann::ordered_json* value = &json;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string key = name.substr(begin, end - begin);
+    if (!value->is_object() || !value->contains(key)) {
+      std::string keys;
+      if (value->is_object()) {
+        for (const auto& [known, ignored] : value->items()) keys += " " + known;
+      }
+      throw InputError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
+    }
+    value = &(*value)[key];
+    begin = end + 1;
+  }
+  std::printf("%s\n", plain(*value).c_str());
 }
 
 void print_text(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
@@ -86,7 +118,9 @@ void run(const Options& options) {
   link::Controller controller(options.to);
   const wire::StatusReport status = controller.status();
   const wire::DeviceReport device = controller.welcome().minor >= 1 ? controller.device() : wire::DeviceReport{};
-  options.json ? print_json(status, device, controller.welcome()) : print_text(status, device, controller.welcome());
+  if (!options.field.empty()) return print_field(to_json(status, device, controller.welcome()), options.field);
+  if (!options.json) return print_text(status, device, controller.welcome());
+  std::printf("%s\n", to_json(status, device, controller.welcome()).dump(2).c_str());
 }
 
 }  // namespace
@@ -96,6 +130,7 @@ void add_status(CLI::App& app) {
   CLI::App* command = app.add_subcommand("status", "How a running controller is: state, faults, field, times");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");
+  command->add_option("--field", options->field, "print this value alone, by its key in the JSON object, as tick_us.p999");
   command->callback([options] { run(*options); });
 }
 

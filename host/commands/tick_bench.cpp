@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/render.h"
 #include "firmware/core/tick.h"
 #include "host/error.h"
+#include "host/evaluate/device_in_hand.h"
 #include "host/evaluate/real.h"
-#include "host/evaluate/wire_hand.h"
 #include "host/published/float_tick.h"
 #include "shared/tick_io.h"
 
@@ -64,15 +64,15 @@ TickSettings every_feature() {
 }
 
 TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings) {
-  std::vector<TickInput> inputs(motion.size());
+  std::vector<Input> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
-                 [](const Eigen::Vector3d& hip) { return TickInput{evaluate::nearest<Mm>(hip)}; });
-  const core::TickModel model = core::make_model(settings, 1'000'000, field);
+                 [](const Eigen::Vector3d& hip) { return position_input(evaluate::nearest<Mm>(hip)); });
+  const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field);
   return measure([&](const auto& report) {
-    core::TickState state;
-    for (const TickInput& input : inputs) {
+    core::PositionState state;
+    for (const Input& input : inputs) {
       const auto start = Clock::now();
-      const TickOutput out = core::tick(input, field, model, state);
+      const Output out = core::render_position(input, field, model, state);
       report(Clock::now() - start, (out.status & kContact) != 0);
     }
   });
@@ -81,17 +81,17 @@ TickTimes time_core(const BlobView& field, const Motion& motion, const TickSetti
 TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings) {
   DeviceModel device = libnifalcon_model();
   device.speed_limit = MmPerS::of(10'000);  // a motion's start is a leap
-  evaluate::WireHand hand(device);
-  std::vector<DeviceInput> inputs(motion.size());
+  evaluate::DeviceInHand hand(device);
+  std::vector<Input> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
-                 [&](const Eigen::Vector3d& hip) { return hand(TickInput{evaluate::nearest<Mm>(hip)}, 1); });
-  const core::DeviceTickModel model = core::make_device_model(device, settings, 1'000'000);
+                 [&](const Eigen::Vector3d& hip) { return hand(position_input(evaluate::nearest<Mm>(hip))); });
+  const core::TickModel model = core::make_tick_model(device, settings, 1'000'000);
   return measure([&](const auto& report) {
-    core::DeviceState state;
-    for (const DeviceInput& input : inputs) {
+    core::TickState state;
+    for (const Input& input : inputs) {
       const auto start = Clock::now();
-      const DeviceOutput out = core::device_tick(input, &field, model, state);
-      report(Clock::now() - start, (out.tick.status & kContact) != 0);
+      const Output out = core::tick(input, &field, model, state);
+      report(Clock::now() - start, (out.status & kContact) != 0);
     }
   });
 }

@@ -1,5 +1,6 @@
-/// isotouch trace: make a motion, import one, derive others, say where two recordings part.
+/// isotouch trace: make a motion, import one, derive others, find where two traces differ first.
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -9,11 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
-#include "host/commands/trace_mine.h"
-#include "host/commands/trace_zero.h"
+#include "host/commands/trace_mutate.h"
+#include "host/commands/trace_show.h"
+#include "host/commands/trace_stop_latency.h"
 #include "host/error.h"
+#include "host/evaluate/device_in_hand.h"
 #include "host/evaluate/felt_surface.h"
 #include "host/evaluate/motion.h"
 #include "host/evaluate/motion_csv.h"
@@ -23,7 +27,6 @@
 #include "host/evaluate/resample.h"
 #include "host/evaluate/trace_diff.h"
 #include "host/evaluate/trace_file.h"
-#include "host/evaluate/wire_hand.h"
 #include "shared/device_model.h"
 #include "shared/trace.h"
 
@@ -33,73 +36,63 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The options of the tick settings, in the order of kTickSettingRows.
+constexpr std::array<const char*, kTickSettings> kSettingOptions = {
+    "--stiffness", "--damping", "--force-limit",    "--friction", "--friction-damping", "--hand-damping", "--passivity-damping",
+    "--weight",    "--ramp",    "--device-damping", "--delay"};
+
 /// What every new trace has in its header.
 struct NewTrace {
   fs::path out;
-  double period_ms = 1.0;
-  double stiffness = 0.0;
-  double damping = 0.0;
-  double force_limit = evaluate::real(TickSettings{}.force_limit);
-  std::uint32_t ramp_ticks = TickSettings{}.ramp_ticks;
-  double friction = 0.0, friction_damping = 0.0, hand_damping = 0.0, passivity_damping = 0.0, weight = 0.0;
-  double device_damping = 0.0;
-  std::uint32_t delay_ticks = 0;
+  double period_ms = rows::kPeriod.standard / kNsPerMs;
+  std::array<double, kTickSettings> settings{};  ///< in the unit of each row
+
+  NewTrace() {
+    for (std::size_t i = 0; i < kTickSettings; ++i) settings[i] = kTickSettingRows[i]->standard;
+  }
 
   void add_to(CLI::App& command) {
     command.add_option("-o,--out", out, "the trace to write")->required();
-    command.add_option("--period", period_ms, "tick period, 0.1ms to 4ms")
-        ->transform(quantity({{"ms", 1.0}, {"us", 0.001}, {"s", 1000.0}}, 0.1, 4.0))
+    command.add_option("--period", period_ms, "tick period")
+        ->transform(quantity({{"ms", 1.0}, {"us", 0.001}, {"s", 1000.0}}, rows::kPeriod.low / kNsPerMs, rows::kPeriod.high / kNsPerMs))
         ->capture_default_str();
-    command.add_option("--stiffness", stiffness, "N/mm; 0 takes the blob's")
-        ->transform(quantity(kStiffness, 0.0, 100.0))
-        ->capture_default_str();
-    command.add_option("--damping", damping, "between proxy and hand, N·s/mm")->check(CLI::Range(0.0, 100.0))->capture_default_str();
-    command.add_option("--force-limit", force_limit, "N")->check(CLI::Range(0.001, 100.0))->capture_default_str();
-    command.add_option("--ramp", ramp_ticks, "ticks from no force to full where contact does not begin at rest")
-        ->check(CLI::Range(0, 100000))
-        ->capture_default_str();
-    const double most = evaluate::real(kMostDamping), weight_limit = evaluate::real(kMostWeight);
-    command.add_option("--friction", friction, "Coulomb's coefficient")->check(CLI::Range(0.0, evaluate::real(kMostFriction)));
-    command.add_option("--friction-damping", friction_damping, "of a hand that slides, N·s/mm")->check(CLI::Range(0.0, most));
-    command.add_option("--hand-damping", hand_damping, "of a hand that touches, N·s/mm")->check(CLI::Range(0.0, most));
-    command.add_option("--passivity-damping", passivity_damping, "most that the passivity controller adds, N·s/mm")
-        ->check(CLI::Range(0.0, most));
-    command.add_option("--device-damping", device_damping, "that it counts on, N·s/mm")->check(CLI::Range(0.0, most));
-    command.add_option("--delay", delay_ticks, "ticks until a force is felt, that it counts on")->check(CLI::Range(0U, kMostDelay));
-    command.add_option("--weight", weight, "of the handle, held up, N")->check(CLI::Range(-weight_limit, weight_limit));
+    for (std::size_t i = 0; i < kTickSettings; ++i) {
+      command.add_option(kSettingOptions[i], settings[i], std::string(kTickSettingRows[i]->meaning))
+          ->transform(value_of(*kTickSettingRows[i]))
+          ->capture_default_str();
+    }
   }
 
   TraceHeader header() const {
     TraceHeader made;
-    made.period_ns = static_cast<std::uint32_t>(period_ms * 1e6 + 0.5);
-    made.settings = {evaluate::nearest<Stiffness>(stiffness), evaluate::nearest<Damping>(damping), evaluate::nearest<Newton>(force_limit),
-                     ramp_ticks};
-    made.settings.friction = evaluate::nearest<Ratio>(friction);
-    made.settings.friction_damping = evaluate::nearest<Damping>(friction_damping);
-    made.settings.hand_damping = evaluate::nearest<Damping>(hand_damping);
-    made.settings.passivity = evaluate::nearest<Damping>(passivity_damping);
-    made.settings.device_damping = evaluate::nearest<Damping>(device_damping);
-    made.settings.weight = evaluate::nearest<Newton>(weight);
-    made.settings.delay_ticks = delay_ticks;
+    made.period_ns = static_cast<std::uint32_t>(period_ms * kNsPerMs + 0.5);
+    RawSettings raw{};
+    for (std::size_t i = 0; i < kTickSettings; ++i) raw[i] = kTickSettingRows[i]->raw(settings[i]);
+    made.settings = from_raw(raw);
     return made;
   }
+
+  double stiffness() const { return settings[index_of(TickSetting::kStiffness)]; }
+
+ private:
+  static constexpr double kNsPerMs = 1e6;
 };
 
 /// Ticks as they come, one period apart.
 class TickWriter {
  public:
-  explicit TickWriter(const NewTrace& trace, std::uint32_t flags = 0)
-      : header_(with_flags(trace.header(), flags)), writer_(trace.out, header_), chain_(header_, 0) {}
-  void operator()(const TickInput& input) { writer_.append({input, {}, 0, header_.period_ns * tick_++}); }
-  /// Only with the flag kHasOutputs.
-  void operator()(const TickInput& input, const TickOutput& output) {
+  TickWriter(const NewTrace& trace, bool has_outputs)
+      : header_(with_outputs(trace.header(), has_outputs)), writer_(trace.out, header_), chain_(header_) {}
+  void operator()(const Input& input) { writer_.append({input, {}, 0, header_.period_ns * tick_++}); }
+  /// Only with outputs.
+  void operator()(const Input& input, const Output& output) {
     writer_.append({input, output, chain_.extend(input, output), header_.period_ns * tick_++});
   }
   void finish() { writer_.finish(); }
 
  private:
-  static TraceHeader with_flags(TraceHeader header, std::uint32_t flags) {
-    header.flags = flags;
+  static TraceHeader with_outputs(TraceHeader header, bool has_outputs) {
+    header.has_outputs = has_outputs;
     return header;
   }
   TraceHeader header_;
@@ -126,8 +119,8 @@ void make_trace(const MakeOptions& options) {
   evaluate::MotionOptions motion = options.motion;
   motion.period_ns = options.trace.header().period_ns;
   motion.lost_share = options.lost_percent / 100;
-  TickWriter writer(options.trace);
-  const std::uint64_t ticks = evaluate::make_motion(blob ? &blob->view : nullptr, motion, [&](const TickInput& input) { writer(input); });
+  TickWriter writer(options.trace, false);
+  const std::uint64_t ticks = evaluate::make_motion(blob ? &blob->view : nullptr, motion, [&](const Input& input) { writer(input); });
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
 }
@@ -167,8 +160,9 @@ void place(std::vector<evaluate::TimedPoint>& points, ImportOptions options) {
 }
 
 /// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
-TickOutput felt(const TickInput& input, const Eigen::Vector3d& force, double stiffness) {
-  TickOutput output;
+Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) {
+  Output output;
+  output.hip = input.hip;
   output.force = evaluate::nearest<Newton>(force);
   output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
   const Eigen::Vector3d hip = evaluate::real(input.hip);
@@ -183,12 +177,12 @@ void import_table(const ImportOptions& options) {
   columns.with_forces = options.forces;
   std::vector<evaluate::TimedPoint> points = evaluate::read_motion_csv(options.csv, columns);
   place(points, options);
-  TickWriter writer(options.trace, options.forces ? trace_layout::kHasOutputs : 0);
+  TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0;
   try {
-    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const TickInput& input, const Eigen::Vector3d& force) {
+    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
       if (options.forces) {
-        writer(input, felt(input, force, options.trace.stiffness));
+        writer(input, felt(input, force, options.trace.stiffness()));
       } else {
         writer(input);
       }
@@ -200,7 +194,7 @@ void import_table(const ImportOptions& options) {
   report(options.trace.out, ticks, options.trace.header());
 }
 
-struct WireOptions {
+struct ToPacketsOptions {
   fs::path blob;
   fs::path hand;
   fs::path out;
@@ -208,26 +202,25 @@ struct WireOptions {
 };
 
 /// What a device would have sent, and what its tick answers.
-void make_wire(const WireOptions& options) {
+void make_packets(const ToPacketsOptions& options) {
   const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
-  const evaluate::Trace hand = evaluate::Trace::read(options.hand);
-  const DeviceModel model = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
-  DeviceTraceHeader header{hand.header(), model};
-  header.run.flags = 0;
-  evaluate::DeviceRun run(blob.view, header);
-  evaluate::DeviceTraceWriter writer(options.out, run.header());
-  evaluate::WireHand wire(model);
+  const evaluate::Trace hand = evaluate::read_trace(options.hand, InputKind::kPosition);
+  TraceHeader header = hand.header();
+  header.device = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+  evaluate::Run run(blob.view, header);
+  evaluate::TraceWriter writer(options.out, run.header());
+  evaluate::DeviceInHand device(header.device);
   for (std::size_t tick = 0; tick < hand.size(); ++tick) {
     const TraceRecord recorded = hand.record(tick);
-    DeviceTraceRecord record = run.step(wire(recorded.input, 1));
+    TraceRecord record = run.step(device(recorded.input));
     record.arrival_ns = recorded.arrival_ns;
     writer.append(record);
   }
   writer.finish();
-  report(options.out, hand.size(), header.run);
-  if (wire.out_of_reach() > 0) {
-    std::fprintf(stderr, "%llu ticks lay out of the device's reach, the last place was kept\n",
-                 static_cast<unsigned long long>(wire.out_of_reach()));
+  report(options.out, hand.size(), header);
+  if (device.out_of_reach() > 0) {
+    std::fprintf(stderr, "%llu ticks lay out of the device's reach; there it kept its last place\n",
+                 static_cast<unsigned long long>(device.out_of_reach()));
   }
 }
 
@@ -237,10 +230,9 @@ struct DiffOptions {
   bool json = false;
 };
 
-template <class Format>
-void compare_files(const DiffOptions& options) {
-  const auto a = evaluate::TraceFile<Format>::read(options.a);
-  const auto b = evaluate::TraceFile<Format>::read(options.b);
+void compare_traces(const DiffOptions& options) {
+  const evaluate::Trace a = evaluate::read_trace(options.a);
+  const evaluate::Trace b = evaluate::read_trace(options.b);
   const std::optional<evaluate::Difference> difference = evaluate::first_difference(a, b);
   if (options.json) {
     nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};
@@ -255,15 +247,10 @@ void compare_files(const DiffOptions& options) {
   }
 }
 
-void compare_traces(const DiffOptions& options) {
-  const bool at_the_wire = evaluate::trace_major(options.a) == evaluate::WireFormat::kMajor;
-  at_the_wire ? compare_files<evaluate::WireFormat>(options) : compare_files<evaluate::HipFormat>(options);
-}
-
 void add_make(CLI::App& trace) {
   auto options = std::make_shared<MakeOptions>();
   CLI::App* command = trace.add_subcommand("make", "A motion: press slide tap corner graze stab leave, or tour (all of them)");
-  command->add_option("KIND", options->motion.kind, "which")->required()->check(CLI::IsMember(evaluate::motion_kinds()));
+  command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(evaluate::motion_kinds()));
   command->add_option("BLOB", options->blob, "the object it follows; without one it fills the workspace");
   command->add_option("--ticks", options->motion.ticks, "exactly so many; 0: one round of the motion")->capture_default_str();
   command->add_option("--seed", options->motion.seed, "other places, other speeds")->capture_default_str();
@@ -295,16 +282,18 @@ void add_import(CLI::App& trace) {
   command->callback([options] { import_table(*options); });
 }
 
-void add_wire(CLI::App& trace) {
-  auto options = std::make_shared<WireOptions>();
-  CLI::App* command = trace.add_subcommand("wire", "A recorded hand as a device's packets, with what the tick of that device answers");
+void add_to_packets(CLI::App& trace) {
+  auto options = std::make_shared<ToPacketsOptions>();
+  CLI::App* command = trace.add_subcommand(
+      "to-packets", "Turn positions of a hand into the packets of a device that it moves, with what the device's tick answers");
+  command->alias("wire");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
-  command->add_option("HAND", options->hand, "the recorded hand (.trace)")->required();
+  command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();
   command->add_option("--device", options->device, "the published numbers of the device")
-      ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
+      ->check(one_of({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();
-  command->callback([options] { make_wire(*options); });
+  command->callback([options] { make_packets(*options); });
 }
 
 void add_diff(CLI::App& trace) {
@@ -320,14 +309,15 @@ void add_diff(CLI::App& trace) {
 }  // namespace
 
 void add_trace(CLI::App& app) {
-  CLI::App* trace = app.add_subcommand("trace", "Make, import, mine and compare recorded hands");
+  CLI::App* trace = app.add_subcommand("trace", "Make, import, show, derive and compare traces");
   trace->require_subcommand(1);
   add_make(*trace);
   add_import(*trace);
-  add_wire(*trace);
-  add_mine(*trace);
+  add_show(*trace);
+  add_to_packets(*trace);
+  add_mutate(*trace);
   add_diff(*trace);
-  add_zero(*trace);
+  add_stop_latency(*trace);
 }
 
 }  // namespace isotouch::commands

@@ -14,7 +14,7 @@
 #include "host/error.h"
 #include "host/evaluate/real.h"
 #include "host/link/controller.h"
-#include "shared/device_trace.h"
+#include "shared/trace.h"
 
 namespace isotouch::commands {
 
@@ -27,10 +27,10 @@ struct Options {
   bool json = false;
 };
 
-void print_line(std::uint64_t tick, const DeviceTraceRecord& record, bool json) {
-  const Eigen::Vector3d hip = evaluate::real(record.output.hip), proxy = evaluate::real(record.output.tick.proxy),
-                        force = evaluate::real(record.output.tick.force);
-  const char* state = state_name(record.output.tick.state);
+void print_line(std::uint64_t tick, const TraceRecord& record, bool json) {
+  const Eigen::Vector3d hip = evaluate::real(record.output.hip), proxy = evaluate::real(record.output.proxy),
+                        force = evaluate::real(record.output.force);
+  const char* state = state_name(record.output.state);
   if (json) {
     const nlohmann::ordered_json line{{"tick", tick},
                                       {"state", state},
@@ -39,17 +39,17 @@ void print_line(std::uint64_t tick, const DeviceTraceRecord& record, bool json) 
                                       {"force_n", {force.x(), force.y(), force.z()}},
                                       {"age", record.input.age},
                                       {"buttons", record.output.buttons},
-                                      {"status", record.output.tick.status}};
+                                      {"status", record.output.status}};
     std::printf("%s\n", line.dump().c_str());
   } else {
     std::printf("%llu,%s,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%u,%u,%u\n", static_cast<unsigned long long>(tick), state, hip.x(),
                 hip.y(), hip.z(), proxy.x(), proxy.y(), proxy.z(), force.x(), force.y(), force.z(), unsigned{record.input.age},
-                unsigned{record.output.buttons}, unsigned{record.output.tick.status});
+                unsigned{record.output.buttons}, unsigned{record.output.status});
   }
 }
 
 void run(const Options& options) {
-  using device_trace_layout::kRecordBytes;
+  using trace_layout::kRecordBytes;
   link::Controller controller(options.to);
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(ticks_a_second / options.rate)));
@@ -59,8 +59,7 @@ void run(const Options& options) {
   std::uint64_t shown = 0;
   const Interruption interruption;
   const auto show = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
-    const auto record =
-        bytes.size() == kRecordBytes ? decode_device_record(bytes.first<kRecordBytes>()) : Result<DeviceTraceRecord>(Error::kBadRecord);
+    const auto record = bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
     if (!record) throw InputError(options.to + ": a record cannot be read; install the same release on both sides");
     print_line(tick, *record, options.json);
     if (every > 1) std::fflush(stdout);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/evaluate/wire_hand.h"
+#include "host/evaluate/device_in_hand.h"
 
 namespace isotouch::evaluate {
 

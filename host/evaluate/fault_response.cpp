@@ -17,7 +17,7 @@ class Shown {
   explicit Shown(const DeviceModel& device) : device_(device) {}
 
   /// Names joined by '+'; empty where nothing speaks against forces.
-  std::string by(const DeviceInput& in) {
+  std::string by(const Input& in) {
     std::string names;
     const auto show = [&](bool shown, const char* name) {
       if (shown) names.append(names.empty() ? "" : "+").append(name);
@@ -30,7 +30,7 @@ class Shown {
     const std::int64_t change = heard && known_ ? largest_change(reply->counts) : 0;
     const std::int64_t jump = device_.count_jump;
     const bool anew = heard && known_ && (reply->counts == decltype(counts_){} || 8 * change > jump * gap);
-    show((in.commands & kCommandStop) != 0, "stop");
+    show((in.requests & kRequestStop) != 0, "stop");
     show((in.lines & kLineStop) != 0, "lines");
     show((in.lines & kLineEnableWrong) != 0, "enable");
     show(stale_ >= device_.hold_ticks, "stale");
@@ -61,20 +61,20 @@ class Shown {
 
 }  // namespace
 
-std::vector<FaultResponse> fault_responses(const DeviceTrace& trace) {
-  if (!trace.header().has_outputs()) throw InputError(trace.file().string() + ": it holds inputs only; replay it with --out first");
+std::vector<FaultResponse> fault_responses(const Trace& trace) {
+  if (!trace.header().has_outputs) throw InputError(trace.path() + ": it holds inputs only; replay it with --out first");
   std::vector<FaultResponse> responses;
   Shown shown(trace.header().device);
   bool open = false, words_before = false, quiet_before = false;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    const DeviceTraceRecord record = trace.record(tick);
+    const TraceRecord record = trace.record(tick);
     const std::string condition = shown.by(record.input);
-    const bool words = record.output.tick.words != std::array<std::int16_t, 3>{};
+    const bool words = record.output.commands != MotorCommands{};
     if (!open && words_before && quiet_before && !condition.empty()) {
       responses.push_back({tick, condition, std::nullopt, SupervisorState::kBoot});
       open = true;
     }
-    if (open) responses.back().state = static_cast<SupervisorState>(record.output.tick.state);
+    if (open) responses.back().state = static_cast<SupervisorState>(record.output.state);
     if (open && !words) {
       responses.back().ticks = tick - responses.back().tick;
       open = false;

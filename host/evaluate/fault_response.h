@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/evaluate/trace_file.h"
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::evaluate {
 
@@ -31,6 +31,6 @@ struct FaultResponse {
 ///   leap      by more than half of it, from one tick to the next
 ///
 /// fails     InputError: no outputs in the trace
-std::vector<FaultResponse> fault_responses(const DeviceTrace& trace);
+std::vector<FaultResponse> fault_responses(const Trace& trace);
 
 }  // namespace isotouch::evaluate

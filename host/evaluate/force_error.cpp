@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "firmware/core/tick.h"
+#include "firmware/core/render.h"
 #include "host/error.h"
 #include "host/evaluate/hand.h"
 #include "host/evaluate/real.h"
@@ -24,7 +24,7 @@ const Vector3d kStart = Vector3d(0.36, 0.48, 0.8);  // unit; no axis, plane or d
 
 std::vector<ForceSample> slide_on_sphere(const SphereSlide& slide, const ForceTick& tick) {
   const double inner = slide.radius - slide.depth;
-  Hand hand({.period_s = slide.period_s}, [&](const TickInput& input) { tick(real(input.hip)); });
+  Hand hand({.period_s = slide.period_s}, [&](const Input& input) { tick(real(input.hip)); });
   hand.step(slide.centre + (slide.radius + 2) * kStart);
   hand.move(slide.centre + inner * kStart, 25);
   hand.hold(0.1);
@@ -67,8 +67,9 @@ ForceTick core_force(const BlobView& field, double period_s) {
   TickSettings settings;
   settings.force_limit = Newton::of(100);
   const auto period_ns = static_cast<std::uint32_t>(period_s * 1e9 + 0.5);
-  return [&field, model = core::make_model(settings, period_ns, field), state = core::TickState{}](const Vector3d& hip) mutable {
-    return real(core::tick(TickInput{.hip = nearest<Mm>(hip)}, field, model, state).force);
+  return [&field, model = core::make_position_model(libnifalcon_model(), settings, period_ns, field),
+          state = core::PositionState{}](const Vector3d& hip) mutable {
+    return real(core::render_position(position_input(nearest<Mm>(hip)), field, model, state).force);
   };
 }
 

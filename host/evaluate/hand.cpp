@@ -37,7 +37,7 @@ void Hand::step(const Eigen::Vector3d& to) {
     last_.fresh = false;
     ++last_.age;
   } else {
-    last_ = TickInput{.hip = nearest<Mm>(to)};
+    last_ = position_input(nearest<Mm>(to));
   }
   emit_(last_);
   ++emitted_;

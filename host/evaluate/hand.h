@@ -23,7 +23,7 @@ double wave(double phase);
 
 class Hand {
  public:
-  using Emit = std::function<void(const TickInput&)>;
+  using Emit = std::function<void(const Input&)>;
 
   struct Options {
     std::uint64_t ticks = 0;  ///< stops emitting after so many; 0 = never
@@ -54,7 +54,7 @@ class Hand {
   Emit emit_;
   cloud::Random losses_;
   int lost_ticks_ = 0;
-  TickInput last_;
+  Input last_;
   std::uint64_t emitted_ = 0;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero();
 };

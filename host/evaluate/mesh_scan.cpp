@@ -62,7 +62,7 @@ Vector3d tremor(double time) {
 
 class Scan {
  public:
-  using Emit = std::function<void(const TickInput&, const TickOutput&)>;
+  using Emit = std::function<void(const Input&, const Output&)>;
 
   Scan(const TriangleTree& tree, const MeshScanOptions& options, const Emit& emit)
       : tree_(tree),
@@ -119,13 +119,14 @@ class Scan {
   void tick(const Vector3d& wanted) {
     if (over()) return;
     const double time = static_cast<double>(report_.ticks) * kTick;
-    const TickInput input{.hip = nearest<Mm>(fingers_.follow(wanted) + tremor(time))};
+    const Input input = position_input(nearest<Mm>(fingers_.follow(wanted) + tremor(time)));
     const Vector3d hip = real(input.hip);
     const Vector3d proxy = object_.follow(hip);
     depth_ = (proxy - hip).norm();
     const Vector3d force = options_.stiffness_n_per_mm * (proxy - hip);
     const double limit = std::min(1.0, kScanForceLimit / std::max(force.norm(), 1e-9));
-    TickOutput output;
+    Output output;
+    output.hip = input.hip;
     output.proxy = nearest<Mm>(proxy);
     output.force = nearest<Newton>(Vector3d(limit * force));
     if (object_.touching()) {
@@ -296,7 +297,7 @@ class Scan {
 }  // namespace
 
 MeshScanReport scan_mesh(const TriangleTree& tree, const MeshScanOptions& options,
-                         const std::function<void(const TickInput&, const TickOutput&)>& emit) {
+                         const std::function<void(const Input&, const Output&)>& emit) {
   return Scan(tree, options, emit).run();
 }
 

@@ -37,6 +37,6 @@ inline constexpr double kScanForceLimit = 100;  ///< N, the most that a trace al
 /// emit      takes each tick in its order: the HIP as a trace holds it, and what is felt there
 /// same      for a seed on every machine: + − × ÷ and square roots only
 MeshScanReport scan_mesh(const field::TriangleTree& tree, const MeshScanOptions& options,
-                         const std::function<void(const TickInput&, const TickOutput&)>& emit);
+                         const std::function<void(const Input&, const Output&)>& emit);
 
 }  // namespace isotouch::evaluate

@@ -1,10 +1,9 @@
-/// The core over a recorded hand: the same inputs on the same field give the same answers, to the bit, on every machine.
+/// The core over a recorded run: the same inputs on the same field give the same answers, to the bit, on every machine.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "firmware/core/device_tick.h"
 #include "firmware/core/tick.h"
 #include "host/evaluate/trace_diff.h"
 #include "host/evaluate/trace_file.h"
@@ -12,46 +11,29 @@
 
 namespace isotouch::evaluate {
 
-/// One run of the core with its chain. After construction nothing is allocated.
+/// One run of the core with its chain: the device's tick for packets, rendering alone for positions. After construction nothing is allocated.
 class Run {
  public:
-  /// field     stays alive as long as the run
-  /// header    period and settings of the run
+  /// field     stays alive as long as the run; loaded in the ticks whose input names a field
+  /// header    device, period and settings of the run
   Run(const BlobView& field, const TraceHeader& header);
 
   /// One tick: what a trace stores of it, arrival time apart.
-  TraceRecord step(const TickInput& input);
+  TraceRecord step(const Input& input);
 
   /// The replay hash: the chain after the last step.
   std::uint64_t hash() const { return chain_.value(); }
-  /// The header of a trace of this run: with outputs, of this blob.
+  /// The header of a trace of this run: with outputs, of this field.
   const TraceHeader& header() const { return header_; }
 
  private:
   const BlobView& field_;
   TraceHeader header_;
-  core::TickModel model_;
-  core::TickState state_;
+  core::TickModel tick_model_;
+  core::PositionModel position_model_;
+  core::TickState tick_state_;
+  core::PositionState position_state_;
   Chain chain_;
-};
-
-/// The same for the tick of a device.
-class DeviceRun {
- public:
-  /// field     stays alive as long as the run; loaded in the ticks whose input names a field
-  /// header    model, period and settings of the run
-  DeviceRun(const BlobView& field, const DeviceTraceHeader& header);
-
-  DeviceTraceRecord step(const DeviceInput& input);
-  std::uint64_t hash() const { return chain_.value(); }
-  const DeviceTraceHeader& header() const { return header_; }
-
- private:
-  const BlobView& field_;
-  DeviceTraceHeader header_;
-  core::DeviceTickModel model_;
-  core::DeviceState state_;
-  DeviceChain chain_;
 };
 
 struct ReplayReport {
@@ -63,16 +45,13 @@ struct ReplayReport {
 
 /// Runs a trace's inputs.
 ///
-/// check     compares every tick with the recorded outputs and chain, and stops looking, not running, at the first that differs. Its field is an
+/// check     compares every tick with the recorded outputs and chain. Looking stops at the first that differs, running goes on. Its field is an
 ///           output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
 /// out       nullptr, or takes every record, with the input's arrival times
-/// fails     InputError: inputs are encoder counts of an unknown device; a second field where the trace names one; with `check`, no outputs or no
-///           records, or another blob
+/// fails     InputError: a second field where the trace names one; with `check`, no outputs or no records, or another field
 ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
-ReplayReport replay(const BlobView& field, const DeviceTrace& trace, bool check, DeviceTraceWriter* out = nullptr);
 
 /// The header that a trace of this replay has: for the writer.
 TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs);
-DeviceTraceHeader replay_header(const BlobView& field, const DeviceTraceHeader& inputs);
 
 }  // namespace isotouch::evaluate

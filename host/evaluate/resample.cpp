@@ -42,7 +42,7 @@ std::vector<Vector3d> velocities(const std::vector<TimedPoint>& points) {
 }  // namespace
 
 std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t period_ns,
-                       const std::function<void(const TickInput&, const Vector3d& force)>& emit) {
+                       const std::function<void(const Input&, const Vector3d& force)>& emit) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double farthest = points[i].position.cwiseAbs().maxCoeff();
     if (!(farthest <= kMaxMm)) {
@@ -66,7 +66,7 @@ std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t peri
     const double r = 1 - s;
     const Vector3d position = r * r * (1 + 2 * s) * points[i].position + s * s * (1 + 2 * r) * points[i + 1].position +
                               s * r * length * (r * velocity[i] - s * velocity[i + 1]);
-    emit(TickInput{.hip = nearest<Mm>(position)}, r * points[i].force + s * points[i + 1].force);
+    emit(position_input(nearest<Mm>(position)), r * points[i].force + s * points[i + 1].force);
   }
   return ticks;
 }

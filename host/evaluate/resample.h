@@ -20,6 +20,6 @@ namespace isotouch::evaluate {
 /// fails     InputError: a position beyond ±2047 mm, more than 10^8 ticks
 /// source    monotone piecewise cubic interpolation: Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5(2), 1984
 std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t period_ns,
-                       const std::function<void(const TickInput&, const Eigen::Vector3d& force)>& emit);
+                       const std::function<void(const Input&, const Eigen::Vector3d& force)>& emit);
 
 }  // namespace isotouch::evaluate

@@ -118,15 +118,11 @@ OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchR
 }
 
 OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, TouchReport& report) {
-  const std::string name = trace.file().string();
+  const std::string name = trace.path();
   const TraceHeader& header = trace.header();
-  if (!header.has_outputs())
-    throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
-  if (header.model_hash != 0 || (header.flags & trace_layout::kEncoderCounts) != 0) {
-    throw InputError(name + ": its inputs are encoder counts, and there is no device model to read them with");
-  }
+  if (!header.has_outputs) throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
   const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : real(header.settings.stiffness);
-  if (!(stiffness > 0)) throw InputError(name + ": its stiffness is that of the blob that was felt; name it with --stiffness");
+  if (!(stiffness > 0)) throw InputError(name + ": its stiffness is that of the field that was felt; name it with --stiffness");
   if (header.settings.damping > Damping{}) {
     throw InputError(name + ": it was felt with damping, so its forces do not tell how deep the hand was; replay it without");
   }
@@ -144,7 +140,7 @@ OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, Tou
     } else if (!(force.norm() >= options.least_force_n)) {
       ++report.weak;
     } else {
-      touches.positions.push_back(real(record.input.hip) + force / stiffness);
+      touches.positions.push_back(real(record.output.hip) + force / stiffness);
       touches.normals.push_back(force.normalized());
     }
   }

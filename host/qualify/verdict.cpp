@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::qualify {
 

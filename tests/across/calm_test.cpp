@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/core/tick.h"
+#include "firmware/core/render.h"
 #include "host/blob/write_blob.h"
 #include "host/evaluate/god_object.h"
 #include "host/evaluate/motion_csv.h"
@@ -56,7 +56,7 @@ cloud::TriangleMesh block_mesh() {
 std::vector<Vector3d> tremor_of(const std::filesystem::path& file) {
   std::vector<Vector3d> path;
   evaluate::resample(evaluate::read_motion_csv(file, {}), 1'000'000,
-                     [&](const TickInput& in, const Vector3d&) { path.push_back(evaluate::real(in.hip)); });
+                     [&](const Input& in, const Vector3d&) { path.push_back(evaluate::real(in.hip)); });
   constexpr std::size_t kReach = 50;
   std::vector<Vector3d> sums(path.size() + 1, Vector3d::Zero());
   for (std::size_t i = 0; i < path.size(); ++i) sums[i + 1] = sums[i] + path[i];
@@ -125,8 +125,8 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
     for (const Place& place : kPlaces) {
       TickSettings settings;
       settings.stiffness = Stiffness::of(kStiffness);
-      const core::TickModel model = core::make_model(settings, 1'000'000, blob.view);
-      core::TickState state;
+      const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, blob.view);
+      core::PositionState state;
       published::FloatTick published(levels, static_cast<float>(kStiffness));
       evaluate::GodObject exact(tree, place.surface + 3 * place.outward);
       Error ours, theirs;
@@ -134,10 +134,10 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
       for (std::size_t t = 0; t < tremor.size() + kApproach; ++t) {
         const double height = t < kApproach ? 3 - (3 + kDepth) * static_cast<double>(t) / kApproach : -kDepth;
         const Vector3d shake = t < kApproach ? Vector3d(Vector3d::Zero()) : tremor[t - kApproach];
-        const TickInput in{evaluate::nearest<Mm>(place.surface + height * place.outward + shake)};
+        const Input in = position_input(evaluate::nearest<Mm>(place.surface + height * place.outward + shake));
         const Vector3d hip = evaluate::real(in.hip);
         const Vector3d force = kStiffness * (exact.follow(hip) - hip);
-        const Vector3d felt = evaluate::real(core::tick(in, blob.view, model, state).force);
+        const Vector3d felt = evaluate::real(core::render_position(in, blob.view, model, state).force);
         const Vector3d beside = published.force(hip.cast<float>()).cast<double>();
         if (t < kApproach + 50) continue;
         ours.add(felt - force);

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "firmware/core/proxy.h"
-#include "firmware/core/tick.h"
+#include "firmware/core/render.h"
 #include "host/blob/write_blob.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/shapes.h"
@@ -47,7 +47,7 @@ TEST(ContactHeavy, TheProxyIsNeverBelowTheSurfaceOnATour) {
     core::ProxyState state;
     std::uint64_t contacts = 0;
     double deepest = 1.0;
-    evaluate::make_motion(&field, options, [&](const TickInput& in) {
+    evaluate::make_motion(&field, options, [&](const Input& in) {
       const core::Contact contact = core::step_proxy(mul<Voxel>(in.hip - field.origin, field.inverse_edge), field, state);
       if (!contact.touching) return;
       ++contacts;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,11 @@ const OpenBlob& capsules() {
   return blob;
 }
 
-const std::vector<TickInput>& tour() {
-  static const std::vector<TickInput> inputs = [] {
-    std::vector<TickInput> made;
+const std::vector<Input>& tour() {
+  static const std::vector<Input> inputs = [] {
+    std::vector<Input> made;
     evaluate::make_motion(&capsules().view, {.kind = "tour", .ticks = kTicks, .lost_share = 0.01},
-                          [&](const TickInput& in) { made.push_back(in); });
+                          [&](const Input& in) { made.push_back(in); });
     return made;
   }();
   return inputs;
@@ -49,9 +50,9 @@ Trace recording(const ScratchFolder& folder) {
   header.settings.force_limit = Newton::of(2.0);
   evaluate::Run run(capsules().view, header);
   TraceWriter writer(folder.path() / "tour.trace", run.header());
-  for (const TickInput& input : tour()) writer.append(run.step(input));
+  for (const Input& input : tour()) writer.append(run.step(input));
   writer.finish();
-  return Trace::read(folder.path() / "tour.trace");
+  return evaluate::read_trace(folder.path() / "tour.trace");
 }
 
 TEST(AcrossReplay, TheTourReplaysToTheBit) {
@@ -70,7 +71,7 @@ TEST(AcrossReplay, TheTourFeelsTheObject) {
   std::uint64_t force_without_contact = 0;
   std::uint32_t seen = 0;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    const TickOutput out = trace.record(tick).output;
+    const Output out = trace.record(tick).output;
     seen |= out.status;
     contact += (out.status & kContact) != 0 ? 1U : 0U;
     force_without_contact += (out.status & kContact) == 0 && out.force != Vec3<Newton>{} ? 1U : 0U;
@@ -83,26 +84,28 @@ TEST(AcrossReplay, TheTourFeelsTheObject) {
 
 TEST(AcrossReplay, NothingIsAllocatedAfterTheStart) {
   evaluate::Run run(capsules().view, {});
-  const std::vector<TickInput>& inputs = tour();
+  const std::vector<Input>& inputs = tour();
   const isotouch::test::AllocGuard guard;
-  for (const TickInput& input : inputs) run.step(input);
+  for (const Input& input : inputs) run.step(input);
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_NE(run.hash(), 0U);
 }
 
-/// A blob in which one stored distance near the surface is one unit larger, with a checksum that agrees.
+/// A blob in which every distance within the band has its last bit turned, with a checksum that agrees.
 OpenBlob changed_blob() {
   const OpenBlob& original = capsules();
   blob::Image image(original.image.size());
   std::copy(original.image.data(), original.image.data() + original.image.size(), image.data());
-  const std::size_t at = static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(original.view.bricks) - original.image.data()) +
-                         2 * blob_layout::kSamplesPerBrick * (original.view.brick_count / 2);
-  image.data()[at] ^= 1;
+  const std::size_t at = static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(original.view.bricks) - original.image.data());
+  const int band = original.view.band.raw();
+  for (std::size_t i = 0; i < blob_layout::kSamplesPerBrick * original.view.brick_count; ++i) {
+    if (std::abs(int{original.view.bricks[i]}) < band) image.data()[at + 2 * i] ^= 1;
+  }
   store_le(image.data() + blob_layout::kChecksumAt, crc32(image.data() + 16, image.size() - 16));
   return evaluate::open_blob(std::move(image), "changed");
 }
 
-TEST(AcrossReplay, OneBitOfTheBlobIsSeen) {
+TEST(AcrossReplay, TheLastBitOfTheFieldIsSeen) {
   const ScratchFolder folder;
   const Trace trace = recording(folder);
 
@@ -124,16 +127,16 @@ TEST(AcrossReplay, OneBitOfOneInputChangesEveryChainFromThere) {
   TraceWriter writer(folder.path() / "other.trace", run.header());
   constexpr std::size_t kWhere = 12'345;
   for (std::size_t tick = 0; tick < tour().size(); ++tick) {
-    TickInput input = tour()[tick];
+    Input input = tour()[tick];
     if (tick == kWhere) input.hip.y = Mm::from_raw(input.hip.y.raw() ^ 1);
     writer.append(run.step(input));
   }
   writer.finish();
-  const Trace after = Trace::read(folder.path() / "other.trace");
+  const Trace after = evaluate::read_trace(folder.path() / "other.trace");
   const auto difference = evaluate::first_difference(before, after);
   ASSERT_TRUE(difference.has_value());
   EXPECT_EQ(difference->tick, kWhere);
-  EXPECT_EQ(difference->field, "hip.y");
+  EXPECT_EQ(difference->field, "input.hip.y");
   for (std::size_t tick = 0; tick < kTicks; ++tick) ASSERT_EQ(before.chain(tick) == after.chain(tick), tick < kWhere) << tick;
 }
 

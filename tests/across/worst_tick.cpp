@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
+#include "host/evaluate/device_in_hand.h"
 #include "host/evaluate/open_blob.h"
 #include "host/evaluate/real.h"
 #include "host/evaluate/replay.h"
 #include "host/evaluate/trace_file.h"
-#include "host/evaluate/wire_hand.h"
 #include "tests/support/random.h"
 
 namespace {
@@ -64,12 +64,12 @@ Setup any_setup(Random& random) {
   s.damping = between(random, Damping{}, Damping::of(0.002));
   s.force_limit = between(random, Newton::of(0.01), Newton::of(20));
   s.ramp_ticks = chance(random, 0.5) ? 1000 : 5;
-  s.friction = between(random, Ratio::of(0.01), kMostFriction);
+  s.friction = between(random, Ratio::of(0.01), Ratio::of(rows::kFriction.high));
   s.friction_damping = between(random, Damping{}, Damping::of(0.01));
   s.hand_damping = between(random, Damping{}, Damping::of(0.01));
-  s.passivity = between(random, Damping::of(0.0001), kMostDamping);
+  s.passivity = between(random, Damping::of(0.0001), Damping::of(rows::kPassivity.high));
   s.device_damping = between(random, Damping{}, Damping::of(0.005));
-  s.weight = between(random, -kMostWeight, kMostWeight);
+  s.weight = between(random, Newton::of(rows::kWeight.low), Newton::of(rows::kWeight.high));
   s.delay_ticks = static_cast<std::uint32_t>(below(random, 8));
   DeviceModel& d = setup.device;
   d.word_limit = chance(random, 0.5) ? 4095 : 100;
@@ -114,20 +114,20 @@ Hand child_of(const Hand& a, const Hand& b, Random& random, const BlobView& fiel
 }
 
 /// What the device sends in each tick.
-std::vector<DeviceInput> inputs_of(const Hand& hand, const DeviceModel& device) {
-  evaluate::WireHand wire(device);
-  std::vector<DeviceInput> inputs;
+std::vector<Input> inputs_of(const Hand& hand, const DeviceModel& device) {
+  evaluate::DeviceInHand in_hand(device);
+  std::vector<Input> inputs;
   std::uint16_t age = 0;
   for (int tick = 0; tick < kTicks; ++tick) {
     const int after = std::max(tick - kSettle, 0);
     const auto knot = static_cast<std::size_t>(after / kTicksBetween);
     const double part = static_cast<double>(after % kTicksBetween) / kTicksBetween;
     const Point place = hand.knots[knot] + (hand.knots[knot + 1] - hand.knots[knot]) * part;
-    TickInput in{evaluate::nearest<Mm>(Eigen::Vector3d(place.x, place.y, place.z))};
+    Input in = position_input(evaluate::nearest<Mm>(Eigen::Vector3d(place.x, place.y, place.z)));
     in.fresh = tick < kSettle || tick < hand.lost_at || tick >= hand.lost_at + hand.lost;
     in.age = age = static_cast<std::uint16_t>(in.fresh ? 0 : age + 1);
-    DeviceInput input = wire(in, 1);
-    if (tick == 0) input.commands = kCommandRestart;
+    Input input = in_hand(in);
+    if (tick == 0) input.requests = kRequestRestart;
     if (tick == hand.late_at) input.late = 1;
     if (tick == hand.set_at && is_valid(hand.change)) input.change = hand.change;
     inputs.push_back(input);
@@ -154,13 +154,13 @@ Worst worst_of(std::istream& rows) {
 }
 
 void record(const BlobView& field, const Setup& setup, const std::vector<Hand>& hands, const std::string& file) {
-  DeviceTraceHeader header;
+  TraceHeader header;
   header.device = setup.device;
-  header.run.settings = setup.settings;
-  evaluate::DeviceRun run(field, header);
-  evaluate::DeviceTraceWriter writer(file, run.header());
+  header.settings = setup.settings;
+  evaluate::Run run(field, header);
+  evaluate::TraceWriter writer(file, run.header());
   for (const Hand& hand : hands) {
-    for (const DeviceInput& input : inputs_of(hand, setup.device)) writer.append(run.step(input));
+    for (const Input& input : inputs_of(hand, setup.device)) writer.append(run.step(input));
   }
   writer.finish();
 }

@@ -69,7 +69,7 @@ void FaultBench::load(const std::vector<std::uint8_t>& image) {
   const std::span<std::uint8_t> room = fields.begin(image.size());
   if (room.size() < image.size()) return;  // the tick has not taken over the one before
   std::copy(image.begin(), image.end(), room.begin());
-  static_cast<void>(fields.commit().has_value());
+  static_cast<void>(fields.verify().has_value() && fields.commit().has_value());
 }
 
 bool FaultBench::begin() {
@@ -78,7 +78,7 @@ bool FaultBench::begin() {
     tick();
     for (loop::TickRecord record; trace.pop(record);) {
     }
-    steady = has_words() && (last.out.tick.status & kRamping) == 0 ? steady + 1 : 0;
+    steady = has_words() && (last.out.status & kRamping) == 0 ? steady + 1 : 0;
     if (steady == 1500) {
       longest_gap_ns = 0;
       return true;

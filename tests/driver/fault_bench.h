@@ -52,8 +52,8 @@ class FaultBench final : public loop::Device {
   /// Ticks until the hand has pressed for a while; false: it never did.
   bool begin();
 
-  SupervisorState state() const { return static_cast<SupervisorState>(last.out.tick.state); }
-  bool has_words() const { return last.out.tick.words != std::array<std::int16_t, 3>{}; }
+  SupervisorState state() const { return static_cast<SupervisorState>(last.out.state); }
+  bool has_words() const { return last.out.commands != std::array<std::int16_t, 3>{}; }
   /// What stands at the device's seam.
   const FalconCommand& last_left() const { return command_.falcon; }
   falcon_model::SimulatedFalcon& falcon() { return link.falcon; }
@@ -69,7 +69,7 @@ class FaultBench final : public loop::Device {
   io::FalconSession session;
   io::FalconPort port;
   loop::FieldSlots fields{1 << 22};
-  loop::Commands commands;
+  loop::Requests commands;
   loop::TraceRing trace{1 << 12};
   loop::Latest<loop::TickRecord> shown;
   loop::TickStats stats;

@@ -24,7 +24,7 @@ using Shows = std::function<bool(const TickRecord& now, const TickRecord& before
 
 bool stale(const TickRecord& now, const TickRecord& /*before*/) { return !now.in.fresh && now.in.age >= 3; }
 bool line(const TickRecord& now, const TickRecord& /*before*/) { return now.in.lines != 0; }
-bool told(const TickRecord& now, const TickRecord& /*before*/) { return (now.in.commands & kCommandStop) != 0; }
+bool told(const TickRecord& now, const TickRecord& /*before*/) { return (now.in.requests & kRequestStop) != 0; }
 bool late(const TickRecord& now, const TickRecord& before) { return now.in.late + before.in.late >= 3; }
 bool another_field(const TickRecord& now, const TickRecord& before) { return now.in.field_generation != before.in.field_generation; }
 bool too_deep(const TickRecord& now, const TickRecord& /*before*/) {  // 4 mm below a ball of 25 mm
@@ -125,7 +125,7 @@ std::vector<Case> cases() {
        line, S::kFault, kFaultEmergency | kFaultEnable, false},
       {"told to stop", "",
        [](FaultBench& b, int t) {
-         if (t == kStrike) b.commands.ask(kCommandStop);
+         if (t == kStrike) b.commands.ask(kRequestStop);
        },
        told, S::kFault, kFaultStopped, false},
       {"hand too deep", "", {}, too_deep, S::kFault, kFaultPenetration, false, shallow},
@@ -166,7 +166,7 @@ class Follow {
     for (int t = 0; t < kMost && !(well_again_ >= 0 && t > well_again_ + 300) && !(!happens && t > 1000); ++t) {
       if (case_.pull) case_.pull(bench_, t);
       if (t >= kAskFrom && t % 100 == 0 && bench_.state() == S::kFault) {
-        bench_.commands.ask(kCommandResume);
+        bench_.commands.ask(kRequestResume);
         asked_ = true;
       }
       const TickRecord before = bench_.last;
@@ -184,7 +184,7 @@ class Follow {
   void look(int t, const TickRecord& now, const TickRecord& before) {
     const bool zero = !bench_.has_words();
     if (!zero && bench_.state() != S::kActive && broken_.empty()) broken_ = "words in a state that has none";
-    if (now.out.tick.words != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
+    if (now.out.commands != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
     if (shown_ < 0 && case_.shows && case_.shows(now, before)) shown_ = t;
     if (shown_ >= 0 && zero_ < 0 && zero) zero_ = t;
     if (!zero && case_.shows == nullptr) return;
@@ -192,9 +192,9 @@ class Follow {
     if (graver(bench_.state(), S::kActive) ? graver(bench_.state(), state_) : bench_.state() == S::kHoming && state_ == S::kActive)
       state_ = bench_.state();
     if (!asked_) faults_ = static_cast<std::uint16_t>(faults_ | now.out.faults);
-    if (zero_ >= 0 && well_again_ < 0 && t > zero_ && !zero && (now.out.tick.status & kRamping) == 0) well_again_ = t;
-    if (zero_ >= 0 && well_again_ < 0 && !zero && bench_.state() == S::kActive && (before.out.tick.state != now.out.tick.state) &&
-        (now.out.tick.status & kRamping) == 0 && broken_.empty())
+    if (zero_ >= 0 && well_again_ < 0 && t > zero_ && !zero && (now.out.status & kRamping) == 0) well_again_ = t;
+    if (zero_ >= 0 && well_again_ < 0 && !zero && bench_.state() == S::kActive && (before.out.state != now.out.state) &&
+        (now.out.status & kRamping) == 0 && broken_.empty())
       broken_ = "forces return without a soft start";
   }
 

@@ -9,13 +9,13 @@
 #include <string>
 #include <thread>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "firmware/io/control_server.h"
 #include "firmware/io/control_socket.h"
 #include "firmware/io/field_intake.h"
 #include "firmware/io/linux_clock.h"
 #include "firmware/io/recorder.h"
-#include "firmware/io/wire_trace_file.h"
+#include "shared/files/trace_file.h"
 #include "tests/driver/fault_bench.h"
 #include "tests/support/full_disk.h"
 
@@ -91,17 +91,18 @@ FaultRow host_killed() {
 
 /// returns   why a recording is not just so many ticks that come to the same bits again; empty: it is
 std::string why_not_replayed(const std::string& path, const BlobView& field, std::uint64_t ticks) {
-  io::WireTrace trace;
-  if (std::string complaint = io::read_wire_trace(path, trace); !complaint.empty()) return complaint;
-  const TraceHeader& run = trace.header.run;
-  const core::DeviceTickModel model = core::make_device_model(trace.header.device, run.settings, run.period_ns);
-  core::DeviceState state;
-  for (const DeviceTraceRecord& record : trace.records) {
+  files::TraceFile trace;
+  if (std::string complaint = files::read_trace(path, trace); !complaint.empty()) return complaint;
+  const TraceHeader& header = trace.header();
+  const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
+  core::TickState state;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord record = trace.record(tick);
     const BlobView* felt = record.input.field_generation == 0 ? nullptr : &field;
-    if (core::device_tick(record.input, felt, model, state) != record.output) return "what was recorded does not replay";
+    if (core::tick(record.input, felt, model, state) != record.output) return "what was recorded does not replay";
   }
-  if (run.blob_hash != field.hash()) return "the recording names another field";
-  return trace.records.size() == ticks ? "" : "not every tick that the disk took is in the recording";
+  if (header.field_hash != field.hash()) return "the recording names another field";
+  return trace.size() == ticks ? "" : "not every tick that the disk took is in the recording";
 }
 
 FaultRow disk_full() {
@@ -113,10 +114,10 @@ FaultRow disk_full() {
   const Folder folder;
   const std::string path = folder.path + "/felt.trace";
   constexpr std::uint64_t kRoom = 5'000;  // ticks: the words are back
-  DeviceTraceHeader header;
+  TraceHeader header;
   header.device = bench.settings.device;
-  header.run.period_ns = bench.settings.period_ns;
-  header.run.settings = bench.settings.tick;
+  header.period_ns = bench.settings.period_ns;
+  header.settings = bench.settings.tick;
   const std::vector<std::uint8_t> image = ball_image(25);
   const BlobView field = *BlobView::parse(image);
   io::Recorder recorder(
@@ -124,7 +125,7 @@ FaultRow disk_full() {
       [&](const std::string& sentence) { row.sentence += sentence; });
   row.broken = recorder.start(path);
   {
-    const FullDisk disk(device_trace_layout::kHeaderBytes + kRoom * device_trace_layout::kRecordBytes + 7);
+    const FullDisk disk(trace_layout::kHeaderBytes + kRoom * trace_layout::kRecordBytes + 7);
     for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: words return when the hand has been out once
       bench.tick();
       recorder.drain();

@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "firmware/loop/realtime.h"
 #include "shared/blob.h"
-#include "shared/device_trace.h"
+#include "shared/trace.h"
 #include "tests/driver/fault_bench.h"
 #include "tests/support/random.h"
 
@@ -80,12 +80,12 @@ SettingChange random_setting(Random& random) {
 /// What a run must keep in every tick.
 class Judge {
  public:
-  explicit Judge(const DeviceTraceHeader& header) : chain_(header) {}
+  explicit Judge(const TraceHeader& header) : chain_(header) {}
 
   /// returns   what is broken, nullptr: nothing
   const char* look(const loop::TickRecord& now, const FalconCommand& left, std::uint64_t& shown) {
     const bool words = left.words != std::array<std::int16_t, 3>{};
-    const bool active = now.out.tick.state == static_cast<std::uint16_t>(SupervisorState::kActive);
+    const bool active = now.out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
     // By the input alone. A sample that is no packet is none.
     const auto reply = decode_reply(now.in.packet);
     const int gap = static_cast<int>(std::min(stale_, 15U)) + 1;
@@ -96,20 +96,20 @@ class Judge {
       counts_ = reply->counts;
       has_counts_ = true;
     }
-    const bool bad = stale_ >= 3 || now.in.lines != 0 || (now.in.commands & kCommandStop) != 0 || now.in.late >= 3 || jump;
+    const bool bad = stale_ >= 3 || now.in.lines != 0 || (now.in.requests & kRequestStop) != 0 || now.in.late >= 3 || jump;
     in_a_row_ = bad ? in_a_row_ + 1 : 0;
     shown += bad ? 1 : 0;
-    if (left.words != now.out.tick.words) return "other words were left than the tick said";
+    if (left.words != now.out.commands) return "other words were left than the tick said";
     if (words && !active) return "words in a state that has none";
     if (words && in_a_row_ > kMostTicks) return "words beyond the bound";
     if (words && bad) return "words in a tick that shows a fault";
-    if (fault_ && now.out.tick.state != kFaultState && (now.in.commands & kCommandResume) == 0 && now.out.buttons == 0)
+    if (fault_ && now.out.state != kFaultState && (now.in.requests & kRequestResume) == 0 && now.out.buttons == 0)
       return "a fault ended without a person";
-    fault_ = now.out.tick.state == kFaultState;
+    fault_ = now.out.state == kFaultState;
     return nullptr;
   }
 
-  DeviceChain chain_;
+  Chain chain_;
 
  private:
   static constexpr auto kFaultState = static_cast<std::uint16_t>(SupervisorState::kFault);
@@ -124,12 +124,12 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
   FaultBench::Options options;
   options.faults = random_script(random, run.faults);
   const auto bench = std::make_unique<FaultBench>(options);
-  DeviceTraceHeader header;
+  TraceHeader header;
   header.device = options.device;
-  header.run.period_ns = FaultBench::kPeriod;
+  header.period_ns = FaultBench::kPeriod;
   Judge judge(header);
-  const core::DeviceTickModel model = core::make_device_model(options.device, {}, FaultBench::kPeriod);
-  core::DeviceState replayed;
+  const core::TickModel model = core::make_tick_model(options.device, {}, FaultBench::kPeriod);
+  core::TickState replayed;
   std::vector<std::size_t> field_of = {0};  // by generation
   int until_line = 0;
   for (int t = 0; t < kTicksOfARun; ++t, ++run.ticks) {
@@ -146,9 +146,9 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
     if (below(random, 9000) == 0) bench->lines.stuck_off = true, until_line = t + 150, ++run.faults;
     if (below(random, 9000) == 0) bench->lines.stuck_on = true, until_line = t + 150, ++run.faults;
     if (t >= until_line) bench->lines.pressed = bench->lines.stuck_off = bench->lines.stuck_on = false;
-    if (below(random, 6000) == 0) bench->commands.ask(kCommandStop), ++run.faults;
-    if (below(random, 9000) == 0) bench->commands.ask(kCommandRestart);
-    if (below(random, 200) == 0) bench->commands.ask(kCommandResume);
+    if (below(random, 6000) == 0) bench->commands.ask(kRequestStop), ++run.faults;
+    if (below(random, 9000) == 0) bench->commands.ask(kRequestRestart);
+    if (below(random, 200) == 0) bench->commands.ask(kRequestResume);
     if (below(random, 500) == 0) bench->commands.set(random_setting(random)), ++run.settings;
 
     const std::uint64_t before = loop::allocations_of_thread, by_driver = bench->allocations_of_driver;
@@ -156,16 +156,16 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
     run.allocations += loop::allocations_of_thread - before - (bench->allocations_of_driver - by_driver);
 
     for (loop::TickRecord record; bench->trace.pop(record);) {
-      DeviceTraceRecord written{record.in, record.out, judge.chain_.extend(record.in, record.out), 0};
-      const auto read = decode_device_record(encode(written));
+      TraceRecord written{record.in, record.out, judge.chain_.extend(record.in, record.out), 0};
+      const auto read = decode_record(encode(written));
       const bool has_field = read && read->input.field_generation != 0;
       const BlobView* field = has_field ? &fields[field_of[read->input.field_generation]].view : nullptr;
-      const bool same = read && core::device_tick(read->input, field, model, replayed) == read->output;
+      const bool same = read && core::tick(read->input, field, model, replayed) == read->output;
       if (!same && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + " does not replay";
     }
     const char* broken = judge.look(now, bench->last_left(), run.shown);
     if (broken != nullptr && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + ": " + broken;
-    ++run.in_state[now.out.tick.state];
+    ++run.in_state[now.out.state];
     run.with_words += bench->has_words() ? 1U : 0U;
   }
   run.allocations_of_driver += bench->allocations_of_driver;

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const DeviceModel model = libnifalcon_model();
   fuzz::Front front(data, size);
   while (!front.empty()) {
-    DeviceInput in;
+    Input in;
     for (std::uint8_t& byte : in.packet) byte = front.take<std::uint8_t>();
     in.fresh = (in.packet[14] & 1U) != 0;
     if (const Result<FalconReply> reply = decode_reply(in.packet)) {

@@ -1,7 +1,7 @@
 /// The core under anything that a wire may show: bounds hold, and the same inputs give the same words.
 #include <cstdlib>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "tests/fuzz/input.h"
 #include "tests/support/field_image.h"
 
@@ -21,13 +21,13 @@ const BlobView& ball() {
 /// A hand that mostly moves as hands do, a wire that mostly works.
 struct Wire {
   FalconReply reply{{0, 0, 0}, 0, 7};
-  DeviceInput in;
+  Input in;
 
-  DeviceInput& next(fuzz::Front& front) {
+  Input& next(fuzz::Front& front) {
     const auto what = front.take<std::uint8_t>();
     in.fresh = true;
     in.age = 0;
-    in.commands = in.late = in.lines = 0;
+    in.requests = in.late = in.lines = 0;
     in.change = {};
     in.field_generation = 1;
     const int reach = (what & 0x80U) != 0 ? 8 : 1;
@@ -40,7 +40,7 @@ struct Wire {
         for (std::uint8_t& byte : in.packet) byte = front.take<std::uint8_t>();
         break;
       case 1: in.fresh = false, in.age = front.take<std::uint8_t>(); break;
-      case 2: in.commands = front.take<std::uint8_t>() & 7U; break;
+      case 2: in.requests = front.take<std::uint8_t>() & 7U; break;
       case 3: in.lines = front.take<std::uint8_t>() & 3U; break;
       case 4: in.late = front.take<std::uint8_t>() & 31U; break;
       case 5: {
@@ -81,22 +81,22 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if ((feel & 4U) != 0) settings.passivity = Damping::of(0.01), settings.device_damping = Damping::of(0.003), settings.delay_ticks = 2;
   if ((feel & 8U) != 0) settings.weight = Newton::of(0.8);
   if ((feel & 16U) != 0) settings.damping = Damping::of(0.001);
-  const core::DeviceTickModel model = core::make_device_model(model_of(front), settings, 1'000'000);
+  const core::TickModel model = core::make_tick_model(model_of(front), settings, 1'000'000);
 
-  core::DeviceState state, twin;
+  core::TickState state, twin;
   Wire wire;
   for (int tick = 0; tick < 1000 && !front.empty(); ++tick) {
-    const DeviceInput& in = wire.next(front);
+    const Input& in = wire.next(front);
     const BlobView* field = in.field_generation == 0 ? nullptr : &ball();
-    const DeviceOutput out = core::device_tick(in, field, model, state);
-    fuzz::hold(out == core::device_tick(in, field, model, twin), "the same inputs give the same outputs");
-    fuzz::hold(out.tick.state <= static_cast<std::uint16_t>(SupervisorState::kFault), "the supervisor is in one of its states");
-    const bool active = out.tick.state == static_cast<std::uint16_t>(SupervisorState::kActive);
-    for (const std::int16_t word : out.tick.words) {
+    const Output out = core::tick(in, field, model, state);
+    fuzz::hold(out == core::tick(in, field, model, twin), "the same inputs give the same outputs");
+    fuzz::hold(out.state <= static_cast<std::uint16_t>(SupervisorState::kFault), "the supervisor is in one of its states");
+    const bool active = out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
+    for (const std::int16_t word : out.commands) {
       fuzz::hold(active || word == 0, "words are zero in every state but active");
       fuzz::hold(std::abs(word) <= model.device.word_limit, "no word is beyond the limit");
     }
-    fuzz::hold((out.faults != 0) == (out.tick.state == static_cast<std::uint16_t>(SupervisorState::kFault)), "a fault has its reasons");
+    fuzz::hold((out.faults != 0) == (out.state == static_cast<std::uint16_t>(SupervisorState::kFault)), "a fault has its reasons");
   }
   return 0;
 }

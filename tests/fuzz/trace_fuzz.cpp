@@ -2,10 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/render.h"
 #include "firmware/core/tick.h"
 #include "shared/crc32.h"
-#include "shared/device_trace.h"
 #include "shared/trace.h"
 #include "tests/fuzz/input.h"
 #include "tests/support/field_image.h"
@@ -41,29 +40,27 @@ void at_hip(std::span<std::uint8_t> bytes) {
   seal<92>(bytes);
   const Result<TraceHeader> header = decode_header(bytes, bytes.size());
   if (!header) return;
-  const core::TickModel model = core::make_model(header->settings, header->period_ns, ball());
-  core::TickState state;
+  const core::RenderModel model = core::make_render_model(header->settings, header->period_ns, ball());
+  core::RenderState state;
   walk<TraceRecord, kRecordBytes>(
       bytes.subspan(kHeaderBytes), [](auto b) { return decode_record(b); },
-      [&](const TraceRecord& record) { core::tick(record.input, ball(), model, state); });
+      [&](const TraceRecord& record) { core::render(record.input, ball(), model, state); });
 }
 
 void at_wire(std::span<std::uint8_t> bytes) {
-  using namespace device_trace_layout;
+  using namespace trace_layout;
   if (bytes.size() < kHeaderBytes) return;
   DeviceModelBytes model_bytes{};
   std::copy_n(bytes.begin() + kModelAt, model_bytes.size(), model_bytes.begin());
   if (const Result<DeviceModel> device = decode_model(model_bytes)) store_le(bytes.data() + 32, hash(*device));
   seal<kChecksumAt>(bytes);
-  const Result<DeviceTraceHeader> header = decode_device_header(bytes, bytes.size());
+  const Result<TraceHeader> header = decode_header(bytes, bytes.size());
   if (!header) return;
-  const core::DeviceTickModel model = core::make_device_model(header->device, header->run.settings, header->run.period_ns);
-  core::DeviceState state;
-  walk<DeviceTraceRecord, kRecordBytes>(
-      bytes.subspan(kHeaderBytes), [](auto b) { return decode_device_record(b); },
-      [&](const DeviceTraceRecord& record) {
-        core::device_tick(record.input, record.input.field_generation == 0 ? nullptr : &ball(), model, state);
-      });
+  const core::TickModel model = core::make_tick_model(header->device, header->settings, header->period_ns);
+  core::TickState state;
+  walk<TraceRecord, kRecordBytes>(
+      bytes.subspan(kHeaderBytes), [](auto b) { return decode_record(b); },
+      [&](const TraceRecord& record) { core::tick(record.input, record.input.field_generation == 0 ? nullptr : &ball(), model, state); });
 }
 
 }  // namespace
@@ -71,6 +68,6 @@ void at_wire(std::span<std::uint8_t> bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fuzz::Copy copy(data, size);
   const Result<std::uint16_t> major = trace_major(copy.bytes());
-  if (major) *major == device_trace_layout::kMajor ? at_wire(copy.bytes()) : at_hip(copy.bytes());
+  if (major) *major == trace_layout::kMajor ? at_wire(copy.bytes()) : at_hip(copy.bytes());
   return 0;
 }

@@ -33,13 +33,14 @@ TEST(DeviceModel, StandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::int32_t>(at + 80), 20 << 20);
   EXPECT_EQ(load_le<std::uint32_t>(at + 88), 3U);
   EXPECT_EQ(load_le<std::uint32_t>(at + 92), 100'000'000U);
-  EXPECT_EQ(at[104], 1);
-  EXPECT_EQ(at[107], 2);
-  EXPECT_EQ(load_le<std::int32_t>(at + 108), 2000);
-  EXPECT_EQ(load_le<std::uint32_t>(at + 112), 20'000U);
-  EXPECT_EQ(at[116], 15);
-  EXPECT_EQ(at[117], 0);
-  EXPECT_TRUE(std::all_of(at + 118, at + kDeviceModelBytes, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::int32_t>(at + 104), Mm::of(0.046).raw());
+  EXPECT_EQ(at[108], 1);
+  EXPECT_EQ(at[111], 2);
+  EXPECT_EQ(load_le<std::int32_t>(at + 112), 2000);
+  EXPECT_EQ(load_le<std::uint32_t>(at + 116), 20'000U);
+  EXPECT_EQ(at[120], 15);
+  EXPECT_EQ(at[121], 0);
+  EXPECT_TRUE(std::all_of(at + 122, at + kDeviceModelBytes, [](std::uint8_t b) { return b == 0; }));
 }
 
 TEST(DeviceModel, EveryByteIsInTheHashOrRefused) {
@@ -54,7 +55,7 @@ TEST(DeviceModel, EveryByteIsInTheHashOrRefused) {
       EXPECT_EQ(read.error(), Error::kBadModel);
       continue;
     }
-    EXPECT_LT(bit / 8, 118U) << "a reserved byte";
+    EXPECT_LT(bit / 8, 122U) << "a reserved byte";
     ++accepted;
     seen.insert(hash(*read));
   }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <deque>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "hil/falcon_model/mechanism.h"
 #include "tests/support/field_image.h"
 
@@ -69,8 +69,8 @@ Seen simulate(const Trial& run, int ticks) {
   settings.passivity = Damping::from_raw(run.controlled ? static_cast<std::int32_t>(run.most * 16777216) : 0);
   settings.device_damping = Damping::of(kDamping);
   settings.delay_ticks = run.delay;
-  const DeviceTickModel model = make_device_model(libnifalcon_model(), settings, 1'000'000);
-  DeviceState state;
+  const TickModel model = make_tick_model(libnifalcon_model(), settings, 1'000'000);
+  TickState state;
 
   MechanismSettings body;
   body.gravity_n = {};
@@ -84,19 +84,19 @@ Seen simulate(const Trial& run, int ticks) {
   Vec3<Newton> last;
   for (int t = 0; t < ticks; ++t) {
     const falcon_model::Counts counts = mechanism.counts();
-    DeviceInput in;
+    Input in;
     FalconReply reply;
     for (std::size_t i = 0; i < 3; ++i) reply.counts[i] = static_cast<std::int16_t>(counts[i]);
     reply.homed = 7;
     in.packet = encode(reply);
     in.fresh = true;
     in.field_generation = 1;
-    const DeviceOutput out = device_tick(in, &block().view(), model, state);
-    if (!touched && (out.tick.status & kContact) != 0) {  // what the hand lost on its way there is no credit
+    const Output out = tick(in, &block().view(), model, state);
+    if (!touched && (out.status & kContact) != 0) {  // what the hand lost on its way there is no credit
       touched = true;
       energy = seen.lowest = 0;
     }
-    way.push_back({out.tick.words[0], out.tick.words[1], out.tick.words[2]});
+    way.push_back({out.commands[0], out.commands[1], out.commands[2]});
     const falcon_model::Commands commands = way.front();
     way.pop_front();
 
@@ -110,8 +110,8 @@ Seen simulate(const Trial& run, int ticks) {
     });
     const double z = mechanism.position_mm().z - 125;
     seen.lowest = std::min(seen.lowest, energy);
-    seen.damped += (out.tick.status & kDamped) != 0 ? 1 : 0;
-    const Vec3<Newton> injected = state.tick.passivity.injected;
+    seen.damped += (out.status & kDamped) != 0 ? 1 : 0;
+    const Vec3<Newton> injected = state.render.passivity.injected;
     const Vec3<Newton> step = injected - last;
     last = injected;
     if (t >= ticks - 4000 && t < ticks - 2000) earlier.add(z);

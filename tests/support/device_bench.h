@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-#include "firmware/core/device_tick.h"
+#include "firmware/core/tick.h"
 #include "tests/support/falcon_twin.h"
 #include "tests/support/field_image.h"
 
@@ -29,10 +29,10 @@ inline const FieldImage& ball() {
 
 inline Point mm(const Vec3<Mm>& v) { return {v.x.raw() / 1048576.0, v.y.raw() / 1048576.0, v.z.raw() / 1048576.0}; }
 inline Point newton(const Vec3<Newton>& v) { return {v.x.raw() / 65536.0, v.y.raw() / 65536.0, v.z.raw() / 65536.0}; }
-inline SupervisorState state_of(const DeviceOutput& out) { return static_cast<SupervisorState>(out.tick.state); }
+inline SupervisorState state_of(const Output& out) { return static_cast<SupervisorState>(out.state); }
 
-inline DeviceInput packet(const core::Counts& counts, std::uint8_t homed = 7, std::uint8_t buttons = 0) {
-  DeviceInput in;
+inline Input packet(const core::Counts& counts, std::uint8_t homed = 7, std::uint8_t buttons = 0) {
+  Input in;
   in.packet = encode(FalconReply{counts, buttons, homed});
   in.fresh = true;
   return in;
@@ -41,16 +41,16 @@ inline DeviceInput packet(const core::Counts& counts, std::uint8_t homed = 7, st
 struct DeviceBench {
   explicit DeviceBench(const FalconSet& which = falcon_sets()[0], DeviceModel device = falcon_sets()[0].model,
                        const TickSettings& settings = {})
-      : set(which), model(core::make_device_model(device, settings, 1'000'000)) {}
+      : set(which), model(core::make_tick_model(device, settings, 1'000'000)) {}
 
   core::Counts counts_at(const Point& workspace) const { return nearest_counts(set.twin, workspace + kOrigin, 3000).value(); }
-  DeviceOutput operator()(DeviceInput in) {
+  Output operator()(Input in) {
     in.field_generation = generation;
-    return core::device_tick(in, generation == 0 ? nullptr : &ball().view(), model, state);
+    return core::tick(in, generation == 0 ? nullptr : &ball().view(), model, state);
   }
-  DeviceOutput at(const Point& workspace) { return (*this)(packet(counts_at(workspace))); }
-  DeviceOutput rest(const Point& workspace, int ticks) {
-    DeviceOutput out;
+  Output at(const Point& workspace) { return (*this)(packet(counts_at(workspace))); }
+  Output rest(const Point& workspace, int ticks) {
+    Output out;
     for (int t = 0; t < ticks; ++t) out = at(workspace);
     return out;
   }
@@ -59,8 +59,8 @@ struct DeviceBench {
     for (int t = 0; t <= 60; ++t) at(kCentre + unit(from * (60.0 - t) + to * t) * 10);
   }
   /// From beside the ball along x, at 50 mm/s, until `radius` mm are left to its middle.
-  DeviceOutput press(double radius) {
-    DeviceOutput out;
+  Output press(double radius) {
+    Output out;
     for (double r = 10; r > radius; r -= 0.05) out = at(kCentre + Point{r, 0, 0});
     return out;
   }
@@ -70,15 +70,15 @@ struct DeviceBench {
     ASSERT_EQ(state_of(rest(kCentre + Point{10, 0, 0}, 240)), SupervisorState::kActive);
   }
   /// Nothing new for so many ticks.
-  static DeviceInput stale(std::uint16_t age) {
-    DeviceInput in;
+  static Input stale(std::uint16_t age) {
+    Input in;
     in.age = age;
     return in;
   }
 
   FalconSet set;
-  core::DeviceTickModel model;
-  core::DeviceState state;
+  core::TickModel model;
+  core::TickState state;
   std::uint32_t generation = 0;
 };
 

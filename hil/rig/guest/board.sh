@@ -90,11 +90,11 @@ record() {
 }
 
 # The recording of everything, once the controller has ended: the core must repeat it, and each input that speaks against forces must have ended them.
-# zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouchctl trace zero`.
+# zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouchctl trace stop-latency`.
 zeros() {
   isotouchctl replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
   say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
-  isotouchctl trace zero /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
+  isotouchctl trace stop-latency /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
   sed -i 1d /run/zero.log
   [ "$(wc -l </run/zero.log)" = $# ] || fail "not $# faults ended forces: $(cat /run/zero.log)"
   while read -r tick condition ticks state; do
@@ -104,6 +104,11 @@ zeros() {
     esac
     shift
   done </run/zero.log
+}
+
+# The ticks of a recording with motor commands, one a line.
+commands_in() {
+  isotouchctl trace show "/run/$1.trace" --csv --columns tick,command_1,command_2,command_3 | awk -F, 'NR > 1 && ($2 != 0 || $3 != 0 || $4 != 0) { print $1 }'
 }
 
 # dialogue FIELD: the core repeats the whole recording, and its dialogue is the one that desk and hand had in lockstep.

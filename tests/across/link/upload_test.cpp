@@ -18,7 +18,7 @@
 #include "host/blob/packed.h"
 #include "host/error.h"
 #include "host/link/controller.h"
-#include "shared/device_trace.h"
+#include "shared/trace.h"
 #include "tests/firmware/io/control_rig.h"
 #include "tests/support/field_image.h"
 
@@ -138,19 +138,19 @@ struct Recorded {
     ended = controller.record(
         ticks,
         [&](std::span<const std::uint8_t> bytes) {
-          const auto read = decode_device_header(bytes, bytes.size());
+          const auto read = decode_header(bytes, bytes.size());
           ASSERT_TRUE(read);
           chain.emplace(*read);
         },
         [&](std::span<const std::uint8_t> bytes) {
-          const auto record = decode_device_record(bytes.first<device_trace_layout::kRecordBytes>());
+          const auto record = decode_record(bytes.first<trace_layout::kRecordBytes>());
           ASSERT_TRUE(record);
           EXPECT_EQ(chain->extend(record->input, record->output), record->chain) << records;
           if (++records == 100 && once) once();
         },
         enough);
   }
-  std::optional<DeviceChain> chain;
+  std::optional<Chain> chain;
   std::uint64_t records = 0;
   std::string ended;
 };

@@ -12,6 +12,8 @@ namespace {
 using test::Point;
 using test::Random;
 
+constexpr PerSecond kRate = PerSecond::of(1000);
+
 /// Only the numbers that a coupling reads.
 BlobView view_with(double edge_mm, double stiffness) {
   BlobView view;
@@ -32,7 +34,7 @@ Point newton(const Force& force) {
 }
 
 TEST(Coupling, IsASpringOfTheBlobsStiffness) {
-  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
+  const Coupling coupling = for_field(make_coupling({}, kRate), view_with(0.34, 0.8));
   Random random(41);
   double worst = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -50,14 +52,14 @@ TEST(Coupling, IsASpringOfTheBlobsStiffness) {
 TEST(Coupling, TheSettingsStiffnessComesBeforeTheBlobs) {
   TickSettings settings;
   settings.stiffness = Stiffness::of(2.0);
-  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  const Coupling coupling = for_field(make_coupling(settings, kRate), view_with(0.5, 0.8));
   CouplingState state;
   state.ramp = coupling.ramp_ticks;
   EXPECT_NEAR(newton(couple(contact_with({0, 0, 3}), coupling.stiffness, coupling, state)).z, 3.0, 0.0001);
 }
 
 TEST(Coupling, WithoutContactThereIsNoForceInTheSameTick) {
-  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.34, 0.8));
+  const Coupling coupling = for_field(make_coupling({}, kRate), view_with(0.34, 0.8));
   CouplingState state;
   couple(contact_with({5, 0, 0}), coupling.stiffness, coupling, state);
   const Force left = couple(Contact{}, coupling.stiffness, coupling, state);
@@ -68,7 +70,7 @@ TEST(Coupling, WithoutContactThereIsNoForceInTheSameTick) {
 TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
   TickSettings settings;
   settings.force_limit = Newton::of(2.5);
-  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.34, 0.8));
+  const Coupling coupling = for_field(make_coupling(settings, kRate), view_with(0.34, 0.8));
   Random random(42);
   int limited = 0;
   for (int i = 0; i < 5000; ++i) {
@@ -92,7 +94,7 @@ TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
 TEST(Coupling, DampingFollowsTheChangeOfStretch) {
   TickSettings settings;
   settings.damping = Damping::of(0.002);  // N·s/mm
-  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  const Coupling coupling = for_field(make_coupling(settings, kRate), view_with(0.5, 0.8));
   CouplingState state;
   state.ramp = coupling.ramp_ticks;
   couple(contact_with({0, 0, 2}), coupling.stiffness, coupling, state);
@@ -103,7 +105,7 @@ TEST(Coupling, DampingFollowsTheChangeOfStretch) {
 TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
   TickSettings settings;
   settings.ramp_ticks = 10;
-  const Coupling coupling = make_coupling(settings, 1'000'000, view_with(0.5, 0.8));
+  const Coupling coupling = for_field(make_coupling(settings, kRate), view_with(0.5, 0.8));
   CouplingState state;
   Contact away;
   away.following = true;
@@ -120,7 +122,7 @@ TEST(Coupling, ContactThatDidNotBeginAtRestGrowsOverTheRamp) {
 }
 
 TEST(Coupling, ContactThatBeginsAtRestHasItsFullForceAtOnce) {
-  const Coupling coupling = make_coupling({}, 1'000'000, view_with(0.5, 0.8));
+  const Coupling coupling = for_field(make_coupling({}, kRate), view_with(0.5, 0.8));
   CouplingState state;
   couple(Contact{}, coupling.stiffness, coupling, state);  // at the HIP, in free space
   const Force force = couple(contact_with({0.5, 0, 0}), coupling.stiffness, coupling, state);

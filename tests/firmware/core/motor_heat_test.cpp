@@ -18,7 +18,7 @@ struct Bench {
   std::int16_t ask(int word, int ticks) {
     std::int16_t got = 0;
     for (int t = 0; t < ticks; ++t) {
-      const WordLimit limit = word_limit(motors, budget, heat);
+      const CommandLimit limit = command_limit(motors, budget, heat);
       got = static_cast<std::int16_t>(std::min(word, limit.motors.limit >> 8));
       warm({got, static_cast<std::int16_t>(-got / 2), 0}, budget, heat);
       hottest = std::max(hottest, square(0));
@@ -26,7 +26,7 @@ struct Bench {
     return got;
   }
   double square(std::size_t motor) const { return double(heat.squares[motor]) / 65536; }
-  bool lowered() const { return word_limit(motors, budget, heat).lowered; }
+  bool lowered() const { return command_limit(motors, budget, heat).lowered; }
 
   DeviceModel device;
   Motors motors;
@@ -69,13 +69,13 @@ TEST(MotorHeat, TheLimitBeginsAtThreeQuartersOfTheBudget) {
   bench.heat.has_begun = true;
   bench.heat.squares[2] = std::int64_t{3'000'000} << 16;
   EXPECT_FALSE(bench.lowered());
-  EXPECT_EQ(word_limit(bench.motors, bench.budget, bench.heat).motors.limit, 4095 << 8);
+  EXPECT_EQ(command_limit(bench.motors, bench.budget, bench.heat).motors.limit, 4095 << 8);
   bench.heat.squares[2] = std::int64_t{3'001'000} << 16;
   EXPECT_TRUE(bench.lowered());
   bench.heat.squares[2] = std::int64_t{3'500'000} << 16;
-  EXPECT_NEAR(word_limit(bench.motors, bench.budget, bench.heat).motors.limit / 256.0, (4095 + 2000) / 2.0, 1);
+  EXPECT_NEAR(command_limit(bench.motors, bench.budget, bench.heat).motors.limit / 256.0, (4095 + 2000) / 2.0, 1);
   bench.heat.squares[2] = std::int64_t{16'777'216} << 16;
-  EXPECT_NEAR(word_limit(bench.motors, bench.budget, bench.heat).motors.limit / 256.0, 2000, 1);
+  EXPECT_NEAR(command_limit(bench.motors, bench.budget, bench.heat).motors.limit / 256.0, 2000, 1);
 }
 
 TEST(MotorHeat, WhatIsNotKnownIsTakenForThreeQuarters) {

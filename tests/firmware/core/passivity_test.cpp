@@ -35,7 +35,7 @@ struct Wall {
     force.newton.x = fixed<Newton>(felt);
     force.limited = spring > limit;
     if (force.limited) force.kept = fixed<Ratio>(limit / spring);
-    book_energy({fixed<Mm>(x), {}, {}}, force, {}, passivity, state);
+    book_energy({fixed<Mm>(x) - fixed<Mm>(begun ? last : x), {}, {}}, force, {}, passivity, state);
 
     const double holds = spring > limit ? felt * stretch - felt * felt / stiffness / 2 : felt * stretch / 2;
     const double device = std::ldexp(passivity.device.raw(), -DampingPerTick::kFractionBits);

@@ -5,15 +5,15 @@
 namespace isotouch::core {
 namespace {
 
-DeviceInput packet(const Counts& counts, std::uint8_t homed = 7) {
-  DeviceInput in;
+Input packet(const Counts& counts, std::uint8_t homed = 7) {
+  Input in;
   in.packet = encode(FalconReply{counts, 5, homed});
   in.fresh = true;
   return in;
 }
 
 struct Reader {
-  Reading operator()(const DeviceInput& in) { return read_reply(in, model, state); }
+  Reading operator()(const Input& in) { return read_reply(in, model, state); }
   DeviceModel model = libnifalcon_model();
   ReplyState state;
 };
@@ -39,7 +39,7 @@ TEST(ReplyReader, HomedNeedsAllThreeLegsTwiceInARow) {
 TEST(ReplyReader, AStaleOrMalformedPacketChangesNoCount) {
   Reader read;
   read(packet({10, 20, 30}));
-  DeviceInput in = packet({11, 21, 31});
+  Input in = packet({11, 21, 31});
   in.fresh = false;
   in.age = 4;
   EXPECT_FALSE(read(in).fresh);
@@ -63,7 +63,7 @@ TEST(ReplyReader, AJumpIsWhatNoHandDoesInTheTimeThatPassed) {
   EXPECT_TRUE(read(packet({400, 1, 0})).jumped);
   EXPECT_TRUE(read(packet({-32768, 1, 32767})).jumped);
   read(packet({0, 0, 0}));
-  DeviceInput stale;
+  Input stale;
   read(stale);
   read(stale);
   EXPECT_FALSE(read(packet({1200, 0, 0})).jumped) << "three ticks";

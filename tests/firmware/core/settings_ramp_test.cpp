@@ -12,7 +12,7 @@ constexpr SettingChange kNothing;
 Coupling coupling_with(std::uint32_t ramp_ticks) {
   TickSettings settings;
   settings.ramp_ticks = ramp_ticks;
-  Coupling coupling = make_coupling(settings, 1'000'000);
+  Coupling coupling = make_coupling(settings, PerSecond::of(1000));
   coupling.stiffness = Stiffness::of(0.8);
   return coupling;
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/core/tick.h"
+#include "firmware/core/render.h"
 #include "tests/support/field_image.h"
 #include "tests/support/reference.h"
 
@@ -108,10 +108,10 @@ struct Press {
 
 /// Presses the ball along `normal`, 1.5 mm deep.
 Press press(const FieldImage& image, const Point& normal, const TickSettings& settings = {}) {
-  const TickModel model = make_model(settings, 1'000'000, image.view());
-  TickState state;
-  TickOutput out;
-  TickInput in;
+  const PositionModel model = make_position_model(libnifalcon_model(), settings, 1'000'000, image.view());
+  PositionState state;
+  Output out;
+  Input in = position_input({});
   const auto raw = [](double v) { return Mm::from_raw(static_cast<std::int32_t>(std::lround(v * 1048576))); };
   const auto mm = [](const Vec3<Mm>& v) { return Point{v.x.raw() / 1048576.0, v.y.raw() / 1048576.0, v.z.raw() / 1048576.0}; };
   constexpr double kEdge = 0.34;
@@ -119,7 +119,7 @@ Press press(const FieldImage& image, const Point& normal, const TickSettings& se
   for (double r = kRadius + 2; r > kRadius - 1.5 / kEdge; r -= 0.05) {
     const Point hip = (kCentre + normal * r) * kEdge + origin;
     in.hip = {raw(hip.x), raw(hip.y), raw(hip.z)};
-    out = tick(in, image.view(), model, state);
+    out = render_position(in, image.view(), model, state);
   }
   EXPECT_EQ(out.status, std::uint32_t{kContact});
   const Point force = {out.force.x.raw() / 65536.0, out.force.y.raw() / 65536.0, out.force.z.raw() / 65536.0};

@@ -51,7 +51,7 @@ TEST(SupervisorTable, ForcesBeginFromReadyAndHoldAloneAndOnlyWhenAllIsWell) {
   int ways = 0;
   for (const S state : kAll) {
     for (std::size_t f = 0; f < kFindings; ++f) {
-      if (!allows_words(next_state(state, finding(f)))) continue;
+      if (!allows_force(next_state(state, finding(f)))) continue;
       ++ways;
       EXPECT_EQ(finding(f), Finding::kWell);
       EXPECT_TRUE(state == S::kReady || state == S::kActive || state == S::kHold);
@@ -61,17 +61,17 @@ TEST(SupervisorTable, ForcesBeginFromReadyAndHoldAloneAndOnlyWhenAllIsWell) {
 }
 
 TEST(SupervisorTable, ForcesGoInTheTickOfAnyOtherFinding) {
-  for (std::size_t f = 0; f < kFindings; ++f) EXPECT_EQ(allows_words(next_state(S::kActive, finding(f))), finding(f) == Finding::kWell);
+  for (std::size_t f = 0; f < kFindings; ++f) EXPECT_EQ(allows_force(next_state(S::kActive, finding(f))), finding(f) == Finding::kWell);
 }
 
 TEST(SupervisorTable, WordsAreAllowedInOneState) {
-  for (const S state : kAll) EXPECT_EQ(allows_words(state), state == S::kActive);
+  for (const S state : kAll) EXPECT_EQ(allows_force(state), state == S::kActive);
 }
 
 TEST(SupervisorTable, WhatStandsNotInItIsAFault) {
   EXPECT_EQ(next_state(static_cast<S>(7), Finding::kWell), S::kFault);
   EXPECT_EQ(next_state(S::kActive, static_cast<Finding>(8)), S::kFault);
-  EXPECT_FALSE(allows_words(static_cast<S>(7)));
+  EXPECT_FALSE(allows_force(static_cast<S>(7)));
 }
 
 TEST(SupervisorTable, FromEveryStateButFaultTheWellKnownWayLeadsToForces) {

@@ -43,7 +43,7 @@ struct Exhaustive {
     const bool is_active = memory.state == S::kActive;
     active += is_active ? 1 : 0;
     const bool pressed = (seen.buttons & ~before.buttons & with.buttons) != 0;
-    const bool asked = (seen.commands & kCommandResume) != 0 || pressed;
+    const bool asked = (seen.requests & kRequestResume) != 0 || pressed;
     const auto demand = [&](bool holds, const char* property) {
       if (!holds && broken == nullptr) broken = property;
     };
@@ -55,7 +55,7 @@ struct Exhaustive {
       ++resumed;
       demand(asked && memory.state == S::kIdle, "only a person leads out of fault, and not to forces");
     }
-    const bool cause = (seen.commands & kCommandStop) != 0 || seen.lines != 0 || (seen.heard && seen.stale_ticks > kFault);
+    const bool cause = (seen.requests & kRequestStop) != 0 || seen.lines != 0 || (seen.heard && seen.stale_ticks > kFault);
     demand(!cause || memory.state == S::kFault, "a cause of fault is one from everywhere");
     const bool forces = before.state == S::kActive || before.state == S::kHold;
     demand(!(forces && seen.jumped && seen.homed) || memory.state == S::kFault, "a jump under forces is a fault");
@@ -84,7 +84,7 @@ TEST(Supervisor, WhateverItFindsAndRemembersItsPromisesHold) {
           seen.stale_ticks = stale;
           seen.late = late;
           seen.lines = static_cast<std::uint8_t>(outside & 3);
-          seen.commands = static_cast<std::uint8_t>((outside >> 2) & 3);
+          seen.requests = static_cast<std::uint8_t>((outside >> 2) & 3);
           seen.buttons = static_cast<std::uint8_t>(outside >> 4);
           for (std::uint32_t memory = 0; memory < 7 * 32; ++memory) {
             SupervisorMemory before;
@@ -113,7 +113,7 @@ TEST(Supervisor, EveryStateLeadsWhereTheTableSays) {
   uncertain.pose_settled = false;
   stale.stale_ticks = kHold;
   no_field.has_field = false;
-  stopped.commands = kCommandStop;
+  stopped.requests = kRequestStop;
   for (const S from : {S::kBoot, S::kHoming, S::kIdle, S::kReady, S::kActive, S::kHold, S::kFault}) {
     EXPECT_EQ(after(from, stopped), next_state(from, Finding::kFaulty));
     EXPECT_EQ(after(from, unheard), next_state(from, Finding::kUnheard));
@@ -134,7 +134,7 @@ TEST(Supervisor, EachConditionHasItsOwnFault) {
     supervise(seen, limits(), memory);
     return memory.faults;
   };
-  EXPECT_EQ(fault_of([](Observations& o) { o.commands = kCommandStop; }), kFaultStopped);
+  EXPECT_EQ(fault_of([](Observations& o) { o.requests = kRequestStop; }), kFaultStopped);
   EXPECT_EQ(fault_of([](Observations& o) { o.stale_ticks = kFault + 1; }), kFaultSilent);
   EXPECT_EQ(fault_of([](Observations& o) { o.too_deep = true; }), kFaultPenetration);
   EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true; }), kFaultEncoders);
@@ -172,16 +172,16 @@ TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
   seen.stale_ticks = kFault + 1;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.faults, kFaultPenetration | kFaultSilent);
-  seen.commands = kCommandResume;
+  seen.requests = kRequestResume;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.state, S::kFault);
   seen = well();
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.state, S::kFault);
-  seen.commands = kCommandStop | kCommandResume;
+  seen.requests = kRequestStop | kRequestResume;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.state, S::kFault) << "stop outweighs resume";
-  seen.commands = kCommandResume;
+  seen.requests = kRequestResume;
   supervise(seen, limits(), memory);
   EXPECT_EQ(memory.state, S::kIdle);
   EXPECT_EQ(memory.faults, 0);

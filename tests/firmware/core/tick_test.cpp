@@ -4,237 +4,196 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 #include "tests/support/alloc_guard.h"
-#include "tests/support/field_image.h"
-#include "tests/support/reference.h"
+#include "tests/support/device_bench.h"
 
 namespace isotouch::core {
 namespace {
 
-using test::FieldImage;
+using test::FalconSet;
+using test::kCentre;
+using test::kOrigin;
+using test::mm;
+using test::newton;
+using test::packet;
 using test::Point;
-using test::Random;
+using test::state_of;
+using test::Words;
+using Bench = test::DeviceBench;
 
-constexpr Point kCentre = {2.0, -1.0, 3.0};  // mm, of a ball of 8 mm
-
-const FieldImage& ball() {
-  static const FieldImage image({64, 64, 64},
-                                [](const Point& p) {
-                                  const Point mm = p * 0.4 - Point{12, 12, 12};
-                                  return (test::length(mm - kCentre) - 8.0) / 0.4;
-                                },
-                                {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}});
-  return image;
-}
-
-TickInput at(const Point& mm) {
-  const auto q = [](double v) { return Mm::from_raw(static_cast<std::int32_t>(std::lround(v * 1048576))); };
-  TickInput in;
-  in.hip = {q(mm.x), q(mm.y), q(mm.z)};
-  return in;
-}
-
-Point mm(const Vec3<Mm>& v) { return {v.x.raw() / 1048576.0, v.y.raw() / 1048576.0, v.z.raw() / 1048576.0}; }
-Point newton(const Vec3<Newton>& v) { return {v.x.raw() / 65536.0, v.y.raw() / 65536.0, v.z.raw() / 65536.0}; }
-
-struct Felt {
-  TickModel model;
-  TickState state;
-  explicit Felt(const TickSettings& settings = {}) : model(make_model(settings, 1'000'000, ball().view())) {}
-  TickOutput operator()(const TickInput& in) { return tick(in, ball().view(), model, state); }
-};
-
-TEST(Tick, InContactTheForceIsStiffnessTimesDepthAlongTheNormal) {
-  Felt felt;
-  Random random(51);
-  for (int touch = 0; touch < 50; ++touch) {
-    const Point n = random.direction();
-    TickOutput out;
-    for (double r = 9.5; r > 7.0; r -= 0.05) out = felt(at(kCentre + n * r));
-    EXPECT_EQ(out.status, std::uint32_t{kContact});
-    EXPECT_NEAR(test::length(newton(out.force)), 0.8 * 0.95, 0.002);
-    EXPECT_LT(test::angle_degrees(newton(out.force), n), 0.1);
-    EXPECT_NEAR(test::length(mm(out.proxy) - kCentre), 8.0, 0.002);
-    for (double r = 7.0; r < 9.5; r += 0.05) out = felt(at(kCentre + n * r));
-    EXPECT_EQ(out.force, Vec3<Newton>{});
-    for (int t = 0; t < 20; ++t) felt(at({2.0, -1.0, 11.8}));
-  }
-}
-
-TEST(Tick, InFreeSpaceNothingIsFeltAndTheProxyIsTheHip) {
-  Felt felt;
-  Random random(52);
+TEST(DeviceTick, WakesUpStateByState) {
+  Bench bench;
+  Output out = bench(Input{});
+  EXPECT_EQ(state_of(out), SupervisorState::kBoot);
+  EXPECT_EQ(out.packet_flags, kFalconHoming | kFalconRed);
+  for (int t = 0; t < 5; ++t) out = bench(packet({100, 200, 300}, 3));
+  EXPECT_EQ(state_of(out), SupervisorState::kHoming);
+  EXPECT_EQ(out.packet_flags, kFalconHoming | kFalconRed);
   int ticks = 0;
-  while (ticks < 2000) {
-    const Point p = random.in_box(11.0);
-    if (test::length(p - kCentre) < 8.3) continue;
-    felt = Felt();
-    const TickInput in = at(p);
-    const TickOutput out = felt(in);
-    EXPECT_EQ(out.force, Vec3<Newton>{});
-    EXPECT_EQ(out.proxy, in.hip);
-    EXPECT_EQ(out.words, (std::array<std::int16_t, 3>{}));
-    ++ticks;
-  }
+  for (; state_of(out) != SupervisorState::kIdle; ++ticks) out = bench.at({0, 0, 0});
+  EXPECT_LE(ticks, 10);
+  EXPECT_EQ(out.packet_flags, kFalconHoming | kFalconBlue);
+  EXPECT_EQ(state_of(bench.rest({11, 0, 0}, 100)), SupervisorState::kIdle);
+  bench.generation = 1;
+  EXPECT_EQ(state_of(bench.at({11, 0, 0})), SupervisorState::kReady);
+  out = bench.at({11, 0, 0});
+  EXPECT_EQ(state_of(out), SupervisorState::kActive);
+  EXPECT_EQ(out.packet_flags, kFalconHoming | kFalconGreen);
+  EXPECT_EQ(out.faults, 0);
 }
 
-TEST(Tick, ContactBeginsAndEndsWithoutAJump) {
-  Felt felt;
-  Point last = {};
-  double largest = 0;
-  for (int t = 0; t <= 4000; ++t) {  // in and out through the surface, 15 µm a tick
-    const double way = t % 80 < 40 ? t % 40 : 40 - t % 40;
-    const double r = 8.3 - 0.015 * way;
-    const Point force = newton(felt(at(kCentre + Point{0, 0.6, 0.8} * r)).force);
-    largest = std::max(largest, test::length(force - last));
-    last = force;
-  }
-  EXPECT_LT(largest, 0.8 * 0.0155);  // stiffness times the hand's way in a tick, and rounding
-  EXPECT_GT(largest, 0.8 * 0.0145);
-}
-
-TEST(Tick, AHandThatBeginsInsideIsLeftAloneUntilItLeaves) {
-  Felt felt;
-  TickOutput out = felt(at(kCentre + Point{1, 0, 0}));
-  EXPECT_TRUE(out.status & kHeldInside);
-  for (double r = 1.0; r < 7.9; r += 0.05) {
-    out = felt(at(kCentre + Point{r, 0, 0}));
-    EXPECT_EQ(out.force, Vec3<Newton>{});
-  }
-  for (double r = 7.9; r < 9.0; r += 0.05) out = felt(at(kCentre + Point{r, 0, 0}));
-  EXPECT_EQ(out.status, 0U);
-  EXPECT_TRUE(felt(at(kCentre + Point{7.9, 0, 0})).status & kContact);
-}
-
-TEST(Tick, TellsWhatItDidToTheInput) {
-  Felt felt;
-  TickInput in = at({600, 0, 0});
-  in.fresh = false;
-  in.age = 2;
-  const TickOutput out = felt(in);
-  EXPECT_EQ(out.status, std::uint32_t{kInputClamped} | kOutsideGrid | kStale);
-  EXPECT_EQ(out.proxy.x, Mm::of(512));
-  EXPECT_EQ(felt(at({512, 0, 0})).status & kInputClamped, 0U);
-}
-
-TEST(Tick, TheForceNeverExceedsItsLimit) {
-  TickSettings settings;
-  settings.stiffness = Stiffness::of(50);
-  settings.force_limit = Newton::of(3);
-  Felt felt(settings);
-  TickOutput out;
-  for (double r = 9.0; r > 5.0; r -= 0.05) {
-    out = felt(at(kCentre + Point{0, 0, 1} * r));
-    EXPECT_LE(test::length(newton(out.force)), 3.0001);
-  }
-  EXPECT_TRUE(out.status & kForceLimited);
-}
-
-/// A block whose upper side is flat and level at z = 0.
-const FieldImage& block() {
-  static const FieldImage image({96, 96, 64},
-                                [](const Point& p) {
-                                  const Point mm = p * 0.4 - Point{19, 19, 20};
-                                  const Point out = {std::abs(mm.x) - 15, std::abs(mm.y) - 15, std::abs(mm.z + 8) - 8};
-                                  const Point apart = {std::max(out.x, 0.0), std::max(out.y, 0.0), std::max(out.z, 0.0)};
-                                  return (test::length(apart) + std::min(std::max({out.x, out.y, out.z}), 0.0)) / 0.4;
-                                },
-                                {.edge_mm = 0.4, .origin_mm = {-19, -19, -20}});
-  return image;
-}
-
-TickSettings rough(Ratio friction) {
-  TickSettings settings;
-  settings.friction = friction;
-  return settings;
-}
-
-TEST(Tick, TheWidestStickingAngleIsThatOfTheFrictionCone) {
-  for (const Ratio mu : {Ratio::of(0.1), Ratio::of(0.2), Ratio::of(0.4), Ratio::of(0.6), Ratio::of(0.8)}) {
-    for (const double turn : {0.0, 1.1, 4.0}) {
-      const TickModel model = make_model(rough(mu), 1'000'000, block().view());
-      TickState state;
-      const Point way = {std::cos(turn), std::sin(turn), 0};
-      for (double z = 0.5; z > -2; z -= 0.05) tick(at({-3, 2, z}), block().view(), model, state);
-      const Vec3<Voxel> grip = state.friction.grip;
-      double widest = 0;
-      for (double pull = 0; state.friction.grip == grip; pull += 0.001) {
-        const TickOutput out = tick(at(Point{-3, 2, -2} + way * pull), block().view(), model, state);
-        const Point force = newton(out.force);
-        if (state.friction.grip == grip) widest = std::hypot(force.x, force.y) / force.z;
+TEST(DeviceTick, InContactTheWordsAreThoseOfTheTwin) {
+  for (const FalconSet& set : test::falcon_sets()) {
+    Bench bench(set, set.model);
+    test::Random random(101);
+    bench.begin();
+    double worst_word = 0, worst_hip = 0;
+    int compared = 0;
+    for (int touch = 0; touch < 40; ++touch) {
+      const Point n = random.direction();
+      bench.go_round(touch == 0 ? Point{1, 0, 0} : Point{0, 0, 1}, n);
+      for (double r = 10; r > 9; r -= 0.05) bench.at(kCentre + n * r);
+      for (double r = 9; r > 5; r -= 0.02) {
+        const Point hip = kCentre + n * r;
+        const Output out = bench.at(hip);
+        ASSERT_EQ(state_of(out), SupervisorState::kActive);
+        const test::Angles angles = set.twin.angles_of(bench.counts_at(hip));
+        const Point there = *set.twin.forward(angles, hip + kOrigin);
+        worst_hip = std::max(worst_hip, test::length(mm(out.hip) + kOrigin - there));
+        const test::Angles torques = set.twin.torques(there, angles, newton(out.force));
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double exact = -torques[i] / set.twin.newton_mm_per_word;
+          if ((out.status & (kCommandsLimited | kSlewLimited)) != 0) continue;
+          worst_word = std::max(worst_word, std::abs(out.commands[i] - exact));
+          ++compared;
+        }
       }
-      const double expected = mu.raw() / 1073741824.0;
-      EXPECT_NEAR(widest, expected, 0.01 * expected) << turn;
+      for (double r = 5; r < 10; r += 0.05) bench.at(kCentre + n * r);
+      bench.go_round(n, Point{0, 0, 1});
     }
+    EXPECT_GT(compared, 20'000) << set.name;
+    EXPECT_LT(worst_word, 0.6) << set.name;  // half is rounding
+    EXPECT_GT(worst_word, 0.4) << set.name;
+    EXPECT_LT(worst_hip, 0.000005) << set.name;
   }
 }
 
-TEST(Tick, AStickHoldsForAMinuteWithoutDrift) {
-  const TickModel model = make_model(rough(Ratio::of(0.4)), 1'000'000, block().view());
-  TickState state;
-  Random random(54);
-  const Point press = {0.3, -0.2, -1.5};  // tangent 0.24, within the cone
-  for (double part = -0.2; part < 1; part += 0.02) tick(at({0, 0, press.z * part}), block().view(), model, state);
-  for (double part = 0; part < 1; part += 0.02) tick(at({press.x * part, press.y * part, press.z}), block().view(), model, state);
-  const Vec3<Voxel> grip = state.friction.grip;
-  Vec3<Mm> first, last;
-  for (int t = 0; t <= 60'000; ++t) {
-    const bool tremor = t % 60'000 != 0;
-    last = tick(at(press + (tremor ? random.in_ball(0.05) : Point{})), block().view(), model, state).proxy;
-    if (t == 0) first = last;
-    ASSERT_EQ(state.friction.grip, grip) << t;
-  }
-  EXPECT_LT(test::length(mm(last) - mm(first)), 0.00002);
-  EXPECT_LT(std::hypot(mm(last).x, mm(last).y), 0.001);  // still where it was touched first
-}
-
-TEST(Tick, WithoutContactThereIsNoForceWhateverIsSet) {
-  TickSettings settings = rough(Ratio::of(0.6));
-  settings.damping = Damping::of(0.002);
-  settings.friction_damping = Damping::of(0.002);
-  settings.hand_damping = Damping::of(0.004);
-  settings.passivity = Damping::of(0.05);
-  settings.delay_ticks = 2;
-  Felt felt(settings);
-  Random random(55);
-  int touching = 0, apart = 0;
-  Point hip = {};
-  for (int t = 0; t < 1'000'000; ++t) {
-    hip = t % 7 == 0 ? random.in_box(15) : hip + random.in_ball(1.5);  // any place, and short ways from there
-    const TickOutput out = felt(at(hip));
-    if ((out.status & kContact) != 0) {
-      ++touching;
-      continue;
-    }
-    ++apart;
+TEST(DeviceTick, WordsAreZeroInEveryStateButActive) {
+  Bench bench;
+  test::Random random(102);
+  int states[7] = {};
+  Point hip = kCentre + Point{9, 0, 0};
+  for (int t = 0; t < 200'000; ++t) {
+    if (t % 997 == 0) bench.generation = t % 1994 == 0 ? bench.generation + 1 : 0;
+    hip = kCentre + test::unit(hip + random.in_box(0.3) - kCentre) * (8 + 2 * std::sin(t * 0.01));
+    Input in = packet(bench.counts_at(hip), t % 5000 < 20 ? 3 : 7);
+    if (t % 5000 == 0) in.packet = encode(FalconReply{{-3000, 50, 3000}, 0, 0});
+    const std::uint64_t dice = random.bits() % 2000;
+    if (dice < 3) in.requests = kRequestStop;
+    if (dice >= 3 && dice < 20) in.requests = kRequestResume;
+    if (t % 300 > 294 || t % 20000 > 19800) in = bench.stale(1);
+    const Output out = bench(in);
+    ++states[out.state];
+    if (state_of(out) == SupervisorState::kActive) continue;
+    ASSERT_EQ(out.commands, Words{}) << t;
     ASSERT_EQ(out.force, Vec3<Newton>{}) << t;
-    ASSERT_EQ(out.status & kDamped, 0U);
   }
-  EXPECT_GT(touching, 10'000);
-  EXPECT_GT(apart, 100'000);
+  for (int i = 1; i < 7; ++i) EXPECT_GT(states[i], 20) << i;
+  EXPECT_GT(states[4], 10'000);
 }
 
-TEST(Tick, DampingActsAgainstTheHandInContact) {
-  TickSettings settings;
-  settings.hand_damping = Damping::of(0.01);
-  Felt felt(settings), bare;
-  for (double r = 9; r > 6.5; r -= 0.05) felt(at(kCentre + Point{0, 0, 1} * r)), bare(at(kCentre + Point{0, 0, 1} * r));
-  const TickInput in = at(kCentre + Point{0, 0, 6.5});
-  EXPECT_NEAR(newton(felt(in).force).z - newton(bare(in).force).z, 0.01 * 50, 0.01);  // 50 mm/s inwards
-  for (int t = 0; t < 100; ++t) felt(in), bare(in);
-  EXPECT_NEAR(newton(felt(in).force).z, newton(bare(in).force).z, 0.00003);
+TEST(DeviceTick, HomedBitsThatAreDroppedLaterChangeNothing) {
+  Bench bench;
+  bench.begin();
+  const Counts counts = bench.counts_at(kCentre + Point{10, 0, 0});
+  for (int t = 0; t < 100; ++t) EXPECT_EQ(state_of(bench(packet(counts, 0))), SupervisorState::kActive);
 }
 
-TEST(Tick, AllocatesNothing) {
-  Felt felt;
-  Random random(53);
-  std::vector<TickInput> inputs;
-  for (int i = 0; i < 20000; ++i) inputs.push_back(at(random.in_box(14.0)));
-  felt(inputs[0]);
+TEST(DeviceTick, AnotherFieldBeginsAtTheHipWithARamp) {
+  Bench bench;
+  bench.begin();
+  bench.press(7);
+  EXPECT_GT(newton(bench.at(kCentre + Point{7, 0, 0}).force).x, 0.7);
+  bench.generation = 2;
+  Output out = bench.at(kCentre + Point{7, 0, 0});
+  EXPECT_EQ(state_of(out), SupervisorState::kActive);
+  EXPECT_EQ(out.commands, Words{});
+  EXPECT_EQ(out.proxy, out.hip);
+  EXPECT_TRUE(out.status & kHeldInside);
+  for (double r = 7; r < 10; r += 0.05) EXPECT_EQ(bench.at(kCentre + Point{r, 0, 0}).commands, Words{});
+  out = bench.press(7);
+  EXPECT_TRUE(out.status & kRamping);
+  out = bench.rest(kCentre + Point{7, 0, 0}, 200);
+  EXPECT_EQ(out.status, std::uint32_t{kContact});
+}
+
+TEST(DeviceTick, ARestartForgetsEverything) {
+  Bench used, fresh;
+  used.begin();
+  used.press(7);
+  fresh.generation = used.generation;
+  for (int t = 0; t < 300; ++t) {
+    Input in = packet(used.counts_at(kCentre + Point{8.5 + std::sin(t * 0.02), 0, 0}));
+    in.requests = t == 0 ? kRequestRestart : 0;
+    ASSERT_EQ(used(in), fresh(in)) << t;
+  }
+  EXPECT_EQ(state_of(used.at(kCentre + Point{10, 0, 0})), SupervisorState::kActive);
+}
+
+TEST(DeviceTick, AllocatesNothing) {
+  Bench bench;
+  bench.begin();
+  std::vector<Input> inputs;
+  test::Random random(103);
+  for (int i = 0; i < 2000; ++i) inputs.push_back(packet(bench.counts_at(random.in_ball(14))));
   const test::AllocGuard guard;
-  for (const TickInput& in : inputs) felt(in);
+  for (int round = 0; round < 20; ++round) {
+    for (const Input& in : inputs) bench(in);
+  }
   EXPECT_EQ(guard.count(), 0U);
+}
+
+TEST(DeviceTick, ASettingThatChangesInContactChangesTheForceByARamp) {
+  Bench bench;
+  bench.begin();
+  const Point inside = kCentre + Point{7, 0, 0};
+  bench.press(7);
+  bench.rest(inside, 50);
+  const double before = newton(bench.at(inside).force).x;
+  Input in = packet(bench.counts_at(inside));
+  in.change = {TickSetting::kStiffness, Stiffness::of(1.2).raw()};
+  double last = before;
+  for (int t = 0; t < 50; ++t) {
+    const double force = newton(bench(in).force).x;
+    EXPECT_NEAR(force - last, before * 0.5 / 50, 0.0005) << t;
+    last = force;
+    in.change = {};
+  }
+  EXPECT_NEAR(last, 1.5 * before, 0.0005);
+  EXPECT_EQ(newton(bench.at(inside).force).x, last);
+  bench.generation = 2;  // another field keeps what was set
+  bench.press(7);
+  EXPECT_NEAR(newton(bench.rest(inside, 300).force).x, 1.5 * before, 0.001);
+  in = packet(bench.counts_at(inside));
+  in.requests = kRequestRestart;  // a recording that begins here has the settings of its header
+  bench(in);
+  bench.rest(kCentre + Point{10, 0, 0}, 240);
+  bench.press(7);
+  EXPECT_NEAR(newton(bench.rest(inside, 50).force).x, before, 0.001);
+}
+
+TEST(DeviceTick, TheHandleIsHeldUpWhileThereMayBeForcesOnly) {
+  TickSettings settings;
+  settings.weight = Newton::of(0.8);
+  Bench bench(test::falcon_sets()[0], test::falcon_sets()[0].model, settings);
+  EXPECT_EQ(bench.rest({11, 0, 0}, 100).commands, Words{});
+  bench.begin();
+  const Output out = bench.at(kCentre + Point{10, 0, 0});
+  EXPECT_EQ(out.force, (Vec3<Newton>{{}, Newton::of(0.8), {}}));
+  EXPECT_NE(out.commands, Words{});
 }
 
 }  // namespace

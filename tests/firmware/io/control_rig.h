@@ -35,7 +35,7 @@ class FakeTick {
     thread_.join();
   }
 
-  loop::Commands commands;
+  loop::Requests commands;
   loop::TickStats stats;
   loop::Latest<loop::TickRecord> shown;
   loop::TraceRing ring;
@@ -57,10 +57,10 @@ class FakeTick {
       const auto at = static_cast<std::int16_t>(count + (number % 2 == 0 ? sway.load() : 0));
       record.in.packet = encode(FalconReply{{at, at, at}, 0, 7});
       record.in.fresh = true;
-      record.in.commands = commands.take();
+      record.in.requests = commands.take();
       record.in.field_generation = field.generation;
-      record.out.tick.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
-      obeyed |= record.in.commands;
+      record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
+      obeyed |= record.in.requests;
       if (field.generation != generation) felt = field.view->hash();
       generation = field.generation;
       stats.ticks.add();
@@ -88,7 +88,7 @@ struct ControlRig {
     settings.path = (scratch.path() / "control").string();
     settings.program = "a test";
     settings.recordings.device = libnifalcon_model();
-    settings.recordings.run.period_ns = 1'000'000;
+    settings.recordings.period_ns = 1'000'000;
     if (change) change(settings);
     server =
         std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring,

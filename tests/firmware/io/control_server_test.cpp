@@ -190,10 +190,10 @@ TEST(ControlServer, StopAndResumeReachTheTick) {
   };
   speaker.say(Kind::kStop);
   EXPECT_EQ(speaker.hear().kind, Kind::kDone);
-  EXPECT_EQ(obeyed_in_time(kCommandStop), kCommandStop);
+  EXPECT_EQ(obeyed_in_time(kRequestStop), kRequestStop);
   speaker.say(Kind::kResume);
   EXPECT_EQ(speaker.hear().kind, Kind::kDone);
-  EXPECT_EQ(obeyed_in_time(kCommandResume), kCommandStop | kCommandResume);
+  EXPECT_EQ(obeyed_in_time(kRequestResume), kRequestStop | kRequestResume);
 }
 
 TEST(ControlServer, ASettingIsSetOrRefusedInOneSentence) {
@@ -242,14 +242,14 @@ TEST(ControlServer, StatusAndHistogramsAreTheTicks) {
 }
 
 /// The records of one frame, or none with what was said instead.
-std::vector<DeviceTraceRecord> records_of(const Heard& heard) {
-  std::vector<DeviceTraceRecord> records;
+std::vector<TraceRecord> records_of(const Heard& heard) {
+  std::vector<TraceRecord> records;
   const auto said = heard.kind == Kind::kRecords ? wire::decode<wire::Records>(heard.body) : Result<wire::Records>(Error::kBadMessage);
   if (!said) return records;
-  constexpr std::size_t kBytes = device_trace_layout::kRecordBytes;
+  constexpr std::size_t kBytes = trace_layout::kRecordBytes;
   EXPECT_EQ(said->record_bytes, kBytes);
   for (std::size_t at = 0; at + kBytes <= said->bytes.size(); at += kBytes) {
-    const auto record = decode_device_record(said->bytes.subspan(at).first<kBytes>());
+    const auto record = decode_record(said->bytes.subspan(at).first<kBytes>());
     EXPECT_TRUE(record);
     records.push_back(*record);
   }
@@ -307,19 +307,19 @@ TEST(ControlServer, ARecordingBeginsAnewAndItsChainHolds) {
   speaker.say(Kind::kRecord);
   Heard heard = speaker.hear();
   ASSERT_EQ(heard.kind, Kind::kRecording);
-  const auto header = decode_device_header(wire::decode<wire::Recording>(heard.body)->header, device_trace_layout::kHeaderBytes);
+  const auto header = decode_header(wire::decode<wire::Recording>(heard.body)->header, trace_layout::kHeaderBytes);
   ASSERT_TRUE(header);
   EXPECT_EQ(header->device, rig.settings.recordings.device);
   other.say(Kind::kRecord);
   expect_sentence(other.hear(), "another client is recording");
-  DeviceChain chain(*header);
+  Chain chain(*header);
   std::size_t ticks = 0;
   while (ticks < 500) {
     heard = speaker.hear();
-    const std::vector<DeviceTraceRecord> records = records_of(heard);
+    const std::vector<TraceRecord> records = records_of(heard);
     ASSERT_FALSE(records.empty()) << heard.refusal();
-    for (const DeviceTraceRecord& record : records) {
-      EXPECT_EQ((record.input.commands & kCommandRestart) != 0, ticks == 0);
+    for (const TraceRecord& record : records) {
+      EXPECT_EQ((record.input.requests & kRequestRestart) != 0, ticks == 0);
       EXPECT_EQ(chain.extend(record.input, record.output), record.chain);
       ++ticks;
     }

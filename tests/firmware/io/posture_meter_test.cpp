@@ -17,7 +17,7 @@ loop::TickRecord tick(std::uint64_t number, const std::array<std::int16_t, 3>& c
   record.number = number;
   record.in.packet = encode(FalconReply{counts, 0, 7});
   record.in.fresh = true;
-  record.out.tick.state = static_cast<std::uint16_t>(SupervisorState::kIdle);
+  record.out.state = static_cast<std::uint16_t>(SupervisorState::kIdle);
   return record;
 }
 
@@ -34,7 +34,7 @@ std::string refusal_of(const std::function<void(loop::TickRecord&)>& change, boo
   return meter.refusal();
 }
 
-void set_state(loop::TickRecord& record, SupervisorState state) { record.out.tick.state = static_cast<std::uint16_t>(state); }
+void set_state(loop::TickRecord& record, SupervisorState state) { record.out.state = static_cast<std::uint16_t>(state); }
 
 TEST(PostureMeter, TellsTheMeanOfTheCounts) {
   PostureMeter meter;
@@ -63,7 +63,7 @@ TEST(PostureMeter, OneTickWithForceIsTooMuch) {
   EXPECT_THAT(refusal_of([](auto& t) { set_state(t, SupervisorState::kActive); }), HasSubstr("force is active; "));
   EXPECT_THAT(refusal_of([](auto& t) { set_state(t, SupervisorState::kReady); }), HasSubstr("force is active; "));
   EXPECT_THAT(refusal_of([](auto& t) { set_state(t, SupervisorState::kHold); }), HasSubstr("force is active; ")) << "it returns by itself";
-  EXPECT_THAT(refusal_of([](auto& t) { t.out.tick.words[1] = 1; }), HasSubstr("the motors push; "));
+  EXPECT_THAT(refusal_of([](auto& t) { t.out.commands[1] = 1; }), HasSubstr("the motors push; "));
 }
 
 TEST(PostureMeter, AHandThatMovesIsRefusedAndOneThatTremblesALittleIsNot) {

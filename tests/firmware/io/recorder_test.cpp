@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "shared/files/trace_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::io {
@@ -14,7 +15,7 @@ namespace {
 struct Bench {
   explicit Bench(bool keeps = false) {
     if (keeps) std::filesystem::create_directory(state);
-    DeviceTraceHeader header;
+    TraceHeader header;
     header.device = libnifalcon_model();
     recorder.emplace(
         RecorderSettings{header, keeps ? state : std::string(), 50, 10, 2}, ring, &watched, commands,
@@ -27,24 +28,24 @@ struct Bench {
     for (int i = 0; i < count; ++i) {
       loop::TickRecord tick;
       tick.number = ++number;
-      tick.in.commands = commands.take();
+      tick.in.requests = commands.take();
       tick.in.field_generation = generation;
-      tick.out.tick.state = static_cast<std::uint16_t>(shown);
+      tick.out.state = static_cast<std::uint16_t>(shown);
       tick.out.faults = shown == SupervisorState::kFault ? kFaultSilent : 0;
       ring.push(tick);
     }
     recorder->drain();
   }
-  static WireTrace read(const std::string& file) {
-    WireTrace trace;
-    EXPECT_EQ(read_wire_trace(file, trace), "");
+  static files::TraceFile read(const std::string& file) {
+    files::TraceFile trace;
+    EXPECT_EQ(files::read_trace(file, trace), "");
     return trace;
   }
 
   ScratchFolder folder;
   std::string path = (folder.path() / "a.trace").string(), state = (folder.path() / "state").string();
   loop::TraceRing ring{1024}, watched{16};
-  loop::Commands commands;
+  loop::Requests commands;
   std::vector<std::string> said;
   std::uint64_t number = 0;
   std::uint32_t newest = 0;  ///< field; the hashes of those before are forgotten
@@ -58,10 +59,10 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   bench.ticks(10);
   bench.recorder->stop();
   bench.ticks(5);
-  const WireTrace trace = bench.read(bench.path);
-  ASSERT_EQ(trace.records.size(), 10U);
-  EXPECT_EQ(trace.records[0].input.commands, kCommandRestart);
-  EXPECT_EQ(trace.header.run.blob_hash, 0U);
+  const files::TraceFile trace = bench.read(bench.path);
+  ASSERT_EQ(trace.size(), 10U);
+  EXPECT_EQ(trace.record(0).input.requests, kRequestRestart);
+  EXPECT_EQ(trace.header().field_hash, 0U);
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
 }
 
@@ -78,9 +79,9 @@ TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
   bench.ticks(4, 7);
   bench.ticks(2, 0);
   bench.ticks(5, 8);
-  const WireTrace trace = bench.read(bench.path);
-  EXPECT_EQ(trace.records.size(), 9U);
-  EXPECT_EQ(trace.header.run.blob_hash, 7000U);
+  const files::TraceFile trace = bench.read(bench.path);
+  EXPECT_EQ(trace.size(), 9U);
+  EXPECT_EQ(trace.header().field_hash, 7000U);
   EXPECT_NE(bench.said.at(0).find("another field was loaded"), std::string::npos);
 }
 
@@ -90,7 +91,7 @@ TEST(Recorder, EndsWhereTheRingLostATick) {
   bench.ticks(3);
   ++bench.number;
   bench.ticks(3);
-  EXPECT_EQ(bench.read(bench.path).records.size(), 3U);
+  EXPECT_EQ(bench.read(bench.path).size(), 3U);
   EXPECT_NE(bench.said.at(0).find("ticks were lost"), std::string::npos);
 }
 
@@ -114,10 +115,10 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   EXPECT_EQ(bench.recorder->faults(), kFaultSilent);
   EXPECT_TRUE(std::filesystem::is_empty(state)) << "what comes after it belongs to it";
   bench.ticks(100, 3, SupervisorState::kFault);
-  const WireTrace trace = bench.read(state + "/fault-1.trace");
-  ASSERT_EQ(trace.records.size(), 61U);
-  EXPECT_EQ(trace.header.run.blob_hash, 3000U);
-  for (std::size_t i = 0; i < 61; ++i) EXPECT_EQ(trace.records[i].output.faults, i < 50 ? 0 : kFaultSilent) << i;
+  const files::TraceFile trace = bench.read(state + "/fault-1.trace");
+  ASSERT_EQ(trace.size(), 61U);
+  EXPECT_EQ(trace.header().field_hash, 3000U);
+  for (std::size_t i = 0; i < 61; ++i) EXPECT_EQ(trace.record(i).output.faults, i < 50 ? 0 : kFaultSilent) << i;
   for (int fault = 0; fault < 3; ++fault) {
     bench.ticks(20, 3, SupervisorState::kIdle);
     bench.ticks(20, 3, SupervisorState::kFault);
@@ -135,10 +136,10 @@ TEST(Recorder, ARunThatBeginsInFaultHasNothingToShow) {
 
 /// Saved with so many ticks before the fault and from it on; no others.
 void expect_saved(const Bench& bench, std::size_t before, std::size_t from) {
-  const WireTrace trace = bench.read(bench.state + "/fault-1.trace");
-  ASSERT_EQ(trace.records.size(), before + from);
-  EXPECT_EQ(trace.header.run.blob_hash, 3000U) << "the field of the fault";
-  for (std::size_t i = 0; i < before + from; ++i) EXPECT_EQ(trace.records[i].output.faults, i < before ? 0 : kFaultSilent) << i;
+  const files::TraceFile trace = bench.read(bench.state + "/fault-1.trace");
+  ASSERT_EQ(trace.size(), before + from);
+  EXPECT_EQ(trace.header().field_hash, 3000U) << "the field of the fault";
+  for (std::size_t i = 0; i < before + from; ++i) EXPECT_EQ(trace.record(i).output.faults, i < before ? 0 : kFaultSilent) << i;
 }
 
 TEST(Recorder, AFaultIsInItsRecordingWhenAnotherFieldComesAfterIt) {
@@ -174,7 +175,7 @@ TEST(Recorder, AnEndInTheMiddleCompletesWhatIsWritten) {
   ASSERT_EQ(bench.recorder->start(bench.path), "");
   bench.ticks(3);
   bench.recorder.reset();
-  EXPECT_EQ(bench.read(bench.path).records.size(), 3U);
+  EXPECT_EQ(bench.read(bench.path).size(), 3U);
 }
 
 }  // namespace

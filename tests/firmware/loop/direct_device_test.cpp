@@ -36,11 +36,11 @@ std::vector<TickRecord> run(std::vector<Answer> script) {
   const std::atomic<bool> stop{false};
   DirectDevice device(port, clock, 1'000'000, stop);
   FieldSlots fields(64);
-  Commands commands;
+  Requests requests;
   TraceRing trace(1 << 12);
   Latest<TickRecord> shown;
   TickStats stats;
-  Loop loop({.lockstep = true}, device, clock, {fields, commands, trace, shown, stats});
+  Loop loop({.lockstep = true}, device, clock, {fields, requests, trace, shown, stats});
   loop.run(stop);
   for (TickRecord record; trace.pop(record);) records.push_back(record);
   EXPECT_EQ(stats.late.value(), 0U);

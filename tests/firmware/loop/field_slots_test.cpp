@@ -35,6 +35,8 @@ Result<std::uint32_t> upload(FieldSlots& slots, const Bytes& bytes) {
   const auto place = slots.begin(bytes.size());
   if (place.empty()) return Error::kBadSize;
   std::copy(bytes.begin(), bytes.end(), place.begin());
+  const Result<const BlobView*> view = slots.verify();
+  if (!view) return view.error();
   return slots.commit();
 }
 
@@ -47,6 +49,8 @@ TEST(FieldSlots, TheTickFeelsNothingUntilAFieldIsCommitted) {
   ASSERT_EQ(place.size(), bytes.size());
   EXPECT_EQ(reinterpret_cast<std::uintptr_t>(place.data()) % 64, 0U);
   std::copy(bytes.begin(), bytes.end(), place.begin());
+  EXPECT_EQ(slots.commit().error(), Error::kTruncated) << "nobody has checked it";
+  ASSERT_TRUE(slots.verify());
   EXPECT_EQ(slots.field().view, nullptr);
   ASSERT_TRUE(slots.commit());
   const ActiveField field = slots.field();

@@ -36,12 +36,12 @@ FalconPacket grip_at(const Point& place) {
 
 struct Bench {
   explicit Bench(const LoopSettings& wish = {}, std::size_t ring = 1 << 12)
-      : trace(ring), settings(wish), loop(settings, device, clock, {fields, commands, trace, shown, stats, &lines}) {}
+      : trace(ring), settings(wish), loop(settings, device, clock, {fields, requests, trace, shown, stats, &lines}) {}
 
   VirtualClock clock;
   FakeDevice device{clock};
   FieldSlots fields{1 << 20};
-  Commands commands;
+  Requests requests;
   TraceRing trace;
   Latest<TickRecord> shown;
   TickStats stats;
@@ -58,9 +58,10 @@ struct Bench {
   }
   void load(const std::vector<std::uint8_t>& image) {
     std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
+    ASSERT_TRUE(fields.verify());
     ASSERT_TRUE(fields.commit());
   }
-  SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.tick.state); }
+  SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.state); }
 };
 
 TEST(Loop, RepliesStartTheTicksAndEachIsFresh) {
@@ -104,7 +105,7 @@ TEST(Loop, BeforeTheFirstReplyThereIsNoPacketAndTheWordsRest) {
   for (int i = 0; i < 50; ++i) {
     const TickRecord record = bench.step();
     if (record.in.fresh) continue;  // the one question of the beginning
-    EXPECT_EQ(record.out.tick.words, (std::array<std::int16_t, 3>{}));
+    EXPECT_EQ(record.out.commands, (std::array<std::int16_t, 3>{}));
   }
 }
 
@@ -158,10 +159,10 @@ TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
   bench.device.stall_ns = 5'000'000;
   TickRecord record = bench.step();
   EXPECT_EQ(record.in.late, 5);
-  EXPECT_NE(record.out.tick.status & kLate, 0U);
+  EXPECT_NE(record.out.status & kLate, 0U);
   EXPECT_EQ(bench.step().in.late, 0);
   bench.device.stall_ns = 90'000'000;
-  EXPECT_EQ(bench.step().in.late, kMostLate);
+  EXPECT_EQ(bench.step().in.late, kMaxLate);
   EXPECT_EQ(bench.step().in.lines, 0);
   bench.lines.put(kLineStop);
   record = bench.step();
@@ -171,16 +172,16 @@ TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
 
 TEST(Loop, ARecordingBegunInAFaultDoesNotEndIt) {
   Bench bench;
-  bench.commands.ask(kCommandStop);
+  bench.requests.ask(kRequestStop);
   bench.steps(5);
-  bench.commands.ask(kCommandRestart);
-  EXPECT_EQ(bench.step().in.commands, kCommandRestart | kCommandStop);
+  bench.requests.ask(kRequestRestart);
+  EXPECT_EQ(bench.step().in.requests, kRequestRestart | kRequestStop);
   bench.steps(20);
   EXPECT_EQ(bench.state(), SupervisorState::kFault);
-  bench.commands.ask(kCommandResume);
-  EXPECT_NE(static_cast<SupervisorState>(bench.step().out.tick.state), SupervisorState::kFault);
-  bench.commands.ask(kCommandRestart);
-  EXPECT_EQ(bench.step().in.commands, kCommandRestart);
+  bench.requests.ask(kRequestResume);
+  EXPECT_NE(static_cast<SupervisorState>(bench.step().out.state), SupervisorState::kFault);
+  bench.requests.ask(kRequestRestart);
+  EXPECT_EQ(bench.step().in.requests, kRequestRestart);
 }
 
 TEST(Loop, AnAgeDoesNotWrap) {
@@ -196,19 +197,19 @@ TEST(Loop, AnAgeDoesNotWrap) {
 TEST(Loop, ARequestReachesOneTick) {
   Bench bench;
   bench.steps(5);
-  bench.commands.ask(kCommandStop);
-  bench.commands.ask(kCommandRestart);
-  EXPECT_EQ(bench.step().in.commands, kCommandStop | kCommandRestart);
-  EXPECT_EQ(bench.step().in.commands, 0);
+  bench.requests.ask(kRequestStop);
+  bench.requests.ask(kRequestRestart);
+  EXPECT_EQ(bench.step().in.requests, kRequestStop | kRequestRestart);
+  EXPECT_EQ(bench.step().in.requests, 0);
 }
 
 TEST(Loop, ASettingChangesInOneTickAndAgainAfterARestart) {
   Bench bench;
   const SettingChange friction = {TickSetting::kFriction, 1000};
-  bench.commands.set(friction);
+  bench.requests.set(friction);
   EXPECT_EQ(bench.step().in.change, friction);
   EXPECT_EQ(bench.step().in.change, SettingChange{});
-  bench.commands.ask(kCommandRestart);
+  bench.requests.ask(kRequestRestart);
   EXPECT_EQ(bench.step().in.change, friction);
   EXPECT_EQ(bench.step().in.change, SettingChange{});
 }
@@ -229,9 +230,9 @@ TEST(Loop, WordsFollowTheHandOnceAFieldIsLoaded) {
   bench.device.answer = [&way, i = std::size_t{0}](const Command&) mutable { return way[std::min(i++, way.size() - 1)]; };
   bench.steps(300);
   const TickRecord record = bench.step();
-  EXPECT_NE(record.out.tick.status & kContact, 0U);
-  EXPECT_GT(record.out.tick.force.x, Newton::of(1.0));
-  EXPECT_EQ(bench.device.last.falcon.words, record.out.tick.words);
+  EXPECT_NE(record.out.status & kContact, 0U);
+  EXPECT_GT(record.out.force.x, Newton::of(1.0));
+  EXPECT_EQ(bench.device.last.falcon.words, record.out.commands);
   EXPECT_NE(bench.device.last.falcon.words, (std::array<std::int16_t, 3>{}));
   EXPECT_EQ(bench.device.last.falcon.flags, record.out.packet_flags);
   EXPECT_EQ(bench.device.last.tick, record.number);
@@ -273,7 +274,7 @@ TEST(LoopHeavy, AMillionTicksAllocateNothing) {
   for (int i = 0; i < 1'000'000; ++i) {
     bench.loop.step();
     bench.trace.pop(record);
-    contacts += record.out.tick.status & kContact;
+    contacts += record.out.status & kContact;
   }
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_GT(contacts, 300'000U);

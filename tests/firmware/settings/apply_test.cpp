@@ -89,14 +89,14 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   settings.hand_damping = 0.002;
   settings.passivity_damping = 0.1;
   settings.weight_n = -0.75;
-  settings.delay_ticks = 10;
+  settings.delay_ticks = 7;
   const TickSettings tick = tick_settings(settings);
   EXPECT_EQ(tick.friction, Ratio::of(0.5));
   EXPECT_EQ(tick.friction_damping, Damping::of(0.001));
   EXPECT_EQ(tick.hand_damping, Damping::of(0.002));
-  EXPECT_EQ(tick.passivity, kMostDamping);
+  EXPECT_EQ(tick.passivity, Damping::of(0.1));
   EXPECT_EQ(tick.weight, Newton::of(-0.75));
-  EXPECT_EQ(tick.delay_ticks, kMostDelay);
+  EXPECT_EQ(tick.delay_ticks, 7U);
   EXPECT_EQ(tick.stiffness, Stiffness::of(1.5));
   EXPECT_EQ(tick.damping, Damping::of(0.001));
   EXPECT_EQ(tick.force_limit, Newton::of(4));

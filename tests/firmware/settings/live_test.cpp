@@ -8,7 +8,7 @@ namespace isotouch::settings {
 namespace {
 
 TEST(LiveSettings, WhatIsSetReachesTheTickInItsFormat) {
-  loop::Commands commands;
+  loop::Requests commands;
   LiveSettings live{Settings{}};
   EXPECT_EQ(live.set("friction", "0.5", commands), "");
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kFriction, Ratio::of(0.5).raw()}));
@@ -24,7 +24,7 @@ TEST(LiveSettings, WhatIsSetReachesTheTickInItsFormat) {
 }
 
 TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
-  loop::Commands commands;
+  loop::Requests commands;
   LiveSettings live{Settings{}};
   EXPECT_EQ(live.set("friction", "2", commands), "feel.friction must be a number from 0 to 1.5");
   EXPECT_EQ(live.set("hand_damping", "-1", commands), "feel.hand_damping must be a number from 0 to 0.1 N s/mm");
@@ -38,13 +38,13 @@ TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
   EXPECT_EQ(live.set("stiffness", "1.5", commands, 2),
             "that is too stiff for this device at this rate and its measured delay of 2 ticks; feel.stiffness may be at most 1.2 N/mm")
       << "0.003 N s/mm, 1 ms";
-  EXPECT_EQ(live.set("force_limit_n", "0", commands), "feel.force_limit_n must be more than nothing");
+  EXPECT_EQ(live.set("force_limit_n", "50.1", commands), "feel.force_limit_n must be a number from 0 to 50 N");
   EXPECT_EQ(commands.take_change(), SettingChange{});
   EXPECT_EQ(live.now(), Settings{});
 }
 
 TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchForIt) {
-  loop::Commands commands;
+  loop::Requests commands;
   Settings settings;
   LiveSettings without{settings};
   EXPECT_EQ(without.keep_within(commands, 3), "") << "the field's own counts";
@@ -53,7 +53,8 @@ TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchF
   EXPECT_EQ(live.keep_within(commands, 2), "");
   EXPECT_EQ(live.now(), settings);
   EXPECT_EQ(live.keep_within(commands, 3),
-            "with the measured delay of 3 ticks this device holds no more than 0.857 N/mm at this rate; feel.stiffness is so much now");
+            "feel.stiffness was lowered to 0.857 N/mm, the largest that this device can render stably at this rate with the measured delay "
+            "of 3 ticks");
   EXPECT_EQ(live.now().stiffness, 0.857);
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kStiffness, Stiffness::of(0.857).raw()}));
   EXPECT_EQ(live.keep_within(commands, 3), "");

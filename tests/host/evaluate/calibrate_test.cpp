@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host/evaluate/wire_hand.h"
+#include "host/evaluate/device_in_hand.h"
 #include "tests/support/falcon_twin.h"
 
 namespace isotouch::evaluate {

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Vector3d;
 
 struct Tick {
-  TickInput input;
-  TickOutput output;
+  Input input;
+  Output output;
 };
 
 /// Two balls that run into each other, with a crease between them; in the middle of the workspace.
@@ -32,7 +32,7 @@ const cloud::TriangleMesh& body() {
 MeshScanReport scan(const MeshScanOptions& options, std::vector<Tick>& ticks) {
   const field::TriangleTree tree(body());
   ticks.clear();
-  return scan_mesh(tree, options, [&](const TickInput& input, const TickOutput& output) { ticks.push_back({input, output}); });
+  return scan_mesh(tree, options, [&](const Input& input, const Output& output) { ticks.push_back({input, output}); });
 }
 
 TEST(MeshScan, TheHandIsAHandAndTheGodObjectStaysOutside) {

@@ -14,7 +14,7 @@ namespace {
 std::vector<Eigen::Vector3d> resampled(const std::vector<TimedPoint>& points, std::uint32_t period_ns = 1'000'000) {
   std::vector<Eigen::Vector3d> positions;
   const std::uint64_t ticks =
-      resample(points, period_ns, [&](const TickInput& input, const Eigen::Vector3d&) { positions.push_back(real(input.hip)); });
+      resample(points, period_ns, [&](const Input& input, const Eigen::Vector3d&) { positions.push_back(real(input.hip)); });
   EXPECT_EQ(ticks, positions.size());
   return positions;
 }

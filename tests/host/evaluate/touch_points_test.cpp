@@ -29,7 +29,8 @@ TraceRecord touch(cloud::Random& random) {
   } while (way.norm() > 1 || way.norm() < 0.1);
   way.normalize();
   TraceRecord record;
-  record.input.hip = nearest<Mm>(Vector3d((kRadius - 1) * way));
+  record.input = position_input(nearest<Mm>(Vector3d((kRadius - 1) * way)));
+  record.output.hip = record.input.hip;
   record.output.force = nearest<Newton>(Vector3d(kStiffness * way));
   record.output.status = kContact;
   return record;
@@ -47,10 +48,10 @@ class TouchPoints : public testing::Test {
       writer.append(record);
     }
     writer.finish();
-    return Trace::read(folder_.path() / "a.trace");
+    return read_trace(folder_.path() / "a.trace");
   }
   TouchPoints() {
-    header_.flags = trace_layout::kHasOutputs;
+    header_.has_outputs = true;
     header_.settings.stiffness = nearest<Stiffness>(kStiffness);
   }
 
@@ -100,8 +101,8 @@ TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
 TEST_F(TouchPoints, WhatIsTouchedManyTimesIsAveraged) {
   cloud::Random noise(5);
   const auto shake = [&](std::size_t, TraceRecord& record) {
-    const Vector3d hip = real(record.input.hip);
-    record.input.hip = nearest<Mm>(Vector3d(hip + noise.uniform(-0.2, 0.2) * hip.normalized()));
+    const Vector3d hip = real(record.output.hip);
+    record.output.hip = nearest<Mm>(Vector3d(hip + noise.uniform(-0.2, 0.2) * hip.normalized()));
   };
   const auto points = touch_points(trace(60000, shake), {.points = 300}, report_);
   double squares = 0;
@@ -116,7 +117,7 @@ TEST_F(TouchPoints, TheTwoSidesOfAFoilAreNotAveraged) {
   const auto on_foil = [](std::size_t tick, TraceRecord& record) {
     const double x = static_cast<double>(tick % 50) / 5, y = static_cast<double>(tick / 50 % 50) / 5;
     const double side = tick % 2 == 0 ? 1 : -1;
-    record.input.hip = nearest<Mm>(Vector3d(x, y, side * (0.01 - 1)));
+    record.output.hip = nearest<Mm>(Vector3d(x, y, side * (0.01 - 1)));
     record.output.force = nearest<Newton>(Vector3d(0, 0, side * kStiffness));
   };
   const auto points = touch_points(trace(5000, on_foil), {.points = 100}, report_);
@@ -141,7 +142,7 @@ TEST_F(TouchPoints, ATraceThatCannotTellIsRefusedWithTheReason) {
   header_.settings.stiffness = {};
   refused("name it with --stiffness");
   EXPECT_NO_THROW(touch_points(trace(50), {.stiffness_n_per_mm = kStiffness}, report_));
-  header_.flags = 0;
+  header_.has_outputs = false;
   refused("holds no forces", {}, [](std::size_t, TraceRecord& record) { record.output = {}; });
 }
 

@@ -14,11 +14,12 @@ using Change = std::function<void(std::size_t, TraceRecord&)>;
 
 /// A trace that tells the same story each time, but for what `change` does to its ticks before they enter the chain.
 Trace story(const ScratchFolder& folder, const char* name, std::size_t ticks, const Change& change = {}, TraceHeader header = {}) {
-  header.flags = trace_layout::kHasOutputs;
+  header.has_outputs = true;
   TraceWriter writer(folder.path() / name, header);
-  Chain chain(header, header.blob_hash);
+  Chain chain(header);
   for (std::size_t tick = 0; tick < ticks; ++tick) {
     TraceRecord record;
+    record.input = position_input({});
     record.input.hip.x = Mm::from_raw(static_cast<std::int32_t>(tick * tick));
     record.output.force.z = Newton::from_raw(static_cast<std::int32_t>(7 * tick));
     record.arrival_ns = tick + static_cast<std::size_t>(name[0]);  // not the same twice, and not compared
@@ -27,7 +28,7 @@ Trace story(const ScratchFolder& folder, const char* name, std::size_t ticks, co
     writer.append(record);
   }
   writer.finish();
-  return Trace::read(folder.path() / name);
+  return read_trace(folder.path() / name);
 }
 
 TEST(TraceDiff, EqualRunsHaveNoDifferenceWhateverTheirArrivalTimes) {
@@ -54,20 +55,20 @@ TEST(TraceDiff, EveryFieldHasItsName) {
   const ScratchFolder folder;
   const Trace a = story(folder, "a", 3);
   const std::pair<const char*, std::function<void(TraceRecord&)>> fields[] = {
-      {"hip.x", [](TraceRecord& r) { r.input.hip.x = Mm::of(9); }},
-      {"hip.y", [](TraceRecord& r) { r.input.hip.y = Mm::of(9); }},
-      {"hip.z", [](TraceRecord& r) { r.input.hip.z = Mm::of(9); }},
-      {"buttons", [](TraceRecord& r) { r.input.buttons = 1; }},
-      {"fresh", [](TraceRecord& r) { r.input.fresh = false; }},
+      {"input.hip.x", [](TraceRecord& r) { r.input.hip.x = Mm::of(9); }},
+      {"input.hip.y", [](TraceRecord& r) { r.input.hip.y = Mm::of(9); }},
+      {"input.hip.z", [](TraceRecord& r) { r.input.hip.z = Mm::of(9); }},
+      {"input.buttons", [](TraceRecord& r) { r.input.buttons = 1; }},
+      {"input.fresh", [](TraceRecord& r) { r.input.fresh = false; }},
       {"proxy.x", [](TraceRecord& r) { r.output.proxy.x = Mm::of(9); }},
       {"proxy.y", [](TraceRecord& r) { r.output.proxy.y = Mm::of(9); }},
       {"proxy.z", [](TraceRecord& r) { r.output.proxy.z = Mm::of(9); }},
       {"force.x", [](TraceRecord& r) { r.output.force.x = Newton::of(9); }},
       {"force.y", [](TraceRecord& r) { r.output.force.y = Newton::of(9); }},
       {"force.z", [](TraceRecord& r) { r.output.force.z = Newton::of(9); }},
-      {"words[0]", [](TraceRecord& r) { r.output.words[0] = 1; }},
-      {"words[1]", [](TraceRecord& r) { r.output.words[1] = 1; }},
-      {"words[2]", [](TraceRecord& r) { r.output.words[2] = 1; }},
+      {"commands[0]", [](TraceRecord& r) { r.output.commands[0] = 1; }},
+      {"commands[1]", [](TraceRecord& r) { r.output.commands[1] = 1; }},
+      {"commands[2]", [](TraceRecord& r) { r.output.commands[2] = 1; }},
       {"state", [](TraceRecord& r) { r.output.state = 1; }},
       {"status", [](TraceRecord& r) { r.output.status = 1; }},
   };
@@ -88,11 +89,14 @@ TEST(TraceDiff, HeadersThatDifferAreNamedBeforeAnyTick) {
   header.settings.stiffness = Stiffness::of(2);
   EXPECT_EQ(first_difference(a, story(folder, "b", 3, {}, header))->field, "settings");
   header = {};
-  header.blob_hash = 7;
-  EXPECT_EQ(first_difference(a, story(folder, "b", 3, {}, header))->field, "blob");
+  header.field_hash = 7;
+  EXPECT_EQ(first_difference(a, story(folder, "b", 3, {}, header))->field, "field");
   header = {};
   header.period_ns = 500'000;
   EXPECT_EQ(first_difference(a, story(folder, "b", 3, {}, header))->field, "period");
+  header = {};
+  header.device.play = Mm{};
+  EXPECT_EQ(first_difference(a, story(folder, "b", 3, {}, header))->field, "model");
 }
 
 TEST(TraceDiff, AShorterRunEndsWhereTheOtherGoesOn) {
@@ -111,7 +115,7 @@ TEST(TraceDiff, NothingToCompareIsRefused) {
   TraceWriter writer(folder.path() / "inputs", {});
   writer.append({});
   writer.finish();
-  EXPECT_THROW((void)first_difference(some, Trace::read(folder.path() / "inputs")), InputError);
+  EXPECT_THROW((void)first_difference(some, read_trace(folder.path() / "inputs")), InputError);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ using testing::HasSubstr;
 
 TraceRecord record_at(std::size_t tick, bool outputs) {
   TraceRecord record;
+  record.input.kind = InputKind::kPosition;
   record.input.hip = {Mm::from_raw(static_cast<std::int32_t>(1000 * tick)), Mm::of(-3.5), Mm::of(2047)};
   record.input.buttons = static_cast<std::uint8_t>(tick & 0xF);
   record.input.fresh = tick % 3 != 2;
@@ -35,11 +36,11 @@ TraceRecord record_at(std::size_t tick, bool outputs) {
 
 std::filesystem::path write_trace(const ScratchFolder& folder, std::size_t ticks, bool outputs) {
   TraceHeader header;
-  header.blob_hash = 42;
-  header.flags = outputs ? trace_layout::kHasOutputs : 0;
+  header.field_hash = 42;
+  header.has_outputs = outputs;
   const std::filesystem::path file = folder.path() / "a.trace";
   TraceWriter writer(file, header);
-  Chain chain(header, header.blob_hash);
+  Chain chain(header);
   for (std::size_t tick = 0; tick < ticks; ++tick) {
     TraceRecord record = record_at(tick, outputs);
     if (outputs) record.chain = chain.extend(record.input, record.output);
@@ -56,10 +57,10 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 TEST(TraceFile, WhatWasWrittenIsRead) {
   const ScratchFolder folder;
-  const Trace trace = Trace::read(write_trace(folder, 100, true));
+  const Trace trace = read_trace(write_trace(folder, 100, true));
   ASSERT_EQ(trace.size(), 100U);
   EXPECT_EQ(trace.header().record_count, 100U);
-  EXPECT_EQ(trace.header().blob_hash, 42U);
+  EXPECT_EQ(trace.header().field_hash, 42U);
   for (std::size_t tick = 0; tick < 100; ++tick) {
     const TraceRecord expected = record_at(tick, true);
     const TraceRecord read = trace.record(tick);
@@ -88,7 +89,7 @@ TEST(TraceFile, AnUnfinishedWriterLeavesTheOldFileAndNothingElse) {
 struct CutTrace {
   CutTrace(const ScratchFolder& folder, std::size_t ticks, std::uint64_t room)
       : disk(room), file(folder.path() / "a.trace"), writer(file, header) {
-    Chain chain(header, header.blob_hash);
+    Chain chain(header);
     for (std::size_t tick = 0; tick < ticks; ++tick) {
       TraceRecord record = record_at(tick, true);
       record.chain = chain.extend(record.input, record.output);
@@ -98,7 +99,7 @@ struct CutTrace {
   FullDisk disk;
   TraceHeader header = [] {
     TraceHeader made;
-    made.flags = trace_layout::kHasOutputs;
+    made.has_outputs = true;
     return made;
   }();
   std::filesystem::path file;
@@ -112,7 +113,7 @@ TEST(TraceFile, AFullDiskKeepsTheWholeRecordsThatItTook) {
     const ScratchFolder folder;
     const auto [records, chain] = CutTrace(folder, ticks, room_for(700) + 7).writer.finish_with_what_fits();
     EXPECT_EQ(records, 700U);
-    const Trace trace = Trace::read(folder.path() / "a.trace");
+    const Trace trace = read_trace(folder.path() / "a.trace");
     ASSERT_EQ(trace.size(), 700U);
     for (std::size_t tick = 0; tick < 700; ++tick) ASSERT_TRUE(trace.chain_follows(tick)) << tick;
     EXPECT_EQ(trace.chain(699), chain);
@@ -123,7 +124,7 @@ TEST(TraceFile, ADiskWithRoomForAllKeepsAll) {
   const ScratchFolder folder;
   const auto [records, chain] = CutTrace(folder, 700, room_for(700)).writer.finish_with_what_fits();
   EXPECT_EQ(records, 700U);
-  EXPECT_EQ(Trace::read(folder.path() / "a.trace").chain(699), chain);
+  EXPECT_EQ(read_trace(folder.path() / "a.trace").chain(699), chain);
 }
 
 TEST(TraceFile, AFullDiskIsAnErrorWhereAllOrNothingWasWantedOrNothingFits) {
@@ -142,15 +143,15 @@ TEST(TraceFile, ARecordedChainBreaksWhereABitWasFlipped) {
   const ScratchFolder folder;
   const std::filesystem::path file = write_trace(folder, 50, true);
   std::string bytes = bytes_of(file);
-  bytes[96 + 72 * 17 + 30] ^= 1;
-  const Trace trace = Trace::read(folder.write("b.trace", bytes));
+  bytes[256 + 104 * 17 + 46] ^= 1;
+  const Trace trace = read_trace(folder.write("b.trace", bytes));
   for (std::size_t tick = 0; tick < 50; ++tick) EXPECT_EQ(trace.chain_follows(tick), tick != 17) << tick;
 }
 
 /// Restates the header's checksum, so that the refusal is about the field itself.
 void seal(std::string& bytes) {
   auto* at = reinterpret_cast<std::uint8_t*>(bytes.data());
-  store_le(at + 92, crc32(at, 92));
+  store_le(at + 252, crc32(at, 252));
 }
 
 struct Malformed {
@@ -165,17 +166,18 @@ TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
       {"empty", [](std::string& b) { b.clear(); }, true, "not a file of this kind"},
       {"not a trace", [](std::string& b) { b[0] = 'X'; }, true, "not a file of this kind"},
       {"half a header", [](std::string& b) { b.resize(50); }, true, "ends before"},
-      {"newer major", [](std::string& b) { b[4] = 3; }, true, "newer than this program"},
+      {"newer major", [](std::string& b) { b[4] = 4; }, true, "newer than this program"},
       {"flipped header bit", [](std::string& b) { b[40] = static_cast<char>(b[40] ^ 4); }, true, "checksum"},
-      {"period of zero", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 40, 0U), seal(b); }, true,
+      {"period of zero", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 36, 0U), seal(b); }, true,
        "header field"},
       {"half a record", [](std::string& b) { b.resize(b.size() - 30); }, true, "ends before"},
-      {"hostile count", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 16, ~std::uint64_t{0} / 72), seal(b); },
+      {"hostile count", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 16, ~std::uint64_t{0} / 104), seal(b); },
        true, "ends before"},
       {"bytes after the last record", [](std::string& b) { b += "trailing"; }, true, "contradict"},
-      {"undefined button", [](std::string& b) { b[96 + 72 * 3 + 12] = 0x40; }, true, "record 3 at byte 312"},
-      {"fresh with an age", [](std::string& b) { b[96 + 72 * 4 + 14] = 1; }, true, "record 4 at byte 384"},
-      {"outputs that the header denies", [](std::string& b) { b[96 + 72 * 2 + 20] = 1; }, false, "record 2 at byte 240"},
+      {"undefined button", [](std::string& b) { b[256 + 104 * 3 + 28] = 0x40; }, true, "record 3 at byte 568"},
+      {"fresh with an age", [](std::string& b) { b[256 + 104 * 4 + 6] = 1; }, true, "record 4 at byte 672"},
+      {"packets among positions", [](std::string& b) { b[256 + 104 * 5] = 1; }, true, "record 5 at byte 776"},
+      {"outputs that the header denies", [](std::string& b) { b[256 + 104 * 2 + 46] = 1; }, false, "record 2 at byte 464"},
   };
   for (const Malformed& malformed : cases) {
     const ScratchFolder folder;
@@ -183,7 +185,7 @@ TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
     malformed.damage(bytes);
     const std::filesystem::path file = folder.write("bad.trace", bytes);
     try {
-      Trace::read(file);
+      read_trace(file);
       ADD_FAILURE() << malformed.name << " was accepted";
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(file.string())) << malformed.name;
@@ -191,8 +193,8 @@ TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
     }
   }
   const ScratchFolder folder;
-  EXPECT_THROW(Trace::read(folder.path() / "missing.trace"), InputError);
-  EXPECT_THROW(Trace::read(folder.path()), InputError);
+  EXPECT_THROW(read_trace(folder.path() / "missing.trace"), InputError);
+  EXPECT_THROW(read_trace(folder.path()), InputError);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/device_io.h"
+#include "shared/tick_io.h"
 #include "tests/host/qualify/good_board.h"
 
 namespace isotouch::qualify {

@@ -1,0 +1,103 @@
+#include "firmware/core/render.h"
+
+#include "firmware/core/stiffness_at.h"
+
+namespace isotouch::core {
+
+namespace {
+
+constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
+
+Vec3<Voxel> to_index(const Vec3<Mm>& point, const BlobView& field) {
+  return within(mul<Voxel>(point - field.origin, field.inverse_edge), kIndexReach);
+}
+
+Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const BlobView& field) { return mul<Mm>(index, field.edge) + field.origin; }
+
+constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
+
+/// Forces against the hand's speed.
+struct Damped {
+  Vec3<Newton> force;     ///< all of it
+  Vec3<Newton> injected;  ///< the passivity controller's part
+};
+
+Damped damp(const Vec3<MmPerS>& velocity, const RenderModel& model, const PassivityState& passivity) {
+  if (!model.damps()) return {};
+  const Vec3<Newton> injected = damping_force(velocity, injected_damping(model.passivity, passivity));
+  return {damping_force(velocity, model.hand_damping) + injected, injected};
+}
+
+/// What is felt is the proxy that friction holds.
+void add_friction(Stiffness stiffness, const Friction& friction, FrictionState& state, Contact& contact) {
+  if (!friction.is_on()) {
+    state.holds = false;
+    return;
+  }
+  const Vec3<Voxel> offset = friction_offset(contact, stiffness, friction, state);
+  contact.proxy = contact.proxy + offset;
+  contact.stretch = contact.stretch + offset;
+}
+
+}  // namespace
+
+RenderModel make_render_model(const TickSettings& settings, PerSecond rate) {
+  RenderModel model;
+  model.coupling = make_coupling(settings, rate);
+  model.passivity = {{}, per_tick(settings.device_damping, rate), settings.delay_ticks};
+  model.rate = rate;
+  retune(settings, model);
+  return model;
+}
+
+void retune(const TickSettings& settings, RenderModel& model) {
+  model.settings = settings;
+  if (settings.stiffness > Stiffness{}) model.coupling.stiffness = settings.stiffness;
+  model.coupling.damping = per_tick(settings.damping, model.rate);
+  model.coupling.force_limit = settings.force_limit;
+  model.hand_damping = settings.hand_damping;
+  model.friction = {settings.friction, per_tick(settings.friction_damping, model.rate)};
+  model.passivity.most = settings.passivity;
+}
+
+RenderModel for_field(const RenderModel& any_field, const BlobView& field) {
+  RenderModel model = any_field;
+  model.coupling = for_field(any_field.coupling, field);
+  return model;
+}
+
+Rendering render(const Motion& motion, const BlobView& field, const RenderModel& model, RenderState& state) {
+  Contact contact = step_proxy(to_index(motion.hip, field), field, state.proxy);
+  const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
+  add_friction(stiffness, model.friction, state.friction, contact);
+  const Damped damped = damp(motion.quiet, model, state.passivity);
+  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
+  if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
+
+  const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
+                               when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
+                               when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
+                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
+  const bool away = contact.touching || contact.following;
+  return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
+}
+
+PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
+  const MotionModel motion = make_motion_model(device, period_ns);
+  return {motion, for_field(make_render_model(settings, motion.rate), field)};
+}
+
+Output render_position(const Input& in, const BlobView& field, const PositionModel& model, PositionState& state) {
+  const Vec3<Mm> hip = within(in.hip, kReach);
+  const Motion motion = track_motion(hip, in.fresh, model.render.damps(), model.motion, state.motion);
+  const Rendering felt = render(motion, field, model.render, state.render);
+  Output out;
+  out.hip = hip;
+  out.proxy = felt.proxy;
+  out.force = felt.force;
+  out.status = felt.status | when(!in.fresh, kStale) | when(!(hip == in.hip), kInputClamped);
+  out.buttons = in.buttons;
+  return out;
+}
+
+}  // namespace isotouch::core

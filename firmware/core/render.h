@@ -1,0 +1,89 @@
+/// What the hand feels of the field: where the hand is and how it moves → proxy and force. Pure and integer, so that a recorded trace replays to the bit.
+#pragma once
+
+#include "firmware/core/coupling.h"
+#include "firmware/core/friction.h"
+#include "firmware/core/motion.h"
+#include "firmware/core/passivity.h"
+#include "firmware/core/proxy.h"
+#include "shared/blob.h"
+#include "shared/tick_io.h"
+
+namespace isotouch::core {
+
+/// Reach of the HIP on each axis: three products of differences then fit 63 bits.
+inline constexpr Mm kReach = Mm::of(512);
+
+/// What does not change between ticks, prepared once so that the tick needs no division.
+struct RenderModel {
+  TickSettings settings;
+  Coupling coupling;
+  Friction friction;
+  Damping hand_damping;
+  Passivity passivity;
+  PerSecond rate;  ///< ticks a second
+
+  /// Does anything need the hand's quiet velocity?
+  bool damps() const { return hand_damping > Damping{} || passivity.is_on(); }
+};
+
+/// A model for any field.
+///
+/// settings     as in the trace's header
+/// rate         ticks a second, see `MotionModel`
+/// tick         no: divides
+RenderModel make_render_model(const TickSettings& settings, PerSecond rate);
+/// The same for a field, which gives the largest stiffness where the settings name none.
+///
+/// tick         yes
+RenderModel for_field(const RenderModel& any_field, const BlobView& field);
+
+/// Takes over the settings that may change while they are felt; a stiffness of 0 leaves the one that is felt.
+///
+/// tick         yes
+void retune(const TickSettings& settings, RenderModel& model);
+
+/// Everything that rendering remembers; a default one is the state before the first tick.
+struct RenderState {
+  ProxyState proxy;
+  CouplingState coupling;
+  FrictionState friction;
+  PassivityState passivity;
+};
+
+/// What is felt.
+struct Rendering {
+  Vec3<Mm> proxy;  ///< workspace frame; the HIP where there is neither contact nor a proxy on its way
+  Vec3<Newton> force;
+  bool touching = false;
+  std::uint32_t status = 0;  ///< StatusBits
+};
+
+/// Renders the contact: proxy, stiffness there, friction, damping, coupling, ledger of energy.
+///
+/// motion    of the hand, HIP within kReach
+/// field     a checked view, the same in every tick of a state's life
+/// returns   proxy, force and status; the force is zero in every tick without contact
+/// fails     never
+/// tick      yes: constant loop counts, no division, no allocation
+Rendering render(const Motion& motion, const BlobView& field, const RenderModel& model, RenderState& state);
+
+/// A tick of a hand without a device: its position goes in, what it would feel comes out.
+struct PositionModel {
+  MotionModel motion;
+  RenderModel render;
+};
+struct PositionState {
+  MotionState motion;
+  RenderState render;
+};
+
+/// device       its play counts
+/// tick         no: divides
+PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
+
+/// in        a position; beyond kReach it is clamped and kInputClamped is set
+/// tick      yes
+Output render_position(const Input& in, const BlobView& field, const PositionModel& model, PositionState& state);
+
+}  // namespace isotouch::core

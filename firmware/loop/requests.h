@@ -1,0 +1,56 @@
+/// What other threads ask of the tick, kept until the next tick begins. Any number of askers.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "shared/tick_io.h"
+
+namespace isotouch::loop {
+
+class Requests {
+ public:
+  /// bits      RequestBits; added to what is asked already
+  void ask(std::uint8_t bits) { asked_.fetch_or(bits, std::memory_order_acq_rel); }
+
+  /// All that was asked since the last tick, and nothing is asked any more.
+  ///
+  /// tick      yes
+  std::uint8_t take() {
+    return asked_.load(std::memory_order_relaxed) == 0 ? std::uint8_t{0} : asked_.exchange(0, std::memory_order_acq_rel);
+  }
+
+  /// change    a valid one; of two for the same setting that no tick took in between, the later holds
+  void set(const SettingChange& change) {
+    const auto number = static_cast<std::size_t>(change.setting) - 1;
+    values_[number].store(change.raw, std::memory_order_relaxed);
+    changed_.fetch_or(1U << number, std::memory_order_relaxed);
+    waiting_.fetch_or(1U << number, std::memory_order_release);
+  }
+
+  /// One change at most; the others follow in the next ticks.
+  ///
+  /// tick      yes
+  SettingChange take_change() {
+    const std::uint32_t waiting = waiting_.load(std::memory_order_acquire);
+    if (waiting == 0) return {};
+    const auto number = static_cast<std::size_t>(std::countr_zero(waiting));
+    waiting_.fetch_and(~(1U << number), std::memory_order_acq_rel);
+    return {static_cast<TickSetting>(number + 1), values_[number].load(std::memory_order_relaxed)};
+  }
+
+  /// A tick forgets everything before it: all that was ever set is to be set again.
+  ///
+  /// tick      yes
+  void repeat_changes() { waiting_.fetch_or(changed_.load(std::memory_order_relaxed), std::memory_order_acq_rel); }
+
+ private:
+  std::atomic<std::uint8_t> asked_{0};
+  std::array<std::atomic<std::int32_t>, kTickSettings> values_{};
+  std::atomic<std::uint32_t> changed_{0}, waiting_{0};
+};
+
+}  // namespace isotouch::loop

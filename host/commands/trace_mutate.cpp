@@ -1,0 +1,113 @@
+/// isotouch trace mutate: hostile traces derived from recorded or made ones.
+#include "host/commands/trace_mutate.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/commands/choice.h"
+#include "host/error.h"
+#include "host/evaluate/mutate.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/replay.h"
+#include "host/evaluate/trace_file.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string name;
+  fs::path blob;
+  fs::path trace;
+  fs::path out;
+  std::uint64_t seed = 1;
+};
+
+evaluate::Recording read_inputs(const Options& options) {
+  const evaluate::Mutation& mutation = *evaluate::find_mutation(options.name);
+  const evaluate::Trace trace = evaluate::read_trace(options.trace);
+  if (trace.kind() != mutation.of) {
+    throw InputError(options.trace.string() +
+                     (mutation.of == InputKind::kPacket
+                          ? ": holds positions of a hand, but '" + options.name +
+                                "' changes the packets of a device; make some with isotouch trace to-packets"
+                          : ": holds the packets of a device, but '" + options.name +
+                                "' changes positions; mutate the positions first, then isotouch trace to-packets"));
+  }
+  evaluate::Recording recording{trace.header(), {}};
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) recording.inputs.push_back(trace.record(tick).input);
+  return recording;
+}
+
+/// Positions alone, as `trace make` writes them.
+void write_positions(const fs::path& out, const evaluate::Recording& recording) {
+  TraceHeader header = recording.header;
+  header.has_outputs = false;
+  header.field_hash = 0;
+  evaluate::TraceWriter writer(out, header);
+  std::uint64_t tick = 0;
+  for (const Input& input : recording.inputs) writer.append({input, {}, 0, header.period_ns * tick++});
+  writer.finish();
+}
+
+/// Packets with what the tick of that device answers, as `trace to-packets` writes them.
+void write_packets(const fs::path& out, const evaluate::Recording& recording, const BlobView& field) {
+  evaluate::Run run(field, recording.header);
+  evaluate::TraceWriter writer(out, run.header());
+  std::uint64_t tick = 0;
+  for (const Input& input : recording.inputs) {
+    TraceRecord record = run.step(input);
+    record.arrival_ns = recording.header.period_ns * tick++;
+    writer.append(record);
+  }
+  writer.finish();
+}
+
+void run(const Options& options) {
+  const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
+  const evaluate::Recording recording = read_inputs(options);
+  evaluate::Recording mutated;
+  try {
+    mutated = evaluate::mutate(recording, options.name, blob.view, options.seed);
+  } catch (const InputError& e) {
+    throw InputError(options.trace.string() + ": " + e.what());
+  }
+  evaluate::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, blob.view)
+                                                                  : write_positions(options.out, mutated);
+  std::fprintf(stderr, "%s: %zu ticks\n", options.out.string().c_str(), mutated.inputs.size());
+}
+
+/// One line for each, those of positions first.
+std::string list_of_mutations() {
+  std::string list = "The mutations:";
+  for (const evaluate::Mutation& mutation : evaluate::mutations()) {
+    list += "\n  " + std::string(mutation.name) + std::string(10 - mutation.name.size(), ' ') +
+            (mutation.of == InputKind::kPacket ? "packets    " : "positions  ") + std::string(mutation.meaning);
+  }
+  return list;
+}
+
+}  // namespace
+
+void add_mutate(CLI::App& trace) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = trace.add_subcommand("mutate", "Derive a hostile trace from a harmless one");
+  command->alias("mine");
+  command->footer(list_of_mutations());
+  std::vector<std::string> names;
+  for (const evaluate::Mutation& mutation : evaluate::mutations()) names.emplace_back(mutation.name);
+  command->add_option("MUTATION", options->name, "what happens to it")->required()->check(one_of(names));
+  command->add_option("BLOB", options->blob, "the field that was or will be touched (.itf)")->required();
+  command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();
+  command->add_option("-o,--out", options->out, "the trace to write")->required();
+  command->add_option("--seed", options->seed, "another seed draws other numbers")->capture_default_str();
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

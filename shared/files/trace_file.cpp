@@ -1,0 +1,79 @@
+#include "shared/files/trace_file.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "shared/bytes.h"
+#include "shared/hash64.h"
+
+namespace isotouch::files {
+
+using namespace trace_layout;
+
+namespace {
+
+struct Closed {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// returns   false: it cannot be read
+bool read_bytes(const std::string& path, std::vector<std::uint8_t>& bytes) {
+  const std::unique_ptr<std::FILE, Closed> file(std::fopen(path.c_str(), "rbe"));
+  if (!file) return false;
+  std::vector<std::uint8_t> piece(1U << 16);
+  for (std::size_t got = 0; (got = std::fread(piece.data(), 1, piece.size(), file.get())) > 0;) {
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(got));
+  }
+  return std::ferror(file.get()) == 0;
+}
+
+}  // namespace
+
+TraceFile::TraceFile(std::string path, const TraceHeader& header, std::span<const TraceRecord> records)
+    : path_(std::move(path)), header_(header) {
+  header_.record_count = records.size();
+  bytes_.reserve(records.size() * kRecordBytes);
+  for (const TraceRecord& record : records) {
+    const TraceRecordBytes bytes = encode(record);
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  }
+}
+
+std::span<const std::uint8_t, kRecordBytes> TraceFile::at(std::size_t tick) const {
+  return std::span<const std::uint8_t, kRecordBytes>(bytes_.data() + tick * kRecordBytes, kRecordBytes);
+}
+
+TraceRecord TraceFile::record(std::size_t tick) const { return *decode_record(at(tick)); }
+
+std::uint64_t TraceFile::chain(std::size_t tick) const { return load_le<std::uint64_t>(at(tick).data() + kChainAt); }
+
+bool TraceFile::chain_follows(std::size_t tick) const {
+  const std::uint64_t before = tick == 0 ? Chain(header_).value() : chain(tick - 1);
+  return chain(tick) == hash64(at(tick).data(), kChainAt, before);
+}
+
+std::string read_trace(const std::string& path, TraceFile& trace) {
+  std::vector<std::uint8_t> bytes;
+  if (!read_bytes(path, bytes)) return path + ": cannot be read as a trace; check the path and its permissions";
+  const Result<TraceHeader> header = decode_header(bytes, bytes.size());
+  if (!header) return path + ": not usable as a trace: " + describe(header.error()) + "; make or record it again";
+  trace.path_ = path;
+  trace.header_ = *header;
+  trace.bytes_.assign(bytes.begin() + kHeaderBytes, bytes.end());
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const auto at = trace.at(tick);
+    const std::string place = path + ": record " + std::to_string(tick) + " at byte " + std::to_string(kHeaderBytes + tick * kRecordBytes);
+    const Result<TraceRecord> record = decode_record(at);
+    if (!record) return place + " holds an undefined value; make or record the trace again";
+    if (record->input.kind != trace.kind()) return place + " holds another kind of input than the first; make or record the trace again";
+    const auto is_set = [](std::uint8_t byte) { return byte != 0; };
+    if (!header->has_outputs && std::any_of(at.begin() + kOutputAt, at.begin() + kChainAt + 8, is_set)) {
+      return place + " holds an output, but the header says that there are none; make or record the trace again";
+    }
+  }
+  return {};
+}
+
+}  // namespace isotouch::files

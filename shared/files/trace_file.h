@@ -1,0 +1,51 @@
+/// A trace file in memory (SPEC.md, section 3): read whole, checked once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shared/trace.h"
+
+namespace isotouch::files {
+
+/// The records of one file. After `read_trace` every record is known to be well formed, and all have one kind of input.
+class TraceFile {
+ public:
+  TraceFile() = default;
+  /// Of records in memory.
+  ///
+  /// path      where they come from, for sentences
+  /// header    its record count is ignored and counted instead
+  TraceFile(std::string path, const TraceHeader& header, std::span<const TraceRecord> records);
+
+  const TraceHeader& header() const { return header_; }
+  const std::string& path() const { return path_; }
+  std::size_t size() const { return bytes_.size() / trace_layout::kRecordBytes; }
+  /// Of all inputs; an empty trace counts as one of positions.
+  InputKind kind() const { return size() == 0 ? InputKind::kPosition : record(0).input.kind; }
+
+  /// tick      0 to size() - 1
+  TraceRecord record(std::size_t tick) const;
+  /// The recorded chain after a tick: one look-up, so that a bisection need not decode.
+  std::uint64_t chain(std::size_t tick) const;
+  /// Does the record's chain follow from its own bytes and the chain before it? If not, the bytes were changed after they were recorded.
+  bool chain_follows(std::size_t tick) const;
+
+ private:
+  friend std::string read_trace(const std::string& path, TraceFile& trace);
+  std::span<const std::uint8_t, trace_layout::kRecordBytes> at(std::size_t tick) const;
+
+  std::string path_;
+  TraceHeader header_;
+  std::vector<std::uint8_t> bytes_;  ///< the records, without the header
+};
+
+/// Reads and checks a whole file: header, size, every record; without outputs, that nothing stands where they would be.
+///
+/// returns   one sentence with file and place, what is wrong and what to do; empty when all is well
+[[nodiscard]] std::string read_trace(const std::string& path, TraceFile& trace);
+
+}  // namespace isotouch::files

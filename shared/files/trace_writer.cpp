@@ -1,0 +1,118 @@
+#include "shared/files/trace_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "shared/bytes.h"
+
+namespace isotouch::files {
+
+using namespace trace_layout;
+
+namespace {
+
+constexpr std::size_t kTogether = 200 * kRecordBytes;  // bytes that are written at a time
+
+std::string because(const std::string& path, const std::string& what, int error) {
+  return path + ": " + what + ": " + std::strerror(error);
+}
+
+}  // namespace
+
+TraceWriter::~TraceWriter() { discard(); }
+
+std::string TraceWriter::begin(const std::string& path, const TraceHeader& header) {
+  discard();
+  path_ = path;
+  header_ = header;
+  header_.record_count = 0;
+  chain_ = 0;
+  failed_ = 0;
+  file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ < 0) return because(path_, "the trace cannot be written", errno);
+  waiting_.assign(kHeaderBytes, 0);  // the header comes last: until then the file is none
+  if (flush()) return {};
+  const int why = failed_;
+  discard();
+  return because(path_, "the trace cannot be written", why);
+}
+
+std::string TraceWriter::append(const TraceRecord& record) {
+  if (!is_open()) return {};
+  const TraceRecordBytes bytes = encode(record);
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  chain_ = record.chain;
+  ++header_.record_count;
+  if (waiting_.size() < kTogether || flush()) return {};
+  return because(path_, "the trace ends here", failed_);
+}
+
+/// returns   false: the file takes no more, now or since before
+bool TraceWriter::flush() {
+  for (std::size_t sent = 0; sent < waiting_.size() && failed_ == 0;) {
+    const ssize_t taken = ::write(file_, waiting_.data() + sent, waiting_.size() - sent);
+    if (taken > 0) {
+      sent += static_cast<std::size_t>(taken);
+    } else if (taken == 0 || errno != EINTR) {
+      failed_ = taken == 0 ? ENOSPC : errno;
+    }
+  }
+  waiting_.clear();
+  return failed_ == 0;
+}
+
+/// Where a file took no more, only the file knows how much it holds: the last record may be cut.
+///
+/// returns   false: it can be neither measured nor cut
+bool TraceWriter::cut_to_whole_records() {
+  const off_t size = ::lseek(file_, 0, SEEK_END);
+  const auto bytes = static_cast<std::uint64_t>(size < 0 ? 0 : size);
+  header_.record_count = bytes < kHeaderBytes ? 0 : (bytes - kHeaderBytes) / kRecordBytes;
+  chain_ = 0;
+  if (header_.record_count == 0) return true;
+  const std::uint64_t end = kHeaderBytes + header_.record_count * kRecordBytes;
+  const int reading = ::open(part().c_str(), O_RDONLY | O_CLOEXEC);
+  std::array<std::uint8_t, 8> chain{};
+  const bool read = reading >= 0 && ::pread(reading, chain.data(), chain.size(), static_cast<off_t>(end - kRecordBytes + kChainAt)) == 8;
+  if (reading >= 0) ::close(reading);
+  chain_ = load_le<std::uint64_t>(chain.data());
+  return read && ::ftruncate(file_, static_cast<off_t>(end)) == 0;
+}
+
+std::string TraceWriter::finish(Keep keep) {
+  if (!is_open()) return {};
+  const bool took_all = flush();
+  if (!took_all && keep == Keep::kAllOrNothing) {
+    const int why = failed_;
+    discard();
+    return because(path_, "the trace cannot be written to its end", why) + "; make room there";
+  }
+  const bool whole = took_all || cut_to_whole_records();
+  const bool wanted = records() > 0 || keep == Keep::kAllOrNothing;
+  const TraceHeaderBytes bytes = encode(header_);
+  const bool kept = whole && wanted && ::pwrite(file_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()) &&
+                    ::fsync(file_) == 0 && std::rename(part().c_str(), path_.c_str()) == 0;
+  const int why = errno;
+  ::close(std::exchange(file_, -1));
+  if (!kept) std::remove(part().c_str());
+  if (failed_ != 0 && kept) {
+    return because(path_, "the trace ends after " + std::to_string(records()) + " ticks", failed_) + "; make room there";
+  }
+  if (failed_ != 0) return because(path_, "nothing was recorded", failed_) + "; make room there";
+  return kept || !wanted ? std::string() : because(path_, "the trace cannot be completed", why);
+}
+
+void TraceWriter::discard() {
+  if (!is_open()) return;
+  waiting_.clear();
+  ::close(std::exchange(file_, -1));
+  std::remove(part().c_str());
+}
+
+}  // namespace isotouch::files

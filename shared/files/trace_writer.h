@@ -1,0 +1,69 @@
+/// Writes a trace file as a stream. A file stands under its name only when it is complete.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shared/trace.h"
+
+namespace isotouch::files {
+
+/// What to keep of a file that takes no more, because the disk is full.
+enum class Keep : std::uint8_t {
+  kAllOrNothing,
+  kWhatFits,  ///< the whole records that it took
+};
+
+/// Writes to "NAME.part", and renames it at the end: the old file or the whole new one. Used by one thread.
+class TraceWriter {
+ public:
+  TraceWriter() = default;
+  /// As `discard`.
+  ~TraceWriter();
+  TraceWriter(const TraceWriter&) = delete;
+  TraceWriter& operator=(const TraceWriter&) = delete;
+
+  /// header    its record count is ignored and counted instead
+  /// returns   one sentence why not; empty when it has begun, and only then it is open
+  [[nodiscard]] std::string begin(const std::string& path, const TraceHeader& header);
+
+  /// Where it is not open, nothing happens.
+  ///
+  /// returns   one sentence when the file takes no more, which may be so since some records before
+  std::string append(const TraceRecord& record);
+
+  /// Completes the file. Without a record there is none, unless all or nothing is wanted.
+  ///
+  /// returns   one sentence why there is no file under its name, or why it holds less than was appended, and how much
+  [[nodiscard]] std::string finish(Keep keep);
+  /// Leaves nothing behind.
+  void discard();
+
+  /// Of the header that `finish` writes.
+  void set_field_hash(std::uint64_t hash) { header_.field_hash = hash; }
+
+  bool is_open() const { return file_ >= 0; }
+  /// Has a write failed? What is appended then is lost.
+  bool is_full() const { return failed_ != 0; }
+  const std::string& path() const { return path_; }
+  /// Appended; after `finish`, in the file.
+  std::uint64_t records() const { return header_.record_count; }
+  /// Of the last of them; 0 without one.
+  std::uint64_t chain() const { return chain_; }
+
+ private:
+  std::string part() const { return path_ + ".part"; }
+  bool flush();
+  bool cut_to_whole_records();
+
+  int file_ = -1;
+  int failed_ = 0;                     ///< errno of the write that the file did not take
+  std::vector<std::uint8_t> waiting_;  ///< to be written
+  std::string path_;
+  TraceHeader header_;
+  std::uint64_t chain_ = 0;
+};
+
+}  // namespace isotouch::files

@@ -1,0 +1,28 @@
+#include "shared/files/version_text.h"
+
+#include <isotouch_version.h>
+
+#include "shared/blob.h"
+#include "shared/packed_blob.h"
+#include "shared/trace.h"
+#include "shared/wire.h"
+
+namespace isotouch::files {
+
+namespace {
+
+std::string format(const char* name, unsigned major, unsigned minor) {
+  return std::string(name) + " " + std::to_string(major) + "." + std::to_string(minor);
+}
+
+}  // namespace
+
+std::string version_text(const std::string& program) {
+  return program + " " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT "; formats: " +
+         format("field", blob_layout::kMajor, blob_layout::kMinorWithTable) + ", " +
+         format("packed field", packed_layout::kMajor, packed_layout::kMinor) + ", " +
+         format("trace", trace_layout::kMajor, trace_layout::kMinor) + ", " + format("protocol", wire::kMajor, wire::kMinor) +
+         "; " ISOTOUCH_COMPILER;
+}
+
+}  // namespace isotouch::files

@@ -1,0 +1,82 @@
+#include "host/commands/run.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "host/commands/choice.h"
+#include "host/commands/commands.h"
+
+namespace isotouch::commands {
+namespace {
+
+struct Answer {
+  int code = 0;
+  std::string out, err;
+};
+
+/// What `isotouch` with these arguments answers, by way of its own parser.
+Answer answer(std::vector<std::string> words) {
+  words.insert(words.begin(), "isotouch");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Answer got;
+  const auto add = [](CLI::App& app) {
+    for (const auto command : {add_build, add_info, add_trace, add_bench}) command(app);
+  };
+  got.code = run("isotouch", "about", add, static_cast<int>(argv.size()), argv.data());
+  got.out = testing::internal::GetCapturedStdout();
+  got.err = testing::internal::GetCapturedStderr();
+  return got;
+}
+
+TEST(NearestName, IsTheOneThatWasProbablyMeant) {
+  const std::vector<std::string> names = {"build", "bench", "status", "trace"};
+  EXPECT_EQ(nearest_name("biuld", names), "build");
+  EXPECT_EQ(nearest_name("buil", names), "build");
+  EXPECT_EQ(nearest_name("statsu", names), "status");
+  EXPECT_EQ(nearest_name("tace", names), "trace");
+  EXPECT_EQ(nearest_name("calibrate", names), "");
+  EXPECT_EQ(nearest_name("xy", names), "");
+}
+
+TEST(Run, AMistypedCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
+  EXPECT_EQ(answer({"biuld"}).err, "isotouch: there is no command 'biuld'; did you mean 'build'? isotouch --help lists them\n");
+  EXPECT_EQ(answer({"trace", "mke"}).err, "isotouch: there is no command 'mke'; did you mean 'make'? isotouch trace --help lists them\n");
+  EXPECT_EQ(answer({"build", "a.ply", "--stifness", "3"}).err,
+            "isotouch: there is no option '--stifness'; did you mean '--stiffness'? isotouch build --help lists them\n");
+  EXPECT_EQ(answer({"build", "a.ply", "--stifness=3"}).code, 2);
+  EXPECT_EQ(answer({"nonsense"}).err, "isotouch: there is no command 'nonsense'; isotouch --help lists them\n");
+  EXPECT_EQ(answer({"nonsense"}).code, 2);
+}
+
+TEST(Run, AWrongChoiceNamesTheChoicesAndNoWordOfTheParser) {
+  const Answer wrong = answer({"trace", "make", "prss", "-o", "a.trace"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, testing::HasSubstr("there is no 'prss'; did you mean 'press'? the choices are press slide"));
+  EXPECT_THAT(wrong.err, testing::Not(testing::HasSubstr("ENUM")));
+}
+
+TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
+  const Answer help = answer({"--help"});
+  EXPECT_EQ(help.code, 0);
+  EXPECT_THAT(help.out, testing::HasSubstr("Build and judge a field:"));
+  EXPECT_THAT(help.out, testing::HasSubstr("Record and replay:"));
+  EXPECT_THAT(help.out, testing::Not(testing::HasSubstr("Subcommands:"))) << "a command without a task";
+  for (const char* old : {"mine", "zero", "wire"}) EXPECT_EQ(answer({"trace", old, "--help"}).code, 0) << old;
+}
+
+TEST(Run, TheVersionNamesCommitFormatsAndCompiler) {
+  const Answer version = answer({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.out,
+              testing::MatchesRegex("isotouch [0-9.]+, commit [0-9a-z]+; formats: field [0-9.]+, packed field [0-9.]+, trace [0-9.]+, "
+                                    "protocol [0-9.]+; [A-Za-z]+ [0-9.]+\n"));
+}
+
+}  // namespace
+}  // namespace isotouch::commands

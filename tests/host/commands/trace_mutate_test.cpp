@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "host/error.h"
+#include "host/evaluate/felt_surface.h"
+#include "host/evaluate/open_blob.h"
+#include "host/evaluate/real.h"
+#include "host/evaluate/trace_file.h"
+#include "tests/host/commands/run_command.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::commands {
+namespace {
+
+const std::string kBlob = ISOTOUCH_GOLDEN "/blob_1_2.itf";
+
+class TraceMutate : public ::testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+  /// A recorded hand, and the same as packets.
+  void SetUp() override {
+    run_command("trace make press " + kBlob + " --ticks 2000 -o " + file("hand.trace"));
+    run_command("trace to-packets " + kBlob + " " + file("hand.trace") + " -o " + file("packets.trace"));
+  }
+  std::string complaint(const std::string& arguments) const {
+    try {
+      run_command(arguments);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return {};
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(TraceMutate, AMutatedHandIsATraceWithoutOutputsAndWithTheSettingsOfTheHand) {
+  run_command("trace mutate jitter " + kBlob + " " + file("hand.trace") + " --seed 3 -o " + file("mutated.trace"));
+  const auto mutated = evaluate::read_trace(file("mutated.trace")), hand = evaluate::read_trace(file("hand.trace"));
+  EXPECT_EQ(mutated.size(), hand.size());
+  EXPECT_FALSE(mutated.header().has_outputs);
+  EXPECT_EQ(mutated.header().settings, hand.header().settings);
+}
+
+TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
+  run_command("trace mutate faults " + kBlob + " " + file("packets.trace") + " -o " + file("mutated.trace"));
+  const auto mutated = evaluate::read_trace(file("mutated.trace"));
+  EXPECT_EQ(mutated.size(), 2000U);
+  EXPECT_TRUE(mutated.header().has_outputs);
+  EXPECT_TRUE(mutated.chain_follows(1999));
+}
+
+TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
+  EXPECT_NE(
+      complaint("trace mutate wrap " + kBlob + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("trace mutate dwell " + kBlob + " " + file("packets.trace") + " -o " + file("no.trace")).find("mutate the positions first"),
+      std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("no.trace")));
+}
+
+TEST_F(TraceMutate, AMotionIsImportedIntoTheBlobsBox) {
+  std::ofstream(file("motion.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1000,5,7\n0.5,1100,25,7\n1,1000,5,57\n";
+  run_command("trace import " + file("motion.csv") + " --into " + kBlob + " -o " + file("motion.trace"));
+  const evaluate::OpenBlob blob = evaluate::open_blob(kBlob);
+  const evaluate::FeltSurface object(blob.view);
+  const auto trace = evaluate::read_trace(file("motion.trace"));
+  Eigen::Vector3d low = evaluate::real(trace.record(0).input.hip), high = low;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    low = low.cwiseMin(evaluate::real(trace.record(tick).input.hip));
+    high = high.cwiseMax(evaluate::real(trace.record(tick).input.hip));
+  }
+  const double longest = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1);
+  EXPECT_NEAR((high - low).x(), longest, 0.01);
+  EXPECT_NEAR((high - low).z(), longest / 2, 0.01);
+  EXPECT_LT(((high + low) / 2 - object.centre()).norm(), 0.01);
+
+  std::ofstream(file("rest.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1,5,7\n0.5,1,5,7\n";
+  EXPECT_NE(complaint("trace import " + file("rest.csv") + " --into " + kBlob + " -o " + file("no.trace")).find("stays at one place"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace isotouch::commands
