@@ -49,7 +49,7 @@ class Requests {
 
  private:
   std::atomic<std::uint8_t> asked_{0};
-  std::array<std::atomic<std::int32_t>, kTickSettings> values_{};
+  std::array<std::atomic<std::int32_t>, kLiveSettings> values_{};
   std::atomic<std::uint32_t> changed_{0}, waiting_{0};
 };
 

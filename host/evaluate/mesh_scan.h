@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "host/field/triangle_tree.h"
+#include "shared/settings_table.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::evaluate {
@@ -26,7 +27,7 @@ struct MeshScanReport {
 };
 
 inline constexpr std::uint32_t kScanPeriodNs = 1'000'000;
-inline constexpr double kScanForceLimit = 100;  ///< N, the most that a trace allows
+inline constexpr double kScanForceLimit = rows::kForceLimit.high;  ///< N, the most that a trace allows
 
 /// Strokes from target to target, nearest and straight ahead first, 80 to 120 mm/s fast and 0.5 to 2 mm deep along the normals; where no target is
 /// left nearby, or after some seconds, the hand lifts off by a way that it has looked along, and begins elsewhere. What follows the script is a hand: a

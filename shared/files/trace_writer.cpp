@@ -34,6 +34,8 @@ std::string TraceWriter::begin(const std::string& path, const TraceHeader& heade
   header_.record_count = 0;
   chain_ = 0;
   failed_ = 0;
+  const Result<TraceHeader> readable = decode_header(encode(header_), kHeaderBytes);
+  if (!readable) return path_ + ": the trace cannot be written: " + describe(readable.error());
   file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file_ < 0) return because(path_, "the trace cannot be written", errno);
   waiting_.assign(kHeaderBytes, 0);  // the header comes last: until then the file is none

@@ -26,7 +26,7 @@ class TraceWriter {
   TraceWriter& operator=(const TraceWriter&) = delete;
 
   /// header    its record count is ignored and counted instead
-  /// returns   one sentence why not; empty when it has begun, and only then it is open
+  /// returns   one sentence why not, also for a header that could not be read again; empty when it has begun, and only then it is open
   [[nodiscard]] std::string begin(const std::string& path, const TraceHeader& header);
 
   /// Where it is not open, nothing happens.

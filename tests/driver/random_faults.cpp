@@ -68,9 +68,9 @@ std::string random_script(Random& random, std::uint64_t& count) {
 
 /// One of [feel], up to what a person would set; each may also be off.
 SettingChange random_setting(Random& random) {
-  constexpr RawSettings kMost = {Stiffness::of(2).raw(),   Damping::of(0.001).raw(), Newton::of(12).raw(),     Ratio::of(0.9).raw(),
-                                 Damping::of(0.002).raw(), Damping::of(0.004).raw(), Damping::of(0.012).raw(), Newton::of(1).raw()};
-  const std::uint64_t which = below(random, kTickSettings);
+  constexpr LiveRaw kMost = {Stiffness::of(2).raw(),   Damping::of(0.001).raw(), Newton::of(12).raw(),     Ratio::of(0.9).raw(),
+                             Damping::of(0.002).raw(), Damping::of(0.004).raw(), Damping::of(0.012).raw(), Newton::of(1).raw()};
+  const std::uint64_t which = below(random, kLiveSettings);
   const auto setting = static_cast<TickSetting>(which + 1);
   const bool may_be_off = setting != TickSetting::kStiffness && setting != TickSetting::kForceLimit;
   if (may_be_off && below(random, 4) == 0) return {setting, 0};

@@ -134,6 +134,14 @@ TEST(TraceFile, AFullDiskIsAnErrorWhereAllOrNothingWasWantedOrNothingFits) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(TraceFile, AHeaderThatCouldNotBeReadAgainIsRefused) {
+  const ScratchFolder folder;
+  TraceHeader header;
+  header.settings.force_limit = Newton::of(50.1);
+  EXPECT_THROW(TraceWriter(folder.path() / "a.trace", header), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(TraceFile, AWriterWithoutItsFolderSaysSo) {
   const ScratchFolder folder;
   EXPECT_THROW(TraceWriter(folder.path() / "missing" / "a.trace", {}), InputError);
