@@ -19,8 +19,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   TickSettings settings;
   settings.friction = Ratio::of(0.3);
   settings.hand_damping = Damping::of(0.002);
-  const core::RenderModel model = core::make_render_model(settings, 1'000'000, *field);
-  core::RenderState state;
+  const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, *field);
+  core::PositionState state;
   std::uint64_t mixed = field->hash();
   for (int tick = 0; tick < 64; ++tick) {  // everywhere in and around the grid, the fuzzer's bytes decide where
     const auto along = [&](int axis) {
@@ -29,9 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const auto origin = axis == 0 ? field->origin.x : axis == 1 ? field->origin.y : field->origin.z;
       return Mm::from_raw(saturate32(origin.raw() + static_cast<std::int64_t>(mixed >> 33) % (2 * reach + 1) - reach / 2));
     };
-    Input in;
-    in.hip = {along(0), along(1), along(2)};
-    const Output out = core::render(in, *field, model, state);
+    const Output out = core::render_position(position_input({along(0), along(1), along(2)}), *field, model, state);
     fuzz::hold((out.status & kContact) != 0 || out.force == Vec3<Newton>{}, "no contact gives no force");
   }
   return 0;
