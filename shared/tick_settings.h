@@ -110,9 +110,7 @@ constexpr TickSettings with_live(const TickSettings& settings, const LiveRaw& li
 namespace tick_settings_detail {
 inline constexpr auto kRanges = [] {
   std::array<RawRange, kTickSettings> ranges{};
-  for (std::size_t i = 0; i < kTickSettings; ++i)
-    ranges[i] = {kTickSettingRows[i]->raw(kTickSettingRows[i]->low), kTickSettingRows[i]->raw(kTickSettingRows[i]->high),
-                 kTickSettingRows[i]->zero_means_unset};
+  for (std::size_t i = 0; i < kTickSettings; ++i) ranges[i] = raw_range(*kTickSettingRows[i]);
   return ranges;
 }();
 }  // namespace tick_settings_detail
