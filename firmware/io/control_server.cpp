@@ -66,9 +66,9 @@ void ControlServer::run() {
   for (bool busy = false; !stop_;) {
     if (!wait(busy)) continue;
     finish_work();
-    busy = feed_.pump(clients_, posture_, worst_) || measuring_ != nullptr;
-    finish_measuring();
     const std::int64_t now = neighbours_.clock.now_ns();
+    busy = feed_.pump(clients_, posture_, worst_, now) || measuring_ != nullptr;
+    finish_measuring();
     for (ControlClient& client : clients_) {
       if (client.is_open()) serve(client);
       if (client.is_open() && (!client.send(now) || (client.leaving && !client.has_unsent()))) forget(client);

@@ -47,7 +47,7 @@ bool TickFeed::is_free(std::span<const ControlClient> clients) const {
   return std::none_of(clients.begin(), clients.end(), [](const ControlClient& c) { return c.records; });
 }
 
-bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst) {
+bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst, std::int64_t now_ns) {
   if (!is_there()) return false;
   const bool wanted =
       std::any_of(clients.begin(), clients.end(), [](const ControlClient& c) { return c.is_open() && (c.every > 0 || c.records); });
@@ -61,6 +61,8 @@ bool TickFeed::pump(std::span<ControlClient> clients, PostureMeter& meter, Worst
     for (const loop::TickRecord& tick : ticks) worst.take(tick);
     for (ControlClient& client : clients) {
       if (!client.is_open() || client.leaving) continue;
+      // This thread may come late to a ring that holds more than a client has room for; a broken connection is found when it is served.
+      if (!client.has_room()) (void)client.send(now_ns);
       if (client.every > 0) give(client, ticks);
       if (client.records) give_recording(client, ticks);
     }

@@ -43,7 +43,7 @@ class TickFeed {
   /// meter     takes every tick, too, while it measures
   /// worst     takes every tick
   /// returns   true when anybody watches: call again soon
-  bool pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst);
+  bool pump(std::span<ControlClient> clients, PostureMeter& meter, WorstTicks& worst, std::int64_t now_ns);
 
  private:
   static constexpr std::size_t kBatch = 64;
