@@ -18,29 +18,29 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/control/calibration.h"
+#include "firmware/control/control_server.h"
 #include "firmware/daemon/crash.h"
 #include "firmware/daemon/hardware.h"
 #include "firmware/daemon/lines.h"
 #include "firmware/daemon/options.h"
+#include "firmware/daemon/service_notify.h"
 #include "firmware/daemon/status_lines.h"
-#include "firmware/io/calibration.h"
-#include "firmware/io/control_server.h"
-#include "firmware/io/falcon_port.h"
-#include "firmware/io/field_intake.h"
-#include "firmware/io/linux_clock.h"
-#include "firmware/io/linux_folder.h"
-#include "firmware/io/recorder.h"
-#include "firmware/io/replay_port.h"
-#include "firmware/io/run_mark.h"
-#include "firmware/io/service_notify.h"
+#include "firmware/falcon/falcon_port.h"
+#include "firmware/falcon/replay_port.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
+#include "firmware/loop/linux_clock.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/measured_delay.h"
 #include "firmware/loop/realtime.h"
+#include "firmware/recording/recorder.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/live.h"
+#include "firmware/store/field_intake.h"
+#include "firmware/store/linux_folder.h"
+#include "firmware/store/run_mark.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -58,7 +58,7 @@ int refuse(const std::string& sentence) {
   return 1;
 }
 
-std::string load_field(const std::string& path, io::FieldIntake& intake) {
+std::string load_field(const std::string& path, store::FieldIntake& intake) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
   if (bytes.empty()) return path + ": it cannot be read; give a blob that 'isotouch build' made";
@@ -110,19 +110,19 @@ sigset_t ending_signals() {
 ///
 /// judge_delay     one sentence when the delay that was measured meanwhile has changed something
 /// returns   false: another calibration than the one in use is to hold, and now is the time to begin again with it
-bool watch(const Options& options, const Hardware& hardware, const io::Recorder& recorder, io::Calibration& calibration,
-           const loop::TickStats& stats, const std::function<std::string()>& judge_delay, io::ServiceNotify& systemd) {
+bool watch(const Options& options, const Hardware& hardware, const recording::Recorder& recorder, control::Calibration& calibration,
+           const loop::TickStats& stats, const std::function<std::string()>& judge_delay, daemon::ServiceNotify& systemd) {
   systemd.ready();
   const sigset_t signals = ending_signals();
   const timespec pause{0, 100'000'000};
   std::string device, supervisor;
   while (!ticks_ended) {
     if (hardware.falcon) {
-      const io::PortReport& report = hardware.falcon->shown().get();
+      const falcon::PortReport& report = hardware.falcon->shown().get();
       const std::string line = device_line(report);
       if (line != device) {
         say(device = line);
-        calibration.answers(report.state == io::SessionState::kRunning ? report.serial.data() : "");
+        calibration.answers(report.state == falcon::SessionState::kRunning ? report.serial.data() : "");
       }
     }
     const std::string line = supervisor_line(recorder.state(), recorder.faults());
@@ -140,7 +140,7 @@ bool watch(const Options& options, const Hardware& hardware, const io::Recorder&
 }
 
 /// A run that follows one without an orderly end is in fault until a person resumes. In lockstep nobody is there.
-void mark_run(io::RunMark& mark, const std::string& folder, loop::Requests& requests) {
+void mark_run(store::RunMark& mark, const std::string& folder, loop::Requests& requests) {
   if (mark.was_left()) {
     requests.ask(kRequestStop);
     say("the run before had no orderly end; no force until 'resume'");
@@ -151,16 +151,16 @@ void mark_run(io::RunMark& mark, const std::string& folder, loop::Requests& requ
 
 /// again     not for the first time
 /// returns   the exit code; nothing: begin again
-std::optional<int> run(const Options& options, settings::LiveSettings& live, io::ServiceNotify& systemd, bool again) {
+std::optional<int> run(const Options& options, settings::LiveSettings& live, daemon::ServiceNotify& systemd, bool again) {
   stop_ticks = stop_exchange = go = ticks_ended = false;
   refused = 0;
   const settings::Settings settings = live.now();
   if (!settings::device_model(settings, {})) return refuse("the settings' numbers make no device together");
   Hardware hardware;
   if (const std::string complaint = make_hardware(options, stop_exchange, hardware); !complaint.empty()) return refuse(complaint);
-  std::optional<io::LinuxFolder> folder;
-  std::optional<io::FieldStore> store;
-  std::optional<io::CalibrationStore> measured;
+  std::optional<store::LinuxFolder> folder;
+  std::optional<store::FieldStore> store;
+  std::optional<store::CalibrationStore> measured;
   if (!settings.state.empty()) {
     folder.emplace(settings.state);
     if (!folder->is_open()) return refuse(settings.state + ": the state folder cannot be used: " + describe(folder->trouble()));
@@ -169,10 +169,10 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   }
   const auto by_settings = [&](const std::string& serial) {
     const bool named = settings.calibrations.count(serial) > 0;
-    return io::Calibration::Choice{*settings::device_model(settings, serial),
-                                   named ? wire::AnglesFrom::kSettings : wire::AnglesFrom::kGeometry};
+    return control::Calibration::Choice{*settings::device_model(settings, serial),
+                                        named ? wire::AnglesFrom::kSettings : wire::AnglesFrom::kGeometry};
   };
-  io::Calibration calibration(measured ? &*measured : nullptr, by_settings, serial_of(options, hardware));
+  control::Calibration calibration(measured ? &*measured : nullptr, by_settings, serial_of(options, hardware));
   if (!calibration.trouble().empty()) say(calibration.trouble());
   loop::LoopSettings loop_settings{calibration.in_use().model, settings::tick_settings(settings), settings::period_ns(settings),
                                    options.lockstep};
@@ -182,7 +182,7 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   header.settings = loop_settings.tick;
 
   // Everything that the tick exchanges with other threads.
-  io::LinuxClock real_clock;
+  loop::LinuxClock real_clock;
   loop::VirtualClock virtual_clock;
   loop::FieldSlots fields(settings::field_bytes(settings));
   loop::Requests requests;
@@ -207,8 +207,8 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   loop::Clock& clock = direct ? static_cast<loop::Clock&>(virtual_clock) : real_clock;
 
   const auto measured_delay = [&] { return loop::measured_delay_ticks(stats, loop_settings.period_ns); };
-  io::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
-                         [&](const BlobView& field) { return settings::refusal_of(field, live.now(), measured_delay()); });
+  store::FieldIntake intake(fields, store ? &*store : nullptr, real_clock,
+                            [&](const BlobView& field) { return settings::refusal_of(field, live.now(), measured_delay()); });
   const bool by_name = !settings.field.empty() && !(again && store && store->active());  // what was sent since counts more
   if (const std::string refusal = by_name ? load_field(settings.field, intake) : intake.begin_with_active(); !refusal.empty()) {
     if (by_name) return refuse(refusal);
@@ -216,25 +216,25 @@ std::optional<int> run(const Options& options, settings::LiveSettings& live, io:
   }
   systemd.busy();  // a large field from a slow card
   const auto hash_of = [&](std::uint32_t generation) { return intake.generation() == generation ? intake.hash() : 0; };
-  io::Recorder recorder({header, settings.state, ticks_in(settings.before_fault_s), ticks_in(0.5)}, trace,
-                        settings.control.empty() ? nullptr : &watched, requests, hash_of, say);
+  recording::Recorder recorder({header, settings.state, ticks_in(settings.before_fault_s), ticks_in(0.5)}, trace,
+                               settings.control.empty() ? nullptr : &watched, requests, hash_of, say);
   if (!settings.record.empty()) {
     if (const std::string complaint = recorder.start(settings.record); !complaint.empty()) return refuse(complaint);
   }
-  std::optional<io::ControlServer> control;
+  std::optional<control::ControlServer> control;
   if (!settings.control.empty()) {
-    io::ControlSettings wish;
+    control::ControlSettings wish;
     if (const std::string complaint = settings::apply_control(settings, wish); !complaint.empty()) return refuse(complaint);
     wish.program = "isotouchd";
     wish.recordings = header;
-    control.emplace(std::move(wish), io::ControlNeighbours{intake, requests, stats, shown, real_clock, &watched, &calibration,
-                                                           [&](std::string_view name, std::string_view value) {
-                                                             return live.set(name, value, requests, measured_delay());
-                                                           }});
+    control.emplace(std::move(wish), control::ControlNeighbours{intake, requests, stats, shown, real_clock, &watched, &calibration,
+                                                                [&](std::string_view name, std::string_view value) {
+                                                                  return live.set(name, value, requests, measured_delay());
+                                                                }});
     if (const std::string complaint = control->start(); !complaint.empty()) return refuse(complaint);
   }
 
-  std::optional<io::RunMark> mark;
+  std::optional<store::RunMark> mark;
   if (folder && !options.lockstep) mark_run(mark.emplace(*folder), settings.state, requests);
 
   rest_on_crash(stop_exchange);
@@ -303,7 +303,7 @@ int main(int argc, char** argv) {
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
     isotouch::settings::LiveSettings live(options.settings);
     const char* socket = std::getenv("NOTIFY_SOCKET");
-    isotouch::io::ServiceNotify systemd(socket == nullptr ? "" : socket);
+    isotouch::daemon::ServiceNotify systemd(socket == nullptr ? "" : socket);
     std::optional<int> ended;
     for (bool again = false; !ended; again = true) ended = run(options, live, systemd, again);
     return *ended;

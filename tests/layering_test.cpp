@@ -30,9 +30,20 @@ const std::map<std::string, Rule> kRules = {
     {"shared/files", {{"shared"}}},  // it reads and writes files: nothing that runs in the tick includes it
     {"firmware/core", {{"shared"}, true}},
     {"firmware/loop", {{"firmware/core", "shared"}}},
-    {"firmware/io", {{"firmware/loop", "shared"}}},
-    {"firmware/settings", {{"firmware/io", "firmware/loop", "shared"}}},
-    {"firmware/daemon", {{"firmware/settings", "firmware/io", "firmware/loop", "shared"}}},
+    {"firmware/falcon", {{"firmware/loop", "shared"}}},
+    {"firmware/store", {{"firmware/loop", "shared"}}},
+    {"firmware/recording", {{"firmware/loop", "shared"}}},
+    {"firmware/control", {{"firmware/store", "firmware/recording", "firmware/loop", "shared"}}},
+    {"firmware/lines", {{"firmware/loop", "shared"}}},
+    {"firmware/settings",
+     {{"firmware/falcon", "firmware/control", "firmware/store", "firmware/recording", "firmware/lines", "firmware/loop", "shared"}}},
+    {"firmware/daemon",
+     {{"firmware/settings", "firmware/falcon", "firmware/control", "firmware/store", "firmware/recording", "firmware/lines",
+       "firmware/loop", "shared"}}},
+    {"tests/firmware/store", {{"firmware/store", "firmware/loop", "shared", "tests/support"}}},
+    {"tests/firmware/recording", {{"firmware/recording", "firmware/falcon", "firmware/loop", "shared", "tests/support"}}},
+    {"tests/firmware/control",
+     {{"firmware/control", "firmware/store", "firmware/recording", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
     {"firmware", {{"firmware", "shared"}}},
     {"host/cloud", {{"host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/error.h", "shared"}}},
@@ -58,13 +69,14 @@ const std::map<std::string, Rule> kRules = {
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/fuzz", {{"host", "firmware", "shared", "tests/support"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
-    {"tests/across/link", {{"host", "firmware/io", "firmware/loop", "shared", "tests/support", "tests/firmware/io"}}},
+    {"tests/across/link",
+     {{"host", "firmware/control", "firmware/store", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
     {"tests", {{"tests/support"}}},
 };
 
 /// Libraries that stand behind a seam: the only folder of ours that may include each.
 const std::map<std::string, std::string> kBehindASeam = {
-    {"libusb.h", "firmware/io"}, {"gpiod.h", "firmware/io"}, {"toml++/toml.h", "firmware/settings"}};
+    {"libusb.h", "firmware/falcon"}, {"gpiod.h", "firmware/lines"}, {"toml++/toml.h", "firmware/settings"}};
 
 const std::set<std::string> kTickHeaders = {"algorithm", "array",       "bit",         "cassert", "compare", "concepts",
                                             "cstddef",   "cstdint",     "cstdlib",     "cstring", "limits",  "optional",
@@ -236,7 +248,7 @@ TEST(Layering, TheTestItselfSeesWhatItForbids) {
   EXPECT_FALSE(may_include("tests/host/cloud/a_test.cpp", "firmware/core/render.h"));
   EXPECT_FALSE(may_include("firmware/core/a.cpp", "shared/files/trace_file.h"));
   EXPECT_FALSE(may_include("shared/a.cpp", "shared/files/trace_file.h"));
-  EXPECT_TRUE(may_include("firmware/io/a.cpp", "shared/files/trace_file.h"));
+  EXPECT_TRUE(may_include("firmware/recording/a.cpp", "shared/files/trace_file.h"));
   EXPECT_FALSE(may_include("hil/falcon_model/a.cpp", "shared/crc32.h"));
   EXPECT_FALSE(may_include("hil/falcon_sim/a.cpp", "firmware/core/render.h"));
   EXPECT_TRUE(may_include("tests/host/cloud/a_test.cpp", "host/error.h"));
@@ -245,10 +257,10 @@ TEST(Layering, TheTestItselfSeesWhatItForbids) {
   EXPECT_FALSE(complaint_on_include("shared/a.h", "#include <vector>").empty());
   EXPECT_FALSE(complaint_on_include("host/a.h", "#include \"error.h\"").empty());
   EXPECT_FALSE(complaint_on_include("firmware/loop/a.h", "#include <libusb.h>").empty());
-  EXPECT_TRUE(complaint_on_include("firmware/io/a.h", "#include <libusb.h>").empty());
-  EXPECT_FALSE(may_include("firmware/io/a.cpp", "firmware/core/render.h"));
-  EXPECT_FALSE(may_include("firmware/loop/a.cpp", "firmware/io/falcon_link.h"));
-  EXPECT_TRUE(may_include("firmware/io/a.cpp", "firmware/loop/clock.h"));
+  EXPECT_TRUE(complaint_on_include("firmware/falcon/a.h", "#include <libusb.h>").empty());
+  EXPECT_FALSE(may_include("firmware/falcon/a.cpp", "firmware/core/render.h"));
+  EXPECT_FALSE(may_include("firmware/loop/a.cpp", "firmware/falcon/falcon_link.h"));
+  EXPECT_TRUE(may_include("firmware/control/a.cpp", "firmware/loop/clock.h"));
   EXPECT_TRUE(std::regex_search("x = a / b;", kDivision));
   EXPECT_TRUE(std::regex_search("x %= 7;", kDivision));
   EXPECT_FALSE(std::regex_search("x = a / 2;", kDivision));

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "firmware/io/falcon_list.h"
-#include "firmware/io/falcon_usb.h"
-#include "firmware/io/linux_clock.h"
-#include "firmware/io/lockstep_clock.h"
-#include "firmware/io/sim_link.h"
+#include "firmware/falcon/falcon_list.h"
+#include "firmware/falcon/falcon_usb.h"
+#include "firmware/falcon/sim_link.h"
+#include "firmware/loop/linux_clock.h"
+#include "firmware/loop/lockstep_clock.h"
 #include "firmware/loop/virtual_clock.h"
 #include "firmware/settings/apply.h"
 
@@ -21,7 +21,7 @@ std::string make_replay(const Options& options, Hardware& made) {
     complaint = options.name + ": it holds positions of a hand, not the packets of a device; make some with 'isotouch trace to-packets'";
   }
   if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
-  if (complaint.empty()) made.replay = std::make_unique<io::ReplayPort>(std::move(trace), *made.clock);
+  if (complaint.empty()) made.replay = std::make_unique<falcon::ReplayPort>(std::move(trace), *made.clock);
   return complaint;
 }
 
@@ -30,28 +30,28 @@ std::string make_replay(const Options& options, Hardware& made) {
 std::string make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made) {
   const settings::Settings& settings = options.settings;
   if (options.lockstep) {
-    made.clock = std::make_unique<io::LockstepClock>();
+    made.clock = std::make_unique<loop::LockstepClock>();
   } else {
-    made.clock = std::make_unique<io::LinuxClock>();
+    made.clock = std::make_unique<loop::LinuxClock>();
   }
   if (options.device == Options::Device::kRecorded) return make_replay(options, made);
   const bool simulated = options.device == Options::Device::kSimulated;
   std::string complaint;
   if (!settings.firmware.empty()) {
-    made.image = io::read_image(settings.firmware, complaint);
+    made.image = falcon::read_image(settings.firmware, complaint);
   } else if (simulated) {
-    const auto image = io::synthetic_image();
+    const auto image = falcon::synthetic_image();
     made.image.assign(image.begin(), image.end());
   }
   if (!complaint.empty()) return complaint;
   if (simulated) {
-    made.link = std::make_unique<io::SimLink>(options.name);
+    made.link = std::make_unique<falcon::SimLink>(options.name);
   } else {
-    made.link = std::make_unique<io::FalconUsb>(*made.clock, options.name);
+    made.link = std::make_unique<falcon::FalconUsb>(*made.clock, options.name);
   }
-  made.session = std::make_unique<io::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
-                                                     [&stop](const io::BootProgress&) { return !stop.load(); });
-  made.falcon = std::make_unique<io::FalconPort>(*made.session, *made.link);
+  made.session = std::make_unique<falcon::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
+                                                         [&stop](const falcon::BootProgress&) { return !stop.load(); });
+  made.falcon = std::make_unique<falcon::FalconPort>(*made.session, *made.link);
   return {};
 }
 
@@ -67,7 +67,7 @@ std::string serial_of(const Options& options, const Hardware& hardware) {
     case Options::Device::kUsb: break;
   }
   if (!options.name.empty()) return options.name;
-  const io::UsbListing listing = io::list_falcons();
+  const falcon::UsbListing listing = falcon::list_falcons();
   return listing.falcons.size() == 1 ? listing.falcons[0].serial : std::string();
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "firmware/daemon/options.h"
-#include "firmware/io/falcon_port.h"
-#include "firmware/io/replay_port.h"
+#include "firmware/falcon/falcon_port.h"
+#include "firmware/falcon/replay_port.h"
 #include "firmware/loop/clock.h"
 
 namespace isotouch::daemon {
@@ -18,10 +18,10 @@ namespace isotouch::daemon {
 struct Hardware {
   std::vector<std::uint8_t> image;  ///< firmware for the device
   std::unique_ptr<loop::Clock> clock;
-  std::unique_ptr<io::FalconLink> link;
-  std::unique_ptr<io::FalconSession> session;
-  std::unique_ptr<io::FalconPort> falcon;
-  std::unique_ptr<io::ReplayPort> replay;
+  std::unique_ptr<falcon::FalconLink> link;
+  std::unique_ptr<falcon::FalconSession> session;
+  std::unique_ptr<falcon::FalconPort> falcon;
+  std::unique_ptr<falcon::ReplayPort> replay;
 
   loop::Port& port() const { return falcon ? static_cast<loop::Port&>(*falcon) : *replay; }
 };

@@ -19,7 +19,7 @@ std::string why_not_opened(int error) {
 
 std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
   if (settings.line_chip.empty()) return {};
-  lines.chip = io::open_gpio(settings.line_chip);
+  lines.chip = lines::open_gpio(settings.line_chip);
   if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
   std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
   if (!complaint.empty()) return complaint;

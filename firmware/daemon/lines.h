@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware/io/gpio_lines.h"
+#include "firmware/lines/gpio_lines.h"
 #include "firmware/loop/line_state.h"
 #include "firmware/loop/tick_stats.h"
 #include "firmware/loop/watch.h"
@@ -14,8 +14,8 @@
 namespace isotouch::daemon {
 
 struct Lines {
-  std::unique_ptr<io::Gpio> chip;
-  std::optional<io::GpioLines> wires;
+  std::unique_ptr<lines::Gpio> chip;
+  std::optional<lines::GpioLines> wires;
   loop::LineState state;             ///< what the watch tells the ticks
   std::optional<loop::Watch> watch;  ///< nothing where the settings name no chip
 };

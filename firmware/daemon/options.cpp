@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "firmware/io/falcon_list.h"
-#include "firmware/io/relay.h"
+#include "firmware/control/relay.h"
+#include "firmware/falcon/falcon_list.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/read_settings.h"
 #include "firmware/settings/table.h"
@@ -64,12 +64,12 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
 
   exit_code = 0;
   if (relay->parsed()) {
-    const std::string complaint = io::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO);
+    const std::string complaint = control::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO);
     if (!complaint.empty()) exit_code = complain(complaint);
     return false;
   }
   if (print) std::fputs(settings::default_file().c_str(), stdout);
-  if (list) std::printf("%s\n", io::explain(io::list_falcons()).c_str());
+  if (list) std::printf("%s\n", falcon::explain(falcon::list_falcons()).c_str());
   if (print || list) return false;
   const std::string& file = check.empty() ? config : check;
   if (!file.empty()) {

@@ -25,14 +25,14 @@ unsigned long long whole(const loop::Counter& counter) { return counter.value();
 
 }  // namespace
 
-std::string device_line(const io::PortReport& report) {
+std::string device_line(const falcon::PortReport& report) {
   switch (report.state) {
-    case io::SessionState::kSearching:
-      if (report.boots > 0 && !report.boot.running()) return "device: " + io::explain(report.boot);
+    case falcon::SessionState::kSearching:
+      if (report.boots > 0 && !report.boot.running()) return "device: " + falcon::explain(report.boot);
       if (report.troubled) return std::string("device: looking for one; ") + describe(report.trouble);
       return "device: looking for one";
-    case io::SessionState::kBooting: return "device: found, being brought up";
-    case io::SessionState::kRunning: return std::string("device: running, serial ") + report.serial.data();
+    case falcon::SessionState::kBooting: return "device: found, being brought up";
+    case falcon::SessionState::kRunning: return std::string("device: running, serial ") + report.serial.data();
   }
   return {};
 }

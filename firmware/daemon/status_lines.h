@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/io/falcon_port.h"
+#include "firmware/falcon/falcon_port.h"
 #include "firmware/loop/tick_stats.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::daemon {
 
 /// How the device is doing; the same text as before when nothing changed.
-std::string device_line(const io::PortReport& report);
+std::string device_line(const falcon::PortReport& report);
 
 /// What the supervisor allows and what a person can do.
 std::string supervisor_line(SupervisorState state, std::uint16_t faults);

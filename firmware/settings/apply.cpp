@@ -124,8 +124,8 @@ std::string n_mm(Stiffness stiffness) {
   return text;
 }
 
-io::SessionSettings session_settings(const Settings& settings) {
-  io::SessionSettings session;
+falcon::SessionSettings session_settings(const Settings& settings) {
+  falcon::SessionSettings session;
   session.boot.attempts = settings.attempts;
   session.boot.ignore_echo = settings.ignore_echo;
   session.boot.always_upload = settings.always_upload;
@@ -134,7 +134,7 @@ io::SessionSettings session_settings(const Settings& settings) {
   return session;
 }
 
-io::GpioSettings gpio_settings(const Settings& settings) {
+lines::GpioSettings gpio_settings(const Settings& settings) {
   return {settings.line_stop, settings.line_enable, settings.line_enable_back, settings.line_heartbeat, settings.line_light};
 }
 

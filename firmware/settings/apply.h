@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware/io/falcon_session.h"
-#include "firmware/io/gpio_lines.h"
+#include "firmware/falcon/falcon_session.h"
+#include "firmware/lines/gpio_lines.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/watch.h"
 #include "firmware/settings/settings.h"
@@ -43,10 +43,10 @@ Stiffness most_stiffness(const Settings& settings, std::uint32_t measured_delay 
 /// The largest number of thousandths that the settings can give without being above a stiffness, in N/mm.
 std::string n_mm(Stiffness stiffness);
 
-io::SessionSettings session_settings(const Settings& settings);
+falcon::SessionSettings session_settings(const Settings& settings);
 
 /// Numbers of the safety lines.
-io::GpioSettings gpio_settings(const Settings& settings);
+lines::GpioSettings gpio_settings(const Settings& settings);
 loop::WatchSettings watch_settings(const Settings& settings);
 
 /// Largest unpacked field.

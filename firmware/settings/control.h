@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "firmware/io/control_server.h"
+#include "firmware/control/control_server.h"
 #include "firmware/settings/settings.h"
 
 namespace isotouch::settings {
@@ -11,6 +11,6 @@ namespace isotouch::settings {
 /// Fills in path, mode, group and who may come in; asks the system for users and groups.
 ///
 /// returns   one sentence when a name or number is none; empty when all is well
-std::string apply_control(const Settings& settings, io::ControlSettings& control);
+std::string apply_control(const Settings& settings, control::ControlSettings& control);
 
 }  // namespace isotouch::settings

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/io/falcon_port.h"
-#include "firmware/io/firmware_image.h"
+#include "firmware/falcon/falcon_port.h"
+#include "firmware/falcon/firmware_image.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/watch.h"
 #include "tests/driver/model_link.h"
@@ -65,9 +65,9 @@ class FaultBench final : public loop::Device {
   JumpingClock clock;
   ModelClock link_clock;
   ModelLink link;
-  std::array<std::uint8_t, 34> firmware = io::synthetic_image();
-  io::FalconSession session;
-  io::FalconPort port;
+  std::array<std::uint8_t, 34> firmware = falcon::synthetic_image();
+  falcon::FalconSession session;
+  falcon::FalconPort port;
   loop::FieldSlots fields{1 << 22};
   loop::Requests commands;
   loop::TraceRing trace{1 << 12};

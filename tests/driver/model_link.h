@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "firmware/io/falcon_link.h"
+#include "firmware/falcon/falcon_link.h"
 #include "firmware/loop/clock.h"
 #include "hil/falcon_model/simulated_falcon.h"
 
@@ -20,7 +20,7 @@ class ModelClock final : public loop::Clock {
   std::int64_t now = 0;
 };
 
-class ModelLink final : public io::FalconLink {
+class ModelLink final : public falcon::FalconLink {
  public:
   ModelLink(falcon_model::Settings settings, ModelClock& clock) : falcon(std::move(settings)), clock_(clock) {}
 
@@ -33,9 +33,9 @@ class ModelLink final : public io::FalconLink {
   }
   void close() override { open_ = false; }
   bool is_open() const override { return open_; }
-  const io::FalconIdentity& identity() const override { return identity_; }
+  const falcon::FalconIdentity& identity() const override { return identity_; }
 
-  Result<std::size_t> control(const io::UsbSetup& setup, std::span<std::uint8_t> answer) override {
+  Result<std::size_t> control(const falcon::UsbSetup& setup, std::span<std::uint8_t> answer) override {
     if (!there()) return Error::kGone;
     const falcon_model::ControlAnswer got = falcon.control(setup);
     if (got.stalled) return Error::kStalled;
@@ -64,7 +64,7 @@ class ModelLink final : public io::FalconLink {
   bool there() const { return open_ && falcon.present(); }
 
   ModelClock& clock_;
-  io::FalconIdentity identity_;
+  falcon::FalconIdentity identity_;
   bool open_ = false;
 };
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <thread>
 
+#include "firmware/control/control_server.h"
+#include "firmware/control/control_socket.h"
 #include "firmware/core/tick.h"
-#include "firmware/io/control_server.h"
-#include "firmware/io/control_socket.h"
-#include "firmware/io/field_intake.h"
-#include "firmware/io/linux_clock.h"
-#include "firmware/io/recorder.h"
+#include "firmware/loop/linux_clock.h"
+#include "firmware/recording/recorder.h"
+#include "firmware/store/field_intake.h"
 #include "shared/files/trace_file.h"
 #include "tests/driver/fault_bench.h"
 #include "tests/support/full_disk.h"
@@ -51,7 +51,7 @@ bool presses_on(FaultBench& bench, int ticks) {
 
 /// Says half of an upload and is gone.
 std::string say_half(const std::string& socket_path) {
-  const int socket = io::connect_to_socket(socket_path);
+  const int socket = control::connect_to_socket(socket_path);
   if (socket < 0) return "no connection";
   std::vector<std::uint8_t> frame(wire::kMaxFrame), heard(1 << 16);
   const std::vector<std::uint8_t> piece(10'000, 7);
@@ -70,13 +70,13 @@ FaultRow host_killed() {
   FaultRow row{"host killed in the middle of an upload", -1, "active", "none here: the field before stays", kGoesOn, ""};
   FaultBench bench({});
   const Folder folder;
-  io::LinuxClock clock;
+  loop::LinuxClock clock;
   loop::Latest<loop::TickRecord> shown;
-  io::FieldIntake intake(bench.fields, nullptr, clock, {});
-  io::ControlSettings settings;
+  store::FieldIntake intake(bench.fields, nullptr, clock, {});
+  control::ControlSettings settings;
   settings.path = folder.path + "/control";
   settings.program = "a test";
-  io::ControlServer server(settings, {intake, bench.commands, bench.stats, shown, clock});
+  control::ControlServer server(settings, {intake, bench.commands, bench.stats, shown, clock});
   row.broken = bench.begin() ? server.start() : "the hand never pressed";
   if (!row.broken.empty()) return row;
   const std::uint32_t generation = bench.last.in.field_generation;
@@ -120,7 +120,7 @@ FaultRow disk_full() {
   header.settings = bench.settings.tick;
   const std::vector<std::uint8_t> image = ball_image(25);
   const BlobView field = *BlobView::parse(image);
-  io::Recorder recorder(
+  recording::Recorder recorder(
       {header, "", 10, 10}, bench.trace, nullptr, bench.commands, [&](std::uint32_t) { return field.hash(); },
       [&](const std::string& sentence) { row.sentence += sentence; });
   row.broken = recorder.start(path);

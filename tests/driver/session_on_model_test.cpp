@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "firmware/io/falcon_session.h"
+#include "firmware/falcon/falcon_session.h"
 #include "hil/falcon_model/paths.h"
 #include "hil/falcon_model/quirks.h"
 #include "tests/driver/model_link.h"
 
-namespace isotouch::io {
+namespace isotouch::falcon {
 namespace {
 
 using falcon_model::Fault;
@@ -143,4 +143,4 @@ TEST(SessionOnModel, IsTheSameRunEveryTime) {
 }
 
 }  // namespace
-}  // namespace isotouch::io
+}  // namespace isotouch::falcon

@@ -19,13 +19,13 @@
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "shared/trace.h"
-#include "tests/firmware/io/control_rig.h"
+#include "tests/firmware/control/control_rig.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch {
 namespace {
 
-using io::ControlRig;
+using control::ControlRig;
 using link::Controller;
 using testing::HasSubstr;
 
@@ -113,7 +113,7 @@ TEST(Upload, ASenderThatIsKilledLeavesTheOldField) {
   for (int sent = 0; sent < 5; ++sent) {
     const pid_t child = ::fork();
     if (child == 0) {
-      io::Speaker speaker(rig.settings.path);
+      control::Speaker speaker(rig.settings.path);
       speaker.greet();
       speaker.say(wire::Kind::kBegin, other.promise);
       for (std::size_t i = 0; i < static_cast<std::size_t>(sent); ++i) {
@@ -162,7 +162,7 @@ struct Follower {
     speaker.say(wire::Kind::kSubscribe, wire::Subscribe{10'000});
     EXPECT_EQ(speaker.hear().kind, wire::Kind::kDone);
   }
-  io::Speaker speaker;
+  control::Speaker speaker;
 };
 
 const auto kNeverEnough = [] { return false; };
@@ -210,7 +210,7 @@ TEST(Upload, ARecordingEndsWhenItIsEnoughAlsoWithoutTicks) {
   }
   rig.tick.rests = true;
   int asked = 0;
-  io::Speaker(rig.settings.path).greet();  // the server has heard that the one before has gone
+  control::Speaker(rig.settings.path).greet();  // the server has heard that the one before has gone
   Controller controller("unix:" + rig.settings.path);
   const Recorded nothing(controller, 10, {}, [&] { return ++asked > 3; });
   EXPECT_EQ(nothing.records, 0U);

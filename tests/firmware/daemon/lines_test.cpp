@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "firmware/io/linux_clock.h"
+#include "firmware/loop/linux_clock.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::string taken(const std::string& chip) {
   settings::Settings settings;
   settings.line_chip = chip;
-  io::LinuxClock clock;
+  loop::LinuxClock clock;
   const loop::TickStats stats;
   Lines lines;
   return take_lines(settings, clock, stats, lines);

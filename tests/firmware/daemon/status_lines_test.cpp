@@ -25,20 +25,20 @@ TEST(StatusLines, EveryStateHasALineOfItsOwn) {
 }
 
 TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
-  io::PortReport report;
+  falcon::PortReport report;
   EXPECT_EQ(device_line(report), "device: looking for one");
   report.troubled = true;
   report.trouble = Error::kNotFound;
   EXPECT_EQ(device_line(report), "device: looking for one; no such device is there");
-  report.state = io::SessionState::kBooting;
+  report.state = falcon::SessionState::kBooting;
   EXPECT_EQ(device_line(report), "device: found, being brought up");
-  report.state = io::SessionState::kRunning;
+  report.state = falcon::SessionState::kRunning;
   report.serial = {'A', '1'};
   EXPECT_EQ(device_line(report), "device: running, serial A1");
-  report.state = io::SessionState::kSearching;
+  report.state = falcon::SessionState::kSearching;
   report.boots = 1;
-  report.boot.outcome = io::BootOutcome::kNoHandshake;
-  EXPECT_EQ(device_line(report), "device: " + io::explain(report.boot));
+  report.boot.outcome = falcon::BootOutcome::kNoHandshake;
+  EXPECT_EQ(device_line(report), "device: " + falcon::explain(report.boot));
 }
 
 TEST(StatusLines, ARefusalNamesWhatIsMissing) {

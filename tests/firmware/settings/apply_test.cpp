@@ -15,7 +15,7 @@ TEST(ApplySettings, TheDefaultsAreThoseOfTheLayersBelow) {
   tick.delay_ticks = 1;
   EXPECT_EQ(tick_settings(settings), tick);
   EXPECT_EQ(period_ns(settings), 1'000'000U);
-  const io::SessionSettings session = session_settings(settings), plain;
+  const falcon::SessionSettings session = session_settings(settings), plain;
   EXPECT_EQ(session.boot.attempts, plain.boot.attempts);
   EXPECT_EQ(session.boot.ignore_echo, plain.boot.ignore_echo);
   EXPECT_EQ(session.boot.always_upload, plain.boot.always_upload);
@@ -146,7 +146,7 @@ TEST(ApplySettings, EachLineIsItsOwn) {
   Settings settings;
   settings.line_stop = 1, settings.line_enable = 2, settings.line_enable_back = 3, settings.line_heartbeat = 4, settings.line_light = 5;
   settings.line_settle_ms = 7;
-  const io::GpioSettings lines = gpio_settings(settings);
+  const lines::GpioSettings lines = gpio_settings(settings);
   EXPECT_EQ(lines.stop, 1);
   EXPECT_EQ(lines.enable, 2);
   EXPECT_EQ(lines.enable_back, 3);

@@ -16,7 +16,7 @@ TEST(ControlSettings, NamesAndNumbersBecomeWhoMayComeIn) {
   settings.control_group = "0";
   settings.control_users = "root, 1234,";
   settings.control_groups = "77 root";
-  io::ControlSettings control;
+  control::ControlSettings control;
   ASSERT_EQ(apply_control(settings, control), "");
   EXPECT_EQ(control.path, "/run/x");
   EXPECT_EQ(control.mode, 0600U);
@@ -26,9 +26,9 @@ TEST(ControlSettings, NamesAndNumbersBecomeWhoMayComeIn) {
 }
 
 TEST(ControlSettings, TheDefaultsAreThoseOfTheServer) {
-  io::ControlSettings control;
+  control::ControlSettings control;
   ASSERT_EQ(apply_control({}, control), "");
-  EXPECT_EQ(control.mode, io::ControlSettings{}.mode);
+  EXPECT_EQ(control.mode, control::ControlSettings{}.mode);
   EXPECT_FALSE(control.group);
   EXPECT_TRUE(control.admission.users.empty() && control.admission.groups.empty());
 }
@@ -37,7 +37,7 @@ TEST(ControlSettings, WhatIsNoNameIsToldWithItsPlace) {
   const auto refusal = [](std::string Settings::*member, const char* value) {
     Settings settings;
     settings.*member = value;
-    io::ControlSettings control;
+    control::ControlSettings control;
     return apply_control(settings, control);
   };
   for (const char* mode : {"", "rw", "0668", "1777", "-1"})

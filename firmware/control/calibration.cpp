@@ -1,0 +1,74 @@
+#include "firmware/control/calibration.h"
+
+#include <utility>
+
+namespace isotouch::control {
+
+namespace {
+
+void take(const store::AnglesAtZero& angles, DeviceModel& model) {
+  for (std::size_t i = 0; i < angles.size(); ++i) model.legs[i].at_zero = angles[i];
+}
+
+}  // namespace
+
+Calibration::Calibration(store::CalibrationStore* store, BySettings by_settings, const std::string& serial)
+    : store_(store), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
+
+void Calibration::answers(const std::string& serial) {
+  std::string ignored;
+  const bool waits = !serial.empty() && choose(serial, ignored).model != in_use_.model;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  serial_ = serial;
+  waits_ = waits;
+}
+
+bool Calibration::waits() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return waits_;
+}
+
+wire::DeviceReport Calibration::report() const {
+  wire::DeviceReport report;
+  for (std::size_t i = 0; i < report.at_zero.size(); ++i) report.at_zero[i] = in_use_.model.legs[i].at_zero.raw();
+  report.from = static_cast<std::uint8_t>(in_use_.source);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  report.waits = waits_ ? 1 : 0;
+  report.serial = wire::Text::of(serial_);
+  return report;
+}
+
+std::string Calibration::keep(const wire::Calibrate& measured) {
+  const std::string serial(measured.serial.view());
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (serial_.empty() || serial != serial_) return "another device than the measured one is plugged in; calibrate again";
+  }
+  if (store_ == nullptr) return "this controller keeps nothing; start it with a state folder, [files] state";
+  if (by_settings_(serial).source == wire::AnglesFrom::kSettings) {
+    return "the controller's settings name a calibration for this device, and that outweighs a measured one; take [calibration." + serial +
+           "] out of them";
+  }
+  store::AnglesAtZero angles;
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);
+  const Result<void> kept = store_->put(serial, angles);
+  if (!kept)
+    return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; look after the controller's state folder";
+  answers(serial);
+  return {};
+}
+
+Calibration::Choice Calibration::choose(const std::string& serial, std::string& trouble) const {
+  Choice choice = by_settings_(serial);
+  if (store_ == nullptr || choice.source == wire::AnglesFrom::kSettings) return choice;
+  const Result<store::AnglesAtZero> kept = store_->read(serial);
+  if (kept) {
+    take(*kept, choice.model);
+    choice.source = wire::AnglesFrom::kMeasured;
+  } else if (kept.error() != Error::kNotFound) {
+    trouble = "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again";
+  }
+  return choice;
+}
+
+}  // namespace isotouch::control

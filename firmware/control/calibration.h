@@ -1,0 +1,58 @@
+/// Which device answers, where its arms are taken to stand at count 0, and where that comes from: the geometry set, the settings, or what was measured
+/// and kept. Any thread; not for the tick.
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "firmware/store/calibration_store.h"
+#include "shared/device_model.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::control {
+
+class Calibration {
+ public:
+  struct Choice {
+    DeviceModel model;
+    wire::AnglesFrom source = wire::AnglesFrom::kGeometry;
+  };
+  /// The model by the settings alone for a serial; kSettings when they name a calibration for it, which then outweighs one that is kept.
+  using BySettings = std::function<Choice(const std::string& serial)>;
+
+  /// store     nullptr: nothing is kept; lives longer
+  /// serial    of the device that is expected; empty: not known
+  Calibration(store::CalibrationStore* store, BySettings by_settings, const std::string& serial);
+
+  /// What holds from start to end.
+  const Choice& in_use() const { return in_use_; }
+  /// A sentence when what was kept cannot be used; else empty.
+  const std::string& trouble() const { return trouble_; }
+
+  /// The device of this serial answers; empty: none does.
+  void answers(const std::string& serial);
+
+  /// For the device that answers there are other angles than those in use: they hold from the next start on.
+  bool waits() const;
+
+  wire::DeviceReport report() const;
+
+  /// Keeps angles for the device that answers. Waits for the disk.
+  ///
+  /// returns   one sentence why not; empty when they are kept
+  std::string keep(const wire::Calibrate& measured);
+
+ private:
+  Choice choose(const std::string& serial, std::string& trouble) const;
+
+  store::CalibrationStore* store_;
+  BySettings by_settings_;
+  std::string trouble_;
+  Choice in_use_;
+  mutable std::mutex mutex_;  ///< of what follows
+  std::string serial_;
+  bool waits_ = false;
+};
+
+}  // namespace isotouch::control

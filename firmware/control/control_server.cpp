@@ -1,0 +1,374 @@
+#include "firmware/control/control_server.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "firmware/control/tick_report.h"
+#include "firmware/loop/realtime.h"
+
+namespace isotouch::control {
+
+namespace {
+
+using wire::Kind;
+
+constexpr int kNapMs = 500;
+constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
+
+constexpr std::int64_t kMeasuringNs = 1'000'000'000;
+constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
+
+constexpr std::string_view kMeasuringNow = "a calibration is measured at this moment; ask again in a second";
+constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller on one";
+constexpr std::string_view kBusy = "another client is sending a field; try again when that has ended";
+
+}  // namespace
+
+ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& neighbours)
+    : settings_(std::move(settings)),
+      neighbours_(neighbours),
+      clients_(settings_.clients),
+      feed_(neighbours.ring, settings_.recordings, neighbours.requests),
+      worker_(neighbours.fields, neighbours.calibration),
+      scratch_(std::max(kHistogramScratch, wire::kMaxBody)),
+      bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+
+ControlServer::~ControlServer() {
+  stop();
+  ::close(bell_);
+}
+
+std::string ControlServer::start() {
+  std::string refusal = socket_.open(settings_.path, settings_.mode, settings_.group);
+  stop_ = false;
+  if (refusal.empty()) thread_ = std::thread([this] { run(); });
+  return refusal;
+}
+
+void ControlServer::stop() {
+  if (!thread_.joinable()) return;
+  stop_ = true;
+  const std::uint64_t ring = 1;
+  (void)!::write(bell_, &ring, sizeof ring);
+  thread_.join();
+  std::uint64_t rings = 0;
+  (void)!::read(bell_, &rings, sizeof rings);
+  for (ControlClient& client : clients_) client.close();
+  socket_.close();
+}
+
+void ControlServer::run() {
+  loop::keep_crash_stack();
+  for (bool busy = false; !stop_;) {
+    if (!wait(busy)) continue;
+    finish_work();
+    const std::int64_t now = neighbours_.clock.now_ns();
+    busy = feed_.pump(clients_, posture_, worst_, now) || measuring_ != nullptr;
+    finish_measuring();
+    for (ControlClient& client : clients_) {
+      if (client.is_open()) serve(client);
+      if (client.is_open() && (!client.send(now) || (client.leaving && !client.has_unsent()))) forget(client);
+    }
+    dismiss_the_idle();
+  }
+}
+
+/// Until something happens, or for a nap; then reads what has come. returns false: interrupted
+bool ControlServer::wait(bool busy) {
+  polled_.assign({{bell_, POLLIN, 0}, {worker_.bell(), POLLIN, 0}, {socket_.number(), POLLIN, 0}});
+  for (const ControlClient& client : clients_) {
+    const bool reads = !client.waiting && !client.leaving && client.wants_more() && client.has_room();
+    polled_.push_back({client.socket(), static_cast<short>((reads ? POLLIN : 0) | (client.has_unsent() ? POLLOUT : 0)), 0});
+  }
+  const auto nap_ms = static_cast<int>(std::min<std::int64_t>(kNapMs, settings_.patience_ns / 4'000'000 + 1));
+  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : nap_ms) < 0) return false;
+  const std::int64_t now = neighbours_.clock.now_ns();
+  for (std::size_t i = 0; i < clients_.size(); ++i) {
+    if ((polled_[i + 3].revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
+    // One that hung up is read to its end, whatever it waits for: that is how its end is seen.
+    if (!clients_[i].wants_more() || !clients_[i].receive(now)) forget(clients_[i]);
+  }
+  if (polled_[2].revents != 0) admit();
+  return true;
+}
+
+void ControlServer::admit() {
+  const int socket = socket_.accept();
+  if (socket < 0) return;
+  const std::int64_t now = neighbours_.clock.now_ns();
+  const auto place = std::find_if(clients_.begin(), clients_.end(), [](const ControlClient& c) { return !c.is_open(); });
+  std::string refusal = refusal_of(settings_.peer(socket), settings_.admission);
+  if (refusal.empty() && place == clients_.end()) {
+    refusal = std::to_string(clients_.size()) + " clients are connected, which is as many as there may be; close one of them";
+  }
+  if (refusal.empty()) return place->open(socket, now);
+  stranger_.open(socket, now);
+  stranger_.refuse(Kind::kHello, refusal);
+  (void)stranger_.send(now);  // a fresh connection has room for it
+  stranger_.close();
+}
+
+/// Answers every frame that is complete, as long as its answers fit.
+void ControlServer::serve(ControlClient& client) {
+  while (client.has_unread() && !client.waiting && !client.leaving && client.has_room()) {
+    const Result<wire::Frame> frame = client.frame();
+    if (!frame) {
+      client.refuse(Kind::kHello,
+                    std::string("this connection cannot be understood: ") + describe(frame.error()) + "; connect anew with isotouch");
+      client.leaving = true;
+      return;
+    }
+    if (frame->size == 0 || must_wait(*frame)) return;
+    answer(client, *frame);
+    client.drop(frame->size);
+  }
+}
+
+/// What the field worker would do, or what touches its memory, comes after what it does now.
+bool ControlServer::must_wait(const wire::Frame& frame) const {
+  const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields ||
+                            frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
+  return needs_worker && !worker_.is_idle();
+}
+
+void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
+  const auto malformed = [&] {
+    client.refuse(frame.kind, "the request is shorter than its kind demands; install the same release on both sides");
+  };
+  if (frame.kind == Kind::kHello) return hello(client, frame);
+  if (!client.greeted) {
+    client.refuse(frame.kind, "a connection begins with a greeting; connect with isotouch");
+    client.leaving = true;
+    return;
+  }
+  // What may lead to a force waits until the hand has been measured.
+  const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
+  if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
+  switch (frame.kind) {
+    case Kind::kBegin: {
+      const auto promised = wire::decode<wire::Begin>(frame.body);
+      return promised ? begin(client, *promised) : malformed();
+    }
+    case Kind::kChunk: {
+      const auto piece = wire::decode<wire::Chunk>(frame.body);
+      return piece ? chunk(client, *piece) : malformed();
+    }
+    case Kind::kCommit: return commit(client);
+    case Kind::kAbort:
+      if (upload_.sender == &client) upload_ = {};
+      return client.say(Kind::kDone);
+    case Kind::kStatus:
+      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.hash()));
+    case Kind::kHistogram: {
+      const auto wanted = wire::decode<wire::HistogramRequest>(frame.body);
+      return wanted ? histogram(client, wanted->measure) : malformed();
+    }
+    case Kind::kSubscribe: {
+      const auto wanted = wire::decode<wire::Subscribe>(frame.body);
+      if (!wanted) return malformed();
+      if (!feed_.is_there()) return client.refuse(frame.kind, "this controller shows no ticks; start it with its trace ring");
+      if (client.records) return client.refuse(frame.kind, "this connection records; watch on another one");
+      feed_.subscribe(client, wanted->every);
+      return client.say(Kind::kDone);
+    }
+    case Kind::kRecord: return begin_recording(client);
+    case Kind::kRecordEnd:
+      if (client.records) feed_.end_recording(client);
+      return client.say(Kind::kDone);
+    case Kind::kStop: neighbours_.requests.ask(kRequestStop); return client.say(Kind::kDone);
+    case Kind::kResume: neighbours_.requests.ask(kRequestResume); return client.say(Kind::kDone);
+    case Kind::kFields: return start_work(client, FieldWork::Kind::kList, {});
+    case Kind::kSelect: {
+      const auto wanted = wire::decode<wire::Select>(frame.body);
+      if (!wanted) return malformed();
+      wire::Begin field;
+      field.image_hash = wanted->image_hash;
+      return start_work(client, FieldWork::Kind::kSelect, field);
+    }
+    case Kind::kDevice:
+      if (neighbours_.calibration == nullptr) return client.refuse(frame.kind, kNothingToCalibrate);
+      return client.say(Kind::kDeviceReport, neighbours_.calibration->report());
+    case Kind::kPosture: return measure(client);
+    case Kind::kCalibrate: {
+      const auto measured = wire::decode<wire::Calibrate>(frame.body);
+      return measured ? calibrate(client, *measured) : malformed();
+    }
+    case Kind::kSet: {
+      const auto wanted = wire::decode<wire::Set>(frame.body);
+      return wanted ? set(client, *wanted) : malformed();
+    }
+    case Kind::kWorst: {
+      const auto wanted = wire::decode<wire::WorstRequest>(frame.body);
+      return wanted ? worst(client, wanted->anew != 0) : malformed();
+    }
+    default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
+  }
+}
+
+void ControlServer::hello(ControlClient& client, const wire::Frame& frame) const {
+  const auto greeting = wire::decode<wire::Hello>(frame.body);
+  if (!greeting || greeting->major != wire::kMajor) {
+    const std::string theirs = greeting ? std::to_string(greeting->major) : "an unknown version";
+    client.refuse(frame.kind, "the controller speaks version " + std::to_string(wire::kMajor) + " of the wire and the tool " + theirs +
+                                  "; install the same release on both sides");
+    client.leaving = true;
+    return;
+  }
+  client.greeted = true;
+  wire::Welcome welcome;
+  welcome.period_ns = settings_.recordings.period_ns;
+  welcome.image_limit = neighbours_.fields.image_limit();
+  welcome.program = wire::Text::of(settings_.program);
+  client.say(Kind::kWelcome, welcome);
+}
+
+void ControlServer::begin(ControlClient& client, const wire::Begin& promised) {
+  if (upload_.sender == &client) upload_ = {};  // from the beginning
+  if (upload_.sender != nullptr) return client.refuse(Kind::kBegin, kBusy);
+  if (promised.image_bytes > neighbours_.fields.image_limit() || promised.packed_bytes > neighbours_.fields.upload().size()) {
+    return client.refuse(Kind::kBegin, "the field takes " + std::to_string(promised.image_bytes) +
+                                           " bytes and this controller has room for " + std::to_string(neighbours_.fields.image_limit()) +
+                                           "; build it with a larger --voxel, or raise the controller's limit");
+  }
+  upload_ = {&client, promised, 0};
+  client.say(Kind::kDone);
+}
+
+void ControlServer::chunk(ControlClient& client, const wire::Chunk& chunk) {
+  if (upload_.sender != &client) return client.refuse(Kind::kChunk, "no upload is under way on this connection; begin one");
+  const std::uint64_t missing = upload_.promised.packed_bytes - upload_.received;
+  if (chunk.offset != upload_.received || chunk.bytes.size() > missing) {
+    upload_ = {};
+    return client.refuse(Kind::kChunk, "a piece of the upload does not follow the one before; send it again from the beginning");
+  }
+  std::copy(chunk.bytes.begin(), chunk.bytes.end(), neighbours_.fields.upload().begin() + static_cast<std::ptrdiff_t>(upload_.received));
+  upload_.received += chunk.bytes.size();
+  client.say(Kind::kDone);
+}
+
+void ControlServer::commit(ControlClient& client) {
+  if (upload_.sender != &client) return client.refuse(Kind::kCommit, "no upload is under way on this connection; begin one");
+  const Upload ended = std::exchange(upload_, {});
+  if (ended.received != ended.promised.packed_bytes) {
+    return client.refuse(Kind::kCommit, "the upload ended after " + std::to_string(ended.received) + " of " +
+                                            std::to_string(ended.promised.packed_bytes) + " bytes; send it again from the beginning");
+  }
+  start_work(client, FieldWork::Kind::kAccept, ended.promised);
+}
+
+void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field) {
+  // A stored field is read to where an upload is put together.
+  if (kind == FieldWork::Kind::kSelect && upload_.sender != nullptr) return client.refuse(Kind::kSelect, kBusy);
+  worker_.begin({kind, field, {}});
+  awaiting_ = &client;
+  client.waiting = true;
+}
+
+void ControlServer::finish_work() {
+  const std::optional<FieldDone> done = worker_.take();
+  ControlClient* client = done ? std::exchange(awaiting_, nullptr) : nullptr;
+  if (client == nullptr) return;
+  client->waiting = false;
+  if (done->kind == FieldWork::Kind::kCalibrate) {
+    if (done->outcome.refusal.empty()) return client->say(Kind::kDone);
+    return client->refuse(Kind::kCalibrate, done->outcome.refusal);
+  }
+  if (done->kind != FieldWork::Kind::kList) {
+    if (done->outcome.refusal.empty()) return client->say(Kind::kAccepted, done->outcome.accepted);
+    return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal);
+  }
+  wire::BodyWriter entries(scratch_);
+  wire::FieldList list;
+  for (const store::StoredField& stored : done->stored) {
+    if (entries.used() + 128 > wire::kMaxBody) break;
+    const wire::FieldEntry entry{stored.hash, stored.bytes, stored.hash == neighbours_.fields.hash(), wire::Text::of(stored.name)};
+    wire::FieldEntry::fields(entry, entries);
+    ++list.count;
+  }
+  list.entries = std::span(scratch_).first(entries.used());
+  client->say(Kind::kFieldList, list);
+}
+
+void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
+  if (measure >= wire::kMeasures)
+    return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
+  client.say(Kind::kHistogramReport, histogram_report(static_cast<wire::Measure>(measure), neighbours_.stats, scratch_));
+}
+
+void ControlServer::worst(ControlClient& client, bool anew) {
+  if (!feed_.is_there()) return client.refuse(Kind::kWorst, "this controller shows no ticks; start it with its trace ring");
+  client.say(Kind::kWorstTicks, worst_report(worst_, scratch_));
+  if (anew) worst_.begin_anew();
+}
+
+void ControlServer::set(ControlClient& client, const wire::Set& wanted) const {
+  const std::string refusal =
+      neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
+  refusal.empty() ? client.say(Kind::kDone) : client.refuse(Kind::kSet, refusal);
+}
+
+void ControlServer::begin_recording(ControlClient& client) {
+  if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
+  if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
+  feed_.record(client, neighbours_.fields.hash(), neighbours_.fields.generation());
+}
+
+/// Where the arms stand, over a second in which no force may begin.
+void ControlServer::measure(ControlClient& client) {
+  if (!feed_.is_there()) return client.refuse(Kind::kPosture, "this controller shows no ticks; start it with its trace ring");
+  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
+  if (neighbours_.calibration->report().serial.size == 0)
+    return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and look at isotouchd's lines");
+  if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
+  if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kBusy);
+  // The tick under way may not have heard of a stop yet.
+  posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.period_ns, 1U)),
+                 neighbours_.shown.get().number + 1);
+  measuring_ = &client;
+  measured_by_ns_ = neighbours_.clock.now_ns() + kMeasuringPatienceNs;
+  client.waiting = true;
+}
+
+void ControlServer::finish_measuring() {
+  const bool given_up = neighbours_.clock.now_ns() >= measured_by_ns_;
+  if (measuring_ == nullptr || (!posture_.has_ended() && !given_up)) return;
+  ControlClient& client = *std::exchange(measuring_, nullptr);
+  client.waiting = false;
+  if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; look after the controller");
+  if (!posture_.refusal().empty()) return client.refuse(Kind::kPosture, posture_.refusal());
+  const DeviceModelBytes device = encode(settings_.recordings.device);
+  client.say(Kind::kPostureReport, wire::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
+}
+
+void ControlServer::calibrate(ControlClient& client, const wire::Calibrate& measured) {
+  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kCalibrate, kNothingToCalibrate);
+  FieldWork work;
+  work.kind = FieldWork::Kind::kCalibrate;
+  work.measured = measured;
+  worker_.begin(work);
+  awaiting_ = &client;
+  client.waiting = true;
+}
+
+/// A connection has ended, for whatever reason: what it had begun is void.
+void ControlServer::forget(ControlClient& client) {
+  if (upload_.sender == &client) upload_ = {};
+  if (awaiting_ == &client) awaiting_ = nullptr;
+  if (measuring_ == &client) measuring_ = nullptr;
+  client.close();
+}
+
+/// Who stops in the middle of something is not waited for for ever. A client that has said and read everything may stay.
+void ControlServer::dismiss_the_idle() {
+  const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
+  for (ControlClient& client : clients_) {
+    const bool in_the_middle = !client.greeted || client.leaving || client.has_unsent() || client.has_unread() || upload_.sender == &client;
+    if (client.is_open() && in_the_middle && worker_.is_idle() && client.moved_ns < since) forget(client);
+  }
+}
+
+}  // namespace isotouch::control

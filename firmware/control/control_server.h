@@ -1,0 +1,123 @@
+/// What host tools ask of a running controller: uploads, state, recordings, stop (SPEC.md, section 6). One thread with ordinary priority and one poll;
+/// with the tick it shares only slots, rings and atomics, so that nothing a client does or leaves undone can delay a tick.
+#pragma once
+
+#include <poll.h>
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "firmware/control/calibration.h"
+#include "firmware/control/control_client.h"
+#include "firmware/control/control_socket.h"
+#include "firmware/control/field_worker.h"
+#include "firmware/control/peer.h"
+#include "firmware/control/posture_meter.h"
+#include "firmware/control/tick_feed.h"
+#include "firmware/control/worst_ticks.h"
+#include "firmware/loop/clock.h"
+#include "firmware/loop/latest.h"
+#include "firmware/loop/requests.h"
+#include "firmware/loop/tick_record.h"
+#include "firmware/loop/tick_stats.h"
+#include "firmware/store/field_intake.h"
+
+namespace isotouch::control {
+
+struct ControlSettings {
+  std::string path;                           ///< of the socket
+  mode_t mode = 0660;                         ///< of the socket's file
+  std::optional<gid_t> group;                 ///< of the socket's file
+  Admission admission;                        ///< who may come in
+  std::string program;                        ///< name and version, for people
+  TraceHeader recordings;                     ///< device, settings and period of every recording
+  std::size_t clients = 8;                    ///< at once
+  std::int64_t patience_ns = 10'000'000'000;  ///< with a client that stops in the middle of something
+  std::function<Peer(int)> peer = peer_of;    ///< who is at the other end; a seam for tests
+};
+
+/// What the server exchanges with the rest of the program; all of it lives longer.
+struct ControlNeighbours {
+  store::FieldIntake& fields;
+  loop::Requests& requests;
+  const loop::TickStats& stats;
+  loop::Latest<loop::TickRecord>& shown;  ///< the server is its one reader
+  loop::Clock& clock;                     ///< of the machine
+  loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
+  Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
+  /// Sets a setting by name; returns one sentence why not. Empty: none may be set
+  std::function<std::string(std::string_view name, std::string_view value)> set = nullptr;
+};
+
+class ControlServer {
+ public:
+  ControlServer(ControlSettings settings, const ControlNeighbours& neighbours);
+  /// As `stop`.
+  ~ControlServer();
+  ControlServer(const ControlServer&) = delete;
+  ControlServer& operator=(const ControlServer&) = delete;
+
+  /// Listens and starts the thread.
+  ///
+  /// returns   one sentence why not; empty when it runs
+  std::string start();
+
+  /// Closes every connection and joins the thread. An upload that is being checked is finished first.
+  void stop();
+
+ private:
+  struct Upload {
+    ControlClient* sender = nullptr;  ///< nullptr: none is under way
+    wire::Begin promised;
+    std::uint64_t received = 0;
+  };
+
+  void run();
+  bool wait(bool busy);
+  void admit();
+  void serve(ControlClient& client);
+  bool must_wait(const wire::Frame& frame) const;
+  void answer(ControlClient& client, const wire::Frame& frame);
+  void hello(ControlClient& client, const wire::Frame& frame) const;
+  void begin(ControlClient& client, const wire::Begin& promised);
+  void chunk(ControlClient& client, const wire::Chunk& chunk);
+  void commit(ControlClient& client);
+  void start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field);
+  void finish_work();
+  void histogram(ControlClient& client, std::uint8_t measure);
+  void worst(ControlClient& client, bool anew);
+  void set(ControlClient& client, const wire::Set& wanted) const;
+  void begin_recording(ControlClient& client);
+  void measure(ControlClient& client);
+  void finish_measuring();
+  void calibrate(ControlClient& client, const wire::Calibrate& measured);
+  void forget(ControlClient& client);
+  void dismiss_the_idle();
+
+  ControlSettings settings_;
+  ControlNeighbours neighbours_;
+  ControlSocket socket_;
+  std::vector<ControlClient> clients_;
+  ControlClient stranger_;  ///< whoever is told why not, and goes
+  std::vector<pollfd> polled_;
+  TickFeed feed_;
+  FieldWorker worker_;
+  ControlClient* awaiting_ = nullptr;  ///< whoever asked for the work under way; nullptr: has gone
+  Upload upload_;
+  ControlClient* measuring_ = nullptr;  ///< whoever asked where the arms stand; nullptr: nobody, or has gone
+  std::int64_t measured_by_ns_ = 0;     ///< else the loop does not run
+  PostureMeter posture_;
+  WorstTicks worst_;
+  std::vector<std::uint8_t> scratch_;
+  int bell_ = -1;  ///< rung by `stop`
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace isotouch::control

@@ -1,0 +1,64 @@
+#include "firmware/control/relay.h"
+
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstring>
+
+#include "firmware/control/control_socket.h"
+
+namespace isotouch::control {
+
+namespace {
+
+bool write_all(int to, const char* bytes, std::size_t size) {
+  while (size > 0) {
+    const ssize_t taken = ::write(to, bytes, size);
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken <= 0) return false;
+    bytes += taken;
+    size -= static_cast<std::size_t>(taken);
+  }
+  return true;
+}
+
+/// One read's worth. returns false at the end of `from`, or when `to` takes no more
+bool pass_on(int from, int to) {
+  std::array<char, 16384> bytes;
+  ssize_t got = 0;
+  do {
+    got = ::read(from, bytes.data(), bytes.size());
+  } while (got < 0 && errno == EINTR);
+  return got > 0 && write_all(to, bytes.data(), static_cast<std::size_t>(got));
+}
+
+}  // namespace
+
+std::string relay(const std::string& socket_path, int input, int output) {
+  std::signal(SIGPIPE, SIG_IGN);
+  const int socket = connect_to_socket(socket_path);
+  if (socket < 0) {
+    return socket_path + ": no controller answers there (" + std::strerror(errno) +
+           "); start isotouchd, or name its socket, and check that this user may use it";
+  }
+  std::array<pollfd, 2> both = {{{input, POLLIN, 0}, {socket, POLLIN, 0}}};
+  for (bool open = true; open;) {
+    if (::poll(both.data(), both.size(), -1) < 0 && errno != EINTR) break;
+    if (both[1].revents != 0) open = pass_on(socket, output);
+    // A controller that refuses closes at once: what it said is still read, though it takes no more.
+    if (open && both[0].fd >= 0 && both[0].revents != 0 && !pass_on(input, socket)) {
+      both[0].fd = -1;
+      ::shutdown(socket, SHUT_WR);
+    }
+    both[0].revents = both[1].revents = 0;
+  }
+  ::close(socket);
+  return {};
+}
+
+}  // namespace isotouch::control

@@ -1,0 +1,34 @@
+/// The ticks whose words came latest, for whoever asks why. Belongs to the control server's thread; the tick knows nothing of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/loop/tick_record.h"
+#include "shared/wire_messages.h"
+
+namespace isotouch::control {
+
+class WorstTicks {
+ public:
+  static constexpr std::size_t kMost = 10;
+
+  /// Forgets all.
+  void begin_anew() { seen_ = count_ = 0; }
+
+  /// One tick. Of two that are equally late the earlier one counts.
+  void take(const loop::TickRecord& tick);
+
+  std::uint64_t seen() const { return seen_; }
+  /// The latest words first.
+  std::span<const wire::WorstTick> ticks() const { return std::span(ticks_).first(count_); }
+
+ private:
+  std::uint64_t seen_ = 0;
+  std::size_t count_ = 0;
+  std::array<wire::WorstTick, kMost> ticks_;
+};
+
+}  // namespace isotouch::control

@@ -1,0 +1,120 @@
+#include "firmware/recording/recorder.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace isotouch::recording {
+
+namespace {
+constexpr auto kFault = static_cast<std::uint16_t>(SupervisorState::kFault);
+}
+
+Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
+                   std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell)
+    : settings_(std::move(settings)),
+      ring_(ring),
+      passed_on_(passed_on),
+      requests_(requests),
+      hash_of_(std::move(hash_of)),
+      tell_(std::move(tell)),
+      memory_(settings_.state.empty() ? 0 : settings_.remembered + 1 + settings_.after_fault) {}
+
+Recorder::~Recorder() {
+  drain();
+  const std::lock_guard guard(mutex_);
+  if (save_in_ > 0) save();
+  if (writer_.is_open()) end("the program ends");
+}
+
+std::string Recorder::start(const std::string& path) {
+  const std::lock_guard guard(mutex_);
+  if (writer_.is_open()) return "a recording is under way: " + writer_.path();
+  begun_ = false;
+  generation_ = 0;
+  hash_ = 0;
+  std::string complaint = writer_.begin(path, settings_.header);
+  if (complaint.empty()) requests_.ask(kRequestRestart);
+  return complaint;
+}
+
+void Recorder::stop() {
+  const std::lock_guard guard(mutex_);
+  if (writer_.is_open()) end("as asked");
+}
+
+void Recorder::drain() {
+  const std::lock_guard guard(mutex_);
+  for (loop::TickRecord tick; ring_.pop(tick);) take(tick);
+}
+
+void Recorder::take(const loop::TickRecord& tick) {
+  if (passed_on_ != nullptr) passed_on_->push(tick);
+  if (writer_.is_open()) record(tick);
+  if (!memory_.empty()) remember(tick);
+  state_.store(tick.out.state, std::memory_order_relaxed);
+  faults_.store(tick.out.faults, std::memory_order_relaxed);
+}
+
+void Recorder::record(const loop::TickRecord& tick) {
+  if (!begun_ && (tick.in.requests & kRequestRestart) == 0) return;
+  if (!begun_) next_ = tick.number;
+  begun_ = true;
+  if (tick.number != next_) return end("ticks were lost, because nobody took them off the ring in time");
+  ++next_;
+  const std::uint32_t generation = tick.in.field_generation;
+  if (generation_ != 0 && generation != 0 && generation != generation_) return end("another field was loaded");
+  if (generation != 0) generation_ = generation;
+  if (generation_ != 0 && hash_ == 0) hash_ = hash_of_(generation_);
+  if (const std::string complaint = writer_.append(tick); !complaint.empty()) end(complaint);
+}
+
+void Recorder::remember(const loop::TickRecord& tick) {
+  // A run that begins in fault, because the one before crashed, has nothing to show of it.
+  if (tick.out.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
+    faulted_ = tick.number;
+    faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
+    save_in_ = settings_.after_fault + 1;
+  }
+  memory_[end_] = tick;
+  end_ = (end_ + 1) % memory_.size();
+  remembered_ = std::min(remembered_ + 1, memory_.size());
+  if (save_in_ > 0 && --save_in_ == 0) save();
+}
+
+void Recorder::end(const std::string& why) {
+  const std::string& path = writer_.path();
+  const std::string complaint = writer_.finish(hash_);
+  const std::uint64_t records = writer_.records();
+  if (!complaint.empty()) return tell_(complaint);
+  tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
+}
+
+/// The fault with what is before and after it, as far as neither another field nor a loss of ticks separates them.
+void Recorder::save() {
+  save_in_ = 0;
+  if (saved_++ >= settings_.most_saved) return;
+  const auto at = [&](std::size_t i) -> const loop::TickRecord& {
+    return memory_[(end_ + memory_.size() - remembered_ + i) % memory_.size()];
+  };
+  std::size_t from = 0;
+  while (at(from).number != faulted_) ++from;  // it is there: no more ticks came since than are kept after a fault
+  const std::uint32_t generation = at(from).in.field_generation;
+  const auto same_field = [&](std::size_t i) { return at(i).in.field_generation == generation || at(i).in.field_generation == 0; };
+  std::size_t to = from + 1;
+  while (to < remembered_ && same_field(to) && at(to).number == at(to - 1).number + 1) ++to;
+  while (from > 0 && same_field(from - 1) && at(from - 1).number + 1 == at(from).number) --from;
+  std::string path;
+  std::size_t number = 1;
+  do path = settings_.state + "/fault-" + std::to_string(number++) + ".trace";
+  while (access(path.c_str(), F_OK) == 0);
+  TickWriter writer;
+  std::string complaint = writer.begin(path, settings_.header);
+  for (std::size_t i = from; i < to && complaint.empty(); ++i) complaint = writer.append(at(i));
+  const std::string ended = writer.finish(faulted_hash_);
+  if (!ended.empty()) complaint = ended;
+  tell_(complaint.empty() ? path + ": the fault and what was around it" : complaint);
+}
+
+}  // namespace isotouch::recording

@@ -1,0 +1,87 @@
+/// Takes every tick off the ring: into a recording when one is wanted, into the memory of the last seconds always, and on to whoever else wants
+/// ticks. When the supervisor enters fault, it is saved to a file with what was before and shortly after.
+///
+/// A recording begins with a tick that forgot everything before it, so that it replays; one that the ring lost a tick of, or that another field came
+/// into, ends there. What is saved at a fault holds the fault whatever came after it. It begins in the middle: it shows what happened, its first ticks
+/// do not replay.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "firmware/loop/requests.h"
+#include "firmware/loop/tick_record.h"
+#include "firmware/recording/tick_writer.h"
+
+namespace isotouch::recording {
+
+struct RecorderSettings {
+  TraceHeader header;             ///< device, settings and period of every recording
+  std::string state;              ///< folder for what is saved at a fault; empty: nothing is saved
+  std::size_t remembered = 5000;  ///< ticks before a fault
+  std::size_t after_fault = 500;  ///< ticks after it, saved too
+  std::size_t most_saved = 16;    ///< in one run of the program
+};
+
+class Recorder {
+ public:
+  /// ring          its reader is this recorder
+  /// passed_on     gets every tick, too; nullptr: nobody else does
+  /// hash_of       the blob's hash of a field's generation, 0 = not known (yet)
+  /// tell          gets one sentence whenever a recording ends or fails, or something was saved
+  Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
+           std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell);
+  /// Completes what is being written.
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// Begins a recording with the next tick that forgets; before the first tick, with that. Any thread.
+  ///
+  /// returns   one sentence why not
+  std::string start(const std::string& path);
+  /// Ends the recording. Any thread.
+  void stop();
+
+  /// The recorder's thread, every 50 ms or so: takes what the ring holds.
+  void drain();
+
+  /// Of the newest tick taken; any thread.
+  SupervisorState state() const { return static_cast<SupervisorState>(state_.load(std::memory_order_relaxed)); }
+  std::uint16_t faults() const { return faults_.load(std::memory_order_relaxed); }
+
+ private:
+  void take(const loop::TickRecord& tick);
+  void record(const loop::TickRecord& tick);
+  void remember(const loop::TickRecord& tick);
+  void end(const std::string& why);
+  void save();
+
+  RecorderSettings settings_;
+  loop::TraceRing& ring_;
+  loop::TraceRing* passed_on_;
+  loop::Requests& requests_;
+  std::function<std::uint64_t(std::uint32_t)> hash_of_;
+  std::function<void(const std::string&)> tell_;
+
+  std::mutex mutex_;  ///< between whoever starts and stops, and the recorder's thread; the tick knows nothing of it
+  TickWriter writer_;
+  bool begun_ = false;            ///< the recording's first tick has come
+  std::uint64_t next_ = 0;        ///< tick that the recording goes on with
+  std::uint32_t generation_ = 0;  ///< of the recording's field
+  std::uint64_t hash_ = 0;
+
+  std::vector<loop::TickRecord> memory_;  ///< a circle
+  std::size_t end_ = 0, remembered_ = 0;
+  std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
+  std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the blob that it was felt on
+  std::size_t saved_ = 0;
+  std::atomic<std::uint16_t> state_{0}, faults_{0};
+};
+
+}  // namespace isotouch::recording

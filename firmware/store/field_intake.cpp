@@ -1,0 +1,193 @@
+#include "firmware/store/field_intake.h"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "shared/packed_blob.h"
+
+namespace isotouch::store {
+
+namespace {
+
+constexpr std::int64_t kPatience = 2'000'000'000;
+constexpr std::int64_t kNap = 1'000'000;
+
+/// The packed form of any image of so many bytes: what cannot be compressed is a little longer.
+std::size_t packed_limit(std::size_t image_bytes) { return packed_layout::kHeaderBytes + ZSTD_compressBound(image_bytes); }
+
+std::string unusable(Error error) {
+  return std::string("the field is not usable: ") + describe(error) + "; build it again and send it again";
+}
+
+}  // namespace
+
+FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock& clock, FieldCheck check)
+    : slots_(slots),
+      store_(store),
+      clock_(clock),
+      check_(std::move(check)),
+      upload_(packed_limit(slots.capacity())),
+      residuals_(slots.capacity()),
+      context_(ZSTD_createDCtx()) {
+  assert(context_ != nullptr);
+}
+
+FieldIntake::~FieldIntake() { ZSTD_freeDCtx(context_); }
+
+IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
+  const std::lock_guard guard(exchanging_);
+  const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
+  const Before before = store_before(promised.image_hash);
+  std::string refusal = unpack(packed, promised.image_hash);
+  if (refusal.empty() && store_ != nullptr) refusal = keep(promised, packed);
+  return activate(promised.image_hash, std::move(refusal), before);
+}
+
+IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
+  const std::lock_guard guard(exchanging_);
+  if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
+  const Before before = store_before(wanted);
+  const Result<std::size_t> bytes = store_->read(wanted, upload_);
+  if (!bytes && bytes.error() == Error::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
+  if (!bytes) return {std::string("the stored field cannot be read: ") + describe(bytes.error()) + "; upload it again", {}};
+  std::string refusal = unpack(std::span(upload_).first(*bytes), wanted);
+  if (refusal.empty()) {
+    const Result<void> switched = store_->set_active(wanted);
+    if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; look after the state folder";
+  }
+  return activate(wanted, std::move(refusal), before);
+}
+
+std::string FieldIntake::begin_with_active() {
+  if (store_ == nullptr) return {};
+  const std::optional<std::uint64_t> wanted = store_->active();
+  if (!wanted) return {};
+  const Result<std::size_t> bytes = store_->read(*wanted, upload_);
+  if (!bytes) return std::string("the field that was active last cannot be read: ") + describe(bytes.error()) + "; upload one";
+  std::string refusal = unpack(std::span(upload_).first(*bytes), *wanted);
+  if (refusal.empty()) refusal = publish(*wanted);
+  slots_.abandon();
+  return refusal.empty() ? refusal : "the field that was active last was not loaded: " + refusal;
+}
+
+std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
+  std::uint64_t hash = 0;
+  std::string refusal;
+  if (PackedBlob::has_magic(field)) {
+    const Result<PackedBlob> packed = PackedBlob::parse(field);
+    if (!packed) return unusable(packed.error());
+    hash = packed->image_hash;
+    refusal = unpack(*packed);
+  } else {
+    const std::span<std::uint8_t> image = slots_.begin(field.size());
+    if (image.empty()) return unusable(Error::kBadSize);
+    std::copy(field.begin(), field.end(), image.begin());
+    const Result<const BlobView*> view = slots_.verify();
+    if (!view) return unusable(view.error());
+    hash = (*view)->hash();
+    refusal = judge(**view);
+  }
+  if (refusal.empty()) refusal = publish(hash);
+  slots_.abandon();
+  return refusal;
+}
+
+bool FieldIntake::check_again(std::string& refusal) {
+  const std::unique_lock guard(exchanging_, std::try_to_lock);
+  if (!guard) return false;
+  const loop::ActiveField field = slots_.published();
+  const std::string why = field.view == nullptr ? std::string() : judge(*field.view);
+  if (why.empty()) return true;
+  if (!slots_.clear()) return false;
+  show_published(0);
+  refusal = "the field was taken away: " + why + " and choose it again";
+  return true;
+}
+
+std::vector<StoredField> FieldIntake::stored() { return store_ == nullptr ? std::vector<StoredField>{} : store_->list(); }
+
+FieldIntake::Before FieldIntake::store_before(std::uint64_t hash) {
+  if (store_ == nullptr) return {};
+  return {store_->active(), store_->holds(hash)};
+}
+
+std::string FieldIntake::judge(const BlobView& field) const { return check_ ? check_(field) : std::string(); }
+
+/// A packed field that was promised by its hash.
+std::string FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
+  const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+  if (!packed) return unusable(packed.error());
+  if (packed->image_hash != hash) return unusable(Error::kBadChecksum);
+  return unpack(*packed);
+}
+
+/// Into the slot that the tick does not use.
+std::string FieldIntake::unpack(const PackedBlob& packed) {
+  if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
+  const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
+  if (!slots_.free()) return "the controller's loop has not taken over the field before this one; try again in a moment";
+  const std::span<std::uint8_t> image = slots_.begin(image_bytes);
+  const auto residuals = std::span(residuals_).first(static_cast<std::size_t>(packed.residual_bytes()));
+  const auto unpacked = isotouch::unpack(packed, residuals, image, [this](auto frame, auto out) {
+    return ZSTD_decompressDCtx(context_, out.data(), out.size(), frame.data(), frame.size());
+  });
+  if (!unpacked) return unusable(unpacked.error());
+  const Result<const BlobView*> view = slots_.verify();
+  return view ? judge(**view) : unusable(view.error());
+}
+
+/// Stored and chosen for the next start; when that fails the choice before stays.
+std::string FieldIntake::keep(const wire::Begin& field, std::span<const std::uint8_t> packed) {
+  const std::optional<std::uint64_t> before = store_->active();
+  Result<void> stored = store_->put(field.image_hash, field.name.view(), packed);
+  if (stored) stored = store_->set_active(field.image_hash);
+  if (stored) return {};
+  if (before) (void)store_->set_active(*before);
+  return std::string("the field is good but cannot be stored: ") + describe(stored.error()) +
+         "; look after the controller's state folder and send it again";
+}
+
+/// What was unpacked becomes the tick's, unless something spoke against it.
+IntakeOutcome FieldIntake::activate(std::uint64_t hash, std::string refusal, const Before& before) {
+  const std::uint64_t felt = hash_.load(std::memory_order_acquire);
+  if (refusal.empty()) refusal = publish(hash);
+  if (refusal.empty() && !was_taken_over()) refusal = take_back(hash, felt, before);
+  slots_.abandon();
+  return {std::move(refusal), {hash_.load(std::memory_order_acquire), generation()}};
+}
+
+std::string FieldIntake::publish(std::uint64_t hash) {
+  const Result<std::uint32_t> generation = slots_.commit();
+  if (!generation) return unusable(generation.error());
+  show_published(hash);
+  return {};
+}
+
+void FieldIntake::show_published(std::uint64_t hash) {
+  hash_.store(hash, std::memory_order_release);
+  generation_.store(slots_.published().generation, std::memory_order_release);
+}
+
+/// The tick does not come: as if nothing had been sent. returns the refusal; empty: the tick has come after all
+std::string FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
+  if (!slots_.take_back()) return {};
+  show_published(felt);
+  std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";
+  if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", and the next start may begin with it";
+  return refusal + "; look after the controller";
+}
+
+bool FieldIntake::was_taken_over() {
+  const std::int64_t until = clock_.now_ns() + kPatience;
+  while (slots_.acknowledged() != generation()) {
+    const std::int64_t now = clock_.now_ns();
+    if (now >= until) return false;
+    clock_.sleep_until_ns(now + kNap);
+  }
+  return true;
+}
+
+}  // namespace isotouch::store

@@ -1,0 +1,111 @@
+/// From the bytes of an upload to a field that is felt: unpacked, checked completely, stored, and handed to the tick. The field before stays whenever
+/// something is wrong.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware/loop/clock.h"
+#include "firmware/loop/field_slots.h"
+#include "firmware/store/field_store.h"
+#include "shared/blob.h"
+#include "shared/packed_blob.h"
+#include "shared/wire_messages.h"
+
+struct ZSTD_DCtx_s;
+
+namespace isotouch::store {
+
+/// Says whether this device may render a field: one sentence why not, empty when it may.
+using FieldCheck = std::function<std::string(const BlobView&)>;
+
+struct IntakeOutcome {
+  std::string refusal;  ///< one sentence; empty: the field is active
+  wire::Accepted accepted;
+};
+
+/// Used by one thread, except where it says otherwise. All its memory is taken when it is made.
+class FieldIntake {
+ public:
+  /// slots     their capacity is the largest image
+  /// store     nullptr: fields do not outlive the program
+  /// check     beyond BlobView::parse; may be empty
+  FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock& clock, FieldCheck check);
+  ~FieldIntake();
+  FieldIntake(const FieldIntake&) = delete;
+  FieldIntake& operator=(const FieldIntake&) = delete;
+
+  std::size_t image_limit() const { return slots_.capacity(); }
+  /// Where an upload is put together, by whoever lets no other function run meanwhile. Room for the packed form of every image that there may be.
+  std::span<std::uint8_t> upload() { return upload_; }
+
+  /// Takes over what stands at the front of `upload()`. Waits until the tick has taken the field over, for at most two seconds. What is refused is
+  /// neither felt later nor there at the next start.
+  ///
+  /// promised  what was said before the bytes came: they must keep it
+  IntakeOutcome accept(const wire::Begin& promised);
+
+  /// The same for a stored field.
+  IntakeOutcome select(std::uint64_t wanted);
+
+  /// Begins with the field that was active last; before the tick's first step, does not wait.
+  ///
+  /// returns   a sentence when there should be one and is none
+  std::string begin_with_active();
+
+  /// Begins with a field that is nowhere stored, instead: packed, or an image as it is.
+  ///
+  /// returns   a sentence when it was not loaded
+  std::string begin_with(std::span<const std::uint8_t> field);
+
+  /// Asks `check` again about the newest field, when what it answers may have changed. A field that is refused now is taken away from the tick; the
+  /// next start may begin with it. Any thread.
+  ///
+  /// refusal   what the check says and what to do; empty where the field stays
+  /// returns   false: another field is just being taken over, ask later
+  bool check_again(std::string& refusal);
+
+  /// What is stored, oldest first; empty without a store.
+  std::vector<StoredField> stored();
+
+  /// The field handed to the tick last; 0 = none. Any thread.
+  std::uint64_t hash() const { return hash_.load(std::memory_order_acquire); }
+  std::uint32_t generation() const { return generation_.load(std::memory_order_acquire); }
+
+ private:
+  /// What the store was like before a request.
+  struct Before {
+    std::optional<std::uint64_t> active;
+    bool held = false;  ///< the field that the request is about
+  };
+
+  Before store_before(std::uint64_t hash);
+  std::string unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
+  std::string unpack(const PackedBlob& packed);
+  std::string judge(const BlobView& field) const;
+  std::string keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
+  IntakeOutcome activate(std::uint64_t hash, std::string refusal, const Before& before);
+  std::string publish(std::uint64_t hash);
+  void show_published(std::uint64_t hash);
+  bool was_taken_over();
+  std::string take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
+
+  loop::FieldSlots& slots_;
+  FieldStore* store_;
+  loop::Clock& clock_;
+  FieldCheck check_;
+  std::vector<std::uint8_t> upload_, residuals_;
+  ZSTD_DCtx_s* context_;
+  std::mutex exchanging_;  ///< held while the slots or the store change
+  std::atomic<std::uint64_t> hash_{0};
+  std::atomic<std::uint32_t> generation_{0};
+};
+
+}  // namespace isotouch::store

@@ -1,0 +1,117 @@
+#include "firmware/store/linux_folder.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+
+namespace isotouch::store {
+
+namespace {
+
+Error error_of(int code) {
+  switch (code) {
+    case ENOENT: return Error::kNotFound;
+    case EACCES:
+    case EPERM:
+    case EROFS: return Error::kNotAllowed;
+    case ENOSPC:
+    case EDQUOT:
+    case EFBIG: return Error::kNoSpace;
+    default: return Error::kStorage;
+  }
+}
+
+Result<void> done_if(bool done) {
+  if (!done) return error_of(errno);
+  return {};
+}
+
+/// Closed at the end of its scope.
+struct File {
+  int number;
+  ~File() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+}  // namespace
+
+LinuxFolder::LinuxFolder(const std::string& path) {
+  if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) trouble_ = error_of(errno);
+  folder_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder_ < 0) trouble_ = error_of(errno);
+}
+
+LinuxFolder::~LinuxFolder() {
+  if (folder_ >= 0) ::close(folder_);
+}
+
+std::vector<std::string> LinuxFolder::names() {
+  std::vector<std::string> names;
+  const int again = ::openat(folder_, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  DIR* list = again < 0 ? nullptr : ::fdopendir(again);
+  if (list == nullptr) {
+    if (again >= 0) ::close(again);
+    return names;
+  }
+  for (const dirent* entry = ::readdir(list); entry != nullptr; entry = ::readdir(list)) {
+    struct stat about {};
+    if (::fstatat(folder_, entry->d_name, &about, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(about.st_mode)) names.emplace_back(entry->d_name);
+  }
+  ::closedir(list);
+  return names;
+}
+
+Result<std::uint64_t> LinuxFolder::size(const std::string& name) {
+  struct stat about {};
+  if (::fstatat(folder_, name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) return error_of(errno);
+  return static_cast<std::uint64_t>(about.st_size);
+}
+
+Result<std::size_t> LinuxFolder::read(const std::string& name, std::span<std::uint8_t> out) {
+  const Result<std::uint64_t> bytes = size(name);
+  if (!bytes) return bytes.error();
+  if (*bytes > out.size()) return Error::kBadSize;
+  const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
+  if (file.number < 0) return error_of(errno);
+  std::size_t got = 0;
+  while (got < out.size()) {
+    const ssize_t more = ::read(file.number, out.data() + got, out.size() - got);
+    if (more < 0 && errno == EINTR) continue;
+    if (more < 0) return Error::kStorage;
+    if (more == 0) break;
+    got += static_cast<std::size_t>(more);
+  }
+  return got;
+}
+
+Result<void> LinuxFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) {
+  const File file{::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600)};
+  if (file.number < 0) return error_of(errno);
+  while (!bytes.empty()) {
+    const ssize_t taken = ::write(file.number, bytes.data(), bytes.size());
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken < 0) return error_of(errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(taken));
+  }
+  return {};
+}
+
+Result<void> LinuxFolder::sync(const std::string& name) {
+  const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
+  return done_if(file.number >= 0 && ::fsync(file.number) == 0);
+}
+
+Result<void> LinuxFolder::rename(const std::string& from, const std::string& to) {
+  return done_if(::renameat(folder_, from.c_str(), folder_, to.c_str()) == 0);
+}
+
+Result<void> LinuxFolder::remove(const std::string& name) { return done_if(::unlinkat(folder_, name.c_str(), 0) == 0); }
+
+Result<void> LinuxFolder::sync_names() { return done_if(::fsync(folder_) == 0); }
+
+}  // namespace isotouch::store

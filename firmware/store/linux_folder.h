@@ -1,0 +1,36 @@
+/// A folder of the machine's file system.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "firmware/store/folder.h"
+
+namespace isotouch::store {
+
+class LinuxFolder final : public Folder {
+ public:
+  /// Opens the folder, made if there is none (mode 0700, without parents). `is_open` tells whether that worked, `trouble` why not.
+  explicit LinuxFolder(const std::string& path);
+  ~LinuxFolder() override;
+  LinuxFolder(const LinuxFolder&) = delete;
+  LinuxFolder& operator=(const LinuxFolder&) = delete;
+
+  bool is_open() const { return folder_ >= 0; }
+  Error trouble() const { return trouble_; }
+
+  std::vector<std::string> names() override;
+  Result<std::uint64_t> size(const std::string& name) override;
+  Result<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override;
+  Result<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override;
+  Result<void> sync(const std::string& name) override;
+  Result<void> rename(const std::string& from, const std::string& to) override;
+  Result<void> remove(const std::string& name) override;
+  Result<void> sync_names() override;
+
+ private:
+  int folder_ = -1;
+  Error trouble_{};
+};
+
+}  // namespace isotouch::store

@@ -1,0 +1,224 @@
+/// A control server with everything behind it but the device: the tick is a thread that takes fields over, obeys commands and writes records.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "firmware/control/control_server.h"
+#include "firmware/loop/linux_clock.h"
+#include "tests/firmware/store/crashing_folder.h"
+#include "tests/firmware/store/packed_field.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::control {
+
+/// What the loop does for the server, without a device.
+class FakeTick {
+ public:
+  explicit FakeTick(loop::FieldSlots& slots) : ring(1024), slots_(slots), thread_([this] { run(); }) {}
+  ~FakeTick() {
+    stop_ = true;
+    thread_.join();
+  }
+
+  loop::Requests commands;
+  loop::TickStats stats;
+  loop::Latest<loop::TickRecord> shown;
+  loop::TraceRing ring;
+  std::atomic<std::uint8_t> obeyed{0};       ///< all commands that ever came
+  std::atomic<std::uint32_t> generation{0};  ///< of the field of the last tick
+  std::atomic<std::uint64_t> felt{0};        ///< hash of that field, as far as it was read in the tick
+  std::atomic<std::int16_t> count{0};        ///< of every arm, homed
+  std::atomic<std::int16_t> sway{0};         ///< added to it in every other tick
+  std::atomic<bool> rests{false};            ///< no ticks meanwhile
+
+ private:
+  void run() {
+    for (std::uint64_t number = 1; !stop_; ++number) {
+      while (rests && !stop_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const loop::ActiveField field = slots_.field();
+      loop::TickRecord record;
+      record.number = number;
+      record.arrival_ns = static_cast<std::int64_t>(number) * 100'000;
+      const auto at = static_cast<std::int16_t>(count + (number % 2 == 0 ? sway.load() : 0));
+      record.in.packet = encode(FalconReply{{at, at, at}, 0, 7});
+      record.in.fresh = true;
+      record.in.requests = commands.take();
+      record.in.field_generation = field.generation;
+      record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
+      obeyed |= record.in.requests;
+      if (field.generation != generation) felt = field.view->hash();
+      generation = field.generation;
+      stats.ticks.add();
+      stats.tick_time.add(static_cast<std::int64_t>(number % 1000));
+      shown.put(record);
+      ring.push(record);
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+  }
+
+  loop::FieldSlots& slots_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+struct ControlRig {
+  explicit ControlRig(std::size_t image_limit = 1 << 20, const std::function<void(ControlSettings&)>& change = {})
+      : slots(image_limit),
+        store(folder, 4),
+        intake(slots, &store, clock, {}),
+        measured(folder),
+        calibration(
+            &measured, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
+        tick(slots) {
+    settings.path = (scratch.path() / "control").string();
+    settings.program = "a test";
+    settings.recordings.device = libnifalcon_model();
+    settings.recordings.period_ns = 1'000'000;
+    if (change) change(settings);
+    server =
+        std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring,
+                                                                    &calibration, [this](std::string_view name, std::string_view value) {
+                                                                      set_to = std::string(name) + "=" + std::string(value);
+                                                                      return value == "no" ? std::string("that cannot be") : std::string();
+                                                                    }});
+    const std::string refusal = server->start();
+    EXPECT_EQ(refusal, "");
+  }
+
+  ScratchFolder scratch;
+  loop::LinuxClock clock;
+  store::CrashingFolder folder;
+  loop::FieldSlots slots;
+  store::FieldStore store;
+  store::FieldIntake intake;
+  store::CalibrationStore measured;
+  Calibration calibration;
+  FakeTick tick;
+  ControlSettings settings;
+  std::string set_to;  ///< the last setting that was asked for, written before its answer
+  std::unique_ptr<ControlServer> server;
+};
+
+struct Heard {
+  wire::Kind kind{};
+  std::vector<std::uint8_t> body;
+
+  /// The sentence of a refusal; empty for anything else.
+  std::string refusal() const {
+    if (kind != wire::Kind::kRefused) return {};
+    const auto said = wire::decode<wire::Refusal>(body);
+    return said ? std::string(said->sentence.begin(), said->sentence.end()) : "a refusal that cannot be read";
+  }
+};
+
+/// A connection that says what it is told to, byte by byte if need be.
+class Speaker {
+ public:
+  explicit Speaker(const std::string& path) : socket_(connect_to_socket(path)) { EXPECT_GE(socket_, 0); }
+  ~Speaker() { hang_up(); }
+  Speaker(const Speaker&) = delete;
+  Speaker& operator=(const Speaker&) = delete;
+
+  void hang_up() {
+    if (socket_ >= 0) ::close(socket_);
+    socket_ = -1;
+  }
+  /// returns   false: the other side has closed
+  bool send(std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t taken = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (taken <= 0) return false;
+      bytes = bytes.subspan(static_cast<std::size_t>(taken));
+    }
+    return true;
+  }
+  template <class Message>
+  bool say(wire::Kind kind, const Message& message) {
+    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    frame.resize(wire::encode(kind, message, frame));
+    return send(frame);
+  }
+  bool say(wire::Kind kind) {
+    std::vector<std::uint8_t> frame(wire::kHeaderBytes);
+    wire::seal_frame(kind, 0, frame);
+    return send(frame);
+  }
+  /// The next frame; kind 0 when the other side has closed, or says nothing for five seconds.
+  Heard hear() {
+    for (;;) {
+      const auto frame = wire::read_frame(bytes_);
+      if (!frame) return {};
+      if (frame->size > 0) {
+        Heard heard{frame->kind, {frame->body.begin(), frame->body.end()}};
+        bytes_.erase(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(frame->size));
+        return heard;
+      }
+      pollfd one{socket_, POLLIN, 0};
+      std::vector<std::uint8_t> more(1 << 16);
+      const ssize_t got = ::poll(&one, 1, 5000) > 0 ? ::recv(socket_, more.data(), more.size(), 0) : 0;
+      if (got <= 0) return {};
+      bytes_.insert(bytes_.end(), more.begin(), more.begin() + got);
+    }
+  }
+  Heard greet(std::uint16_t major = wire::kMajor) {
+    say(wire::Kind::kHello, wire::Hello{major, wire::kMinor});
+    return hear();
+  }
+  int socket() const { return socket_; }
+
+ private:
+  int socket_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// The frames of one upload, in order.
+inline std::vector<std::vector<std::uint8_t>> frames_of(const store::PackedField& field, std::size_t chunk) {
+  std::vector<std::vector<std::uint8_t>> frames;
+  const auto add = [&](auto write) {
+    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    frame.resize(write(std::span(frame)));
+    frames.push_back(frame);
+  };
+  add([](auto out) { return wire::encode(wire::Kind::kHello, wire::Hello{}, out); });
+  add([&](auto out) { return wire::encode(wire::Kind::kBegin, field.promise, out); });
+  for (std::size_t at = 0; at < field.bytes.size(); at += chunk) {
+    const wire::Chunk piece{at, std::span(field.bytes).subspan(at, std::min(chunk, field.bytes.size() - at))};
+    add([&](auto out) { return wire::encode(wire::Kind::kChunk, piece, out); });
+  }
+  add([](auto out) { return wire::seal_frame(wire::Kind::kCommit, 0, out); });
+  return frames;
+}
+
+/// Sends a field and returns the last answer.
+inline Heard upload(Speaker& speaker, const store::PackedField& field, std::size_t chunk = 4096) {
+  Heard heard;
+  const auto frames = frames_of(field, chunk);
+  for (const auto& frame : frames) {
+    speaker.send(frame);
+    heard = speaker.hear();
+    if (heard.kind == wire::Kind::kRefused) break;
+  }
+  return heard;
+}
+
+inline void expect_sentence(const Heard& heard, const std::string& about) {
+  EXPECT_THAT(heard.refusal(), testing::HasSubstr(about));
+  EXPECT_THAT(heard.refusal(), testing::HasSubstr("; ")) << "it says what to do";
+}
+
+}  // namespace isotouch::control

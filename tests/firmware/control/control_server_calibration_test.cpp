@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/firmware/control/control_rig.h"
+#include "tests/firmware/store/packed_field.h"
+
+namespace isotouch::control {
+namespace {
+
+using wire::Kind;
+
+Heard ask(Speaker& speaker, Kind kind) {
+  speaker.say(kind);
+  return speaker.hear();
+}
+
+TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  rig.tick.count = -123;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  const Heard heard = ask(speaker, Kind::kPosture);
+  ASSERT_EQ(heard.kind, Kind::kPostureReport) << heard.refusal();
+  const auto posture = *wire::decode<wire::PostureReport>(heard.body);
+  EXPECT_EQ(posture.serial.view(), "A1");
+  EXPECT_EQ(posture.counts, (std::array<std::int32_t, 3>{-123 * 256, -123 * 256, -123 * 256}));
+  const DeviceModelBytes model = encode(libnifalcon_model());
+  EXPECT_THAT(posture.device, testing::ElementsAreArray(model));
+
+  speaker.say(Kind::kCalibrate, wire::Calibrate{wire::Text::of("A1"), {5, 6, 7}});
+  const Heard kept = speaker.hear();
+  EXPECT_EQ(kept.kind, Kind::kDone) << kept.refusal();
+  EXPECT_EQ((*rig.measured.read("A1"))[1].raw(), 6U);
+  const Heard device = ask(speaker, Kind::kDevice);
+  ASSERT_EQ(device.kind, Kind::kDeviceReport);
+  const auto report = *wire::decode<wire::DeviceReport>(device.body);
+  EXPECT_EQ(report.serial.view(), "A1");
+  EXPECT_EQ(report.waits, 1);
+  EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
+}
+
+TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  expect_sentence(ask(speaker, Kind::kPosture), "no device");
+  rig.calibration.answers("A1");
+  speaker.say(Kind::kCalibrate, wire::Calibrate{wire::Text::of("B2"), {}});
+  expect_sentence(speaker.hear(), "another device");
+  speaker.say(Kind::kCalibrate);
+  expect_sentence(speaker.hear(), "shorter");
+
+  rig.tick.sway = 50;
+  expect_sentence(ask(speaker, Kind::kPosture), "the hand moves");
+
+  ASSERT_EQ(upload(speaker, store::packed_ball(1)).kind, Kind::kAccepted);
+  expect_sentence(ask(speaker, Kind::kPosture), "force is active");
+}
+
+TEST(ControlServerCalibration, NothingThatLeadsToForceIsTakenMeanwhile) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  Speaker measurer(rig.settings.path), other(rig.settings.path), third(rig.settings.path);
+  measurer.greet();
+  third.greet();
+  rig.tick.rests = true;
+  measurer.say(Kind::kPosture);
+  expect_sentence(upload(other, store::packed_ball(1)), "is measured at this moment");
+  expect_sentence(ask(third, Kind::kPosture), "is measured at this moment");
+  expect_sentence(ask(third, Kind::kResume), "is measured at this moment");
+  EXPECT_EQ(ask(third, Kind::kStop).kind, Kind::kDone) << "but stop is always heard";
+  rig.tick.rests = false;
+  EXPECT_EQ(measurer.hear().kind, Kind::kPostureReport);
+  EXPECT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted) << "and everything after it";
+}
+
+TEST(ControlServerCalibration, WhoHangsUpWhileItIsMeasuredHoldsNobodyUp) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  Speaker other(rig.settings.path);
+  {
+    Speaker measurer(rig.settings.path);
+    measurer.greet();
+    measurer.say(Kind::kPosture);
+  }
+  EXPECT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted);
+}
+
+}  // namespace
+}  // namespace isotouch::control

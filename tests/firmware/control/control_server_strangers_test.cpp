@@ -1,0 +1,176 @@
+/// Who is let in by the control server, and what crowds, strangers and noise can do to it: nothing.
+#include "firmware/control/control_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/firmware/control/control_rig.h"
+#include "tests/firmware/store/packed_field.h"
+#include "tests/support/random.h"
+
+namespace isotouch::control {
+namespace {
+
+using testing::HasSubstr;
+
+using wire::Kind;
+
+TEST(ControlServer, AUserWhoIsNotListedIsRefusedWithASentence) {
+  Peer stranger{true, 4711, {4711, 4712}};
+  ControlRig rig(1 << 20, [&](ControlSettings& settings) {
+    settings.peer = [&](int) { return stranger; };
+    settings.admission.users = {1234};
+    settings.admission.groups = {77};
+  });
+  Speaker refused(rig.settings.path);
+  expect_sentence(refused.hear(), "user 4711 may not use this controller");
+  EXPECT_EQ(refused.hear().kind, Kind{});
+  stranger.groups.push_back(77);
+  Speaker let_in(rig.settings.path);
+  EXPECT_EQ(let_in.greet().kind, Kind::kWelcome);
+}
+
+TEST(ControlServer, ARealStrangerIsRefused) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.mode = 0666; });
+  ::chmod(rig.scratch.path().c_str(), 0755);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Refused with the right sentence: 42.
+    if (::setegid(65534) != 0 || ::seteuid(65534) != 0) ::_exit(1);
+    Speaker speaker(rig.settings.path);
+    ::_exit(speaker.hear().refusal().find("user 65534 may not") != std::string::npos ? 42 : 2);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 42) << status;
+}
+
+TEST(ControlServer, TheSocketHasItsPermissionsAndGoesWithTheServer) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.mode = 0600; });
+  struct stat about {};
+  ASSERT_EQ(::stat(rig.settings.path.c_str(), &about), 0);
+  EXPECT_EQ(about.st_mode & 0777U, 0600U);
+  ControlServer second(rig.settings, {rig.intake, rig.tick.commands, rig.tick.stats, rig.tick.shown, rig.clock, nullptr});
+  EXPECT_THAT(second.start(), HasSubstr("another program listens there"));
+  rig.server->stop();
+  EXPECT_NE(::stat(rig.settings.path.c_str(), &about), 0);
+  EXPECT_EQ(rig.server->start(), "");
+  rig.server->stop();
+  std::ofstream(rig.settings.path) << "a file";
+  EXPECT_THAT(rig.server->start(), HasSubstr("is a file already"));
+}
+
+TEST(ControlServer, ASocketThatNobodyListensAtIsReplaced) {
+  ControlRig rig;
+  rig.server->stop();
+  {
+    ControlSocket left;
+    ASSERT_EQ(left.open(rig.settings.path, 0600, std::nullopt), "");
+    const std::string moved = rig.settings.path + ".old";
+    ASSERT_EQ(::rename(rig.settings.path.c_str(), moved.c_str()), 0);
+    left.close();
+    ASSERT_EQ(::rename(moved.c_str(), rig.settings.path.c_str()), 0);
+  }
+  EXPECT_EQ(rig.server->start(), "");
+  Speaker speaker(rig.settings.path);
+  EXPECT_EQ(speaker.greet().kind, Kind::kWelcome);
+}
+
+TEST(ControlServer, MoreClientsThanPlacesAreToldSo) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.clients = 2; });
+  Speaker one(rig.settings.path), two(rig.settings.path);
+  one.greet(), two.greet();
+  Speaker three(rig.settings.path);
+  expect_sentence(three.hear(), "2 clients are connected");
+}
+
+TEST(ControlServer, WhoStopsInTheMiddleIsNotWaitedFor) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.clients = 1, settings.patience_ns = 50'000'000; });
+  Speaker half(rig.settings.path);
+  half.greet();
+  half.send(std::vector<std::uint8_t>{'I', 'T', 'C'});
+  EXPECT_EQ(half.hear().kind, Kind{}) << "its place is given to others";
+  Speaker next(rig.settings.path);
+  EXPECT_EQ(next.greet().kind, Kind::kWelcome);
+}
+
+TEST(ControlServer, WhoDoesNotReadLosesRecordsAndDelaysNobody) {
+  ControlRig rig;
+  Speaker deaf(rig.settings.path), other(rig.settings.path);
+  deaf.greet(), other.greet();
+  const int small = 4096;
+  ::setsockopt(deaf.socket(), SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
+  for (int i = 0; i < 200; ++i) deaf.say(Kind::kSubscribe, wire::Subscribe{1});
+  const std::uint64_t before = rig.tick.stats.ticks.value();
+  while (rig.tick.stats.ticks.value() < before + 10'000) {
+    other.say(Kind::kStatus);
+    ASSERT_EQ(other.hear().kind, Kind::kStatusReport);
+  }
+  std::uint64_t lost = 0;
+  for (int frames = 0; lost == 0 && frames < 20'000; ++frames) {
+    const Heard heard = deaf.hear();
+    ASSERT_NE(heard.kind, Kind{});
+    if (heard.kind == Kind::kRecords) lost = wire::decode<wire::Records>(heard.body)->lost;
+  }
+  EXPECT_GT(lost, 0U) << "and it is told so";
+}
+
+std::ptrdiff_t open_files() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator());
+}
+
+TEST(ControlServer, TenThousandRandomConnectionsDisturbNobody) {
+  ControlRig rig(1 << 18, [](ControlSettings& settings) { settings.patience_ns = 20'000'000; });
+  const store::PackedField old = store::packed_ball(1), other = store::packed_ball(2);
+  {
+    Speaker speaker(rig.settings.path);
+    ASSERT_EQ(upload(speaker, old).kind, Kind::kAccepted);
+  }
+  auto frames = frames_of(other, 700);
+  frames.pop_back();  // never a commit
+  for (const Kind kind : {Kind::kStatus, Kind::kFields, Kind::kAbort, Kind::kStop, Kind::kRecord, Kind::kRecordEnd}) {
+    std::vector<std::uint8_t> frame(wire::kHeaderBytes);
+    wire::seal_frame(kind, 0, frame);
+    frames.push_back(frame);
+  }
+  const std::ptrdiff_t files = open_files();
+  test::Random random(17);
+  for (int round = 0; round < 10'000; ++round) {
+    Speaker speaker(rig.settings.path);
+    if (random.bits() % 2 == 0) speaker.send(frames[0]);
+    for (std::uint64_t sent = random.bits() % 5; sent > 0; --sent) {
+      std::vector<std::uint8_t> frame = frames[static_cast<std::size_t>(random.bits() % frames.size())];
+      if (random.bits() % 3 == 0)
+        frame[static_cast<std::size_t>(random.bits() % frame.size())] ^= static_cast<std::uint8_t>(1U << random.bits() % 8);
+      if (random.bits() % 3 == 0) frame.resize(static_cast<std::size_t>(random.bits() % frame.size()));
+      if (random.bits() % 16 == 0) {
+        for (std::uint8_t& byte : frame) byte = static_cast<std::uint8_t>(random.bits());
+      }
+      if (!speaker.send(frame)) break;
+    }
+    if (random.bits() % 8 == 0) (void)speaker.hear();
+  }
+  EXPECT_EQ(rig.tick.felt, old.promise.image_hash);
+  Heard heard;
+  for (int tries = 0; tries < 100 && heard.kind != Kind::kAccepted; ++tries) {
+    Speaker speaker(rig.settings.path);
+    heard = upload(speaker, other);
+  }
+  EXPECT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+  for (int tries = 0; tries < 1000 && open_files() > files; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_LE(open_files(), files) << "no connection is left behind";
+}
+
+}  // namespace
+}  // namespace isotouch::control

@@ -1,0 +1,340 @@
+#include "firmware/control/control_server.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/firmware/control/control_rig.h"
+#include "tests/firmware/store/packed_field.h"
+
+namespace isotouch::control {
+namespace {
+
+using wire::Kind;
+
+TEST(ControlServer, AnUploadIsFeltWhenItIsAccepted) {
+  ControlRig rig;
+  const store::PackedField ball = store::packed_ball(1);
+  Speaker speaker(rig.settings.path);
+  const Heard heard = upload(speaker, ball);
+  ASSERT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+  EXPECT_EQ(wire::decode<wire::Accepted>(heard.body)->image_hash, ball.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt, ball.promise.image_hash);
+  EXPECT_EQ(rig.tick.generation, wire::decode<wire::Accepted>(heard.body)->generation);
+}
+
+TEST(ControlServer, RequestsMayBeSentAheadOfTheirAnswers) {
+  ControlRig rig;
+  const store::PackedField ball = store::packed_ball(1);
+  Speaker speaker(rig.settings.path);
+  const auto frames = frames_of(ball, 512);
+  for (const auto& frame : frames) ASSERT_TRUE(speaker.send(frame));
+  speaker.say(Kind::kFields);
+  speaker.say(Kind::kStatus);
+  EXPECT_EQ(speaker.hear().kind, Kind::kWelcome);
+  for (std::size_t i = 2; i < frames.size(); ++i) EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  EXPECT_EQ(speaker.hear().kind, Kind::kAccepted);
+  const Heard list = speaker.hear();
+  ASSERT_EQ(list.kind, Kind::kFieldList);
+  EXPECT_EQ(wire::decode<wire::FieldList>(list.body)->count, 1U);
+  const Heard status = speaker.hear();
+  ASSERT_EQ(status.kind, Kind::kStatusReport);
+  EXPECT_EQ(wire::decode<wire::StatusReport>(status.body)->field_hash, ball.promise.image_hash);
+}
+
+TEST(ControlServer, TheWorstTicksAreThoseSinceTheyWereForgotten) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  const auto ask = [&](std::uint8_t anew) {
+    speaker.say(Kind::kWorst, wire::WorstRequest{anew});
+    const Heard heard = speaker.hear();
+    EXPECT_EQ(heard.kind, Kind::kWorstTicks);
+    const auto report = wire::decode<wire::WorstTicks>(heard.body);
+    EXPECT_EQ(report->ticks.size(), std::min<std::uint64_t>(report->seen, 10) * wire::kWorstTickBytes);
+    return report->seen;
+  };
+  for (int i = 0; i < 100 && ask(0) < 20; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const std::uint64_t before = ask(1);
+  EXPECT_GE(before, 20U);
+  EXPECT_LT(ask(0), before) << "they were not forgotten";
+}
+
+TEST(ControlServer, AnUploadCutAtAnyFrameLeavesTheOldField) {
+  ControlRig rig;
+  const store::PackedField old = store::packed_ball(1), other = store::packed_ball(2);
+  {
+    Speaker speaker(rig.settings.path);
+    ASSERT_EQ(upload(speaker, old).kind, Kind::kAccepted);
+  }
+  const auto frames = frames_of(other, 128);
+  ASSERT_GT(frames.size(), 10U);
+  for (std::size_t whole = 0; whole < frames.size(); ++whole) {
+    for (const bool half : {false, true}) {
+      Speaker speaker(rig.settings.path);
+      for (std::size_t i = 0; i < whole; ++i) speaker.send(frames[i]);
+      if (half) speaker.send(std::span(frames[whole]).first(frames[whole].size() / 2));
+      if (whole > 0) {
+        EXPECT_NE(speaker.hear().kind, Kind::kRefused);  // the server has begun to read when the sender dies
+      }
+    }
+    ASSERT_EQ(rig.tick.felt, old.promise.image_hash) << "cut after " << whole << " frames";
+  }
+  Speaker speaker(rig.settings.path);
+  Heard heard = upload(speaker, other);
+  EXPECT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+  EXPECT_EQ(rig.tick.felt, other.promise.image_hash);
+}
+
+TEST(ControlServer, AnUploadThatStartsAgainBeginsFromTheFront) {
+  ControlRig rig;
+  const store::PackedField ball = store::packed_ball(1);
+  Speaker speaker(rig.settings.path);
+  const auto frames = frames_of(ball, 512);
+  for (std::size_t i = 0; i + 2 < frames.size(); ++i) speaker.send(frames[i]), speaker.hear();
+  for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
+    speaker.send(frames[i]);
+    EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  }
+  speaker.send(frames.back());
+  EXPECT_EQ(speaker.hear().kind, Kind::kAccepted);
+}
+
+TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
+  ControlRig rig;
+  const store::PackedField ball = store::packed_ball(1);
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  const auto ask = [&](Kind kind, const auto& message) {
+    speaker.say(kind, message);
+    return speaker.hear();
+  };
+  wire::Begin large = ball.promise;
+  large.image_bytes = rig.intake.image_limit() + 1;
+  expect_sentence(ask(Kind::kBegin, large), "has room for 1048576");
+  large = ball.promise;
+  large.packed_bytes = UINT64_MAX;
+  expect_sentence(ask(Kind::kBegin, large), "has room for");
+  expect_sentence(ask(Kind::kChunk, wire::Chunk{0, ball.bytes}), "no upload is under way");
+  speaker.say(Kind::kCommit);
+  expect_sentence(speaker.hear(), "no upload is under way");
+
+  ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
+  expect_sentence(ask(Kind::kChunk, wire::Chunk{1, ball.bytes}), "does not follow");
+  ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
+  std::vector<std::uint8_t> longer = ball.bytes;
+  longer.push_back(0);
+  expect_sentence(ask(Kind::kChunk, wire::Chunk{0, longer}), "does not follow");
+  ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
+  speaker.say(Kind::kCommit);
+  expect_sentence(speaker.hear(), "ended after 0 of " + std::to_string(ball.bytes.size()));
+  ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
+  speaker.say(Kind::kAbort);
+  EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  speaker.say(Kind::kCommit);
+  expect_sentence(speaker.hear(), "no upload is under way");
+  speaker.say(Kind::kBegin);
+  expect_sentence(speaker.hear(), "shorter than its kind demands");
+  speaker.say(static_cast<Kind>(100));
+  expect_sentence(speaker.hear(), "does not know the request");
+  EXPECT_EQ(rig.tick.generation, 0U);
+  EXPECT_EQ(upload(speaker, ball).kind, Kind::kAccepted) << "and the connection is as good as before";
+}
+
+TEST(ControlServer, TwoSendersDoNotMixTheirFields) {
+  ControlRig rig;
+  const store::PackedField one = store::packed_ball(1), two = store::packed_ball(2);
+  Speaker first(rig.settings.path), second(rig.settings.path);
+  first.greet(), second.greet();
+  first.say(Kind::kBegin, one.promise);
+  ASSERT_EQ(first.hear().kind, Kind::kDone);
+  second.say(Kind::kBegin, two.promise);
+  expect_sentence(second.hear(), "another client is sending");
+  second.say(Kind::kSelect, wire::Select{1});
+  expect_sentence(second.hear(), "another client is sending");
+  first.hang_up();
+  Heard heard;
+  for (int tries = 0; tries < 100 && heard.kind != Kind::kAccepted; ++tries) heard = upload(second, two);
+  EXPECT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+}
+
+TEST(ControlServer, AnotherVersionIsToldWhatToDo) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  expect_sentence(speaker.greet(2), "speaks version 1 of the wire and the tool 2; install the same release");
+  EXPECT_EQ(speaker.hear().kind, Kind{}) << "and the connection ends";
+  Speaker newer(rig.settings.path);
+  newer.say(Kind::kHello, wire::Hello{wire::kMajor, 99});
+  EXPECT_EQ(newer.hear().kind, Kind::kWelcome) << "a newer minor version only adds";
+  Speaker rude(rig.settings.path);
+  rude.say(Kind::kStop);
+  expect_sentence(rude.hear(), "begins with a greeting");
+  EXPECT_EQ(rig.tick.obeyed, 0) << "what it asked for was not done";
+  Speaker other(rig.settings.path);
+  const std::string request = "GET / HTTP/1.1\r\n\r\n";
+  other.send({reinterpret_cast<const std::uint8_t*>(request.data()), request.size()});
+  expect_sentence(other.hear(), "cannot be understood");
+}
+
+TEST(ControlServer, StopAndResumeReachTheTick) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  const auto obeyed_in_time = [&](std::uint8_t bit) {
+    for (int tries = 0; tries < 5000 && (rig.tick.obeyed & bit) == 0; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return rig.tick.obeyed.load();
+  };
+  speaker.say(Kind::kStop);
+  EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  EXPECT_EQ(obeyed_in_time(kRequestStop), kRequestStop);
+  speaker.say(Kind::kResume);
+  EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  EXPECT_EQ(obeyed_in_time(kRequestResume), kRequestStop | kRequestResume);
+}
+
+TEST(ControlServer, ASettingIsSetOrRefusedInOneSentence) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("0.4")});
+  EXPECT_EQ(speaker.hear().kind, Kind::kDone);
+  EXPECT_EQ(rig.set_to, "friction=0.4");
+  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("no")});
+  EXPECT_EQ(speaker.hear().refusal(), "that cannot be");
+  speaker.say(Kind::kSet);
+  EXPECT_NE(speaker.hear().refusal(), "");
+}
+
+TEST(ControlServer, StatusAndHistogramsAreTheTicks) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  const Heard welcome = speaker.greet();
+  ASSERT_EQ(welcome.kind, Kind::kWelcome);
+  EXPECT_EQ(wire::decode<wire::Welcome>(welcome.body)->program.view(), "a test");
+  EXPECT_EQ(wire::decode<wire::Welcome>(welcome.body)->image_limit, 1U << 20);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  speaker.say(Kind::kStatus);
+  const Heard heard = speaker.hear();
+  const auto status = wire::decode<wire::StatusReport>(heard.body);
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->state, static_cast<std::uint16_t>(SupervisorState::kIdle));
+  EXPECT_GT(status->ticks, 0U);
+  const wire::Quantiles tick = status->measures[static_cast<std::size_t>(wire::Measure::kTick)];
+  EXPECT_GE(tick.p999, tick.p50);
+  EXPECT_GT(tick.max, 0U);
+  speaker.say(Kind::kHistogram, wire::HistogramRequest{static_cast<std::uint8_t>(wire::Measure::kTick)});
+  const Heard answer = speaker.hear();
+  const auto histogram = wire::decode<wire::HistogramReport>(answer.body);
+  ASSERT_TRUE(histogram);
+  std::uint64_t sum = 0;
+  ASSERT_EQ(histogram->bins.size() % wire::kBinBytes, 0U);
+  for (std::size_t at = 0; at < histogram->bins.size(); at += wire::kBinBytes) {
+    sum += wire::decode<wire::Bin>(histogram->bins.subspan(at, wire::kBinBytes))->count;
+  }
+  EXPECT_EQ(sum, histogram->count);
+  EXPECT_GE(sum, status->ticks - 1);
+  speaker.say(Kind::kHistogram, wire::HistogramRequest{4});
+  expect_sentence(speaker.hear(), "does not measure that");
+}
+
+/// The records of one frame, or none with what was said instead.
+std::vector<TraceRecord> records_of(const Heard& heard) {
+  std::vector<TraceRecord> records;
+  const auto said = heard.kind == Kind::kRecords ? wire::decode<wire::Records>(heard.body) : Result<wire::Records>(Error::kBadMessage);
+  if (!said) return records;
+  constexpr std::size_t kBytes = trace_layout::kRecordBytes;
+  EXPECT_EQ(said->record_bytes, kBytes);
+  for (std::size_t at = 0; at + kBytes <= said->bytes.size(); at += kBytes) {
+    const auto record = decode_record(said->bytes.subspan(at).first<kBytes>());
+    EXPECT_TRUE(record);
+    records.push_back(*record);
+  }
+  return records;
+}
+
+TEST(ControlServer, TicksAreWatchedAtAnyRate) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  for (const std::uint32_t every : {1U, 7U}) {
+    speaker.say(Kind::kSubscribe, wire::Subscribe{every});
+    Heard heard = speaker.hear();
+    while (heard.kind == Kind::kRecords) heard = speaker.hear();  // of the subscription before
+    ASSERT_EQ(heard.kind, Kind::kDone);
+    std::size_t seen = 0;
+    for (int frames = 0; frames < 20; ++frames) {
+      heard = speaker.hear();
+      ASSERT_EQ(heard.kind, Kind::kRecords);
+      const auto said = wire::decode<wire::Records>(heard.body);
+      ASSERT_TRUE(said);
+      EXPECT_EQ(said->every, every);
+      EXPECT_EQ(said->first_tick % every, 0U);
+      seen += records_of(heard).size();
+    }
+    EXPECT_GT(seen, 20U);
+  }
+  speaker.say(Kind::kSubscribe, wire::Subscribe{0});
+  Heard heard = speaker.hear();
+  while (heard.kind == Kind::kRecords) heard = speaker.hear();
+  EXPECT_EQ(heard.kind, Kind::kDone);
+}
+
+TEST(ControlServer, WhoDoesNotTakeTheTicksIsToldSoAfterThoseThatWereSent) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  speaker.say(Kind::kRecord);
+  ASSERT_EQ(speaker.hear().kind, Kind::kRecording);
+  const auto begun = rig.tick.stats.ticks.value();
+  while (rig.tick.stats.ticks.value() < begun + 10'000) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  std::size_t ticks = 0;
+  Heard heard = speaker.hear();
+  for (; heard.kind == Kind::kRecords; heard = speaker.hear()) ticks += records_of(heard).size();
+  expect_sentence(heard, "faster than they were taken");
+  EXPECT_LT(ticks, 10'000U);
+  speaker.say(Kind::kStatus);
+  EXPECT_EQ(speaker.hear().kind, Kind::kStatusReport) << "the connection stays";
+}
+
+TEST(ControlServer, ARecordingBeginsAnewAndItsChainHolds) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path), other(rig.settings.path);
+  speaker.greet(), other.greet();
+  speaker.say(Kind::kRecord);
+  Heard heard = speaker.hear();
+  ASSERT_EQ(heard.kind, Kind::kRecording);
+  const auto header = decode_header(wire::decode<wire::Recording>(heard.body)->header, trace_layout::kHeaderBytes);
+  ASSERT_TRUE(header);
+  EXPECT_EQ(header->device, rig.settings.recordings.device);
+  other.say(Kind::kRecord);
+  expect_sentence(other.hear(), "another client is recording");
+  Chain chain(*header);
+  std::size_t ticks = 0;
+  while (ticks < 500) {
+    heard = speaker.hear();
+    const std::vector<TraceRecord> records = records_of(heard);
+    ASSERT_FALSE(records.empty()) << heard.refusal();
+    for (const TraceRecord& record : records) {
+      EXPECT_EQ((record.input.requests & kRequestRestart) != 0, ticks == 0);
+      EXPECT_EQ(chain.extend(record.input, record.output), record.chain);
+      ++ticks;
+    }
+  }
+  // Another field would be another trace.
+  ASSERT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted);
+  while (heard.kind == Kind::kRecords) heard = speaker.hear();
+  expect_sentence(heard, "another field was taken over");
+  other.say(Kind::kRecord);
+  EXPECT_EQ(other.hear().kind, Kind::kRecording) << "the next may record";
+  other.say(Kind::kRecordEnd);
+  do heard = other.hear();
+  while (heard.kind == Kind::kRecords);
+  EXPECT_EQ(heard.kind, Kind::kDone);
+}
+
+}  // namespace
+}  // namespace isotouch::control

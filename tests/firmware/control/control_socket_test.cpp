@@ -1,0 +1,113 @@
+#include "firmware/control/control_socket.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::control {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A socket of somebody else's at that path; -1 when it cannot be.
+int bound(const std::string& path, int type) {
+  const int socket = ::socket(AF_UNIX, type | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  return ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 ? socket : -1;
+}
+
+/// Connects without waiting. returns false: the door is full, or nobody is behind it
+bool knock(const std::string& path) {
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, path.c_str(), sizeof address.sun_path - 1);
+  return ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+}
+
+std::string opened(const std::string& path) { return ControlSocket().open(path, 0600, std::nullopt); }
+
+/// In a process of its own, which must have an answer soon: says it and ends.
+[[noreturn]] void open_and_say(const std::string& path) {
+  ::alarm(5);
+  std::fputs(opened(path).c_str(), stderr);
+  ::_exit(0);
+}
+
+TEST(ControlSocket, ASocketThatNobodyListensAtIsReplaced) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ::close(bound(path, SOCK_STREAM));  // as a program that was killed leaves it
+  ASSERT_TRUE(fs::is_socket(path));
+  ControlSocket door;
+  EXPECT_EQ(door.open(path, 0640, std::nullopt), "");
+  EXPECT_EQ(fs::status(path).permissions(), fs::perms(0640));
+  EXPECT_TRUE(knock(path));
+  door.close();
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(ControlSocket, ASocketThatAnotherListensAtIsLeftToIt) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ControlSocket door;
+  ASSERT_EQ(door.open(path, 0600, std::nullopt), "");
+  EXPECT_EQ(opened(path), path + ": another program listens there; stop it or choose another path");
+  EXPECT_TRUE(knock(path));
+}
+
+TEST(ControlSocket, ASocketOfAnotherTypeIsLeftAlone) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  const int other = bound(path, SOCK_SEQPACKET);
+  ASSERT_EQ(::listen(other, 1), 0);
+  EXPECT_EQ(opened(path), path + ": another program may listen there (Protocol wrong type for socket); stop it or choose another path");
+  EXPECT_TRUE(fs::is_socket(path));
+  ::close(other);
+}
+
+TEST(ControlSocketDeathTest, ADoorThatIsFullIsLeftAloneAndNotWaitedFor) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  const int other = bound(path, SOCK_STREAM);
+  ASSERT_EQ(::listen(other, 0), 0);
+  int waiting = 0;
+  while (waiting < 1000 && knock(path)) ++waiting;
+  ASSERT_LT(waiting, 1000) << "the door never fills";
+  EXPECT_EXIT(open_and_say(path), ::testing::ExitedWithCode(0), "another program listens there; stop it");
+  EXPECT_TRUE(fs::is_socket(path));
+  ::close(other);
+}
+
+TEST(ControlSocketDeathTest, ADoorThatIsClosedToUsIsLeftAlone) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ControlSocket door;
+  ASSERT_EQ(door.open(path, 0000, std::nullopt), "");
+  fs::permissions(folder.path(), fs::perms(0777));  // whoever comes might take the file away
+  const auto as_a_stranger = [&] {
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(1);
+    open_and_say(path);
+  };
+  EXPECT_EXIT(as_a_stranger(), ::testing::ExitedWithCode(0), "another program may listen there .Permission denied.; stop it");
+  EXPECT_TRUE(fs::is_socket(path));
+}
+
+TEST(ControlSocket, OtherFilesAreLeftAlone) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("door", "mine").string();
+  EXPECT_EQ(opened(path), path + ": is a file already, and no socket; choose another path or remove it");
+  EXPECT_TRUE(fs::is_regular_file(path));
+}
+
+}  // namespace
+}  // namespace isotouch::control

@@ -1,0 +1,217 @@
+#include "firmware/falcon/falcon_usb.h"
+
+#include <gtest/gtest.h>
+#include <libusb.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "firmware/falcon/falcon_session.h"
+#include "firmware/falcon/ft232.h"
+#include "tests/firmware/falcon/fake_libusb.h"
+
+namespace isotouch::falcon {
+namespace {
+
+using test::Bytes;
+using test::fake_bus;
+using test::FakeClock;
+using test::FakeFalcon;
+
+const std::array<std::uint8_t, 34> kImage = synthetic_image();
+
+/// A bus with one Falcon on it.
+struct Desk {
+  FakeClock clock;
+  FakeFalcon falcon{clock}, other{clock};
+
+  Desk() {
+    fake_bus() = {};
+    fake_bus().clock = &clock;
+    fake_bus().least_pending_in = 100;
+    fake_bus().devices = {{&falcon}};
+  }
+  /// Nothing of libusb is left behind.
+  ~Desk() {
+    EXPECT_EQ(fake_bus().contexts, 0);
+    EXPECT_EQ(fake_bus().handles, 0);
+    EXPECT_EQ(fake_bus().claimed, 0);
+    EXPECT_EQ(fake_bus().transfers, 0);
+    EXPECT_EQ(fake_bus().lists, 0);
+  }
+};
+
+TEST(FalconUsb, OpensTheDeviceAndGivesItBack) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  EXPECT_TRUE(link.is_open());
+  EXPECT_EQ(link.identity().name, "FALCON HAPTIC");
+  EXPECT_EQ(link.identity().serial, "FAKE0001");
+  EXPECT_EQ(fake_bus().claimed, 1);
+  EXPECT_EQ(fake_bus().detaches, 1);
+  ASSERT_TRUE(link.open()) << "again";
+  link.close();
+  EXPECT_EQ(fake_bus().cancelled, 16) << "eight transfers were pending, twice";
+  EXPECT_FALSE(link.is_open());
+  link.close();
+}
+
+TEST(FalconUsb, ChoosesBySerialPastOtherDevices) {
+  Desk desk;
+  FakeFalcon keyboard(desk.clock);
+  fake_bus().devices = {{&keyboard}, {&desk.falcon}, {&desk.other}};
+  fake_bus().devices[0].product = 0x6001;
+  fake_bus().devices[2].serial = "FAKE0002";
+  FalconUsb any(desk.clock), second(desk.clock, "FAKE0002"), third(desk.clock, "FAKE0003");
+  ASSERT_TRUE(any.open());
+  EXPECT_EQ(any.identity().serial, "FAKE0001");
+  any.close();
+  ASSERT_TRUE(second.open());
+  EXPECT_EQ(second.identity().serial, "FAKE0002");
+  second.close();
+  EXPECT_EQ(third.open().error(), Error::kNotFound);
+  EXPECT_FALSE(keyboard.is_open());
+}
+
+TEST(FalconUsb, TakesAnotherWhenTheFirstIsHeldAndElseSaysWhy) {
+  Desk desk;
+  fake_bus().devices = {{&desk.falcon}, {&desk.other}};
+  fake_bus().devices[0].claim_error = LIBUSB_ERROR_BUSY;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  link.close();
+  fake_bus().devices.pop_back();
+  EXPECT_EQ(link.open().error(), Error::kBusy);
+  fake_bus().devices[0].open_error = LIBUSB_ERROR_ACCESS;
+  EXPECT_EQ(link.open().error(), Error::kNotAllowed);
+  fake_bus().devices = {{&desk.falcon}};
+  fake_bus().devices[0].packet_size = 512;
+  EXPECT_EQ(link.open().error(), Error::kUnsuitable);
+  desk.falcon.faults.present = false;
+  EXPECT_NE(link.open().error(), Error::kUnsuitable);
+  fake_bus().init_error = LIBUSB_ERROR_OTHER;
+  EXPECT_EQ(link.open().error(), Error::kNoUsb);
+}
+
+TEST(FalconUsb, CarriesABootAndAThousandExchangesWithAllTransfersPending) {
+  Desk desk;
+  {
+    FalconUsb link(desk.clock);
+    FalconSession session(link, desk.clock, kImage);
+    for (int i = 0; i < 2; ++i) session.step({});
+    ASSERT_EQ(session.state(), SessionState::kRunning) << explain(session.last_boot());
+    EXPECT_EQ(session.last_boot().outcome, BootOutcome::kLoaded);
+    EXPECT_EQ(desk.falcon.uploaded, Bytes(kImage.begin(), kImage.end()));
+    for (std::int16_t i = 0; i < 1000; ++i) {
+      desk.falcon.reply.counts = {i, 2, 3};
+      EXPECT_EQ(session.step({{i, 0, 0}}).reply.counts[0], i);
+      EXPECT_EQ(desk.falcon.commands.back().words[0], i);
+    }
+    EXPECT_EQ(session.counts().timeouts, 0U);
+    EXPECT_EQ(fake_bus().least_pending_in, 8) << "whatever was read is submitted again before the next wait";
+  }
+  for (std::size_t i = 1; i <= 3; ++i) EXPECT_EQ(desk.falcon.commands[desk.falcon.commands.size() - i], FalconCommand{});
+}
+
+TEST(FalconUsb, KeepsTheOrderOfBytesWhenManyPacketsWait) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  desk.falcon.faults.byte_by_byte = true;
+  desk.falcon.faults.empty_packets = false;
+  Bytes sent;
+  for (int i = 0; i < 100; ++i) sent.push_back(static_cast<std::uint8_t>(i));
+  desk.falcon.send(sent);
+  Bytes got, buffer(64);
+  while (got.size() < sent.size()) {
+    const Result<std::size_t> size = link.read(buffer, 5);
+    ASSERT_TRUE(size);
+    ASSERT_EQ(*size, 3U);
+    got.push_back(buffer[2]);
+  }
+  EXPECT_EQ(got, sent);
+}
+
+TEST(FalconUsb, AReadWithoutDataEndsInTime) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  desk.falcon.faults.empty_packets = false;
+  Bytes buffer(64);
+  for (const std::uint32_t timeout : {0U, 1U, 20U}) {
+    const std::int64_t began = desk.clock.now;
+    EXPECT_EQ(link.read(buffer, timeout).error(), Error::kTimedOut);
+    EXPECT_EQ(desk.clock.now - began, std::int64_t{timeout} * 1'000'000);
+  }
+}
+
+TEST(FalconUsb, AnUnplugIsSeenByEveryCallAndAReplugIsANewOpening) {
+  for (const int call : {0, 1, 2}) {
+    Desk desk;
+    FalconUsb link(desk.clock);
+    ASSERT_TRUE(link.open());
+    Bytes buffer(64);
+    desk.falcon.faults.present = false;
+    if (call < 2) {
+      EXPECT_EQ((call == 0 ? link.control(ft232::kPurge1, {}) : link.write(buffer, 5)).error(), Error::kGone);
+    }
+    EXPECT_EQ(link.read(buffer, 5).error(), Error::kGone);
+    EXPECT_EQ(link.read(buffer, 0).error(), Error::kGone);
+    link.close();
+    EXPECT_FALSE(link.open());
+    desk.falcon.faults.present = true;
+    EXPECT_TRUE(link.open());
+    EXPECT_TRUE(link.control(ft232::kPurge1, {}));
+  }
+}
+
+TEST(FalconUsb, StallsAndDisturbedTransfersAreOvercome) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  desk.falcon.faults.empty_packets = false;
+  Bytes buffer(64);
+  fake_bus().line_errors = 20;
+  desk.falcon.send({1});
+  EXPECT_EQ(link.read(buffer, 50).value(), 3U);
+  fake_bus().stall_in = 1;
+  EXPECT_EQ(link.read(buffer, 50).error(), Error::kStalled);
+  desk.falcon.send({2});
+  EXPECT_EQ(link.read(buffer, 50).value(), 3U);
+  fake_bus().stall_out = 1;
+  EXPECT_TRUE(link.write(buffer, 5));
+  EXPECT_EQ(link.read(buffer, 5).error(), Error::kTimedOut);
+  EXPECT_EQ(link.write(buffer, 5).error(), Error::kStalled);
+  EXPECT_TRUE(link.write(buffer, 5));
+  EXPECT_EQ(fake_bus().clear_halts, 2);
+  fake_bus().line_errors = 1000;
+  EXPECT_EQ(link.read(buffer, 500).error(), Error::kGone) << "nothing but errors";
+}
+
+TEST(FalconUsb, SeveralWritesAreOnTheirWayAtOnce) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  Bytes data(1000, 0x55);
+  EXPECT_EQ(link.write(data, 0).value(), 512U);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(link.write(data, 0));
+  EXPECT_TRUE(desk.falcon.log.back() == "open") << "nothing has been sent yet";
+  EXPECT_TRUE(link.write(data, 5)) << "waits for a free one";
+  link.close();
+  EXPECT_EQ(std::count_if(desk.falcon.log.begin(), desk.falcon.log.end(), [](const std::string& line) { return line[0] == '>'; }), 5);
+}
+
+TEST(FalconUsb, ClosedItIsGone) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  Bytes buffer(64);
+  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), Error::kGone);
+  EXPECT_EQ(link.write(buffer, 1).error(), Error::kGone);
+  EXPECT_EQ(link.read(buffer, 1).error(), Error::kGone);
+}
+
+}  // namespace
+}  // namespace isotouch::falcon

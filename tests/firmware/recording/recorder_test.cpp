@@ -1,0 +1,182 @@
+#include "firmware/recording/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "shared/files/trace_file.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::recording {
+namespace {
+
+/// A recorder whose ticks the test makes.
+struct Bench {
+  explicit Bench(bool keeps = false) {
+    if (keeps) std::filesystem::create_directory(state);
+    TraceHeader header;
+    header.device = libnifalcon_model();
+    recorder.emplace(
+        RecorderSettings{header, keeps ? state : std::string(), 50, 10, 2}, ring, &watched, commands,
+        [this](std::uint32_t generation) { return generation == newest ? generation * 1000ULL : 0; },
+        [this](const std::string& line) { said.push_back(line); });
+  }
+
+  void ticks(int count, std::uint32_t generation = 0, SupervisorState shown = SupervisorState::kIdle) {
+    newest = std::max(newest, generation);
+    for (int i = 0; i < count; ++i) {
+      loop::TickRecord tick;
+      tick.number = ++number;
+      tick.in.requests = commands.take();
+      tick.in.field_generation = generation;
+      tick.out.state = static_cast<std::uint16_t>(shown);
+      tick.out.faults = shown == SupervisorState::kFault ? kFaultSilent : 0;
+      ring.push(tick);
+    }
+    recorder->drain();
+  }
+  static files::TraceFile read(const std::string& file) {
+    files::TraceFile trace;
+    EXPECT_EQ(files::read_trace(file, trace), "");
+    return trace;
+  }
+
+  ScratchFolder folder;
+  std::string path = (folder.path() / "a.trace").string(), state = (folder.path() / "state").string();
+  loop::TraceRing ring{1024}, watched{16};
+  loop::Requests commands;
+  std::vector<std::string> said;
+  std::uint64_t number = 0;
+  std::uint32_t newest = 0;  ///< field; the hashes of those before are forgotten
+  std::optional<Recorder> recorder;
+};
+
+TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
+  Bench bench;
+  bench.ticks(5);
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(10);
+  bench.recorder->stop();
+  bench.ticks(5);
+  const files::TraceFile trace = bench.read(bench.path);
+  ASSERT_EQ(trace.size(), 10U);
+  EXPECT_EQ(trace.record(0).input.requests, kRequestRestart);
+  EXPECT_EQ(trace.header().field_hash, 0U);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
+}
+
+TEST(Recorder, OneRecordingAtATime) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  EXPECT_EQ(bench.recorder->start("b"), "a recording is under way: " + bench.path);
+}
+
+TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  bench.ticks(4, 7);
+  bench.ticks(2, 0);
+  bench.ticks(5, 8);
+  const files::TraceFile trace = bench.read(bench.path);
+  EXPECT_EQ(trace.size(), 9U);
+  EXPECT_EQ(trace.header().field_hash, 7000U);
+  EXPECT_NE(bench.said.at(0).find("another field was loaded"), std::string::npos);
+}
+
+TEST(Recorder, EndsWhereTheRingLostATick) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  ++bench.number;
+  bench.ticks(3);
+  EXPECT_EQ(bench.read(bench.path).size(), 3U);
+  EXPECT_NE(bench.said.at(0).find("ticks were lost"), std::string::npos);
+}
+
+TEST(Recorder, PassesEveryTickOnAsLongAsThereIsRoom) {
+  Bench bench;
+  bench.ticks(20);
+  loop::TickRecord tick;
+  for (std::uint64_t i = 1; i <= 16; ++i) {
+    ASSERT_TRUE(bench.watched.pop(tick));
+    EXPECT_EQ(tick.number, i);
+  }
+  EXPECT_FALSE(bench.watched.pop(tick));
+}
+
+TEST(Recorder, KeepsWhatWasBeforeAFault) {
+  Bench bench(true);
+  const std::string& state = bench.state;
+  bench.ticks(100, 3, SupervisorState::kActive);
+  EXPECT_EQ(bench.recorder->state(), SupervisorState::kActive);
+  bench.ticks(5, 3, SupervisorState::kFault);
+  EXPECT_EQ(bench.recorder->faults(), kFaultSilent);
+  EXPECT_TRUE(std::filesystem::is_empty(state)) << "what comes after it belongs to it";
+  bench.ticks(100, 3, SupervisorState::kFault);
+  const files::TraceFile trace = bench.read(state + "/fault-1.trace");
+  ASSERT_EQ(trace.size(), 61U);
+  EXPECT_EQ(trace.header().field_hash, 3000U);
+  for (std::size_t i = 0; i < 61; ++i) EXPECT_EQ(trace.record(i).output.faults, i < 50 ? 0 : kFaultSilent) << i;
+  for (int fault = 0; fault < 3; ++fault) {
+    bench.ticks(20, 3, SupervisorState::kIdle);
+    bench.ticks(20, 3, SupervisorState::kFault);
+  }
+  EXPECT_TRUE(std::filesystem::exists(state + "/fault-2.trace"));
+  EXPECT_FALSE(std::filesystem::exists(state + "/fault-3.trace")) << "a fault that comes and goes does not fill the disk";
+}
+
+TEST(Recorder, ARunThatBeginsInFaultHasNothingToShow) {
+  Bench bench(true);
+  bench.ticks(200, 3, SupervisorState::kFault);
+  EXPECT_EQ(bench.recorder->state(), SupervisorState::kFault);
+  EXPECT_TRUE(std::filesystem::is_empty(bench.state));
+}
+
+/// Saved with so many ticks before the fault and from it on; no others.
+void expect_saved(const Bench& bench, std::size_t before, std::size_t from) {
+  const files::TraceFile trace = bench.read(bench.state + "/fault-1.trace");
+  ASSERT_EQ(trace.size(), before + from);
+  EXPECT_EQ(trace.header().field_hash, 3000U) << "the field of the fault";
+  for (std::size_t i = 0; i < before + from; ++i) EXPECT_EQ(trace.record(i).output.faults, i < before ? 0 : kFaultSilent) << i;
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenAnotherFieldComesAfterIt) {
+  Bench bench(true);
+  bench.ticks(20, 2, SupervisorState::kActive);
+  bench.ticks(30, 3, SupervisorState::kActive);
+  bench.ticks(4, 3, SupervisorState::kFault);
+  bench.ticks(20, 4, SupervisorState::kFault);
+  expect_saved(bench, 30, 4);
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenATickIsLostAfterIt) {
+  Bench bench(true);
+  bench.ticks(20, 3, SupervisorState::kActive);
+  ++bench.number;
+  bench.ticks(30, 3, SupervisorState::kActive);
+  bench.ticks(1, 3, SupervisorState::kFault);
+  ++bench.number;
+  bench.ticks(20, 3, SupervisorState::kFault);
+  expect_saved(bench, 30, 1);
+}
+
+TEST(Recorder, AFaultIsInItsRecordingWhenTheProgramEndsSoonAfterIt) {
+  Bench bench(true);
+  bench.ticks(70, 3, SupervisorState::kActive);
+  bench.ticks(3, 3, SupervisorState::kFault);
+  bench.recorder.reset();
+  expect_saved(bench, 58, 3);
+}
+
+TEST(Recorder, AnEndInTheMiddleCompletesWhatIsWritten) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  bench.ticks(3);
+  bench.recorder.reset();
+  EXPECT_EQ(bench.read(bench.path).size(), 3U);
+}
+
+}  // namespace
+}  // namespace isotouch::recording

@@ -1,0 +1,131 @@
+/// A folder in memory that can lose power: what was not synced is then kept, lost or torn as the test says.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/store/folder.h"
+
+namespace isotouch::store {
+
+using FileBytes = std::vector<std::uint8_t>;
+
+class CrashingFolder final : public Folder {
+ public:
+  /// What becomes of content that was not synced.
+  enum class Content { kKept, kEmpty, kTorn };
+
+  /// The power fails in the step after so many: it and all later ones do nothing and fail. Negative: never.
+  int steps_left = -1;
+  int steps = 0;  ///< done since the beginning
+  /// The storage is full from here on.
+  bool full = false;
+  /// Changes of names that are not synced.
+  std::size_t pending() const { return pending_.size(); }
+
+  /// What a new start finds.
+  ///
+  /// kept      bit i: the i-th pending change of names came through
+  CrashingFolder after_power_cut(unsigned kept, Content content) const {
+    CrashingFolder next;
+    std::map<std::string, Inode> names = synced_;
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      if ((kept >> i & 1U) != 0) pending_[i](names);
+    }
+    for (const auto& [name, inode] : names) {
+      const bool lost = !inode->synced && content != Content::kKept;
+      auto copy = std::make_shared<File>(*inode);
+      if (lost) copy->bytes.resize(content == Content::kTorn ? copy->bytes.size() / 2 : 0);
+      copy->synced = true;
+      next.synced_[name] = next.names_[name] = copy;
+    }
+    return next;
+  }
+
+  std::vector<std::string> names() override {
+    std::vector<std::string> all;
+    for (const auto& [name, inode] : names_) all.push_back(name);
+    std::reverse(all.begin(), all.end());  // in any order
+    return all;
+  }
+  Result<std::uint64_t> size(const std::string& name) override {
+    if (names_.count(name) == 0) return Error::kNotFound;
+    return std::uint64_t{names_.at(name)->bytes.size()};
+  }
+  Result<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override {
+    if (names_.count(name) == 0) return Error::kNotFound;
+    const FileBytes& bytes = names_.at(name)->bytes;
+    if (bytes.size() > out.size()) return Error::kBadSize;
+    std::copy(bytes.begin(), bytes.end(), out.begin());
+    return bytes.size();
+  }
+  Result<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override {
+    const bool first_without_power = steps_left == 0 && !failed_;  // it falls into this write: a part of the bytes may be there
+    if (!step() && !first_without_power) return Error::kStorage;
+    const std::size_t taken = first_without_power || full ? bytes.size() / 3 : bytes.size();
+    const auto inode = std::make_shared<File>();
+    inode->bytes.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(taken));
+    change([name, inode](auto& names) { names[name] = inode; });
+    if (first_without_power) return Error::kStorage;
+    if (full) return Error::kNoSpace;
+    return {};
+  }
+  Result<void> sync(const std::string& name) override {
+    if (!step()) return Error::kStorage;
+    names_.at(name)->synced = true;
+    return {};
+  }
+  Result<void> rename(const std::string& from, const std::string& to) override {
+    if (!step()) return Error::kStorage;
+    if (names_.count(from) == 0) return Error::kNotFound;
+    // Applied to what a power cut left, the old name may be missing: then nothing is renamed.
+    change([from, to](auto& names) {
+      if (names.count(from) == 0) return;
+      names[to] = names[from];
+      names.erase(from);
+    });
+    return {};
+  }
+  Result<void> remove(const std::string& name) override {
+    if (!step()) return Error::kStorage;
+    if (names_.count(name) == 0) return Error::kNotFound;
+    change([name](auto& names) { names.erase(name); });
+    return {};
+  }
+  Result<void> sync_names() override {
+    if (!step()) return Error::kStorage;
+    synced_ = names_;
+    pending_.clear();
+    return {};
+  }
+
+ private:
+  struct File {
+    FileBytes bytes;
+    bool synced = false;
+  };
+  using Inode = std::shared_ptr<File>;
+  using Change = std::function<void(std::map<std::string, Inode>&)>;
+
+  bool step() {
+    failed_ |= steps_left == 0;
+    if (failed_) return false;
+    if (steps_left > 0) --steps_left;
+    ++steps;
+    return true;
+  }
+  void change(const Change& change) {
+    change(names_);
+    pending_.push_back(change);
+  }
+
+  std::map<std::string, Inode> names_, synced_;
+  std::vector<Change> pending_;
+  bool failed_ = false;
+};
+
+}  // namespace isotouch::store

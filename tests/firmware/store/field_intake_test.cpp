@@ -1,0 +1,247 @@
+#include "firmware/store/field_intake.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "firmware/loop/linux_clock.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "tests/firmware/store/crashing_folder.h"
+#include "tests/firmware/store/packed_field.h"
+#include "tests/support/random.h"
+
+namespace isotouch::store {
+namespace {
+
+using testing::HasSubstr;
+
+/// Time passes only by sleeping; the tick comes by in every nap, unless it does not run.
+class TickingClock final : public loop::Clock {
+ public:
+  explicit TickingClock(loop::FieldSlots& slots) : slots_(slots) {}
+  std::int64_t now_ns() override { return now_; }
+  void sleep_until_ns(std::int64_t when_ns) override {
+    now_ = when_ns;
+    if (runs) (void)slots_.field();
+  }
+  bool runs = true;
+
+ private:
+  loop::FieldSlots& slots_;
+  std::int64_t now_ = 0;
+};
+
+struct Rig {
+  explicit Rig(FieldCheck check = {}, std::size_t limit = 1 << 18)
+      : slots(limit), clock(slots), store(folder, 3), intake(slots, &store, clock, std::move(check)) {}
+
+  IntakeOutcome upload(const std::vector<std::uint8_t>& bytes, wire::Begin promise) {
+    promise.packed_bytes = bytes.size();
+    std::copy(bytes.begin(), bytes.end(), intake.upload().begin());
+    return intake.accept(promise);
+  }
+  IntakeOutcome upload(const PackedField& field) { return upload(field.bytes, field.promise); }
+  std::uint64_t felt() {
+    const loop::ActiveField field = slots.field();
+    return field.view == nullptr ? 0 : field.view->hash();
+  }
+
+  CrashingFolder folder;
+  loop::FieldSlots slots;
+  TickingClock clock;
+  FieldStore store;
+  FieldIntake intake;
+};
+
+TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
+  Rig rig;
+  const PackedField ball = packed_ball(1);
+  const IntakeOutcome outcome = rig.upload(ball);
+  EXPECT_EQ(outcome.refusal, "");
+  EXPECT_EQ(outcome.accepted.image_hash, ball.promise.image_hash);
+  EXPECT_EQ(outcome.accepted.generation, rig.slots.acknowledged());
+  EXPECT_EQ(rig.felt(), ball.promise.image_hash);
+  EXPECT_EQ(rig.intake.hash(), ball.promise.image_hash);
+
+  loop::FieldSlots slots(1 << 18);
+  FieldIntake next(slots, &rig.store, rig.clock, {});
+  EXPECT_EQ(next.begin_with_active(), "");
+  EXPECT_EQ(slots.field().view->hash(), ball.promise.image_hash);
+}
+
+TEST(FieldIntake, AStoredFieldIsSelected) {
+  Rig rig;
+  const PackedField one = packed_ball(1), two = packed_ball(2);
+  ASSERT_EQ(rig.upload(one).refusal, "");
+  ASSERT_EQ(rig.upload(two).refusal, "");
+  ASSERT_EQ(rig.intake.stored().size(), 2U);
+  EXPECT_EQ(rig.intake.select(one.promise.image_hash).refusal, "");
+  EXPECT_EQ(rig.felt(), one.promise.image_hash);
+  EXPECT_EQ(rig.store.active(), one.promise.image_hash);
+  EXPECT_THAT(rig.intake.select(5).refusal, HasSubstr("no field of this hash"));
+  EXPECT_EQ(rig.felt(), one.promise.image_hash);
+}
+
+TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
+  bool check_fails = false;
+  Rig rig([&](const BlobView&) { return std::string(check_fails ? "too steep for this device" : ""); });
+  const PackedField old = packed_ball(1), good = packed_ball(2);
+  ASSERT_EQ(rig.upload(old).refusal, "");
+  const auto expect_refused = [&](const IntakeOutcome& outcome, const std::string& why) {
+    EXPECT_THAT(outcome.refusal, HasSubstr(why));
+    EXPECT_EQ(rig.felt(), old.promise.image_hash) << why;
+    EXPECT_EQ(rig.store.active(), old.promise.image_hash) << why;
+    EXPECT_EQ(rig.intake.hash(), old.promise.image_hash) << why;
+  };
+  wire::Begin other = good.promise;
+  other.image_hash ^= 1;
+  expect_refused(rig.upload(good.bytes, other), "checksum");
+  expect_refused(rig.upload({}, good.promise), "not a file of this kind");
+  expect_refused(rig.upload(packed_ball(3, 128)), "sizes in its header");
+  check_fails = true;
+  expect_refused(rig.upload(good), "too steep");
+  check_fails = false;
+  rig.folder.full = true;
+  expect_refused(rig.upload(good), "no space");
+  rig.folder.full = false;
+  EXPECT_EQ(rig.upload(good).refusal, "") << "and what is good is accepted afterwards";
+}
+
+TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
+  std::string verdict;
+  Rig rig([&](const BlobView&) { return verdict; });
+  std::string said;
+  EXPECT_TRUE(rig.intake.check_again(said)) << "there is none";
+  const PackedField ball = packed_ball(1);
+  ASSERT_EQ(rig.upload(ball).refusal, "");
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "");
+  EXPECT_EQ(rig.felt(), ball.promise.image_hash);
+
+  verdict = "too stiff; set less";
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "the field was taken away: too stiff; set less and choose it again");
+  EXPECT_EQ(rig.felt(), 0U);
+  EXPECT_EQ(rig.intake.hash(), 0U);
+  EXPECT_EQ(rig.intake.generation(), 0U);
+  said.clear();
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_EQ(said, "");
+
+  verdict.clear();
+  EXPECT_EQ(rig.intake.select(ball.promise.image_hash).refusal, "");
+  EXPECT_EQ(rig.felt(), ball.promise.image_hash);
+  verdict = "too stiff; set less";
+  EXPECT_TRUE(rig.intake.check_again(said));
+  EXPECT_FALSE(rig.slots.free()) << "the tick has not come by";
+  said.clear();
+  EXPECT_TRUE(rig.intake.check_again(said)) << "nothing is published any more";
+  EXPECT_EQ(said, "");
+}
+
+TEST(FieldIntake, ALoopThatDoesNotRunIsTold) {
+  Rig rig;
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal, "");
+  rig.clock.runs = false;
+  EXPECT_THAT(rig.upload(packed_ball(2)).refusal, HasSubstr("loop does not run"));
+  EXPECT_THAT(rig.upload(packed_ball(3)).refusal, HasSubstr("has not taken over"));
+  rig.clock.runs = true;
+  (void)rig.slots.field();
+  EXPECT_EQ(rig.upload(packed_ball(3)).refusal, "");
+}
+
+TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
+  for (const bool has_old : {false, true}) {
+    Rig rig;
+    const PackedField old = packed_ball(1), late = packed_ball(2);
+    if (has_old) {
+      ASSERT_EQ(rig.upload(old).refusal, "");
+    }
+    const std::uint64_t before = has_old ? old.promise.image_hash : 0;
+    rig.clock.runs = false;
+    EXPECT_THAT(rig.upload(late).refusal, HasSubstr("loop does not run"));
+    EXPECT_EQ(rig.intake.hash(), before);
+    EXPECT_EQ(rig.store.active().value_or(0), before);
+    EXPECT_FALSE(rig.store.holds(late.promise.image_hash));
+    loop::FieldSlots slots(1 << 18);
+    FieldIntake next(slots, &rig.store, rig.clock, {});
+    EXPECT_EQ(next.begin_with_active(), "");
+    EXPECT_EQ(next.hash(), before) << "nor at the next start";
+    rig.clock.runs = true;
+    EXPECT_EQ(rig.felt(), before) << "nor when the loop runs again";
+    EXPECT_EQ(rig.intake.generation(), rig.slots.field().generation);
+    EXPECT_EQ(rig.upload(late).refusal, "");
+    EXPECT_EQ(rig.felt(), late.promise.image_hash);
+  }
+}
+
+TEST(FieldIntake, AChoiceThatTheTickDoesNotTakeIsNoChoice) {
+  Rig rig;
+  const PackedField one = packed_ball(1), two = packed_ball(2);
+  ASSERT_EQ(rig.upload(one).refusal, "");
+  ASSERT_EQ(rig.upload(two).refusal, "");
+  rig.clock.runs = false;
+  EXPECT_THAT(rig.intake.select(one.promise.image_hash).refusal, HasSubstr("loop does not run"));
+  EXPECT_EQ(rig.store.active(), two.promise.image_hash);
+  EXPECT_TRUE(rig.store.holds(one.promise.image_hash)) << "it was there before";
+  EXPECT_EQ(rig.felt(), two.promise.image_hash);
+}
+
+TEST(FieldIntake, TenThousandFieldsWithFlippedBitsLeaveTheOldOne) {
+  Rig rig;
+  const PackedField old = packed_ball(1), good = packed_ball(2);
+  ASSERT_EQ(rig.upload(old).refusal, "");
+  test::Random random(5);
+  int refused = 0;
+  for (int round = 0; round < 10'000; ++round) {
+    std::vector<std::uint8_t> bytes = good.bytes;
+    for (std::uint64_t flips = 1 + random.bits() % 3; flips > 0; --flips)
+      bytes[random.bits() % bytes.size()] ^= static_cast<std::uint8_t>(1U << random.bits() % 8);
+    // Half of them with a checksum that is right again: then what lies deeper has to see it.
+    if (round % 2 == 1) store_le(bytes.data() + 12, crc32(bytes.data() + 16, bytes.size() - 16));
+    const IntakeOutcome outcome = rig.upload(bytes, good.promise);
+    if (outcome.refusal.empty()) {
+      ASSERT_EQ(rig.felt(), good.promise.image_hash) << "flips that leave the image as it was";
+      ASSERT_EQ(rig.upload(old).refusal, "");
+      continue;
+    }
+    ++refused;
+    ASSERT_EQ(rig.felt(), old.promise.image_hash) << outcome.refusal;
+    ASSERT_EQ(rig.store.active(), old.promise.image_hash);
+  }
+  EXPECT_GT(refused, 9000);
+  RecordProperty("refused", refused);
+}
+
+TEST(FieldIntake, AFieldThatWentBadInTheStoreIsNotBegunWith) {
+  Rig rig;
+  const PackedField ball = packed_ball(1);
+  ASSERT_EQ(rig.upload(ball).refusal, "");
+  std::vector<std::uint8_t> bad = ball.bytes;
+  bad[400] ^= 1;
+  ASSERT_TRUE(rig.folder.write(rig.store.list().front().file, bad));
+  loop::FieldSlots slots(1 << 18);
+  FieldIntake next(slots, &rig.store, rig.clock, {});
+  EXPECT_THAT(next.begin_with_active(), HasSubstr("was not loaded"));
+  EXPECT_EQ(slots.field().view, nullptr);
+  EXPECT_THAT(next.select(ball.promise.image_hash).refusal, HasSubstr("not usable"));
+}
+
+TEST(FieldIntake, WithoutAStoreFieldsAreFeltButNotKept) {
+  loop::FieldSlots slots(1 << 18);
+  TickingClock clock(slots);
+  FieldIntake intake(slots, nullptr, clock, {});
+  EXPECT_EQ(intake.begin_with_active(), "");
+  const PackedField ball = packed_ball(1);
+  std::copy(ball.bytes.begin(), ball.bytes.end(), intake.upload().begin());
+  EXPECT_EQ(intake.accept(ball.promise).refusal, "");
+  EXPECT_TRUE(intake.stored().empty());
+  EXPECT_THAT(intake.select(1).refusal, HasSubstr("stores no fields"));
+}
+
+}  // namespace
+}  // namespace isotouch::store
