@@ -41,7 +41,7 @@ const std::map<std::string, Rule> kRules = {
      {{"firmware/settings", "firmware/falcon", "firmware/control", "firmware/store", "firmware/recording", "firmware/lines",
        "firmware/loop", "shared"}}},
     {"tests/firmware/store", {{"firmware/store", "firmware/loop", "shared", "tests/support"}}},
-    {"tests/firmware/recording", {{"firmware/recording", "firmware/falcon", "firmware/loop", "shared", "tests/support"}}},
+    {"tests/firmware/recording", {{"firmware/recording", "firmware/loop", "shared", "tests/support"}}},
     {"tests/firmware/control",
      {{"firmware/control", "firmware/store", "firmware/recording", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
     {"firmware", {{"firmware", "shared"}}},

@@ -7,8 +7,6 @@
 #include <iterator>
 #include <vector>
 
-#include "firmware/falcon/replay_port.h"
-#include "firmware/loop/virtual_clock.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 
@@ -163,25 +161,6 @@ TEST(TickWriter, DamagedFilesAreRefusedWithTheirPlace) {
   bad[kHeaderBytes + 3 * kRecordBytes + 4] = '\x80';
   EXPECT_NE(complaint(bad).find("record 3 at byte 568 holds an undefined value"), std::string::npos);
   EXPECT_NE(files::read_trace((folder.path() / "none").string(), trace).find("cannot be read"), std::string::npos);
-}
-
-TEST(falcon::ReplayPort, GivesFreshPacketsSilenceBetweenAndAnEnd) {
-  std::vector<TraceRecord> records;
-  for (std::uint64_t i = 1; i <= 8; ++i) records.push_back({tick(i).in, {}, 0, 0});
-  const files::TraceFile trace("a.trace", header(), records);
-  loop::VirtualClock clock;
-  falcon::ReplayPort port(trace, clock);
-  for (std::uint64_t i = 1; i <= 8; ++i) {
-    FalconPacket packet{};
-    const loop::Answer answer = port.exchange({{9, 9, 9}, 0}, packet);
-    EXPECT_EQ(answer, i % 4 == 0 ? loop::Answer::kSilent : loop::Answer::kReply);
-    if (answer == loop::Answer::kReply) {
-      EXPECT_EQ(packet, tick(i).in.packet);
-    }
-    EXPECT_EQ(clock.now_ns(), std::int64_t(i) * 500'000);
-  }
-  FalconPacket packet{};
-  EXPECT_EQ(port.exchange({}, packet), loop::Answer::kEnd);
 }
 
 }  // namespace
