@@ -70,7 +70,8 @@ const std::map<std::string, Rule> kRules = {
     {"tests/fuzz", {{"host", "firmware", "shared", "tests/support"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/across/link",
-     {{"host", "firmware/control", "firmware/store", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
+     {{"host", "firmware/control", "firmware/store", "firmware/loop", "shared", "tests/support", "tests/firmware/control",
+       "tests/firmware/store"}}},
     {"tests", {{"tests/support"}}},
 };
 

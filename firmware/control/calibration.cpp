@@ -16,7 +16,7 @@ Calibration::Calibration(store::CalibrationStore* store, BySettings by_settings,
     : store_(store), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
 
 void Calibration::answers(const std::string& serial) {
-  std::string ignored;
+  Refusal ignored;
   const bool waits = !serial.empty() && choose(serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
   serial_ = serial;
@@ -38,7 +38,7 @@ wire::DeviceReport Calibration::report() const {
   return report;
 }
 
-std::string Calibration::keep(const wire::Calibrate& measured) {
+Refusal Calibration::keep(const wire::Calibrate& measured) {
   const std::string serial(measured.serial.view());
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -58,7 +58,7 @@ std::string Calibration::keep(const wire::Calibrate& measured) {
   return {};
 }
 
-Calibration::Choice Calibration::choose(const std::string& serial, std::string& trouble) const {
+Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trouble) const {
   Choice choice = by_settings_(serial);
   if (store_ == nullptr || choice.source == wire::AnglesFrom::kSettings) return choice;
   const Result<store::AnglesAtZero> kept = store_->read(serial);

@@ -8,6 +8,7 @@
 
 #include "firmware/store/calibration_store.h"
 #include "shared/device_model.h"
+#include "shared/files/refusal.h"
 #include "shared/wire_messages.h"
 
 namespace isotouch::control {
@@ -27,8 +28,8 @@ class Calibration {
 
   /// What holds from start to end.
   const Choice& in_use() const { return in_use_; }
-  /// A sentence when what was kept cannot be used; else empty.
-  const std::string& trouble() const { return trouble_; }
+  /// Why what was kept cannot be used.
+  const Refusal& trouble() const { return trouble_; }
 
   /// The device of this serial answers; empty: none does.
   void answers(const std::string& serial);
@@ -40,15 +41,15 @@ class Calibration {
 
   /// Keeps angles for the device that answers. Waits for the disk.
   ///
-  /// returns   one sentence why not; empty when they are kept
-  std::string keep(const wire::Calibrate& measured);
+  /// returns   why they are not kept
+  Refusal keep(const wire::Calibrate& measured);
 
  private:
-  Choice choose(const std::string& serial, std::string& trouble) const;
+  Choice choose(const std::string& serial, Refusal& trouble) const;
 
   store::CalibrationStore* store_;
   BySettings by_settings_;
-  std::string trouble_;
+  Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows
   std::string serial_;

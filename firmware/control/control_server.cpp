@@ -42,10 +42,10 @@ ControlServer::~ControlServer() {
   ::close(bell_);
 }
 
-std::string ControlServer::start() {
-  std::string refusal = socket_.open(settings_.path, settings_.mode, settings_.group);
+Refusal ControlServer::start() {
+  Refusal refusal = socket_.open(settings_.path, settings_.mode, settings_.group);
   stop_ = false;
-  if (refusal.empty()) thread_ = std::thread([this] { run(); });
+  if (!refusal) thread_ = std::thread([this] { run(); });
   return refusal;
 }
 
@@ -101,13 +101,13 @@ void ControlServer::admit() {
   if (socket < 0) return;
   const std::int64_t now = neighbours_.clock.now_ns();
   const auto place = std::find_if(clients_.begin(), clients_.end(), [](const ControlClient& c) { return !c.is_open(); });
-  std::string refusal = refusal_of(settings_.peer(socket), settings_.admission);
-  if (refusal.empty() && place == clients_.end()) {
+  Refusal refusal = refusal_of(settings_.peer(socket), settings_.admission);
+  if (!refusal && place == clients_.end()) {
     refusal = std::to_string(clients_.size()) + " clients are connected, which is as many as there may be; close one of them";
   }
-  if (refusal.empty()) return place->open(socket, now);
+  if (!refusal) return place->open(socket, now);
   stranger_.open(socket, now);
-  stranger_.refuse(Kind::kHello, refusal);
+  stranger_.refuse(Kind::kHello, refusal.sentence());
   (void)stranger_.send(now);  // a fresh connection has room for it
   stranger_.close();
 }
@@ -274,12 +274,12 @@ void ControlServer::finish_work() {
   if (client == nullptr) return;
   client->waiting = false;
   if (done->kind == FieldWork::Kind::kCalibrate) {
-    if (done->outcome.refusal.empty()) return client->say(Kind::kDone);
-    return client->refuse(Kind::kCalibrate, done->outcome.refusal);
+    if (!done->outcome.refusal) return client->say(Kind::kDone);
+    return client->refuse(Kind::kCalibrate, done->outcome.refusal.sentence());
   }
   if (done->kind != FieldWork::Kind::kList) {
-    if (done->outcome.refusal.empty()) return client->say(Kind::kAccepted, done->outcome.accepted);
-    return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal);
+    if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.accepted);
+    return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal.sentence());
   }
   wire::BodyWriter entries(scratch_);
   wire::FieldList list;
@@ -306,9 +306,9 @@ void ControlServer::worst(ControlClient& client, bool anew) {
 }
 
 void ControlServer::set(ControlClient& client, const wire::Set& wanted) const {
-  const std::string refusal =
+  const Refusal refusal =
       neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
-  refusal.empty() ? client.say(Kind::kDone) : client.refuse(Kind::kSet, refusal);
+  refusal ? client.refuse(Kind::kSet, refusal.sentence()) : client.say(Kind::kDone);
 }
 
 void ControlServer::begin_recording(ControlClient& client) {
@@ -339,7 +339,7 @@ void ControlServer::finish_measuring() {
   ControlClient& client = *std::exchange(measuring_, nullptr);
   client.waiting = false;
   if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; look after the controller");
-  if (!posture_.refusal().empty()) return client.refuse(Kind::kPosture, posture_.refusal());
+  if (posture_.refusal()) return client.refuse(Kind::kPosture, posture_.refusal().sentence());
   const DeviceModelBytes device = encode(settings_.recordings.device);
   client.say(Kind::kPostureReport, wire::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
 }

@@ -27,6 +27,7 @@
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
 #include "firmware/store/field_intake.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::control {
 
@@ -51,8 +52,8 @@ struct ControlNeighbours {
   loop::Clock& clock;                     ///< of the machine
   loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
   Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
-  /// Sets a setting by name; returns one sentence why not. Empty: none may be set
-  std::function<std::string(std::string_view name, std::string_view value)> set = nullptr;
+  /// Sets a setting by name; returns why not. Empty: none may be set
+  std::function<Refusal(std::string_view name, std::string_view value)> set = nullptr;
 };
 
 class ControlServer {
@@ -65,8 +66,8 @@ class ControlServer {
 
   /// Listens and starts the thread.
   ///
-  /// returns   one sentence why not; empty when it runs
-  std::string start();
+  /// returns   why it does not run
+  Refusal start();
 
   /// Closes every connection and joins the thread. An upload that is being checked is finished first.
   void stop();

@@ -39,7 +39,7 @@ std::string owner_of(const sockaddr_un& address) {
 
 }  // namespace
 
-std::string ControlSocket::open(const std::string& path, mode_t mode, std::optional<gid_t> group) {
+Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<gid_t> group) {
   close();
   sockaddr_un address{};
   if (!make_address(path, address)) return path + ": is no path for a socket (1 to 107 characters); choose a shorter one";

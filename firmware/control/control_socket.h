@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "shared/files/refusal.h"
+
 namespace isotouch::control {
 
 class ControlSocket {
@@ -20,8 +22,8 @@ class ControlSocket {
   ///
   /// mode      permission bits of the socket's file
   /// group     of the file; nothing = the program's
-  /// returns   one sentence why not; empty when it listens
-  std::string open(const std::string& path, mode_t mode, std::optional<gid_t> group);
+  /// returns   why it does not listen
+  Refusal open(const std::string& path, mode_t mode, std::optional<gid_t> group);
 
   /// Takes the file away again.
   void close();

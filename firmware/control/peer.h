@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "shared/files/refusal.h"
+
 namespace isotouch::control {
 
 struct Peer {
@@ -23,7 +25,7 @@ struct Admission {
 /// The peer of a connected local socket: as it was when it connected.
 Peer peer_of(int socket);
 
-/// returns   one sentence why this peer may not come in; empty when it may
-std::string refusal_of(const Peer& peer, const Admission& admission);
+/// returns   why this peer may not come in
+Refusal refusal_of(const Peer& peer, const Admission& admission);
 
 }  // namespace isotouch::control

@@ -4,9 +4,9 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 
 #include "firmware/loop/tick_record.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::control {
 
@@ -25,8 +25,8 @@ class PostureMeter {
   void take(const loop::TickRecord& tick);
 
   bool has_ended() const { return left_ == 0; }
-  /// When it has ended: one sentence why there is no result; empty: there is.
-  const std::string& refusal() const { return refusal_; }
+  /// When it has ended: why there is no result.
+  const Refusal& refusal() const { return refusal_; }
   /// Mean counts of the legs, 8 fraction bits.
   std::array<std::int32_t, 3> counts() const;
 
@@ -38,7 +38,7 @@ class PostureMeter {
   std::uint32_t fresh_ = 0;
   std::array<std::int64_t, 3> sum_{};
   std::array<std::int16_t, 3> least_{}, most_{};
-  std::string refusal_;
+  Refusal refusal_;
 };
 
 }  // namespace isotouch::control

@@ -39,7 +39,7 @@ bool pass_on(int from, int to) {
 
 }  // namespace
 
-std::string relay(const std::string& socket_path, int input, int output) {
+Refusal relay(const std::string& socket_path, int input, int output) {
   std::signal(SIGPIPE, SIG_IGN);
   const int socket = connect_to_socket(socket_path);
   if (socket < 0) {

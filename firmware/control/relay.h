@@ -4,12 +4,14 @@
 
 #include <string>
 
+#include "shared/files/refusal.h"
+
 namespace isotouch::control {
 
 /// Copies until the controller has closed its side; the end of the input is passed on.
 ///
 /// input, output   file numbers, blocking
-/// returns         one sentence when there is no controller at `socket_path`, or the connection broke; else empty
-std::string relay(const std::string& socket_path, int input, int output);
+/// returns         there is no controller at `socket_path`, or the connection broke
+Refusal relay(const std::string& socket_path, int input, int output);
 
 }  // namespace isotouch::control

@@ -9,23 +9,27 @@ namespace isotouch::daemon {
 
 namespace {
 
-std::atomic<bool>* device_must_rest = nullptr;
+std::atomic<std::atomic<bool>*> device_must_rest{nullptr};  // a signal's handler is given nothing
 
 void on_crash(int signal) {
-  device_must_rest->store(true);
-  const timespec moment{0, 50'000'000};
-  nanosleep(&moment, nullptr);
+  if (std::atomic<bool>* stop = device_must_rest.load()) {
+    stop->store(true);
+    const timespec moment{0, 50'000'000};
+    nanosleep(&moment, nullptr);
+  }
   raise(signal);  // with what the system does by default, see SA_RESETHAND
 }
 
 }  // namespace
 
-void rest_on_crash(std::atomic<bool>& stop) {
+RestOnCrash::RestOnCrash(std::atomic<bool>& stop) {
   device_must_rest = &stop;
   struct sigaction action {};
   action.sa_handler = on_crash;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
 }
+
+RestOnCrash::~RestOnCrash() { device_must_rest = nullptr; }
 
 }  // namespace isotouch::daemon

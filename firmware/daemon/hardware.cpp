@@ -14,20 +14,20 @@ namespace isotouch::daemon {
 
 namespace {
 
-std::string make_replay(const Options& options, Hardware& made) {
+Refusal make_replay(const Options& options, Hardware& made) {
   files::TraceFile trace;
-  std::string complaint = files::read_trace(options.name, trace);
-  if (complaint.empty() && trace.kind() != InputKind::kPacket) {
-    complaint = options.name + ": it holds positions of a hand, not the packets of a device; make some with 'isotouch trace to-packets'";
+  if (Refusal refusal = files::read_trace(options.name, trace)) return refusal;
+  if (trace.kind() != InputKind::kPacket) {
+    return options.name + ": it holds positions of a hand, not the packets of a device; make some with 'isotouch trace to-packets'";
   }
   if (options.lockstep) made.clock = std::make_unique<loop::VirtualClock>();
-  if (complaint.empty()) made.replay = std::make_unique<falcon::ReplayPort>(std::move(trace), *made.clock);
-  return complaint;
+  made.replay = std::make_unique<falcon::ReplayPort>(std::move(trace), *made.clock);
+  return {};
 }
 
 }  // namespace
 
-std::string make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made) {
+Refusal make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made) {
   const settings::Settings& settings = options.settings;
   if (options.lockstep) {
     made.clock = std::make_unique<loop::LockstepClock>();
@@ -36,14 +36,12 @@ std::string make_hardware(const Options& options, const std::atomic<bool>& stop,
   }
   if (options.device == Options::Device::kRecorded) return make_replay(options, made);
   const bool simulated = options.device == Options::Device::kSimulated;
-  std::string complaint;
   if (!settings.firmware.empty()) {
-    made.image = falcon::read_image(settings.firmware, complaint);
+    if (Refusal refusal = falcon::read_image(settings.firmware, made.image)) return refusal;
   } else if (simulated) {
     const auto image = falcon::synthetic_image();
     made.image.assign(image.begin(), image.end());
   }
-  if (!complaint.empty()) return complaint;
   if (simulated) {
     made.link = std::make_unique<falcon::SimLink>(options.name);
   } else {

@@ -11,6 +11,7 @@
 #include "firmware/falcon/falcon_port.h"
 #include "firmware/falcon/replay_port.h"
 #include "firmware/loop/clock.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::daemon {
 
@@ -29,8 +30,8 @@ struct Hardware {
 /// Makes what the command line asks for. Nothing is opened yet but a recording and the firmware's file.
 ///
 /// stop      ends a boot of the device; lives as long as `made`
-/// returns   one sentence why not; empty: `made` is complete
-std::string make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made);
+/// returns   none: `made` is complete
+Refusal make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made);
 
 /// The serial whose calibration holds: the one asked for, else that of the only device there; empty: not known yet.
 std::string serial_of(const Options& options, const Hardware& hardware);

@@ -17,15 +17,14 @@ std::string why_not_opened(int error) {
 
 }  // namespace
 
-std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
+Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
   if (settings.line_chip.empty()) return {};
   lines.chip = lines::open_gpio(settings.line_chip);
   if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
-  std::string complaint = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings));
-  if (!complaint.empty()) return complaint;
+  if (Refusal refusal = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings))) return refusal;
   lines.watch.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
   lines.state.set_patience(static_cast<std::uint32_t>(settings.tick_hz / 10));  // 100 ms: the watch looks every millisecond
-  return complaint;
+  return {};
 }
 
 }  // namespace isotouch::daemon

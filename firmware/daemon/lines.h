@@ -10,6 +10,7 @@
 #include "firmware/loop/tick_stats.h"
 #include "firmware/loop/watch.h"
 #include "firmware/settings/settings.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::daemon {
 
@@ -23,7 +24,7 @@ struct Lines {
 /// Takes the lines that the settings name.
 ///
 /// clock, stats  live as long as `lines`
-/// returns       one sentence why not; empty too where the settings name no chip
-std::string take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines);
+/// returns       none, too, where the settings name no chip
+Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines);
 
 }  // namespace isotouch::daemon

@@ -64,8 +64,7 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
 
   exit_code = 0;
   if (relay->parsed()) {
-    const std::string complaint = control::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO);
-    if (!complaint.empty()) exit_code = complain(complaint);
+    if (const Refusal refusal = control::relay(relay_socket, STDIN_FILENO, STDOUT_FILENO)) exit_code = complain(refusal.sentence());
     return false;
   }
   if (print) std::fputs(settings::default_file().c_str(), stdout);
@@ -73,9 +72,9 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   if (print || list) return false;
   const std::string& file = check.empty() ? config : check;
   if (!file.empty()) {
-    std::string complaint = settings::read_settings(file, options.settings);
-    if (complaint.empty() && !settings::device_model(options.settings, {})) complaint = file + ": these numbers make no device together";
-    if (!complaint.empty()) return exit_code = complain(complaint), false;
+    Refusal refusal = settings::read_settings(file, options.settings);
+    if (!refusal && !settings::device_model(options.settings, {})) refusal = file + ": these numbers make no device together";
+    if (refusal) return exit_code = complain(refusal.sentence()), false;
   }
   if (!check.empty()) return std::printf("%s: good\n", check.c_str()), false;
   if (!read_device(device, options)) {

@@ -78,22 +78,20 @@ std::array<std::uint8_t, 34> synthetic_image() {
           0,    0x3F, 0x00, 0x02, 0x80, 0x02, 0x00, 0x3F, 0x00, 0x00, 0x80, 0x34, 0x12, 0x78, 0x56, 0, 0};
 }
 
-std::vector<std::uint8_t> read_image(const std::string& path, std::string& complaint) {
-  const auto refuse = [&](const std::string& why) {
-    complaint = path + ": not usable as firmware: " + why;
-    return std::vector<std::uint8_t>();
-  };
+Refusal read_image(const std::string& path, std::vector<std::uint8_t>& image) {
+  const std::string unusable = path + ": not usable as firmware: ";
   std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (file == nullptr) return refuse(std::string(std::strerror(errno)) + "; give the path of a readable image");
-  std::vector<std::uint8_t> image(kLargestFile + 1);
-  image.resize(std::fread(image.data(), 1, image.size(), file));
+  if (file == nullptr) return unusable + std::strerror(errno) + "; give the path of a readable image";
+  std::vector<std::uint8_t> bytes(kLargestFile + 1);
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
   const bool failed = std::ferror(file) != 0;
   std::fclose(file);
-  if (failed) return refuse("it cannot be read; give the path of a file");
-  if (image.size() > kLargestFile) return refuse("it is larger than 1 MiB; a Falcon's image has a few thousand bytes");
-  const ImageReport report = check_image(image);
-  if (report.defect != ImageDefect::kNone) return refuse(explain(report) + "; take a fresh copy of the image");
-  return image;
+  if (failed) return unusable + "it cannot be read; give the path of a file";
+  if (bytes.size() > kLargestFile) return unusable + "it is larger than 1 MiB; a Falcon's image has a few thousand bytes";
+  const ImageReport report = check_image(bytes);
+  if (report.defect != ImageDefect::kNone) return unusable + explain(report) + "; take a fresh copy of the image";
+  image = std::move(bytes);
+  return {};
 }
 
 }  // namespace isotouch::falcon

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "shared/files/refusal.h"
+
 namespace isotouch::falcon {
 
 enum class ImageDefect : std::uint8_t {
@@ -53,7 +55,7 @@ std::array<std::uint8_t, 34> synthetic_image();
 
 /// Reads an image from a file and checks it.
 ///
-/// returns   the image; empty when there is none, then `complaint` holds one sentence with file, place and what to do
-std::vector<std::uint8_t> read_image(const std::string& path, std::string& complaint);
+/// returns   what is wrong with it; `image` is then as before
+Refusal read_image(const std::string& path, std::vector<std::uint8_t>& image);
 
 }  // namespace isotouch::falcon

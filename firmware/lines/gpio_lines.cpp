@@ -6,7 +6,7 @@
 
 namespace isotouch::lines {
 
-std::string GpioLines::take(const GpioSettings& settings) {
+Refusal GpioLines::take(const GpioSettings& settings) {
   struct Wanted {
     const char* name;
     int offset;

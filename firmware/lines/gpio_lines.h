@@ -13,6 +13,7 @@
 #include "firmware/lines/gpio.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/safety_lines.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::lines {
 
@@ -31,8 +32,8 @@ class GpioLines final : public loop::SafetyLines {
 
   /// Takes the lines.
   ///
-  /// returns   one sentence why not, with what to do; empty when all are taken
-  std::string take(const GpioSettings& settings);
+  /// returns   why not all of them are taken, with what to do
+  Refusal take(const GpioSettings& settings);
 
   void wait(std::int64_t until_ns) override;
   loop::LineInputs read() override;

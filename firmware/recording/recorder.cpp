@@ -28,15 +28,15 @@ Recorder::~Recorder() {
   if (writer_.is_open()) end("the program ends");
 }
 
-std::string Recorder::start(const std::string& path) {
+Refusal Recorder::start(const std::string& path) {
   const std::lock_guard guard(mutex_);
   if (writer_.is_open()) return "a recording is under way: " + writer_.path();
   begun_ = false;
   generation_ = 0;
   hash_ = 0;
-  std::string complaint = writer_.begin(path, settings_.header);
-  if (complaint.empty()) requests_.ask(kRequestRestart);
-  return complaint;
+  if (Refusal refusal = writer_.begin(path, settings_.header)) return refusal;
+  requests_.ask(kRequestRestart);
+  return {};
 }
 
 void Recorder::stop() {
@@ -67,7 +67,7 @@ void Recorder::record(const loop::TickRecord& tick) {
   if (generation_ != 0 && generation != 0 && generation != generation_) return end("another field was loaded");
   if (generation != 0) generation_ = generation;
   if (generation_ != 0 && hash_ == 0) hash_ = hash_of_(generation_);
-  if (const std::string complaint = writer_.append(tick); !complaint.empty()) end(complaint);
+  if (const Refusal refusal = writer_.append(tick)) end(refusal.sentence());
 }
 
 void Recorder::remember(const loop::TickRecord& tick) {
@@ -85,9 +85,9 @@ void Recorder::remember(const loop::TickRecord& tick) {
 
 void Recorder::end(const std::string& why) {
   const std::string& path = writer_.path();
-  const std::string complaint = writer_.finish(hash_);
+  const Refusal refusal = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
-  if (!complaint.empty()) return tell_(complaint);
+  if (refusal) return tell_(refusal.sentence());
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
 }
 
@@ -110,11 +110,10 @@ void Recorder::save() {
   do path = settings_.state + "/fault-" + std::to_string(number++) + ".trace";
   while (access(path.c_str(), F_OK) == 0);
   TickWriter writer;
-  std::string complaint = writer.begin(path, settings_.header);
-  for (std::size_t i = from; i < to && complaint.empty(); ++i) complaint = writer.append(at(i));
-  const std::string ended = writer.finish(faulted_hash_);
-  if (!ended.empty()) complaint = ended;
-  tell_(complaint.empty() ? path + ": the fault and what was around it" : complaint);
+  Refusal refusal = writer.begin(path, settings_.header);
+  for (std::size_t i = from; i < to && !refusal; ++i) refusal = writer.append(at(i));
+  if (Refusal unfinished = writer.finish(faulted_hash_)) refusal = std::move(unfinished);
+  tell_(refusal ? refusal.sentence() : path + ": the fault and what was around it");
 }
 
 }  // namespace isotouch::recording

@@ -17,6 +17,7 @@
 #include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/recording/tick_writer.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::recording {
 
@@ -43,8 +44,8 @@ class Recorder {
 
   /// Begins a recording with the next tick that forgets; before the first tick, with that. Any thread.
   ///
-  /// returns   one sentence why not
-  std::string start(const std::string& path);
+  /// returns   why it does not begin
+  Refusal start(const std::string& path);
   /// Ends the recording. Any thread.
   void stop();
 

@@ -9,7 +9,7 @@ TraceRecord RecordMaker::operator()(const loop::TickRecord& tick) {
   return {tick.in, tick.out, chain_.extend(tick.in, tick.out), static_cast<std::uint64_t>(since_ns)};
 }
 
-std::string TickWriter::begin(const std::string& path, const TraceHeader& header) {
+Refusal TickWriter::begin(const std::string& path, const TraceHeader& header) {
   TraceHeader written = header;
   written.field_hash = 0;
   written.has_outputs = true;
@@ -17,9 +17,9 @@ std::string TickWriter::begin(const std::string& path, const TraceHeader& header
   return file_.begin(path, written);
 }
 
-std::string TickWriter::append(const loop::TickRecord& tick) { return is_open() ? file_.append(records_(tick)) : std::string(); }
+Refusal TickWriter::append(const loop::TickRecord& tick) { return is_open() ? file_.append(records_(tick)) : std::string(); }
 
-std::string TickWriter::finish(std::uint64_t field_hash) {
+Refusal TickWriter::finish(std::uint64_t field_hash) {
   file_.set_field_hash(field_hash);
   return file_.finish(files::Keep::kWhatFits);
 }

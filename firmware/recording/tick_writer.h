@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/loop/tick_record.h"
+#include "shared/files/refusal.h"
 #include "shared/files/trace_writer.h"
 #include "shared/trace.h"
 
@@ -26,17 +27,17 @@ class RecordMaker {
 class TickWriter {
  public:
   /// header    device, settings and period
-  /// returns   one sentence why not; empty when it has begun, and only then it is open
-  [[nodiscard]] std::string begin(const std::string& path, const TraceHeader& header);
+  /// returns   none when it has begun, and only then it is open
+  Refusal begin(const std::string& path, const TraceHeader& header);
 
-  /// returns   one sentence when the file takes no more, which may be so since some ticks before; `finish` keeps what it took whole
-  std::string append(const loop::TickRecord& tick);
+  /// returns   the file takes no more, which may be so since some ticks before; `finish` keeps what it took whole
+  Refusal append(const loop::TickRecord& tick);
 
   /// Completes the file with the records that arrived there whole. Without a record there is none.
   ///
   /// field_hash  of the field that the ticks felt; 0 = none
-  /// returns     one sentence why there is no file under its name, or why it holds less than was appended, and how much
-  [[nodiscard]] std::string finish(std::uint64_t field_hash);
+  /// returns     why there is no file under its name, or why it holds less than was appended, and how much
+  Refusal finish(std::uint64_t field_hash);
 
   bool is_open() const { return file_.is_open(); }
   const std::string& path() const { return file_.path(); }

@@ -99,7 +99,7 @@ TickSettings tick_settings(const Settings& settings) {
 
 std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
 
-std::string refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay) {
+Refusal refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay) {
   const CertificateCheck check = check_certificate(field, loop_of(settings, measured_delay), tick_settings(settings).stiffness);
   if (check.accepted) return {};
   if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
@@ -107,7 +107,7 @@ std::string refusal_of(const BlobView& field, const Settings& settings, std::uin
          "; set feel.stiffness to at most " + n_mm(check.stiffness) + " N/mm";
 }
 
-std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay) {
+Refusal refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay) {
   const Stiffness most = most_stiffness(settings, measured_delay);
   if (tick_settings(settings).stiffness <= most) return {};
   return "that is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) + "; feel.stiffness may be at most " +

@@ -11,6 +11,7 @@
 #include "firmware/loop/watch.h"
 #include "firmware/settings/settings.h"
 #include "shared/blob.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::settings {
 
@@ -26,14 +27,14 @@ std::uint32_t period_ns(const Settings& settings);
 /// Whether this device may render a field with these settings.
 ///
 /// measured_delay  ticks, see `loop::measured_delay_ticks`; the settings' delay counts where it is larger
-/// returns   one sentence why not, with what to do; empty when it may
-std::string refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay = 0);
+/// returns   why not, with what to do
+Refusal refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay = 0);
 
 /// Whether this device may render anything with these settings' stiffness; 0, the blob's, is judged with the blob.
 ///
 /// measured_delay  as above
-/// returns   one sentence why not; empty when it may
-std::string refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay = 0);
+/// returns   why not
+Refusal refusal_of_stiffness(const Settings& settings, std::uint32_t measured_delay = 0);
 
 /// The largest stiffness that this device may render at these settings' rate.
 ///

@@ -59,7 +59,7 @@ std::string add_all(const std::string& list, std::optional<Id> (*id_of)(const st
 
 }  // namespace
 
-std::string apply_control(const Settings& settings, control::ControlSettings& control) {
+Refusal apply_control(const Settings& settings, control::ControlSettings& control) {
   control.path = settings.control;
   const std::optional<unsigned> mode = number(settings.control_mode, 8);
   if (!mode || *mode > 0777) return "[control] mode = \"" + settings.control_mode + "\": is no mode of a file; write one like \"0660\"";

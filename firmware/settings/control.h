@@ -5,12 +5,13 @@
 
 #include "firmware/control/control_server.h"
 #include "firmware/settings/settings.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::settings {
 
 /// Fills in path, mode, group and who may come in; asks the system for users and groups.
 ///
-/// returns   one sentence when a name or number is none; empty when all is well
-std::string apply_control(const Settings& settings, control::ControlSettings& control);
+/// returns   a name or number is none
+Refusal apply_control(const Settings& settings, control::ControlSettings& control);
 
 }  // namespace isotouch::settings

@@ -55,7 +55,7 @@ Settings LiveSettings::now() const {
   return now_;
 }
 
-std::string LiveSettings::set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay) {
+Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay) {
   constexpr std::string_view kSection = "feel.";
   if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
   const Setting* setting = find("feel", name);
@@ -69,7 +69,7 @@ std::string LiveSettings::set(std::string_view name, std::string_view value, loo
   const std::lock_guard guard(mutex_);
   Settings changed = now_;
   store_number(*setting, *wanted, changed);
-  if (std::string refusal = refusal_of_stiffness(changed, measured_delay); !refusal.empty()) return refusal;
+  if (Refusal refusal = refusal_of_stiffness(changed, measured_delay)) return refusal;
   change_to(changed, requests);
   return {};
 }

@@ -8,6 +8,7 @@
 
 #include "firmware/loop/requests.h"
 #include "firmware/settings/settings.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::settings {
 
@@ -24,8 +25,8 @@ class LiveSettings {
   /// value     a number as in the file
   /// requests  take it to the tick
   /// measured_delay  ticks, see `loop::measured_delay_ticks`
-  /// returns   one sentence why not; empty when it is set
-  std::string set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0);
+  /// returns   why it is not set
+  Refusal set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0);
 
   /// Lowers a stiffness of the settings to what the loop holds with the delay that was measured, from the next tick on. Any thread.
   ///

@@ -105,19 +105,19 @@ class Reader {
  public:
   Reader(const std::string& name, Settings& settings) : name_(name), settings_(settings) {}
 
-  std::string read(const toml::table& file) const {
+  Refusal read(const toml::table& file) const {
     for (const auto& [key, node] : file) {
       const std::string_view section = key.str();
       const toml::table* entries = node.as_table();
       if (section == "calibration" && entries != nullptr) {
-        if (auto complaint = read_calibrations(*entries); !complaint.empty()) return complaint;
+        if (Refusal refusal = read_calibrations(*entries)) return refusal;
       } else if (entries == nullptr) {
         return at(key) + in_quotes(section) + " stands in no section; " + advice();
       } else {
         bool known = false;
         for (const Setting& setting : table()) known |= setting.section == section;
         if (!known) return at(key) + "there is no section " + in_quotes(section) + "; " + advice();
-        if (auto complaint = read_section(section, *entries); !complaint.empty()) return complaint;
+        if (Refusal refusal = read_section(section, *entries)) return refusal;
       }
     }
     return {};
@@ -127,7 +127,7 @@ class Reader {
   static std::string advice() { return "'isotouchd --print-config' lists all settings"; }
   std::string at(const toml::key& key) const { return name_ + ":" + std::to_string(key.source().begin.line) + ": "; }
 
-  std::string read_section(std::string_view section, const toml::table& entries) const {
+  Refusal read_section(std::string_view section, const toml::table& entries) const {
     for (const auto& [key, node] : entries) {
       const Setting* setting = find(section, key.str());
       if (setting == nullptr) {
@@ -139,7 +139,7 @@ class Reader {
     return {};
   }
 
-  std::string read_calibrations(const toml::table& serials) const {
+  Refusal read_calibrations(const toml::table& serials) const {
     for (const auto& [serial, node] : serials) {
       const toml::table* entries = node.as_table();
       if (entries == nullptr) return at(serial) + "a calibration stands in a section of its own, [calibration.SERIAL]";
@@ -168,7 +168,7 @@ class Reader {
 
 }  // namespace
 
-std::string parse_settings(std::string_view text, const std::string& name, Settings& settings) {
+Refusal parse_settings(std::string_view text, const std::string& name, Settings& settings) {
   const AsciiToml ascii = ascii_toml(text);
   if (ascii.stray_line != 0) {
     return name + ":" + std::to_string(ascii.stray_line) +
@@ -179,14 +179,14 @@ std::string parse_settings(std::string_view text, const std::string& name, Setti
     const toml::parse_error& error = result.error();
     return name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " + std::string(error.description());
   }
-  if (std::string complaint = Reader(name, settings).read(result.table()); !complaint.empty()) return complaint;
+  if (Refusal refusal = Reader(name, settings).read(result.table())) return refusal;
   if (settings.word_slew < settings.tick_hz) {
     return name + ": limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again";
   }
   return {};
 }
 
-std::string read_settings(const std::string& path, Settings& settings) {
+Refusal read_settings(const std::string& path, Settings& settings) {
   std::ifstream file(path, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), {});
   if (!file.good() && !file.eof()) return path + ": it cannot be read; give the name of a settings file";

@@ -5,16 +5,17 @@
 #include <string_view>
 
 #include "firmware/settings/settings.h"
+#include "shared/files/refusal.h"
 
 namespace isotouch::settings {
 
 /// text        the file's content
 /// name        of the file, for complaints
 /// settings    changed by what the file names; undefined content when refused
-/// returns     empty; or one sentence with file, line, what is wrong and what would be right
-std::string parse_settings(std::string_view text, const std::string& name, Settings& settings);
+/// returns     file, line, what is wrong and what would be right
+Refusal parse_settings(std::string_view text, const std::string& name, Settings& settings);
 
 /// The same for a file of that name.
-std::string read_settings(const std::string& path, Settings& settings);
+Refusal read_settings(const std::string& path, Settings& settings);
 
 }  // namespace isotouch::settings

@@ -41,8 +41,8 @@ IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
   const std::lock_guard guard(exchanging_);
   const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
   const Before before = store_before(promised.image_hash);
-  std::string refusal = unpack(packed, promised.image_hash);
-  if (refusal.empty() && store_ != nullptr) refusal = keep(promised, packed);
+  Refusal refusal = unpack(packed, promised.image_hash);
+  if (!refusal && store_ != nullptr) refusal = keep(promised, packed);
   return activate(promised.image_hash, std::move(refusal), before);
 }
 
@@ -53,29 +53,29 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
   const Result<std::size_t> bytes = store_->read(wanted, upload_);
   if (!bytes && bytes.error() == Error::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
   if (!bytes) return {std::string("the stored field cannot be read: ") + describe(bytes.error()) + "; upload it again", {}};
-  std::string refusal = unpack(std::span(upload_).first(*bytes), wanted);
-  if (refusal.empty()) {
+  Refusal refusal = unpack(std::span(upload_).first(*bytes), wanted);
+  if (!refusal) {
     const Result<void> switched = store_->set_active(wanted);
     if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; look after the state folder";
   }
   return activate(wanted, std::move(refusal), before);
 }
 
-std::string FieldIntake::begin_with_active() {
+Refusal FieldIntake::begin_with_active() {
   if (store_ == nullptr) return {};
   const std::optional<std::uint64_t> wanted = store_->active();
   if (!wanted) return {};
   const Result<std::size_t> bytes = store_->read(*wanted, upload_);
   if (!bytes) return std::string("the field that was active last cannot be read: ") + describe(bytes.error()) + "; upload one";
-  std::string refusal = unpack(std::span(upload_).first(*bytes), *wanted);
-  if (refusal.empty()) refusal = publish(*wanted);
+  Refusal refusal = unpack(std::span(upload_).first(*bytes), *wanted);
+  if (!refusal) refusal = publish(*wanted);
   slots_.abandon();
-  return refusal.empty() ? refusal : "the field that was active last was not loaded: " + refusal;
+  return refusal ? Refusal("the field that was active last was not loaded: " + refusal.sentence()) : Refusal();
 }
 
-std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
+Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
   std::uint64_t hash = 0;
-  std::string refusal;
+  Refusal refusal;
   if (PackedBlob::has_magic(field)) {
     const Result<PackedBlob> packed = PackedBlob::parse(field);
     if (!packed) return unusable(packed.error());
@@ -90,20 +90,20 @@ std::string FieldIntake::begin_with(std::span<const std::uint8_t> field) {
     hash = (*view)->hash();
     refusal = judge(**view);
   }
-  if (refusal.empty()) refusal = publish(hash);
+  if (!refusal) refusal = publish(hash);
   slots_.abandon();
   return refusal;
 }
 
-bool FieldIntake::check_again(std::string& refusal) {
+bool FieldIntake::check_again(Refusal& refusal) {
   const std::unique_lock guard(exchanging_, std::try_to_lock);
   if (!guard) return false;
   const loop::ActiveField field = slots_.published();
-  const std::string why = field.view == nullptr ? std::string() : judge(*field.view);
-  if (why.empty()) return true;
+  const Refusal why = field.view == nullptr ? Refusal() : judge(*field.view);
+  if (!why) return true;
   if (!slots_.clear()) return false;
   show_published(0);
-  refusal = "the field was taken away: " + why + " and choose it again";
+  refusal = "the field was taken away: " + why.sentence() + " and choose it again";
   return true;
 }
 
@@ -114,10 +114,10 @@ FieldIntake::Before FieldIntake::store_before(std::uint64_t hash) {
   return {store_->active(), store_->holds(hash)};
 }
 
-std::string FieldIntake::judge(const BlobView& field) const { return check_ ? check_(field) : std::string(); }
+Refusal FieldIntake::judge(const BlobView& field) const { return check_ ? check_(field) : std::string(); }
 
 /// A packed field that was promised by its hash.
-std::string FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
+Refusal FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
   const Result<PackedBlob> packed = PackedBlob::parse(bytes);
   if (!packed) return unusable(packed.error());
   if (packed->image_hash != hash) return unusable(Error::kBadChecksum);
@@ -125,7 +125,7 @@ std::string FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64
 }
 
 /// Into the slot that the tick does not use.
-std::string FieldIntake::unpack(const PackedBlob& packed) {
+Refusal FieldIntake::unpack(const PackedBlob& packed) {
   if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
   const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
   if (!slots_.free()) return "the controller's loop has not taken over the field before this one; try again in a moment";
@@ -140,7 +140,7 @@ std::string FieldIntake::unpack(const PackedBlob& packed) {
 }
 
 /// Stored and chosen for the next start; when that fails the choice before stays.
-std::string FieldIntake::keep(const wire::Begin& field, std::span<const std::uint8_t> packed) {
+Refusal FieldIntake::keep(const wire::Begin& field, std::span<const std::uint8_t> packed) {
   const std::optional<std::uint64_t> before = store_->active();
   Result<void> stored = store_->put(field.image_hash, field.name.view(), packed);
   if (stored) stored = store_->set_active(field.image_hash);
@@ -151,15 +151,15 @@ std::string FieldIntake::keep(const wire::Begin& field, std::span<const std::uin
 }
 
 /// What was unpacked becomes the tick's, unless something spoke against it.
-IntakeOutcome FieldIntake::activate(std::uint64_t hash, std::string refusal, const Before& before) {
+IntakeOutcome FieldIntake::activate(std::uint64_t hash, Refusal refusal, const Before& before) {
   const std::uint64_t felt = hash_.load(std::memory_order_acquire);
-  if (refusal.empty()) refusal = publish(hash);
-  if (refusal.empty() && !was_taken_over()) refusal = take_back(hash, felt, before);
+  if (!refusal) refusal = publish(hash);
+  if (!refusal && !was_taken_over()) refusal = take_back(hash, felt, before);
   slots_.abandon();
   return {std::move(refusal), {hash_.load(std::memory_order_acquire), generation()}};
 }
 
-std::string FieldIntake::publish(std::uint64_t hash) {
+Refusal FieldIntake::publish(std::uint64_t hash) {
   const Result<std::uint32_t> generation = slots_.commit();
   if (!generation) return unusable(generation.error());
   show_published(hash);
@@ -171,8 +171,8 @@ void FieldIntake::show_published(std::uint64_t hash) {
   generation_.store(slots_.published().generation, std::memory_order_release);
 }
 
-/// The tick does not come: as if nothing had been sent. returns the refusal; empty: the tick has come after all
-std::string FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
+/// The tick does not come: as if nothing had been sent. returns no refusal: the tick has come after all
+Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
   if (!slots_.take_back()) return {};
   show_published(felt);
   std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";

@@ -16,6 +16,7 @@
 #include "firmware/loop/field_slots.h"
 #include "firmware/store/field_store.h"
 #include "shared/blob.h"
+#include "shared/files/refusal.h"
 #include "shared/packed_blob.h"
 #include "shared/wire_messages.h"
 
@@ -23,11 +24,11 @@ struct ZSTD_DCtx_s;
 
 namespace isotouch::store {
 
-/// Says whether this device may render a field: one sentence why not, empty when it may.
-using FieldCheck = std::function<std::string(const BlobView&)>;
+/// Says whether this device may render a field: or why not.
+using FieldCheck = std::function<Refusal(const BlobView&)>;
 
 struct IntakeOutcome {
-  std::string refusal;  ///< one sentence; empty: the field is active
+  Refusal refusal;  ///< none: the field is active
   wire::Accepted accepted;
 };
 
@@ -57,20 +58,20 @@ class FieldIntake {
 
   /// Begins with the field that was active last; before the tick's first step, does not wait.
   ///
-  /// returns   a sentence when there should be one and is none
-  std::string begin_with_active();
+  /// returns   there should be one and is none
+  Refusal begin_with_active();
 
   /// Begins with a field that is nowhere stored, instead: packed, or an image as it is.
   ///
-  /// returns   a sentence when it was not loaded
-  std::string begin_with(std::span<const std::uint8_t> field);
+  /// returns   why it was not loaded
+  Refusal begin_with(std::span<const std::uint8_t> field);
 
   /// Asks `check` again about the newest field, when what it answers may have changed. A field that is refused now is taken away from the tick; the
   /// next start may begin with it. Any thread.
   ///
-  /// refusal   what the check says and what to do; empty where the field stays
+  /// refusal   what the check says and what to do; none where the field stays
   /// returns   false: another field is just being taken over, ask later
-  bool check_again(std::string& refusal);
+  bool check_again(Refusal& refusal);
 
   /// What is stored, oldest first; empty without a store.
   std::vector<StoredField> stored();
@@ -87,15 +88,15 @@ class FieldIntake {
   };
 
   Before store_before(std::uint64_t hash);
-  std::string unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
-  std::string unpack(const PackedBlob& packed);
-  std::string judge(const BlobView& field) const;
-  std::string keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
-  IntakeOutcome activate(std::uint64_t hash, std::string refusal, const Before& before);
-  std::string publish(std::uint64_t hash);
+  Refusal unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
+  Refusal unpack(const PackedBlob& packed);
+  Refusal judge(const BlobView& field) const;
+  Refusal keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
+  IntakeOutcome activate(std::uint64_t hash, Refusal refusal, const Before& before);
+  Refusal publish(std::uint64_t hash);
   void show_published(std::uint64_t hash);
   bool was_taken_over();
-  std::string take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
+  Refusal take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
 
   loop::FieldSlots& slots_;
   FieldStore* store_;

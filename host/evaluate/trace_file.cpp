@@ -8,8 +8,8 @@ namespace isotouch::evaluate {
 
 namespace {
 
-void or_throw(const std::string& sentence) {
-  if (!sentence.empty()) throw InputError(sentence);
+void or_throw(const Refusal& refusal) {
+  if (refusal) throw InputError(refusal.sentence());
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& h
 void TraceWriter::finish() { or_throw(writer_.finish(files::Keep::kAllOrNothing)); }
 
 TraceWriter::Kept TraceWriter::finish_with_what_fits() {
-  const std::string sentence = writer_.finish(files::Keep::kWhatFits);
-  if (writer_.records() == 0) throw InputError(sentence.empty() ? writer_.path() + ": nothing was recorded" : sentence);
+  const Refusal refusal = writer_.finish(files::Keep::kWhatFits);
+  if (writer_.records() == 0) throw InputError(refusal ? refusal.sentence() : writer_.path() + ": nothing was recorded");
   return {writer_.records(), writer_.chain()};
 }
 

@@ -26,7 +26,7 @@ class TraceWriter {
   /// fails     InputError naming the file
   TraceWriter(const std::filesystem::path& file, const TraceHeader& header);
 
-  void append(const TraceRecord& record) { writer_.append(record); }
+  void append(const TraceRecord& record) { (void)writer_.append(record); }  // `finish` says what went wrong
   /// Has a write failed? What is appended then is lost.
   bool is_full() const { return writer_.is_full(); }
   /// fails     InputError naming the file, also for what failed earlier; then nothing remains of it

@@ -54,7 +54,7 @@ bool TraceFile::chain_follows(std::size_t tick) const {
   return chain(tick) == hash64(at(tick).data(), kChainAt, before);
 }
 
-std::string read_trace(const std::string& path, TraceFile& trace) {
+Refusal read_trace(const std::string& path, TraceFile& trace) {
   std::vector<std::uint8_t> bytes;
   if (!read_bytes(path, bytes)) return path + ": cannot be read as a trace; check the path and its permissions";
   const Result<TraceHeader> header = decode_header(bytes, bytes.size());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/files/refusal.h"
 #include "shared/trace.h"
 
 namespace isotouch::files {
@@ -35,7 +36,7 @@ class TraceFile {
   bool chain_follows(std::size_t tick) const;
 
  private:
-  friend std::string read_trace(const std::string& path, TraceFile& trace);
+  friend Refusal read_trace(const std::string& path, TraceFile& trace);
   std::span<const std::uint8_t, trace_layout::kRecordBytes> at(std::size_t tick) const;
 
   std::string path_;
@@ -45,7 +46,7 @@ class TraceFile {
 
 /// Reads and checks a whole file: header, size, every record; without outputs, that nothing stands where they would be.
 ///
-/// returns   one sentence with file and place, what is wrong and what to do; empty when all is well
-[[nodiscard]] std::string read_trace(const std::string& path, TraceFile& trace);
+/// returns   file and place, what is wrong and what to do
+Refusal read_trace(const std::string& path, TraceFile& trace);
 
 }  // namespace isotouch::files

@@ -27,7 +27,7 @@ std::string because(const std::string& path, const std::string& what, int error)
 
 TraceWriter::~TraceWriter() { discard(); }
 
-std::string TraceWriter::begin(const std::string& path, const TraceHeader& header) {
+Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header) {
   discard();
   path_ = path;
   header_ = header;
@@ -45,7 +45,7 @@ std::string TraceWriter::begin(const std::string& path, const TraceHeader& heade
   return because(path_, "the trace cannot be written", why);
 }
 
-std::string TraceWriter::append(const TraceRecord& record) {
+Refusal TraceWriter::append(const TraceRecord& record) {
   if (!is_open()) return {};
   const TraceRecordBytes bytes = encode(record);
   waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
@@ -87,7 +87,7 @@ bool TraceWriter::cut_to_whole_records() {
   return read && ::ftruncate(file_, static_cast<off_t>(end)) == 0;
 }
 
-std::string TraceWriter::finish(Keep keep) {
+Refusal TraceWriter::finish(Keep keep) {
   if (!is_open()) return {};
   const bool took_all = flush();
   if (!took_all && keep == Keep::kAllOrNothing) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/files/refusal.h"
 #include "shared/trace.h"
 
 namespace isotouch::files {
@@ -26,18 +27,18 @@ class TraceWriter {
   TraceWriter& operator=(const TraceWriter&) = delete;
 
   /// header    its record count is ignored and counted instead
-  /// returns   one sentence why not, also for a header that could not be read again; empty when it has begun, and only then it is open
-  [[nodiscard]] std::string begin(const std::string& path, const TraceHeader& header);
+  /// returns   why not, also for a header that could not be read again; none when it has begun, and only then it is open
+  Refusal begin(const std::string& path, const TraceHeader& header);
 
   /// Where it is not open, nothing happens.
   ///
-  /// returns   one sentence when the file takes no more, which may be so since some records before
-  std::string append(const TraceRecord& record);
+  /// returns   the file takes no more, which may be so since some records before
+  Refusal append(const TraceRecord& record);
 
   /// Completes the file. Without a record there is none, unless all or nothing is wanted.
   ///
-  /// returns   one sentence why there is no file under its name, or why it holds less than was appended, and how much
-  [[nodiscard]] std::string finish(Keep keep);
+  /// returns   why there is no file under its name, or why it holds less than was appended, and how much
+  Refusal finish(Keep keep);
   /// Leaves nothing behind.
   void discard();
 

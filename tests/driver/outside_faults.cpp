@@ -77,7 +77,7 @@ FaultRow host_killed() {
   settings.path = folder.path + "/control";
   settings.program = "a test";
   control::ControlServer server(settings, {intake, bench.commands, bench.stats, shown, clock});
-  row.broken = bench.begin() ? server.start() : "the hand never pressed";
+  row.broken = bench.begin() ? server.start().sentence() : "the hand never pressed";
   if (!row.broken.empty()) return row;
   const std::uint32_t generation = bench.last.in.field_generation;
   row.broken = say_half(settings.path);
@@ -92,7 +92,7 @@ FaultRow host_killed() {
 /// returns   why a recording is not just so many ticks that come to the same bits again; empty: it is
 std::string why_not_replayed(const std::string& path, const BlobView& field, std::uint64_t ticks) {
   files::TraceFile trace;
-  if (std::string complaint = files::read_trace(path, trace); !complaint.empty()) return complaint;
+  if (const Refusal refusal = files::read_trace(path, trace)) return refusal.sentence();
   const TraceHeader& header = trace.header();
   const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
   core::TickState state;
@@ -123,7 +123,7 @@ FaultRow disk_full() {
   recording::Recorder recorder(
       {header, "", 10, 10}, bench.trace, nullptr, bench.commands, [&](std::uint32_t) { return field.hash(); },
       [&](const std::string& sentence) { row.sentence += sentence; });
-  row.broken = recorder.start(path);
+  row.broken = recorder.start(path).sentence();
   {
     const FullDisk disk(trace_layout::kHeaderBytes + kRoom * trace_layout::kRecordBytes + 7);
     for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: words return when the hand has been out once

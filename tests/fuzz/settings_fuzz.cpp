@@ -11,8 +11,7 @@ using namespace isotouch;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   settings::Settings read;
-  const std::string complaint = settings::parse_settings(text, "a.toml", read);
-  if (!complaint.empty()) return 0;
+  if (const Refusal refusal = settings::parse_settings(text, "a.toml", read)) return 0;
   const std::uint32_t period = settings::period_ns(read);
   fuzz::hold(period >= 100'000 && period <= 4'000'000, "a period is in range");
   static_cast<void>(settings::tick_settings(read));

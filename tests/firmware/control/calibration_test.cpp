@@ -30,7 +30,7 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
   EXPECT_EQ(from(first), AnglesFrom::kGeometry);
   first.answers("A1");
   EXPECT_FALSE(first.waits());
-  EXPECT_EQ(first.keep(measured("A1")), "");
+  EXPECT_EQ(first.keep(measured("A1")).sentence(), "");
   EXPECT_TRUE(first.waits());
   EXPECT_EQ(first.report().waits, 1);
   EXPECT_EQ(first.in_use().model, libnifalcon_model());
@@ -64,27 +64,27 @@ TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");
   EXPECT_FALSE(calibration.waits());
-  EXPECT_THAT(calibration.keep(measured("SET")), HasSubstr("take [calibration.SET] out of them"));
+  EXPECT_THAT(calibration.keep(measured("SET")).sentence(), HasSubstr("take [calibration.SET] out of them"));
 }
 
 TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
   Calibration calibration(&store, by_settings, "A1");
-  EXPECT_THAT(calibration.keep(measured("A1")), HasSubstr("; calibrate again")) << "it does not answer yet";
+  EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("; calibrate again")) << "it does not answer yet";
   calibration.answers("A1");
-  EXPECT_THAT(calibration.keep(measured("B2")), HasSubstr("another device"));
+  EXPECT_THAT(calibration.keep(measured("B2")).sentence(), HasSubstr("another device"));
   folder.full = true;
-  EXPECT_THAT(calibration.keep(measured("A1")), HasSubstr("cannot be stored"));
+  EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("cannot be stored"));
   EXPECT_FALSE(calibration.waits());
   Calibration without(nullptr, by_settings, "A1");
   without.answers("A1");
-  EXPECT_THAT(without.keep(measured("A1")), HasSubstr("state folder"));
+  EXPECT_THAT(without.keep(measured("A1")).sentence(), HasSubstr("state folder"));
 }
 
 TEST_F(CalibrationTest, AFileThatWentBadIsToldAndNotUsed) {
   ASSERT_TRUE(store.put("A1", {}));
   ASSERT_TRUE(folder.write("calibration-A1", store::FileBytes(36, 'x')));
   Calibration calibration(&store, by_settings, "A1");
-  EXPECT_THAT(calibration.trouble(), HasSubstr("calibration of A1 cannot be used"));
+  EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("calibration of A1 cannot be used"));
   EXPECT_EQ(from(calibration), AnglesFrom::kGeometry);
 }
 

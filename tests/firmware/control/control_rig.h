@@ -94,10 +94,9 @@ struct ControlRig {
         std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring,
                                                                     &calibration, [this](std::string_view name, std::string_view value) {
                                                                       set_to = std::string(name) + "=" + std::string(value);
-                                                                      return value == "no" ? std::string("that cannot be") : std::string();
+                                                                      return value == "no" ? Refusal("that cannot be") : Refusal();
                                                                     }});
-    const std::string refusal = server->start();
-    EXPECT_EQ(refusal, "");
+    EXPECT_EQ(server->start().sentence(), "");
   }
 
   ScratchFolder scratch;

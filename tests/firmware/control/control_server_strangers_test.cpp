@@ -62,13 +62,13 @@ TEST(ControlServer, TheSocketHasItsPermissionsAndGoesWithTheServer) {
   ASSERT_EQ(::stat(rig.settings.path.c_str(), &about), 0);
   EXPECT_EQ(about.st_mode & 0777U, 0600U);
   ControlServer second(rig.settings, {rig.intake, rig.tick.commands, rig.tick.stats, rig.tick.shown, rig.clock, nullptr});
-  EXPECT_THAT(second.start(), HasSubstr("another program listens there"));
+  EXPECT_THAT(second.start().sentence(), HasSubstr("another program listens there"));
   rig.server->stop();
   EXPECT_NE(::stat(rig.settings.path.c_str(), &about), 0);
-  EXPECT_EQ(rig.server->start(), "");
+  EXPECT_EQ(rig.server->start().sentence(), "");
   rig.server->stop();
   std::ofstream(rig.settings.path) << "a file";
-  EXPECT_THAT(rig.server->start(), HasSubstr("is a file already"));
+  EXPECT_THAT(rig.server->start().sentence(), HasSubstr("is a file already"));
 }
 
 TEST(ControlServer, ASocketThatNobodyListensAtIsReplaced) {
@@ -76,13 +76,13 @@ TEST(ControlServer, ASocketThatNobodyListensAtIsReplaced) {
   rig.server->stop();
   {
     ControlSocket left;
-    ASSERT_EQ(left.open(rig.settings.path, 0600, std::nullopt), "");
+    ASSERT_EQ(left.open(rig.settings.path, 0600, std::nullopt).sentence(), "");
     const std::string moved = rig.settings.path + ".old";
     ASSERT_EQ(::rename(rig.settings.path.c_str(), moved.c_str()), 0);
     left.close();
     ASSERT_EQ(::rename(moved.c_str(), rig.settings.path.c_str()), 0);
   }
-  EXPECT_EQ(rig.server->start(), "");
+  EXPECT_EQ(rig.server->start().sentence(), "");
   Speaker speaker(rig.settings.path);
   EXPECT_EQ(speaker.greet().kind, Kind::kWelcome);
 }

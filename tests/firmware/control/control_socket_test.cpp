@@ -34,7 +34,7 @@ bool knock(const std::string& path) {
   return ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
 }
 
-std::string opened(const std::string& path) { return ControlSocket().open(path, 0600, std::nullopt); }
+std::string opened(const std::string& path) { return ControlSocket().open(path, 0600, std::nullopt).sentence(); }
 
 /// In a process of its own, which must have an answer soon: says it and ends.
 [[noreturn]] void open_and_say(const std::string& path) {
@@ -49,7 +49,7 @@ TEST(ControlSocket, ASocketThatNobodyListensAtIsReplaced) {
   ::close(bound(path, SOCK_STREAM));  // as a program that was killed leaves it
   ASSERT_TRUE(fs::is_socket(path));
   ControlSocket door;
-  EXPECT_EQ(door.open(path, 0640, std::nullopt), "");
+  EXPECT_EQ(door.open(path, 0640, std::nullopt).sentence(), "");
   EXPECT_EQ(fs::status(path).permissions(), fs::perms(0640));
   EXPECT_TRUE(knock(path));
   door.close();
@@ -60,7 +60,7 @@ TEST(ControlSocket, ASocketThatAnotherListensAtIsLeftToIt) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();
   ControlSocket door;
-  ASSERT_EQ(door.open(path, 0600, std::nullopt), "");
+  ASSERT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
   EXPECT_EQ(opened(path), path + ": another program listens there; stop it or choose another path");
   EXPECT_TRUE(knock(path));
 }
@@ -92,7 +92,7 @@ TEST(ControlSocketDeathTest, ADoorThatIsClosedToUsIsLeftAlone) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();
   ControlSocket door;
-  ASSERT_EQ(door.open(path, 0000, std::nullopt), "");
+  ASSERT_EQ(door.open(path, 0000, std::nullopt).sentence(), "");
   fs::permissions(folder.path(), fs::perms(0777));  // whoever comes might take the file away
   const auto as_a_stranger = [&] {
     if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(1);

@@ -31,7 +31,7 @@ std::string refusal_of(const std::function<void(loop::TickRecord&)>& change, boo
     meter.take(record);
   }
   EXPECT_TRUE(meter.has_ended());
-  return meter.refusal();
+  return meter.refusal().sentence();
 }
 
 void set_state(loop::TickRecord& record, SupervisorState state) { record.out.state = static_cast<std::uint16_t>(state); }
@@ -46,7 +46,7 @@ TEST(PostureMeter, TellsTheMeanOfTheCounts) {
   EXPECT_FALSE(meter.has_ended());
   meter.take(tick(14, {-201, 100, 7}));
   ASSERT_TRUE(meter.has_ended());
-  EXPECT_EQ(meter.refusal(), "");
+  EXPECT_EQ(meter.refusal().sentence(), "");
   EXPECT_EQ(meter.counts(), (std::array<std::int32_t, 3>{-200 * 256 - 192, 100 * 256 + 192, 7 * 256}));
   meter.take(tick(15, {0, 0, 0}));
   EXPECT_EQ(meter.counts()[2], 7 * 256) << "what comes later changes nothing";

@@ -21,7 +21,7 @@ struct Relayed {
   explicit Relayed(const std::string& path) {
     EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()), 0);
     thread = std::thread([this, path] {
-      complaint = relay(path, ends[1], ends[1]);
+      complaint = relay(path, ends[1], ends[1]).sentence();
       ::shutdown(ends[1], SHUT_RDWR);
     });
   }
@@ -77,7 +77,7 @@ TEST(Relay, WhatARefusingControllerSaysArrives) {
 TEST(Relay, WithoutAControllerItSaysSo) {
   const ScratchFolder scratch;
   const std::string path = (scratch.path() / "none").string();
-  EXPECT_THAT(relay(path, 0, 1), testing::AllOf(testing::HasSubstr(path), testing::HasSubstr("start isotouchd")));
+  EXPECT_THAT(relay(path, 0, 1).sentence(), testing::AllOf(testing::HasSubstr(path), testing::HasSubstr("start isotouchd")));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ void expect_rest_before(int signal, Crash crash) {
   const pid_t child = fork();
   if (child == 0) {
     static std::atomic<bool> stop{false};
-    rest_on_crash(stop);
+    const RestOnCrash rest(stop);
     std::thread device([&] {
       while (!stop) usleep(100);
       [[maybe_unused]] const auto rested = write(ends[1], "0", 1);

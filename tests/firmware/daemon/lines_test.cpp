@@ -20,7 +20,7 @@ std::string taken(const std::string& chip) {
   loop::LinuxClock clock;
   const loop::TickStats stats;
   Lines lines;
-  return take_lines(settings, clock, stats, lines);
+  return take_lines(settings, clock, stats, lines).sentence();
 }
 
 TEST(Lines, WithoutAChipNothingIsTaken) { EXPECT_EQ(taken(""), ""); }

@@ -103,22 +103,21 @@ TEST(FirmwareImage, RandomBytesAreReadWithinTheirBounds) {
 TEST(FirmwareImage, AFileIsReadWholeOrRefusedWithItsName) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "image.bin").string();
-  std::string complaint;
-  EXPECT_TRUE(read_image(path, complaint).empty());
-  EXPECT_THAT(complaint, StartsWith(path + ": not usable as firmware: No such file"));
-  EXPECT_TRUE(read_image(folder.path().string(), complaint).empty());
-  EXPECT_THAT(complaint, HasSubstr("it cannot be read"));
+  Bytes image = {42};
+  const auto refusal = [&](const std::string& name) { return read_image(name, image).sentence(); };
   const auto write = [&](const Bytes& bytes) {
     std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   };
-  write(legal());
-  EXPECT_EQ(read_image(path, complaint), legal());
+  EXPECT_THAT(refusal(path), StartsWith(path + ": not usable as firmware: No such file"));
+  EXPECT_THAT(refusal(folder.path().string()), HasSubstr("it cannot be read"));
   write(Bytes(std::size_t{1} << 21));
-  EXPECT_TRUE(read_image(path, complaint).empty());
-  EXPECT_THAT(complaint, HasSubstr("larger than 1 MiB"));
+  EXPECT_THAT(refusal(path), HasSubstr("larger than 1 MiB"));
   write({1, 2, 3});
-  EXPECT_TRUE(read_image(path, complaint).empty());
-  EXPECT_THAT(complaint, HasSubstr("AA 08"));
+  EXPECT_THAT(refusal(path), HasSubstr("AA 08"));
+  EXPECT_EQ(image, Bytes{42}) << "what was refused changes nothing";
+  write(legal());
+  EXPECT_EQ(refusal(path), "");
+  EXPECT_EQ(image, legal());
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ constexpr GpioSettings kAll = {3, 4, 5, 6, 7};
 TEST(GpioLines, EachWireIsTakenForWhatItIs) {
   FakeGpio chip;
   GpioLines lines(chip, chip.clock);
-  ASSERT_EQ(lines.take(kAll), "");
+  ASSERT_EQ(lines.take(kAll).sentence(), "");
   EXPECT_TRUE(chip.wires[3].edges);
   EXPECT_FALSE(chip.wires[5].edges);
   for (const unsigned wire : {3U, 4U, 5U, 6U, 7U}) EXPECT_EQ(chip.wires[wire].output, wire == 4 || wire == 6 || wire == 7) << wire;
@@ -75,7 +75,7 @@ TEST(GpioLines, EachWireIsTakenForWhatItIs) {
 TEST(GpioLines, TheStopIsActiveLowAndWhatCannotBeReadIsAStop) {
   FakeGpio chip;
   GpioLines lines(chip, chip.clock);
-  ASSERT_EQ(lines.take(kAll), "");
+  ASSERT_EQ(lines.take(kAll).sentence(), "");
   EXPECT_TRUE(lines.read().stop) << "a broken wire is low";
   chip.wires[3].level = 1;
   EXPECT_FALSE(lines.read().stop);
@@ -86,7 +86,7 @@ TEST(GpioLines, TheStopIsActiveLowAndWhatCannotBeReadIsAStop) {
 TEST(GpioLines, TheEnableIsReadBackAndWhatCannotBeReadIsWrong) {
   FakeGpio chip;
   GpioLines lines(chip, chip.clock);
-  ASSERT_EQ(lines.take(kAll), "");
+  ASSERT_EQ(lines.take(kAll).sentence(), "");
   for (const bool enable : {false, true}) {
     lines.set({enable, false, false});
     for (const int level : {0, 1}) {
@@ -102,7 +102,7 @@ TEST(GpioLines, AnEnableThatTheChipDoesNotTakeIsWrongWithAndWithoutReadingBack) 
   for (const int back : {5, -1}) {
     FakeGpio chip;
     GpioLines lines(chip, chip.clock);
-    ASSERT_EQ(lines.take({3, 4, back, 6, 7}), "");
+    ASSERT_EQ(lines.take({3, 4, back, 6, 7}).sentence(), "");
     for (const bool enable : {true, false}) {
       chip.wires[4].takes = true;
       lines.set({!enable, false, false});
@@ -117,7 +117,7 @@ TEST(GpioLines, AnEnableThatTheChipDoesNotTakeIsWrongWithAndWithoutReadingBack) 
 TEST(GpioLines, AnEdgeEndsTheWaitAndTellsTheKernelsTime) {
   FakeGpio chip;
   GpioLines lines(chip, chip.clock);
-  ASSERT_EQ(lines.take(kAll), "");
+  ASSERT_EQ(lines.take(kAll).sentence(), "");
   lines.wait(1'000'000);
   EXPECT_EQ(chip.clock.now_ns(), 1'000'000);
   EXPECT_EQ(lines.read().stop_edge_ns, 0);
@@ -133,7 +133,7 @@ TEST(GpioLines, AnEdgeEndsTheWaitAndTellsTheKernelsTime) {
 TEST(GpioLines, WiresThatAreNotThereAreNotMissed) {
   FakeGpio chip;
   GpioLines lines(chip, chip.clock);
-  ASSERT_EQ(lines.take({}), "");
+  ASSERT_EQ(lines.take({}).sentence(), "");
   lines.wait(500);
   EXPECT_EQ(chip.clock.now_ns(), 500);
   EXPECT_FALSE(lines.read().stop);
@@ -146,14 +146,14 @@ TEST(GpioLines, ALineThatIsTakenAlreadyIsRefusedInOneSentence) {
   FakeGpio chip;
   chip.busy = 6;
   GpioLines lines(chip, chip.clock);
-  EXPECT_EQ(lines.take(kAll), "lines.heartbeat = 6: the line cannot be taken: Device or resource busy; name one that is free");
+  EXPECT_EQ(lines.take(kAll).sentence(), "lines.heartbeat = 6: the line cannot be taken: Device or resource busy; name one that is free");
 }
 
 TEST(GpioLines, EverythingIsLowInTheEnd) {
   FakeGpio chip;
   {
     GpioLines lines(chip, chip.clock);
-    ASSERT_EQ(lines.take(kAll), "");
+    ASSERT_EQ(lines.take(kAll).sentence(), "");
     lines.set({true, true, true});
   }
   for (const unsigned wire : {4U, 6U, 7U}) EXPECT_EQ(chip.wires[wire].level, 0);

@@ -38,7 +38,7 @@ struct Bench {
   }
   static files::TraceFile read(const std::string& file) {
     files::TraceFile trace;
-    EXPECT_EQ(files::read_trace(file, trace), "");
+    EXPECT_EQ(files::read_trace(file, trace).sentence(), "");
     return trace;
   }
 
@@ -55,7 +55,7 @@ struct Bench {
 TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   Bench bench;
   bench.ticks(5);
-  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(10);
   bench.recorder->stop();
   bench.ticks(5);
@@ -68,13 +68,13 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
 
 TEST(Recorder, OneRecordingAtATime) {
   Bench bench;
-  ASSERT_EQ(bench.recorder->start(bench.path), "");
-  EXPECT_EQ(bench.recorder->start("b"), "a recording is under way: " + bench.path);
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  EXPECT_EQ(bench.recorder->start("b").sentence(), "a recording is under way: " + bench.path);
 }
 
 TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
   Bench bench;
-  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(3);
   bench.ticks(4, 7);
   bench.ticks(2, 0);
@@ -87,7 +87,7 @@ TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
 
 TEST(Recorder, EndsWhereTheRingLostATick) {
   Bench bench;
-  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(3);
   ++bench.number;
   bench.ticks(3);
@@ -172,7 +172,7 @@ TEST(Recorder, AFaultIsInItsRecordingWhenTheProgramEndsSoonAfterIt) {
 
 TEST(Recorder, AnEndInTheMiddleCompletesWhatIsWritten) {
   Bench bench;
-  ASSERT_EQ(bench.recorder->start(bench.path), "");
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(3);
   bench.recorder.reset();
   EXPECT_EQ(bench.read(bench.path).size(), 3U);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "shared/files/trace_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/scratch_folder.h"
 
@@ -37,12 +38,12 @@ TEST(TickWriter, WhatIsWrittenIsReadBack) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "a.trace").string();
   TickWriter writer;
-  ASSERT_EQ(writer.begin(path, header()), "");
-  for (std::uint64_t i = 1; i <= 100; ++i) ASSERT_EQ(writer.append(tick(i)), "");
+  ASSERT_EQ(writer.begin(path, header()).sentence(), "");
+  for (std::uint64_t i = 1; i <= 100; ++i) ASSERT_EQ(writer.append(tick(i)).sentence(), "");
   EXPECT_FALSE(fs::exists(path)) << "before it is complete";
-  ASSERT_EQ(writer.finish(42), "");
+  ASSERT_EQ(writer.finish(42).sentence(), "");
   files::TraceFile trace;
-  ASSERT_EQ(files::read_trace(path, trace), "");
+  ASSERT_EQ(files::read_trace(path, trace).sentence(), "");
   EXPECT_EQ(trace.header().device, martin_hillier_model());
   EXPECT_EQ(trace.header().period_ns, 500'000U);
   EXPECT_EQ(trace.header().field_hash, 42U);
@@ -62,16 +63,17 @@ TEST(TickWriter, ARecordingWithoutTicksLeavesNoFile) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "a.trace").string();
   TickWriter writer;
-  ASSERT_EQ(writer.begin(path, header()), "");
-  EXPECT_EQ(writer.finish(0), "");
+  ASSERT_EQ(writer.begin(path, header()).sentence(), "");
+  EXPECT_EQ(writer.finish(0).sentence(), "");
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(TickWriter, AFolderThatIsNotThereIsToldInOneSentence) {
   TickWriter writer;
-  EXPECT_EQ(writer.begin("/nowhere/a.trace", header()), "/nowhere/a.trace: the trace cannot be written: No such file or directory");
+  EXPECT_EQ(writer.begin("/nowhere/a.trace", header()).sentence(),
+            "/nowhere/a.trace: the trace cannot be written: No such file or directory");
   EXPECT_FALSE(writer.is_open());
-  EXPECT_EQ(writer.append(tick(1)), "");
+  EXPECT_EQ(writer.append(tick(1)).sentence(), "");
 }
 
 using trace_layout::kHeaderBytes;
@@ -82,9 +84,9 @@ struct OnFullDisk {
   OnFullDisk(const std::string& path, std::uint64_t bytes, std::uint64_t ticks) {
     const FullDisk disk(bytes);
     TickWriter writer;
-    begun = writer.begin(path, header());
-    for (std::uint64_t i = 1; i <= ticks && appended.empty(); ++i) appended = writer.append(tick(i));
-    finished = writer.finish(42);
+    begun = writer.begin(path, header()).sentence();
+    for (std::uint64_t i = 1; i <= ticks && appended.empty(); ++i) appended = writer.append(tick(i)).sentence();
+    finished = writer.finish(42).sentence();
     records = writer.records();
   }
   std::string begun, appended, finished;
@@ -105,7 +107,7 @@ TEST(TickWriter, AFullDiskKeepsExactlyTheRecordsThatArrivedWhole) {
         EXPECT_EQ(fs::file_size(path), kHeaderBytes + whole * kRecordBytes);
         EXPECT_FALSE(fs::exists(path + ".part"));
         files::TraceFile trace;
-        ASSERT_EQ(files::read_trace(path, trace), "");
+        ASSERT_EQ(files::read_trace(path, trace).sentence(), "");
         ASSERT_EQ(trace.size(), whole);
         EXPECT_EQ(trace.header().field_hash, 42U);
         Chain chain(trace.header());
@@ -114,11 +116,6 @@ TEST(TickWriter, AFullDiskKeepsExactlyTheRecordsThatArrivedWhole) {
           ASSERT_EQ(record.input, tick(i).in) << i;
           ASSERT_EQ(record.chain, chain.extend(tick(i).in, tick(i).out)) << i;
         }
-        loop::VirtualClock clock;
-        falcon::ReplayPort port(trace, clock);
-        std::uint64_t replayed = 0;
-        for (FalconPacket packet{}; port.exchange({}, packet) != loop::Answer::kEnd;) ++replayed;
-        EXPECT_EQ(replayed, whole);
         fs::remove(path);
       }
     }
@@ -147,20 +144,22 @@ TEST(TickWriter, DamagedFilesAreRefusedWithTheirPlace) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "a.trace").string();
   TickWriter writer;
-  ASSERT_EQ(writer.begin(path, header()), "");
-  for (std::uint64_t i = 1; i <= 5; ++i) writer.append(tick(i));
-  ASSERT_EQ(writer.finish(0), "");
+  ASSERT_EQ(writer.begin(path, header()).sentence(), "");
+  for (std::uint64_t i = 1; i <= 5; ++i) ASSERT_EQ(writer.append(tick(i)).sentence(), "");
+  ASSERT_EQ(writer.finish(0).sentence(), "");
   std::ifstream file(path, std::ios::binary);
   const std::string good((std::istreambuf_iterator<char>(file)), {});
   files::TraceFile trace;
-  const auto complaint = [&](const std::string& bytes) { return files::read_trace(folder.write("b.trace", bytes).string(), trace); };
+  const auto complaint = [&](const std::string& bytes) {
+    return files::read_trace(folder.write("b.trace", bytes).string(), trace).sentence();
+  };
   EXPECT_EQ(complaint(good), "");
   EXPECT_NE(complaint(good.substr(0, good.size() - 1)).find("not usable as a trace"), std::string::npos);
   EXPECT_NE(complaint("").find("not usable as a trace"), std::string::npos);
   std::string bad = good;
   bad[kHeaderBytes + 3 * kRecordBytes + 4] = '\x80';
   EXPECT_NE(complaint(bad).find("record 3 at byte 568 holds an undefined value"), std::string::npos);
-  EXPECT_NE(files::read_trace((folder.path() / "none").string(), trace).find("cannot be read"), std::string::npos);
+  EXPECT_NE(files::read_trace((folder.path() / "none").string(), trace).sentence().find("cannot be read"), std::string::npos);
 }
 
 }  // namespace

@@ -122,24 +122,24 @@ TEST(ApplySettings, AFieldTooStiffForTheLoopIsRefusedWithTheStiffnessToSet) {
                                },
                                {.band = 2.0});
   Settings settings;
-  EXPECT_EQ(refusal_of(field.view(), settings), "");
+  EXPECT_EQ(refusal_of(field.view(), settings).sentence(), "");
   settings.stiffness = 2.5;  // 2 * 0.003 / (3 * 0.001) = 2 would do
-  EXPECT_EQ(refusal_of(field.view(), settings),
+  EXPECT_EQ(refusal_of(field.view(), settings).sentence(),
             "the field is too stiff for this device at this rate; set feel.stiffness to at most 2 N/mm");
   settings.stiffness = 1.99;
-  EXPECT_EQ(refusal_of(field.view(), settings), "");
+  EXPECT_EQ(refusal_of(field.view(), settings).sentence(), "");
   settings.tick_hz = 250;
-  EXPECT_EQ(refusal_of(field.view(), settings),
+  EXPECT_EQ(refusal_of(field.view(), settings).sentence(),
             "the field is too stiff for this device at this rate; set feel.stiffness to at most 0.5 N/mm");
   settings.tick_hz = 1000;
-  EXPECT_EQ(refusal_of(field.view(), settings, 1), "");
+  EXPECT_EQ(refusal_of(field.view(), settings, 1).sentence(), "");
   EXPECT_EQ(
-      refusal_of(field.view(), settings, 3),
+      refusal_of(field.view(), settings, 3).sentence(),
       "the field is too stiff for this device at this rate and its measured delay of 3 ticks; set feel.stiffness to at most 0.857 N/mm");
   settings.tick_hz = 250;
   settings.delay_ticks = 0;
   settings.damping_n_s_mm = 0.006;
-  EXPECT_EQ(refusal_of(field.view(), settings), "");
+  EXPECT_EQ(refusal_of(field.view(), settings).sentence(), "");
 }
 
 TEST(ApplySettings, EachLineIsItsOwn) {

@@ -40,7 +40,7 @@ TEST(AsciiToml, CharactersBeyondAsciiMayStandInCommentsAlone) {
 
 TEST(AsciiToml, WhatTheLibraryDoesNotSurviveIsRefusedInASentence) {
   Settings settings;
-  EXPECT_EQ(parse_settings("[loop]\nt\u00e9.a = 1\n", "F.toml", settings),
+  EXPECT_EQ(parse_settings("[loop]\nt\u00e9.a = 1\n", "F.toml", settings).sentence(),
             "F.toml:2: a character that is not ASCII stands outside comments; in a string write it as \\u and four hexadecimal digits");
 }
 

@@ -17,7 +17,7 @@ TEST(ControlSettings, NamesAndNumbersBecomeWhoMayComeIn) {
   settings.control_users = "root, 1234,";
   settings.control_groups = "77 root";
   control::ControlSettings control;
-  ASSERT_EQ(apply_control(settings, control), "");
+  ASSERT_EQ(apply_control(settings, control).sentence(), "");
   EXPECT_EQ(control.path, "/run/x");
   EXPECT_EQ(control.mode, 0600U);
   EXPECT_EQ(control.group, gid_t{0});
@@ -27,7 +27,7 @@ TEST(ControlSettings, NamesAndNumbersBecomeWhoMayComeIn) {
 
 TEST(ControlSettings, TheDefaultsAreThoseOfTheServer) {
   control::ControlSettings control;
-  ASSERT_EQ(apply_control({}, control), "");
+  ASSERT_EQ(apply_control({}, control).sentence(), "");
   EXPECT_EQ(control.mode, control::ControlSettings{}.mode);
   EXPECT_FALSE(control.group);
   EXPECT_TRUE(control.admission.users.empty() && control.admission.groups.empty());
@@ -38,7 +38,7 @@ TEST(ControlSettings, WhatIsNoNameIsToldWithItsPlace) {
     Settings settings;
     settings.*member = value;
     control::ControlSettings control;
-    return apply_control(settings, control);
+    return apply_control(settings, control).sentence();
   };
   for (const char* mode : {"", "rw", "0668", "1777", "-1"})
     EXPECT_THAT(refusal(&Settings::control_mode, mode), HasSubstr("[control] mode")) << mode;

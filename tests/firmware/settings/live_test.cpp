@@ -10,35 +10,38 @@ namespace {
 TEST(LiveSettings, WhatIsSetReachesTheTickInItsFormat) {
   loop::Requests commands;
   LiveSettings live{Settings{}};
-  EXPECT_EQ(live.set("friction", "0.5", commands), "");
+  EXPECT_EQ(live.set("friction", "0.5", commands).sentence(), "");
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kFriction, Ratio::of(0.5).raw()}));
   EXPECT_EQ(commands.take_change(), SettingChange{});
-  EXPECT_EQ(live.set("feel.stiffness", "1.25", commands), "");
+  EXPECT_EQ(live.set("feel.stiffness", "1.25", commands).sentence(), "");
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kStiffness, Stiffness::of(1.25).raw()}));
-  EXPECT_EQ(live.set("weight_n", "-0.75", commands), "");
+  EXPECT_EQ(live.set("weight_n", "-0.75", commands).sentence(), "");
   EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kWeight, Newton::of(-0.75).raw()}));
   EXPECT_EQ(live.now().friction, 0.5);
   EXPECT_EQ(live.now().stiffness, 1.25);
-  EXPECT_EQ(live.set("friction", "0.5", commands), "");  // as it is
+  EXPECT_EQ(live.set("friction", "0.5", commands).sentence(), "");  // as it is
   EXPECT_EQ(commands.take_change(), SettingChange{});
 }
 
 TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
   loop::Requests commands;
   LiveSettings live{Settings{}};
-  EXPECT_EQ(live.set("friction", "2", commands), "feel.friction must be a number from 0 to 1.5");
-  EXPECT_EQ(live.set("hand_damping", "-1", commands), "feel.hand_damping must be a number from 0 to 0.1 N s/mm");
-  for (const char* value : {"", "much", "0.5x", "nan", "inf", "0.5 0.6"}) EXPECT_NE(live.set("friction", value, commands), "") << value;
+  EXPECT_EQ(live.set("friction", "2", commands).sentence(), "feel.friction must be a number from 0 to 1.5");
+  EXPECT_EQ(live.set("hand_damping", "-1", commands).sentence(), "feel.hand_damping must be a number from 0 to 0.1 N s/mm");
+  for (const char* value : {"", "much", "0.5x", "nan", "inf", "0.5 0.6"})
+    EXPECT_NE(live.set("friction", value, commands).sentence(), "") << value;
   for (const char* name : {"", "tick_hz", "ramp_ms", "loop.tick_hz", "feel.", "frictio"}) {
-    EXPECT_EQ(live.set(name, "1", commands).find("cannot be set while running; it may be one of stiffness, damping") != std::string::npos,
+    EXPECT_EQ(live.set(name, "1", commands).sentence().find("cannot be set while running; it may be one of stiffness, damping") !=
+                  std::string::npos,
               true)
         << name;
   }
-  EXPECT_EQ(live.set("stiffness", "2.5", commands), "that is too stiff for this device at this rate; feel.stiffness may be at most 2 N/mm");
-  EXPECT_EQ(live.set("stiffness", "1.5", commands, 2),
+  EXPECT_EQ(live.set("stiffness", "2.5", commands).sentence(),
+            "that is too stiff for this device at this rate; feel.stiffness may be at most 2 N/mm");
+  EXPECT_EQ(live.set("stiffness", "1.5", commands, 2).sentence(),
             "that is too stiff for this device at this rate and its measured delay of 2 ticks; feel.stiffness may be at most 1.2 N/mm")
       << "0.003 N s/mm, 1 ms";
-  EXPECT_EQ(live.set("force_limit_n", "50.1", commands), "feel.force_limit_n must be a number from 0 to 50 N");
+  EXPECT_EQ(live.set("force_limit_n", "50.1", commands).sentence(), "feel.force_limit_n must be a number from 0 to 50 N");
   EXPECT_EQ(commands.take_change(), SettingChange{});
   EXPECT_EQ(live.now(), Settings{});
 }

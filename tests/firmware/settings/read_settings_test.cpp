@@ -14,7 +14,7 @@ namespace {
 
 Settings read(const std::string& text) {
   Settings settings;
-  EXPECT_EQ(parse_settings(text, "F.toml", settings), "") << text;
+  EXPECT_EQ(parse_settings(text, "F.toml", settings).sentence(), "") << text;
   return settings;
 }
 
@@ -80,7 +80,7 @@ TEST(ReadSettings, WhatIsNotInTheTableOrNotOfItsKindIsRefusedWithItsLine) {
   };
   for (const auto& [text, complaint] : cases) {
     Settings settings;
-    EXPECT_EQ(parse_settings(text, "F.toml", settings), complaint) << text;
+    EXPECT_EQ(parse_settings(text, "F.toml", settings).sentence(), complaint) << text;
   }
 }
 
@@ -100,11 +100,11 @@ TEST(ReadSettings, EveryRangeOfTheTableHolds) {
     const double step = whole ? 1 : 0.0001;
     for (const double good : {setting.low, setting.high}) {
       Settings settings;
-      EXPECT_EQ(parse_settings(with(good), "F", settings), "");
+      EXPECT_EQ(parse_settings(with(good), "F", settings).sentence(), "");
     }
     for (const double bad : {setting.low - step, setting.high + step}) {
       Settings settings;
-      EXPECT_NE(parse_settings(with(bad), "F", settings).find("F:2: "), std::string::npos) << with(bad);
+      EXPECT_NE(parse_settings(with(bad), "F", settings).sentence().find("F:2: "), std::string::npos) << with(bad);
     }
     ++ranges;
   }
@@ -118,7 +118,7 @@ TEST(ReadSettings, EveryValueOfAnotherKindIsRefused) {
     const bool whole = std::holds_alternative<int Settings::*>(setting.member);
     for (const std::string value : {text ? "1" : "\"1\"", flag ? "1" : "true", whole ? "1.5" : "2020-01-01", "{}", "[]", "nan"}) {
       Settings settings;
-      const std::string complaint = parse_settings(line_of(setting, "\n\n") + value, "F", settings);
+      const std::string complaint = parse_settings(line_of(setting, "\n\n") + value, "F", settings).sentence();
       EXPECT_EQ(complaint.find("F:3: "), 0U) << setting.name << " = " << value << ": " << complaint;
     }
   }
@@ -126,8 +126,8 @@ TEST(ReadSettings, EveryValueOfAnotherKindIsRefused) {
 
 TEST(ReadSettings, AWordThatCouldNotChangeByOneInATickIsRefused) {
   Settings settings;
-  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5000\n[limits]\nword_slew = 5000\n", "a.toml", settings), "");
-  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5001\n[limits]\nword_slew = 5000\n", "a.toml", settings),
+  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5000\n[limits]\nword_slew = 5000\n", "a.toml", settings).sentence(), "");
+  EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5001\n[limits]\nword_slew = 5000\n", "a.toml", settings).sentence(),
             "a.toml: limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again");
 }
 
@@ -135,7 +135,7 @@ TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {
   for (const char* text :
        {"[loop\n", "[loop]\ntick_hz = \n", "[loop]\ntick_hz = 1000\ntick_hz = 1000\n", "\x01", "[a]\n[a]\n", "x = \"\\q\""}) {
     Settings settings;
-    const std::string complaint = parse_settings(text, "F", settings);
+    const std::string complaint = parse_settings(text, "F", settings).sentence();
     EXPECT_EQ(complaint.find("F:"), 0U) << text;
     EXPECT_NE(complaint.find(": this is not TOML: "), std::string::npos) << complaint;
     EXPECT_EQ(complaint.find('\n'), std::string::npos) << "one sentence";
@@ -148,7 +148,7 @@ TEST(ReadSettings, ATableWhoseNameBeginsWithNoLetterIsRefusedAndEndsNothing) {
                            "evice]\n",
                            "\n[a.$b]\n", "\n[[#]]\n"}) {
     Settings settings;
-    EXPECT_EQ(parse_settings(text, "F.toml", settings).rfind("F.toml:2: this is not TOML: ", 0), 0U) << text;
+    EXPECT_EQ(parse_settings(text, "F.toml", settings).sentence().rfind("F.toml:2: this is not TOML: ", 0), 0U) << text;
   }
 }
 
@@ -156,9 +156,9 @@ TEST(ReadSettings, AFileIsReadByItsName) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "f.toml").string();
   Settings settings;
-  EXPECT_EQ(read_settings(path, settings), path + ": it cannot be read; give the name of a settings file");
+  EXPECT_EQ(read_settings(path, settings).sentence(), path + ": it cannot be read; give the name of a settings file");
   folder.write("f.toml", "[loop]\ntick_hz = 250\n");
-  EXPECT_EQ(read_settings(path, settings), "");
+  EXPECT_EQ(read_settings(path, settings).sentence(), "");
   EXPECT_EQ(settings.tick_hz, 250);
 }
 

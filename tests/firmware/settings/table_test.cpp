@@ -17,7 +17,7 @@ TEST(SettingsTable, ThePrintedDefaultsAreTheDefaultsAndNameEverySetting) {
   changed.geometry = "martin-hillier";
   changed.lock_memory = false;
   changed.workspace_origin_mm = {1, 2, 3};
-  EXPECT_EQ(parse_settings(file, "F", changed), "");
+  EXPECT_EQ(parse_settings(file, "F", changed).sentence(), "");
   EXPECT_EQ(changed, Settings{});
   for (const Setting& setting : table()) {
     const bool stands = file.find(std::string("\n").append(setting.name).append(" = ")) != std::string::npos;

@@ -61,7 +61,7 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
   Rig rig;
   const PackedField ball = packed_ball(1);
   const IntakeOutcome outcome = rig.upload(ball);
-  EXPECT_EQ(outcome.refusal, "");
+  EXPECT_EQ(outcome.refusal.sentence(), "");
   EXPECT_EQ(outcome.accepted.image_hash, ball.promise.image_hash);
   EXPECT_EQ(outcome.accepted.generation, rig.slots.acknowledged());
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
@@ -69,20 +69,20 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
 
   loop::FieldSlots slots(1 << 18);
   FieldIntake next(slots, &rig.store, rig.clock, {});
-  EXPECT_EQ(next.begin_with_active(), "");
+  EXPECT_EQ(next.begin_with_active().sentence(), "");
   EXPECT_EQ(slots.field().view->hash(), ball.promise.image_hash);
 }
 
 TEST(FieldIntake, AStoredFieldIsSelected) {
   Rig rig;
   const PackedField one = packed_ball(1), two = packed_ball(2);
-  ASSERT_EQ(rig.upload(one).refusal, "");
-  ASSERT_EQ(rig.upload(two).refusal, "");
+  ASSERT_EQ(rig.upload(one).refusal.sentence(), "");
+  ASSERT_EQ(rig.upload(two).refusal.sentence(), "");
   ASSERT_EQ(rig.intake.stored().size(), 2U);
-  EXPECT_EQ(rig.intake.select(one.promise.image_hash).refusal, "");
+  EXPECT_EQ(rig.intake.select(one.promise.image_hash).refusal.sentence(), "");
   EXPECT_EQ(rig.felt(), one.promise.image_hash);
   EXPECT_EQ(rig.store.active(), one.promise.image_hash);
-  EXPECT_THAT(rig.intake.select(5).refusal, HasSubstr("no field of this hash"));
+  EXPECT_THAT(rig.intake.select(5).refusal.sentence(), HasSubstr("no field of this hash"));
   EXPECT_EQ(rig.felt(), one.promise.image_hash);
 }
 
@@ -90,9 +90,9 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   bool check_fails = false;
   Rig rig([&](const BlobView&) { return std::string(check_fails ? "too steep for this device" : ""); });
   const PackedField old = packed_ball(1), good = packed_ball(2);
-  ASSERT_EQ(rig.upload(old).refusal, "");
+  ASSERT_EQ(rig.upload(old).refusal.sentence(), "");
   const auto expect_refused = [&](const IntakeOutcome& outcome, const std::string& why) {
-    EXPECT_THAT(outcome.refusal, HasSubstr(why));
+    EXPECT_THAT(outcome.refusal.sentence(), HasSubstr(why));
     EXPECT_EQ(rig.felt(), old.promise.image_hash) << why;
     EXPECT_EQ(rig.store.active(), old.promise.image_hash) << why;
     EXPECT_EQ(rig.intake.hash(), old.promise.image_hash) << why;
@@ -108,50 +108,50 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   rig.folder.full = true;
   expect_refused(rig.upload(good), "no space");
   rig.folder.full = false;
-  EXPECT_EQ(rig.upload(good).refusal, "") << "and what is good is accepted afterwards";
+  EXPECT_EQ(rig.upload(good).refusal.sentence(), "") << "and what is good is accepted afterwards";
 }
 
 TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
   std::string verdict;
   Rig rig([&](const BlobView&) { return verdict; });
-  std::string said;
+  Refusal said;
   EXPECT_TRUE(rig.intake.check_again(said)) << "there is none";
   const PackedField ball = packed_ball(1);
-  ASSERT_EQ(rig.upload(ball).refusal, "");
+  ASSERT_EQ(rig.upload(ball).refusal.sentence(), "");
   EXPECT_TRUE(rig.intake.check_again(said));
-  EXPECT_EQ(said, "");
+  EXPECT_EQ(said.sentence(), "");
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
 
   verdict = "too stiff; set less";
   EXPECT_TRUE(rig.intake.check_again(said));
-  EXPECT_EQ(said, "the field was taken away: too stiff; set less and choose it again");
+  EXPECT_EQ(said.sentence(), "the field was taken away: too stiff; set less and choose it again");
   EXPECT_EQ(rig.felt(), 0U);
   EXPECT_EQ(rig.intake.hash(), 0U);
   EXPECT_EQ(rig.intake.generation(), 0U);
-  said.clear();
+  said = {};
   EXPECT_TRUE(rig.intake.check_again(said));
-  EXPECT_EQ(said, "");
+  EXPECT_EQ(said.sentence(), "");
 
   verdict.clear();
-  EXPECT_EQ(rig.intake.select(ball.promise.image_hash).refusal, "");
+  EXPECT_EQ(rig.intake.select(ball.promise.image_hash).refusal.sentence(), "");
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
   verdict = "too stiff; set less";
   EXPECT_TRUE(rig.intake.check_again(said));
   EXPECT_FALSE(rig.slots.free()) << "the tick has not come by";
-  said.clear();
+  said = {};
   EXPECT_TRUE(rig.intake.check_again(said)) << "nothing is published any more";
-  EXPECT_EQ(said, "");
+  EXPECT_EQ(said.sentence(), "");
 }
 
 TEST(FieldIntake, ALoopThatDoesNotRunIsTold) {
   Rig rig;
-  ASSERT_EQ(rig.upload(packed_ball(1)).refusal, "");
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
   rig.clock.runs = false;
-  EXPECT_THAT(rig.upload(packed_ball(2)).refusal, HasSubstr("loop does not run"));
-  EXPECT_THAT(rig.upload(packed_ball(3)).refusal, HasSubstr("has not taken over"));
+  EXPECT_THAT(rig.upload(packed_ball(2)).refusal.sentence(), HasSubstr("loop does not run"));
+  EXPECT_THAT(rig.upload(packed_ball(3)).refusal.sentence(), HasSubstr("has not taken over"));
   rig.clock.runs = true;
   (void)rig.slots.field();
-  EXPECT_EQ(rig.upload(packed_ball(3)).refusal, "");
+  EXPECT_EQ(rig.upload(packed_ball(3)).refusal.sentence(), "");
 }
 
 TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
@@ -159,22 +159,22 @@ TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
     Rig rig;
     const PackedField old = packed_ball(1), late = packed_ball(2);
     if (has_old) {
-      ASSERT_EQ(rig.upload(old).refusal, "");
+      ASSERT_EQ(rig.upload(old).refusal.sentence(), "");
     }
     const std::uint64_t before = has_old ? old.promise.image_hash : 0;
     rig.clock.runs = false;
-    EXPECT_THAT(rig.upload(late).refusal, HasSubstr("loop does not run"));
+    EXPECT_THAT(rig.upload(late).refusal.sentence(), HasSubstr("loop does not run"));
     EXPECT_EQ(rig.intake.hash(), before);
     EXPECT_EQ(rig.store.active().value_or(0), before);
     EXPECT_FALSE(rig.store.holds(late.promise.image_hash));
     loop::FieldSlots slots(1 << 18);
     FieldIntake next(slots, &rig.store, rig.clock, {});
-    EXPECT_EQ(next.begin_with_active(), "");
+    EXPECT_EQ(next.begin_with_active().sentence(), "");
     EXPECT_EQ(next.hash(), before) << "nor at the next start";
     rig.clock.runs = true;
     EXPECT_EQ(rig.felt(), before) << "nor when the loop runs again";
     EXPECT_EQ(rig.intake.generation(), rig.slots.field().generation);
-    EXPECT_EQ(rig.upload(late).refusal, "");
+    EXPECT_EQ(rig.upload(late).refusal.sentence(), "");
     EXPECT_EQ(rig.felt(), late.promise.image_hash);
   }
 }
@@ -182,10 +182,10 @@ TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
 TEST(FieldIntake, AChoiceThatTheTickDoesNotTakeIsNoChoice) {
   Rig rig;
   const PackedField one = packed_ball(1), two = packed_ball(2);
-  ASSERT_EQ(rig.upload(one).refusal, "");
-  ASSERT_EQ(rig.upload(two).refusal, "");
+  ASSERT_EQ(rig.upload(one).refusal.sentence(), "");
+  ASSERT_EQ(rig.upload(two).refusal.sentence(), "");
   rig.clock.runs = false;
-  EXPECT_THAT(rig.intake.select(one.promise.image_hash).refusal, HasSubstr("loop does not run"));
+  EXPECT_THAT(rig.intake.select(one.promise.image_hash).refusal.sentence(), HasSubstr("loop does not run"));
   EXPECT_EQ(rig.store.active(), two.promise.image_hash);
   EXPECT_TRUE(rig.store.holds(one.promise.image_hash)) << "it was there before";
   EXPECT_EQ(rig.felt(), two.promise.image_hash);
@@ -194,7 +194,7 @@ TEST(FieldIntake, AChoiceThatTheTickDoesNotTakeIsNoChoice) {
 TEST(FieldIntake, TenThousandFieldsWithFlippedBitsLeaveTheOldOne) {
   Rig rig;
   const PackedField old = packed_ball(1), good = packed_ball(2);
-  ASSERT_EQ(rig.upload(old).refusal, "");
+  ASSERT_EQ(rig.upload(old).refusal.sentence(), "");
   test::Random random(5);
   int refused = 0;
   for (int round = 0; round < 10'000; ++round) {
@@ -204,13 +204,13 @@ TEST(FieldIntake, TenThousandFieldsWithFlippedBitsLeaveTheOldOne) {
     // Half of them with a checksum that is right again: then what lies deeper has to see it.
     if (round % 2 == 1) store_le(bytes.data() + 12, crc32(bytes.data() + 16, bytes.size() - 16));
     const IntakeOutcome outcome = rig.upload(bytes, good.promise);
-    if (outcome.refusal.empty()) {
+    if (!outcome.refusal) {
       ASSERT_EQ(rig.felt(), good.promise.image_hash) << "flips that leave the image as it was";
-      ASSERT_EQ(rig.upload(old).refusal, "");
+      ASSERT_EQ(rig.upload(old).refusal.sentence(), "");
       continue;
     }
     ++refused;
-    ASSERT_EQ(rig.felt(), old.promise.image_hash) << outcome.refusal;
+    ASSERT_EQ(rig.felt(), old.promise.image_hash) << outcome.refusal.sentence();
     ASSERT_EQ(rig.store.active(), old.promise.image_hash);
   }
   EXPECT_GT(refused, 9000);
@@ -220,27 +220,27 @@ TEST(FieldIntake, TenThousandFieldsWithFlippedBitsLeaveTheOldOne) {
 TEST(FieldIntake, AFieldThatWentBadInTheStoreIsNotBegunWith) {
   Rig rig;
   const PackedField ball = packed_ball(1);
-  ASSERT_EQ(rig.upload(ball).refusal, "");
+  ASSERT_EQ(rig.upload(ball).refusal.sentence(), "");
   std::vector<std::uint8_t> bad = ball.bytes;
   bad[400] ^= 1;
   ASSERT_TRUE(rig.folder.write(rig.store.list().front().file, bad));
   loop::FieldSlots slots(1 << 18);
   FieldIntake next(slots, &rig.store, rig.clock, {});
-  EXPECT_THAT(next.begin_with_active(), HasSubstr("was not loaded"));
+  EXPECT_THAT(next.begin_with_active().sentence(), HasSubstr("was not loaded"));
   EXPECT_EQ(slots.field().view, nullptr);
-  EXPECT_THAT(next.select(ball.promise.image_hash).refusal, HasSubstr("not usable"));
+  EXPECT_THAT(next.select(ball.promise.image_hash).refusal.sentence(), HasSubstr("not usable"));
 }
 
 TEST(FieldIntake, WithoutAStoreFieldsAreFeltButNotKept) {
   loop::FieldSlots slots(1 << 18);
   TickingClock clock(slots);
   FieldIntake intake(slots, nullptr, clock, {});
-  EXPECT_EQ(intake.begin_with_active(), "");
+  EXPECT_EQ(intake.begin_with_active().sentence(), "");
   const PackedField ball = packed_ball(1);
   std::copy(ball.bytes.begin(), ball.bytes.end(), intake.upload().begin());
-  EXPECT_EQ(intake.accept(ball.promise).refusal, "");
+  EXPECT_EQ(intake.accept(ball.promise).refusal.sentence(), "");
   EXPECT_TRUE(intake.stored().empty());
-  EXPECT_THAT(intake.select(1).refusal, HasSubstr("stores no fields"));
+  EXPECT_THAT(intake.select(1).refusal.sentence(), HasSubstr("stores no fields"));
 }
 
 }  // namespace

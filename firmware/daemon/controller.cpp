@@ -1,0 +1,256 @@
+#include "firmware/daemon/controller.h"
+
+#include <pthread.h>
+#include <signal.h>  // NOLINT(modernize-deprecated-headers): sigtimedwait
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "firmware/daemon/ending_signals.h"
+#include "firmware/daemon/status_lines.h"
+#include "firmware/loop/measured_delay.h"
+#include "firmware/loop/realtime.h"
+#include "firmware/settings/apply.h"
+#include "firmware/settings/control.h"
+
+namespace isotouch::daemon {
+
+namespace {
+
+void say(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
+  if (bytes.empty()) return path + ": it cannot be read; give a blob that 'isotouch build' made";
+  if (const Refusal refusal = intake.begin_with(bytes)) return path + ": " + refusal.sentence();
+  return {};
+}
+
+}  // namespace
+
+Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd)
+    : options_(options),
+      live_(live),
+      systemd_(systemd),
+      settings_(live.now()),
+      fields_(settings::field_bytes(settings_)),
+      trace_(ticks_in(4)),
+      watched_(ticks_in(4)) {}
+
+Refusal Controller::build(bool again) {
+  if (!settings::device_model(settings_, {})) return "the settings' numbers make no device together";
+  if (Refusal refusal = make_hardware(options_, stop_exchange_, hardware_)) return refusal;
+  if (Refusal refusal = open_state()) return refusal;
+  choose_calibration();
+  if (Refusal refusal = connect_device()) return refusal;
+  if (Refusal refusal = load_field(again)) return refusal;
+  if (Refusal refusal = begin_recording()) return refusal;
+  if (Refusal refusal = listen()) return refusal;
+  mark_run();
+  return {};
+}
+
+Refusal Controller::open_state() {
+  if (settings_.state.empty()) return {};
+  folder_.emplace(settings_.state);
+  if (!folder_->is_open()) return settings_.state + ": the state folder cannot be used: " + describe(folder_->trouble());
+  store_.emplace(*folder_, 8);
+  measured_.emplace(*folder_);
+  return {};
+}
+
+void Controller::choose_calibration() {
+  const auto by_settings = [this](const std::string& serial) {
+    const bool named = settings_.calibrations.count(serial) > 0;
+    return control::Calibration::Choice{*settings::device_model(settings_, serial),
+                                        named ? wire::AnglesFrom::kSettings : wire::AnglesFrom::kGeometry};
+  };
+  calibration_.emplace(measured_ ? &*measured_ : nullptr, by_settings, serial_of(options_, hardware_));
+  if (calibration_->trouble()) say(calibration_->trouble().sentence());
+  header_.device = calibration_->in_use().model;
+  header_.settings = settings::tick_settings(settings_);
+  header_.period_ns = settings::period_ns(settings_);
+}
+
+/// The device and the lines beside it, joined to the loop: by a thread, or in lockstep without one and without time.
+Refusal Controller::connect_device() {
+  if (!options_.lockstep) {
+    if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
+    if (!lines_.watch) say(no_lines_line());
+    exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
+                                                       std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns);
+  } else {
+    direct_ = std::make_unique<loop::DirectDevice>(hardware_.port(), virtual_clock_, header_.period_ns, stop_ticks_);
+  }
+  return {};
+}
+
+Refusal Controller::load_field(bool again) {
+  const auto check = [this](const BlobView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
+  intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
+  const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
+  Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
+  systemd_.busy();  // a large field from a slow card
+  if (by_name) return refusal;
+  if (refusal) say(refusal.sentence());
+  return {};
+}
+
+Refusal Controller::begin_recording() {
+  const auto hash_of = [this](std::uint32_t generation) { return intake_->generation() == generation ? intake_->hash() : 0; };
+  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5)}, trace_,
+                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+  return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
+}
+
+Refusal Controller::listen() {
+  if (settings_.control.empty()) return {};
+  control::ControlSettings wish;
+  if (Refusal refusal = settings::apply_control(settings_, wish)) return refusal;
+  wish.program = "isotouchd";
+  wish.recordings = header_;
+  const auto set = [this](std::string_view name, std::string_view value) { return live_.set(name, value, requests_, measured_delay()); };
+  control_.emplace(std::move(wish),
+                   control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_, set});
+  return control_->start();
+}
+
+/// A run that follows one without an orderly end is in fault until a person resumes. In lockstep nobody is there.
+void Controller::mark_run() {
+  if (!folder_ || options_.lockstep) return;
+  mark_.emplace(*folder_);
+  if (mark_->was_left()) {
+    requests_.ask(kRequestStop);
+    say("the run before had no orderly end; no force until 'resume'");
+  }
+  if (const Result<void> set = mark_->set(); !set)
+    say(settings_.state + ": a crash of this run will not be known to the next: " + describe(set.error()));
+}
+
+/// A thread that asks the system for its priority and begins its life when all others have asked, too.
+std::thread Controller::begin_thread(const char* name, int priority, int core, std::function<void()> life) {
+  return std::thread([this, name, priority, core, life = std::move(life)] {
+    pthread_setname_np(pthread_self(), name);
+    loop::keep_crash_stack();
+    refused_ |= loop::become_realtime(priority, core);
+    loop::touch_stack();
+    asked_->count_down();
+    go_.wait();
+    life();
+  });
+}
+
+void Controller::start() {
+  crash_.emplace(stop_exchange_);
+  loop::keep_crash_stack();
+  loop::Device& device = direct_ ? static_cast<loop::Device&>(*direct_) : *exchange_;
+  loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
+  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, options_.lockstep}, device, clock,
+                loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
+  records_ = std::thread([this] {
+    loop::keep_crash_stack();
+    for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) recorder_->drain();
+  });
+  asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watch ? 1 : 0));
+  if (exchange_) exchanges_ = begin_thread("exchange", settings_.exchange_priority, -1, [this] { exchange_->serve(stop_exchange_); });
+  if (lines_.watch) {
+    watches_ = begin_thread("watch", settings_.watch_priority, -1, [this] {
+      while (!stop_exchange_) lines_.watch->step();
+      lines_.watch->leave();
+    });
+  }
+  ticks_ = begin_thread("tick", settings_.priority, settings_.core, [this] {
+    loop_->run(stop_ticks_, options_.ticks);
+    ticks_ended_ = true;
+  });
+  if (settings_.lock_memory) refused_ |= loop::lock_memory();
+  asked_->wait();
+  if (const std::string line = refusal_line(refused_); !line.empty()) say(line);
+  go_.count_down();
+}
+
+Controller::End Controller::supervise() {
+  systemd_.ready();
+  const sigset_t signals = ending_signals();
+  const timespec pause{0, 100'000'000};
+  while (!ticks_ended_) {
+    say_what_changed();
+    systemd_.alive(stats_.ticks.value());
+    if (may_begin_again()) return End::kBeginAgain;
+    if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
+  }
+  systemd_.ending();
+  return End::kOver;
+}
+
+void Controller::say_what_changed() {
+  if (hardware_.falcon) {
+    const falcon::PortReport& report = hardware_.falcon->shown().get();
+    if (std::string line = device_line(report); line != device_line_) {
+      say(device_line_ = std::move(line));
+      calibration_->answers(report.state == falcon::SessionState::kRunning ? report.serial.data() : "");
+    }
+  }
+  if (std::string line = supervisor_line(recorder_->state(), recorder_->faults()); line != supervisor_line_) {
+    say(supervisor_line_ = std::move(line));
+    systemd_.status(supervisor_line_);
+  }
+  if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
+}
+
+/// A calibration waits to be used, and nothing that a person began would be cut off.
+bool Controller::may_begin_again() const {
+  if (!calibration_->waits() || options_.lockstep || !settings_.record.empty()) return false;
+  const SupervisorState state = recorder_->state();
+  return state == SupervisorState::kBoot || state == SupervisorState::kHoming || state == SupervisorState::kIdle;
+}
+
+std::uint32_t Controller::measured_delay() const { return loop::measured_delay_ticks(stats_, header_.period_ns); }
+
+/// What was judged before there was a measurement is judged again: once for every delay and field.
+///
+/// returns   what that has changed; empty: nothing
+std::string Controller::judge_delay() {
+  const auto assumed = static_cast<std::uint32_t>(settings_.delay_ticks);
+  const std::pair now(options_.lockstep ? 0 : measured_delay(), intake_->generation());
+  if (now.first <= assumed || now == judged_delay_) return {};
+  if (std::string lowered = live_.keep_within(requests_, now.first); !lowered.empty()) {
+    judged_delay_ = now;
+    return lowered;
+  }
+  Refusal taken_away;
+  if (!intake_->check_again(taken_away)) return {};
+  judged_delay_ = now;
+  return taken_away.sentence();
+}
+
+void Controller::stop() {
+  if (!crash_) return;  // it has not started, or has stopped
+  stop_exchange_ = stop_ticks_ = true;
+  if (!go_.try_wait()) go_.count_down();  // the system gave no more threads: those that wait end at once
+  for (std::thread* thread : {&exchanges_, &watches_, &ticks_}) {
+    if (thread->joinable()) thread->join();
+  }
+  hardware_.port().rest();
+  if (control_) control_->stop();
+  stop_recorder_ = true;
+  if (records_.joinable()) records_.join();
+  recorder_->drain();
+  recorder_->stop();
+  if (mark_) mark_->clear();
+  crash_.reset();
+}
+
+std::string Controller::summary() const {
+  return "at the end, " + supervisor_line(recorder_->state(), recorder_->faults()) + "\n" + figures(stats_);
+}
+
+}  // namespace isotouch::daemon

@@ -1,0 +1,122 @@
+/// One run of the controller, from its settings to its end: what its threads share, the threads, and the order in which they begin and end.
+///
+///   build       device, state folder, safety lines, field and control socket are there; nothing runs
+///   start       every thread has asked the system for its priority, then all of them run
+///   supervise   says what changes, until somebody or something ends the run
+///   stop        every thread has ended, the device is left without force
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <latch>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "firmware/control/calibration.h"
+#include "firmware/control/control_server.h"
+#include "firmware/daemon/crash.h"
+#include "firmware/daemon/hardware.h"
+#include "firmware/daemon/lines.h"
+#include "firmware/daemon/options.h"
+#include "firmware/daemon/service_notify.h"
+#include "firmware/loop/direct_device.h"
+#include "firmware/loop/exchange_thread.h"
+#include "firmware/loop/linux_clock.h"
+#include "firmware/loop/loop.h"
+#include "firmware/recording/recorder.h"
+#include "firmware/settings/live.h"
+#include "firmware/store/field_intake.h"
+#include "firmware/store/linux_folder.h"
+#include "firmware/store/run_mark.h"
+#include "shared/files/refusal.h"
+
+namespace isotouch::daemon {
+
+class Controller {
+ public:
+  enum class End : std::uint8_t { kOver, kBeginAgain };
+
+  /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
+  ///
+  /// live      the settings as they are now; what is set while it runs stays there for the next run
+  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd);
+  /// As `stop`.
+  ~Controller() { stop(); }
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  /// again     not the first run of this program: a field that was sent since counts more than the one that the settings name
+  /// returns   what is missing or wrong; then nothing may follow
+  Refusal build(bool again);
+
+  void start();
+
+  /// returns   kBeginAgain: another calibration than the one in use is to hold, and a new run may begin without cutting anything off
+  End supervise();
+
+  void stop();
+
+  /// What there is to say when it has stopped.
+  std::string summary() const;
+
+ private:
+  Refusal open_state();
+  void choose_calibration();
+  Refusal connect_device();
+  Refusal load_field(bool again);
+  Refusal begin_recording();
+  Refusal listen();
+  void mark_run();
+  std::thread begin_thread(const char* name, int priority, int core, std::function<void()> life);
+  std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
+  std::uint32_t measured_delay() const;
+  bool may_begin_again() const;
+  void say_what_changed();
+  std::string judge_delay();
+
+  const Options& options_;
+  settings::LiveSettings& live_;
+  ServiceNotify& systemd_;
+  const settings::Settings settings_;  ///< of this run
+
+  // What the threads exchange.
+  std::atomic<bool> stop_ticks_{false}, stop_exchange_{false}, stop_recorder_{false}, ticks_ended_{false};
+  std::atomic<unsigned> refused_{0};  ///< loop::Refusals
+  loop::LinuxClock real_clock_;
+  loop::VirtualClock virtual_clock_;
+  loop::FieldSlots fields_;
+  loop::Requests requests_;
+  loop::TraceRing trace_, watched_;
+  loop::Latest<loop::TickRecord> shown_;
+  loop::TickStats stats_;
+
+  // What stands around the tick, in the order in which it is built.
+  Hardware hardware_;
+  std::optional<store::LinuxFolder> folder_;
+  std::optional<store::FieldStore> store_;
+  std::optional<store::CalibrationStore> measured_;
+  std::optional<control::Calibration> calibration_;
+  TraceHeader header_;  ///< of every recording
+  Lines lines_;
+  std::unique_ptr<loop::ExchangeThread> exchange_;  ///< either this
+  std::unique_ptr<loop::DirectDevice> direct_;      ///< or, in lockstep, this
+  std::optional<store::FieldIntake> intake_;
+  std::optional<recording::Recorder> recorder_;
+  std::optional<control::ControlServer> control_;
+  std::optional<store::RunMark> mark_;
+  std::optional<loop::Loop> loop_;
+  std::optional<RestOnCrash> crash_;
+
+  std::optional<std::latch> asked_;  ///< the threads that have yet to ask for their priority
+  std::latch go_{1};
+  std::thread exchanges_, watches_, ticks_, records_;
+
+  std::string device_line_, supervisor_line_;                   ///< as said last
+  std::pair<std::uint32_t, std::uint32_t> judged_delay_{0, 0};  ///< and for which field
+};
+
+}  // namespace isotouch::daemon
