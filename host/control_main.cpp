@@ -2,10 +2,10 @@
 /// what makes, compares and draws fields, and the libraries for that, stay on the desk.
 #include <CLI/CLI.hpp>
 
-#include "host/commands/commands.h"
-#include "host/commands/run.h"
-#include "host/commands/trace_show.h"
-#include "host/commands/trace_stop_latency.h"
+#include "host/board_commands/commands.h"
+#include "host/board_commands/run.h"
+#include "host/board_commands/trace_show.h"
+#include "host/board_commands/trace_stop_latency.h"
 
 namespace {
 

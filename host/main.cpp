@@ -5,8 +5,8 @@
 #include <malloc.h>
 #endif
 
+#include "host/board_commands/run.h"
 #include "host/commands/commands.h"
-#include "host/commands/run.h"
 
 namespace {
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "host/cloud/files.h"
 #include "host/cloud/ply_header.h"
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "shared/bytes.h"
 
 namespace isotouch::cloud {

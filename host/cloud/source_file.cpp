@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "host/cloud/files.h"
 #include "host/cloud/obj.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/stl.h"
 #include "host/cloud/xyz.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "shared/hash64.h"
 
 namespace isotouch::cloud {

@@ -8,18 +8,18 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/open_blob.h"
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
 #include "host/commands/growth_bench.h"
 #include "host/commands/tick_bench.h"
+#include "host/encoding/write_blob.h"
 #include "host/evaluate/force_error.h"
-#include "host/evaluate/motion.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/real.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
+#include "host/motion/motion.h"
 #include "host/published/levels.h"
+#include "host/to_double.h"
 
 namespace isotouch::commands {
 
@@ -37,14 +37,14 @@ struct Sphere {
     grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, field::kBand + kMargin);
   }
   /// varied    with a stiffness for each brick
-  evaluate::OpenBlob blob(bool varied = false) const {
+  blob::OpenBlob blob(bool varied = false) const {
     const auto distance = [this](const Eigen::Vector3d& p) { return p.norm() - radius; };
     field::BandField field = field::sample_distance(distance, grid, field::kBand);
     if (varied) {
       for (std::size_t brick = 0; brick < field.bricks.size(); ++brick)
         field.stiffness.push_back(0.5 + 0.001 * static_cast<double>(brick % 300));
     }
-    return evaluate::open_blob(blob::write_blob(std::move(field), {}), "sphere");
+    return blob::open_blob(encoding::write_blob(std::move(field), {}), "sphere");
   }
   published::LevelField levels() const {
     published::Indicator inside(grid, 0);
@@ -75,10 +75,10 @@ struct Sphere {
 /// The same hand that `isotouch trace make slide` writes.
 Motion slide_on(const BlobView& field) {
   Motion motion;
-  evaluate::MotionOptions options;
+  motion::MotionOptions options;
   options.kind = "slide";
   options.ticks = 24'000;
-  evaluate::make_motion(&field, options, [&](const Input& input) { motion.push_back(evaluate::real(input.hip)); });
+  motion::make_motion(&field, options, [&](const Input& input) { motion.push_back(to_double(input.hip)); });
   return motion;
 }
 
@@ -91,13 +91,13 @@ void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
   const Sphere small(186);
   const Sphere large(1024);
   const Motion motion = small.slide();
-  const evaluate::OpenBlob blob = small.blob();
-  const evaluate::OpenBlob varied = small.blob(true);
+  const blob::OpenBlob blob = small.blob();
+  const blob::OpenBlob varied = small.blob(true);
   const TickTimes core = time_core(blob.view, motion);
   const TickTimes felt = time_core(varied.view, motion, every_feature());
   const TickTimes device = time_device(blob.view, motion);
   const TickTimes device_felt = time_device(varied.view, motion, every_feature());
-  const TickTimes published = time_published(small.levels(), evaluate::real(blob.view.stiffness), motion);
+  const TickTimes published = time_published(small.levels(), to_double(blob.view.stiffness), motion);
   const TickTimes wide = time_core(large.blob().view, large.slide());
 
   nlohmann::ordered_json json = {{"median_ns", core.median_ns},
@@ -120,7 +120,7 @@ void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
                 wide.median_ns / core.median_ns);
   }
   for (const std::filesystem::path& file : blobs) {
-    const evaluate::OpenBlob given = evaluate::open_blob(file);
+    const blob::OpenBlob given = blob::open_blob(file);
     const TickTimes times = time_core(given.view, slide_on(given.view));
     json["blobs"].push_back(
         {{"file", file.string()}, {"median_ns", times.median_ns}, {"p99_ns", times.p99_ns}, {"p999_ns", times.p999_ns}});

@@ -8,12 +8,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host/blob/dense_bytes.h"
+#include "host/board_commands/choice.h"
 #include "host/commands/build_blob.h"
-#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
-#include "host/evaluate/hash_text.h"
+#include "host/encoding/dense_bytes.h"
+#include "host/trace/hash_text.h"
 
 namespace isotouch::commands {
 
@@ -43,8 +43,8 @@ void print_json(const BuildReport& report, const BlobView& view) {
                                        {"stages", stages},
                                        {"bytes", view.image.size()},
                                        {"wire_bytes", report.wire_bytes},
-                                       {"dense_float_bytes", blob::dense_float_bytes(view)},
-                                       {"hash", evaluate::hash_text(view.hash())},
+                                       {"dense_float_bytes", encoding::dense_float_bytes(view)},
+                                       {"hash", trace::hash_text(view.hash())},
                                        {"warnings", report.warnings}};
   std::printf("%s\n", json.dump(2).c_str());
 }
@@ -58,9 +58,9 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
   std::printf("inside nodes  %zu\n", report.inside_nodes);
   std::printf("seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
-  std::printf("\nblob          %s, hash %s\n", out.string().c_str(), evaluate::hash_text(view.hash()).c_str());
+  std::printf("\nblob          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
   std::printf("bytes         %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
-              report.wire_bytes, std::uintmax_t{blob::dense_float_bytes(view)});
+              report.wire_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ void add_build(CLI::App& app) {
                    "cloud, whose faces are not used")
       ->transform(CLI::CheckedTransformer(kinds));
   command->add_option("-o,--out", options->out, "the blob to write (.itf)")->required();
-  const std::map<std::string, blob::Method> methods = {{"default", blob::Method::kDefault}, {"published", blob::Method::kPublished}};
+  const std::map<std::string, encoding::Method> methods = {{"default", encoding::Method::kDefault},
+                                                           {"published", encoding::Method::kPublished}};
   command->add_option("--method", options->method, "default, or published: the paper's levels")
       ->transform(CLI::CheckedTransformer(methods));
   command->add_option("--grid-name", options->grid_name, "the grid of an OpenVDB file; its first level set unless given");
@@ -106,7 +107,7 @@ void add_build(CLI::App& app) {
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, json] {
-    if (options->method == blob::Method::kPublished && options->band) {
+    if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
     const BuiltBlob built = build_blob(*options);

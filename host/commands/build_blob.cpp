@@ -8,14 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "host/blob/certificate.h"
-#include "host/blob/inside_samples.h"
 #include "host/blob/packed.h"
-#include "host/cloud/files.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_cloud.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/progress_bar.h"
+#include "host/encoding/certificate.h"
+#include "host/encoding/inside_samples.h"
 #include "host/error.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/build_field.h"
@@ -25,6 +24,7 @@
 #include "host/field/mesh_field.h"
 #include "host/field/nearest.h"
 #include "host/field/parallel.h"
+#include "host/files/whole_file.h"
 #include "host/published/build.h"
 #include "host/vdb/level_set.h"
 #include "host/vdb/level_set_field.h"
@@ -55,7 +55,7 @@ field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vecto
 
 /// fails     InputError when the published method was asked for something else than points
 void require_default_method(const BuildOptions& options, const char* what) {
-  if (options.method == blob::Method::kPublished) {
+  if (options.method == encoding::Method::kPublished) {
     throw InputError(options.input.string() + ": the published method works on points with normals, this is " + what +
                      "; leave --method out");
   }
@@ -72,7 +72,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.warnings = read.warnings();
   cloud::OrientedPoints points = cloud::placed(in_cloud, report.placement);
 
-  if (options.method == blob::Method::kPublished) {
+  if (options.method == encoding::Method::kPublished) {
     const published::Built built = published::build(points, grid_round(options, points.positions, published::kMargin), progress);
     Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(points)};
     if (!made.points.stiffness.empty()) {
@@ -189,12 +189,12 @@ BuiltBlob build_blob(const BuildOptions& options) {
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
-  const blob::BlobInfo info{options.stiffness.value_or(own), report.source_hash, options.method, static_cast<std::uint32_t>(report.points),
-                            report.placement};
-  evaluate::OpenBlob blob = evaluate::open_blob(blob::write_blob(std::move(made.field), info), options.out.string());
+  const encoding::BlobInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
+                                static_cast<std::uint32_t>(report.points), report.placement};
+  blob::OpenBlob blob = blob::open_blob(encoding::write_blob(std::move(made.field), info), options.out.string());
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = blob::pack(blob.view);
-  const double advised = blob::certificate_of(blob.view).stiffness_n_per_mm;
+  const double advised = encoding::certificate_of(blob.view).stiffness_n_per_mm;
   if (info.stiffness_n_per_mm > advised && !options.quiet) {
     std::fprintf(
         stderr,
@@ -202,10 +202,10 @@ BuiltBlob build_blob(const BuildOptions& options) {
         info.stiffness_n_per_mm, advised);
   }
   progress.begin("write");
-  cloud::write_file(options.out, packed.data(), packed.size());
+  write_file(options.out, packed.data(), packed.size());
   progress.end();
 
-  report.inside_nodes = made.inside_nodes.value_or(blob::inside_samples(blob.view));
+  report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(blob.view));
   report.wire_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/open_blob.h"
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/placement.h"
-#include "host/evaluate/open_blob.h"
+#include "host/encoding/write_blob.h"
 
 namespace isotouch::commands {
 
@@ -23,7 +23,7 @@ struct BuildOptions {
   std::optional<InputKind> as = {};  ///< not given: as the file looks
   std::string grid_name = {};        ///< of a level set's file; empty = the first
   std::filesystem::path out;
-  blob::Method method = blob::Method::kDefault;
+  encoding::Method method = encoding::Method::kDefault;
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
   std::optional<double> band = {};
@@ -52,7 +52,7 @@ struct BuildReport {
 
 struct BuiltBlob {
   cloud::OrientedPoints points;  ///< of a cloud; workspace, mm
-  evaluate::OpenBlob blob;
+  blob::OpenBlob blob;
   BuildReport report;
 };
 

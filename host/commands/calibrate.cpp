@@ -9,12 +9,12 @@
 #include <tuple>
 #include <vector>
 
+#include "host/board_commands/controller_options.h"
 #include "host/commands/commands.h"
-#include "host/commands/controller_options.h"
 #include "host/error.h"
 #include "host/evaluate/calibrate.h"
-#include "host/evaluate/real.h"
 #include "host/link/controller.h"
+#include "host/to_double.h"
 
 namespace isotouch::commands {
 

@@ -1,25 +1,9 @@
-/// The sub-commands of `isotouch` and `isotouchctl`, one file each. A command adds itself to the parser; its callback does the work.
-///
-/// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
-/// as EndedEarly (exit 4); wrong usage is the parser's (exit 2).
-/// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
+/// The sub-commands that only `isotouch` has, one file each; see `host/board_commands/commands.h`.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <stdexcept>
-#include <string>
+#include "host/board_commands/commands.h"
 
 namespace isotouch::commands {
-
-class ComparisonFailed : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-class EndedEarly : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 void add_build(CLI::App& app);
 void add_info(CLI::App& app);
@@ -27,25 +11,12 @@ void add_export(CLI::App& app);
 void add_shape(CLI::App& app);
 void add_scan(CLI::App& app);
 void add_trace(CLI::App& app);
-void add_replay(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_render(CLI::App& app);
 void add_demo(CLI::App& app);
-void add_upload(CLI::App& app);
-void add_status(CLI::App& app);
 void add_calibrate(CLI::App& app);
-void add_watch(CLI::App& app);
-void add_latency(CLI::App& app);
-void add_fields(CLI::App& app);
-void add_record(CLI::App& app);
-void add_stop(CLI::App& app);
-void add_resume(CLI::App& app);
-void add_set(CLI::App& app);
 void add_qualify(CLI::App& app);
-
-/// Those that a controller's board has, too; `trace zero` beside them.
-void add_on_board(CLI::App& app);
 
 }  // namespace isotouch::commands

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host/blob/open_blob.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
 #include "host/evaluate/compare_mesh.h"
-#include "host/evaluate/open_blob.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/view/png_file.h"
@@ -77,7 +77,7 @@ void print(const char* name, const Measured& measured) {
 }
 
 void run(const Options& options) {
-  const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
+  const blob::OpenBlob blob = blob::open_blob(options.blob);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
   const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(blob.view));
@@ -86,7 +86,7 @@ void run(const Options& options) {
   nlohmann::ordered_json json = to_json(measured);
   if (!options.json) print("blob", measured);
   if (options.floor) {
-    const evaluate::OpenBlob exact = evaluate::floor_of_mesh(blob.view, mesh);
+    const blob::OpenBlob exact = evaluate::floor_of_mesh(blob.view, mesh);
     const Measured floor = measure(exact.view, mesh);
     json["floor"] = to_json(floor);
     if (!options.json) print("floor", floor);

@@ -14,7 +14,7 @@ std::vector<DamageRow> damage_rows(const evaluate::ShapeTrial& trial) {
     DamageRow row;
     row.shape = trial.shape.name;
     row.damage = damage.name;
-    const evaluate::OpenBlob blob = evaluate::trial_blob(evaluate::damaged_trial(trial, damage), blob::Method::kDefault, &row.repair);
+    const blob::OpenBlob blob = evaluate::trial_blob(evaluate::damaged_trial(trial, damage), encoding::Method::kDefault, &row.repair);
     row.error = evaluate::surface_error(blob.view, trial.truth);
     row.components = evaluate::pieces(evaluate::zero_surface(blob.view)).size();
     rows.push_back(std::move(row));

@@ -9,20 +9,20 @@
 #include <system_error>
 #include <vector>
 
+#include "host/board_commands/choice.h"
 #include "host/cloud/check.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/build_blob.h"
-#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
 #include "host/evaluate/force_error.h"
-#include "host/evaluate/hash_text.h"
-#include "host/evaluate/motion.h"
-#include "host/evaluate/real.h"
-#include "host/evaluate/replay.h"
 #include "host/evaluate/shape_trial.h"
+#include "host/motion/motion.h"
+#include "host/to_double.h"
+#include "host/trace/hash_text.h"
+#include "host/trace/replay.h"
 #include "host/view/force_picture.h"
 #include "host/view/png_file.h"
 #include "host/view/points_picture.h"
@@ -43,7 +43,7 @@ struct DemoOptions {
 };
 
 struct Tour {
-  evaluate::ReplayReport first;
+  trace::ReplayReport first;
   bool repeated = false;  // the second run gave the same bits
   view::Touch deepest;
 };
@@ -68,18 +68,18 @@ fs::path hydrant(const fs::path& folder) {
 Tour feel(const BlobView& field, const fs::path& folder) {
   const TraceHeader header;
   const fs::path inputs = folder / "tour.inputs.trace", recorded = folder / "tour.trace";
-  evaluate::TraceWriter writer(inputs, header);
+  trace::TraceWriter writer(inputs, header);
   std::uint64_t tick = 0;
-  evaluate::make_motion(&field, {}, [&](const Input& input) { writer.append({input, {}, 0, header.period_ns * tick++}); });
+  motion::make_motion(&field, {}, [&](const Input& input) { writer.append({input, {}, 0, header.period_ns * tick++}); });
   writer.finish();
 
-  const evaluate::Trace trace = evaluate::read_trace(inputs);
-  evaluate::TraceWriter out(recorded, evaluate::replay_header(field, trace.header()));
+  const trace::Trace trace = trace::read_trace(inputs);
+  trace::TraceWriter out(recorded, trace::replay_header(field, trace.header()));
   Tour tour;
-  tour.first = evaluate::replay(field, trace, false, &out);
+  tour.first = trace::replay(field, trace, false, &out);
   out.finish();
-  const evaluate::Trace with_outputs = evaluate::read_trace(recorded);
-  const evaluate::ReplayReport again = evaluate::replay(field, with_outputs, true);
+  const trace::Trace with_outputs = trace::read_trace(recorded);
+  const trace::ReplayReport again = trace::replay(field, with_outputs, true);
   tour.repeated = !again.first_difference && again.hash == tour.first.hash;
   tour.deepest = deepest_touch(with_outputs, field);
   return tour;
@@ -88,7 +88,7 @@ Tour feel(const BlobView& field, const fs::path& folder) {
 /// The paper's Fig. 9: sliding 4 voxels deep, by numbers at 100 and 300 mm/s; for the picture a hand that comes, slides and leaves.
 SphereForce sphere_force() {
   const evaluate::ShapeTrial trial = evaluate::shape_trial("sphere");
-  const evaluate::OpenBlob blob = evaluate::trial_blob(trial, blob::Method::kDefault);
+  const blob::OpenBlob blob = evaluate::trial_blob(trial, encoding::Method::kDefault);
   SphereForce result;
   evaluate::SphereSlide slide;
   for (const double speed : {100.0, 300.0}) {
@@ -100,10 +100,10 @@ SphereForce sphere_force() {
     result.worst.direction_max_deg = std::max(result.worst.direction_max_deg, error.direction_max_deg);
   }
   const evaluate::ForceTick tick = evaluate::core_force(blob.view, slide.period_s);
-  evaluate::MotionOptions motion;
+  motion::MotionOptions motion;
   motion.kind = "slide";
-  evaluate::make_motion(&blob.view, motion, [&](const Input& input) {
-    const Eigen::Vector3d hip = evaluate::real(input.hip);
+  motion::make_motion(&blob.view, motion, [&](const Input& input) {
+    const Eigen::Vector3d hip = to_double(input.hip);
     result.curve.time_s.push_back(static_cast<double>(result.curve.time_s.size()) * slide.period_s);
     result.curve.felt_n.push_back(tick(hip).norm());
     result.curve.exact_n.push_back(slide.stiffness * std::max(0.0, slide.radius - (hip - slide.centre).norm()));
@@ -134,10 +134,10 @@ void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& for
       {"seconds", built.report.seconds},
       {"stages", stages},
       {"bytes", built.blob.image.size()},
-      {"hash", evaluate::hash_text(built.blob.view.hash())},
+      {"hash", trace::hash_text(built.blob.view.hash())},
       {"ticks", tour.first.ticks},
       {"ticks_per_second", static_cast<double>(tour.first.ticks) / tour.first.seconds},
-      {"replay_hash", evaluate::hash_text(tour.first.hash)},
+      {"replay_hash", trace::hash_text(tour.first.hash)},
       {"force", {{"magnitude_rms_pct", force.worst.magnitude_rms_pct}, {"direction_max_deg", force.worst.direction_max_deg}}}};
   json["pictures"] = nlohmann::ordered_json::array();
   for (const fs::path& picture : pictures) json["pictures"].push_back(picture.string());
@@ -150,15 +150,15 @@ void print_text(const std::string& title, const BuiltBlob& built, const Tour& to
   const auto& size = built.blob.view.size;
   std::printf("object          %s\n", title.c_str());
   std::printf("points          %zu\n", report.points);
-  std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], evaluate::real(built.blob.view.edge));
+  std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], to_double(built.blob.view.edge));
   std::printf("inside nodes    %zu\n", report.inside_nodes);
   std::printf("build           %.2f s:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.2f", stage.c_str(), seconds);
   std::printf("\nblob            %.2f MB, hash %s\n", static_cast<double>(built.blob.image.size()) * 1e-6,
-              evaluate::hash_text(built.blob.view.hash()).c_str());
+              trace::hash_text(built.blob.view.hash()).c_str());
   std::printf("tour            %llu ticks, %.0f ticks a second with their hash chain\n", static_cast<unsigned long long>(tour.first.ticks),
               static_cast<double>(tour.first.ticks) / tour.first.seconds);
-  std::printf("replay          hash %s, repeated: equal, every bit\n", evaluate::hash_text(tour.first.hash).c_str());
+  std::printf("replay          hash %s, repeated: equal, every bit\n", trace::hash_text(tour.first.hash).c_str());
   std::printf("deepest touch   %.2f mm, %.2f N at tick %zu\n", tour.deepest.depth_mm(), tour.deepest.force_n, tour.deepest.tick);
   std::printf("sphere's force  magnitude rms error %.4f %%, direction error at most %.4f° (4 voxels deep, 100 and 300 mm/s, %zu ticks)\n",
               force.worst.magnitude_rms_pct, force.worst.direction_max_deg, force.worst.ticks);

@@ -12,9 +12,9 @@
 #include "host/commands/damage_table.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/published_table.h"
-#include "host/evaluate/real.h"
 #include "host/evaluate/shape_trial.h"
 #include "host/evaluate/surface_error.h"
+#include "host/to_double.h"
 
 namespace isotouch::commands {
 
@@ -41,22 +41,22 @@ struct MethodResult {
 };
 
 /// One method on all shapes; the published one feels the sphere with its own tick.
-MethodResult measure(blob::Method method) {
+MethodResult measure(encoding::Method method) {
   MethodResult result;
   for (const char* name : kShapes) {
-    std::fprintf(stderr, "%s %s\n", method == blob::Method::kPublished ? "published" : "default", name);
+    std::fprintf(stderr, "%s %s\n", method == encoding::Method::kPublished ? "published" : "default", name);
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
-    const evaluate::OpenBlob built = evaluate::trial_blob(trial, method);
-    const evaluate::OpenBlob floor = evaluate::floor_blob(trial);
+    const blob::OpenBlob built = evaluate::trial_blob(trial, method);
+    const blob::OpenBlob floor = evaluate::floor_blob(trial);
     result.shapes.push_back({name, evaluate::surface_error(built.view, trial.truth), evaluate::surface_error(floor.view, trial.truth)});
-    if (method == blob::Method::kDefault) {
+    if (method == encoding::Method::kDefault) {
       for (DamageRow& row : damage_rows(trial)) result.damage.push_back(std::move(row));
     }
     if (trial.shape.name != "sphere") continue;
     for (const double speed : kSpeeds) {
       const evaluate::SphereSlide slide = evaluate::trial_slide(built.view, speed);
-      const evaluate::ForceTick tick = method == blob::Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
-                                                                          : evaluate::core_force(built.view, slide.period_s);
+      const evaluate::ForceTick tick = method == encoding::Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
+                                                                              : evaluate::core_force(built.view, slide.period_s);
       result.forces.push_back(evaluate::force_error(evaluate::slide_on_sphere(slide, tick)));
     }
   }
@@ -134,11 +134,11 @@ void print(const std::vector<evaluate::PublishedRow>& table) {
 }
 
 void run(bool json, bool published) {
-  const MethodResult ours = measure(blob::Method::kDefault);
+  const MethodResult ours = measure(encoding::Method::kDefault);
   std::optional<MethodResult> theirs;
   std::vector<evaluate::PublishedRow> table;
   if (published) {
-    theirs = measure(blob::Method::kPublished);
+    theirs = measure(encoding::Method::kPublished);
     table = evaluate::published_table();
   }
   if (json) {

@@ -9,42 +9,42 @@
 #include <string_view>
 #include <vector>
 
+#include "host/blob/open_blob.h"
 #include "host/blob/packed.h"
-#include "host/blob/write_blob.h"
-#include "host/cloud/files.h"
 #include "host/commands/commands.h"
+#include "host/encoding/write_blob.h"
 #include "host/error.h"
-#include "host/evaluate/hash_text.h"
 #include "host/evaluate/node_distances.h"
-#include "host/evaluate/open_blob.h"
+#include "host/files/whole_file.h"
+#include "host/trace/hash_text.h"
 #include "host/vdb/level_set.h"
 
 namespace isotouch::commands {
 
 namespace {
 
-using evaluate::OpenBlob;
+using blob::OpenBlob;
 
 void export_image(const OpenBlob& blob, const std::filesystem::path& out) {
-  cloud::write_file(out, blob.view.image.data(), blob.view.image.size());
+  write_file(out, blob.view.image.data(), blob.view.image.size());
 }
 
 void export_packed(const OpenBlob& blob, const std::filesystem::path& out) {
   const std::vector<std::uint8_t> bytes = blob::pack(blob.view);
-  cloud::write_file(out, bytes.data(), bytes.size());
+  write_file(out, bytes.data(), bytes.size());
 }
 
 void export_level_set(const OpenBlob& blob, const std::filesystem::path& out) {
-  const blob::BlobInfo info = blob::info_of(blob.view);
+  const encoding::BlobInfo info = encoding::info_of(blob.view);
   const auto number = [](double value) { return nlohmann::json(value).dump(); };
   const vdb::Notes notes = {{"isotouch_unit", "mm"},
-                            {"isotouch_blob", evaluate::hash_text(blob.view.hash())},
-                            {"isotouch_source", evaluate::hash_text(info.source_hash)},
+                            {"isotouch_blob", trace::hash_text(blob.view.hash())},
+                            {"isotouch_source", trace::hash_text(info.source_hash)},
                             {"isotouch_scale", number(info.placement.scale)},  // workspace = scale * input + offset
                             {"isotouch_offset", number(info.placement.offset.x()) + " " + number(info.placement.offset.y()) + " " +
                                                     number(info.placement.offset.z())}};
   const std::vector<std::uint8_t> bytes = vdb::write_level_set(evaluate::node_distances(blob.view), out.stem().string(), notes);
-  cloud::write_file(out, bytes.data(), bytes.size());
+  write_file(out, bytes.data(), bytes.size());
 }
 
 /// One kind of file; its name's ending chooses it.
@@ -88,7 +88,7 @@ void add_export(CLI::App& app) {
   command->add_option("-o,--out", options->out, "the file to write; its extension chooses the form: " + known_forms())->required();
   command->callback([options] {
     const Form& form = form_of(options->out);  // before the work
-    form.write(evaluate::open_blob(options->blob), options->out);
+    form.write(blob::open_blob(options->blob), options->out);
   });
 }
 

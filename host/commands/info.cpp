@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/certificate.h"
-#include "host/blob/dense_bytes.h"
+#include "host/blob/open_blob.h"
 #include "host/blob/packed.h"
-#include "host/blob/write_blob.h"
-#include "host/cloud/files.h"
 #include "host/commands/commands.h"
-#include "host/evaluate/hash_text.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/real.h"
+#include "host/encoding/certificate.h"
+#include "host/encoding/dense_bytes.h"
+#include "host/encoding/write_blob.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/files/whole_file.h"
+#include "host/to_double.h"
+#include "host/trace/hash_text.h"
 #include "shared/bytes.h"
 #include "shared/certificate.h"
 #include "shared/packed_blob.h"
@@ -28,8 +28,6 @@
 namespace isotouch::commands {
 
 namespace {
-
-using evaluate::real;
 
 std::string version(const BlobView& view) {
   const std::uint8_t* at = view.image.data();
@@ -39,7 +37,7 @@ std::string version(const BlobView& view) {
 
 /// The size of the file where it is packed, and what it would be where it is the image.
 std::size_t wire_bytes(const std::filesystem::path& file, const BlobView& view) {
-  const std::vector<std::uint8_t> bytes = cloud::read_file(file);
+  const std::vector<std::uint8_t> bytes = read_file(file);
   return PackedBlob::has_magic(bytes) ? bytes.size() : blob::pack(view).size();
 }
 
@@ -68,7 +66,7 @@ void print_surface(const BlobView& view) {
 struct StiffnessRange {
   double least, largest;
 
-  explicit StiffnessRange(const BlobView& view) : least(real(view.stiffness)), largest(least) {
+  explicit StiffnessRange(const BlobView& view) : least(to_double(view.stiffness)), largest(least) {
     if (view.stiffness_parts == nullptr || view.brick_count == 2) return;
     const std::uint8_t* parts = view.stiffness_parts;
     least *= static_cast<double>(*std::min_element(parts + 2, parts + view.brick_count)) / blob_layout::kFullStiffness;
@@ -76,7 +74,7 @@ struct StiffnessRange {
 };
 
 void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
-  const blob::Certificate promise = blob::certificate_of(view);
+  const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
                                               {"thinnest_wall_voxel", promise.thinnest_wall_voxel},
@@ -84,11 +82,16 @@ void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface)
                                               {"period_ns", promise.period_ns},
                                               {"damping_ns_per_mm", promise.damping_ns_per_mm},
                                               {"delay_ticks", promise.delay_ticks}};
-  nlohmann::ordered_json json = {
-      {"bytes", view.image.size()},     {"voxel_mm", real(view.edge)}, {"grid", view.size},
-      {"band_voxels", real(view.band)}, {"bricks", view.brick_count},  {"hash", evaluate::hash_text(view.hash())},
-      {"version", version(view)},       {"wire_bytes", wire_bytes},    {"dense_float_bytes", blob::dense_float_bytes(view)},
-      {"certificate", certificate}};
+  nlohmann::ordered_json json = {{"bytes", view.image.size()},
+                                 {"voxel_mm", to_double(view.edge)},
+                                 {"grid", view.size},
+                                 {"band_voxels", to_double(view.band)},
+                                 {"bricks", view.brick_count},
+                                 {"hash", trace::hash_text(view.hash())},
+                                 {"version", version(view)},
+                                 {"wire_bytes", wire_bytes},
+                                 {"dense_float_bytes", encoding::dense_float_bytes(view)},
+                                 {"certificate", certificate}};
   const StiffnessRange stiffness(view);
   json["stiffness_n_per_mm"] = {{"least", stiffness.least}, {"largest", stiffness.largest}};
   if (with_surface) add_surface(view, json);
@@ -96,21 +99,21 @@ void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface)
 }
 
 void print_text(const BlobView& view, std::size_t wire_bytes) {
-  const blob::BlobInfo info = blob::info_of(view);
-  const Eigen::Vector3d origin = real(view.origin);
+  const encoding::BlobInfo info = encoding::info_of(view);
+  const Eigen::Vector3d origin = to_double(view.origin);
   const Eigen::Vector3d far =
-      origin + real(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
+      origin + to_double(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
   std::printf("bytes        %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
-              wire_bytes, std::uintmax_t{blob::dense_float_bytes(view)});
-  std::printf("hash         %s\n", evaluate::hash_text(view.hash()).c_str());
-  std::printf("source hash  %s\n", evaluate::hash_text(info.source_hash).c_str());
-  std::printf("method       %s, from %u points\n", info.method == blob::Method::kPublished ? "published" : "default", info.point_count);
+              wire_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::printf("hash         %s\n", trace::hash_text(view.hash()).c_str());
+  std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
+  std::printf("method       %s, from %u points\n", info.method == encoding::Method::kPublished ? "published" : "default", info.point_count);
   std::printf("grid         %d × %d × %d samples\n", view.size[0], view.size[1], view.size[2]);
-  std::printf("voxel        %.6f mm\n", real(view.edge));
+  std::printf("voxel        %.6f mm\n", to_double(view.edge));
   std::printf("workspace    (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f) mm\n", origin.x(), origin.y(), origin.z(), far.x(), far.y(), far.z());
-  std::printf("band         ±%g voxels = ±%.3f mm\n", real(view.band), real(view.band) * real(view.edge));
+  std::printf("band         ±%g voxels = ±%.3f mm\n", to_double(view.band), to_double(view.band) * to_double(view.edge));
   const StiffnessRange stiffness(view);
   if (view.stiffness_parts == nullptr) {
     std::printf("stiffness    %g N/mm\n", stiffness.largest);
@@ -118,15 +121,15 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
     std::printf("stiffness    %.3g to %.3g N/mm over the surface\n", stiffness.least, stiffness.largest);
   }
   std::printf("transform    workspace mm = %.9g · cloud + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
-  const blob::Certificate promise = blob::certificate_of(view);
+  const encoding::Certificate promise = encoding::certificate_of(view);
   if (promise.largest_slope > 0.0) {
     std::printf("slope        at most %.3f; rounding moves the surface by %.5f voxel at most\n", promise.largest_slope,
                 promise.quantisation_voxel);
     if (promise.thinnest_wall_voxel > 0.0) {
       std::printf("thinnest     wall of about %.1f voxels = %.2f mm\n", promise.thinnest_wall_voxel,
-                  promise.thinnest_wall_voxel * real(view.edge));
+                  promise.thinnest_wall_voxel * to_double(view.edge));
     } else {
-      std::printf("thinnest     no wall below %g voxels\n", 2.0 * real(view.band));
+      std::printf("thinnest     no wall below %g voxels\n", 2.0 * to_double(view.band));
     }
     std::printf("advisable    up to %.2f N/mm at %.0f Hz, %g N·s/m of device damping, a delay of %u ticks\n", promise.stiffness_n_per_mm,
                 1e9 / promise.period_ns, 1000.0 * promise.damping_ns_per_mm, promise.delay_ticks);
@@ -151,7 +154,7 @@ void add_info(CLI::App& app) {
   command->add_flag("--surface", options->surface, "also walk the whole surface: its pieces, the volume inside, its area");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
-    const evaluate::OpenBlob blob = evaluate::open_blob(options->blob);
+    const blob::OpenBlob blob = blob::open_blob(options->blob);
     const std::size_t wire = wire_bytes(options->blob, blob.view);
     if (options->json) return print_json(blob.view, wire, options->surface);
     print_text(blob.view, wire);

@@ -8,10 +8,10 @@
 #include <system_error>
 #include <vector>
 
-#include "host/cloud/files.h"
+#include "host/board_commands/controller_options.h"
 #include "host/commands/commands.h"
-#include "host/commands/controller_options.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "host/qualify/measure.h"
 #include "host/qualify/report.h"
 #include "host/qualify/svg.h"
@@ -39,7 +39,7 @@ void print(const qualify::Figures& figures, const std::vector<qualify::Judgement
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  if (!file.empty()) cloud::write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (!file.empty()) write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
 /// So that minutes of measuring do not end in a file that nobody can write.

@@ -4,25 +4,25 @@
 #include <string>
 
 #include "host/error.h"
-#include "host/evaluate/real.h"
-#include "host/evaluate/replay.h"
+#include "host/to_double.h"
+#include "host/trace/replay.h"
 
 namespace isotouch::commands {
 
 namespace {
 
-view::Touch touch_of(const evaluate::Trace& trace, std::size_t tick, const TraceRecord& record) {
-  return {.proxy = evaluate::real(record.output.proxy),
-          .hip = evaluate::real(record.output.hip),
-          .force_n = evaluate::real(record.output.force).norm(),
+view::Touch touch_of(const trace::Trace& trace, std::size_t tick, const TraceRecord& record) {
+  return {.proxy = to_double(record.output.proxy),
+          .hip = to_double(record.output.hip),
+          .force_n = to_double(record.output.force).norm(),
           .tick = tick,
           .time_s = static_cast<double>(tick) * trace.header().period_ns * 1e-9};
 }
 
 }  // namespace
 
-void for_each_tick(const evaluate::Trace& trace, const BlobView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
-  std::optional<evaluate::Run> run;
+void for_each_tick(const trace::Trace& trace, const BlobView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
+  std::optional<trace::Run> run;
   if (!trace.header().has_outputs) {
     if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only, name the field that they touch with --blob");
     run.emplace(*field, trace.header());
@@ -33,7 +33,7 @@ void for_each_tick(const evaluate::Trace& trace, const BlobView* field, const st
   }
 }
 
-view::Touch touch_at(const evaluate::Trace& trace, const BlobView& field, std::size_t tick) {
+view::Touch touch_at(const trace::Trace& trace, const BlobView& field, std::size_t tick) {
   std::optional<view::Touch> touch;
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if (number == tick && (record.output.status & kContact) != 0) touch = touch_of(trace, number, record);
@@ -43,7 +43,7 @@ view::Touch touch_at(const evaluate::Trace& trace, const BlobView& field, std::s
   return *touch;
 }
 
-view::Touch deepest_touch(const evaluate::Trace& trace, const BlobView& field) {
+view::Touch deepest_touch(const trace::Trace& trace, const BlobView& field) {
   std::optional<view::Touch> deepest;
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if ((record.output.status & kContact) == 0) return;

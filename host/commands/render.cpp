@@ -8,16 +8,16 @@
 #include <system_error>
 #include <utility>
 
+#include "host/blob/open_blob.h"
+#include "host/board_commands/choice.h"
 #include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
-#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/real.h"
-#include "host/evaluate/trace_file.h"
+#include "host/to_double.h"
+#include "host/trace/trace_file.h"
 #include "host/view/caption.h"
 #include "host/view/force_picture.h"
 #include "host/view/png_file.h"
@@ -54,7 +54,7 @@ struct SurfaceRun {
   std::string tick = "deepest";
 
   void operator()() const {
-    const evaluate::OpenBlob open = evaluate::open_blob(blob);
+    const blob::OpenBlob open = blob::open_blob(blob);
     view::SurfaceOptions options{.width = picture.size[0],
                                  .height = picture.size[1],
                                  .direction = picture.direction(),
@@ -62,7 +62,7 @@ struct SurfaceRun {
                                  .touch = std::nullopt,
                                  .title = blob.stem().string()};
     if (!trace.empty()) {
-      const evaluate::Trace recorded = evaluate::read_trace(trace);
+      const trace::Trace recorded = trace::read_trace(trace);
       options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
     }
     view::write_png(picture.out, view::surface_picture(open.view, options));
@@ -84,7 +84,7 @@ struct SliceRun {
   std::optional<double> at;
 
   void operator()() const {
-    const evaluate::OpenBlob open = evaluate::open_blob(blob);
+    const blob::OpenBlob open = blob::open_blob(blob);
     view::write_png(
         picture.out,
         view::slice_picture(
@@ -99,17 +99,17 @@ struct ForceRun {
   double sphere_mm = 0;
 
   void operator()() const {
-    const evaluate::Trace recorded = evaluate::read_trace(trace);
-    std::optional<evaluate::OpenBlob> open;
-    if (!blob.empty()) open.emplace(evaluate::open_blob(blob));
-    const double limit = evaluate::real(recorded.header().settings.force_limit);
+    const trace::Trace recorded = trace::read_trace(trace);
+    std::optional<blob::OpenBlob> open;
+    if (!blob.empty()) open.emplace(blob::open_blob(blob));
+    const double limit = to_double(recorded.header().settings.force_limit);
     const double stiffness = sphere_mm > 0 ? stiffness_of(recorded, open ? &open->view : nullptr) : 0;
     view::ForceCurve curve;
     for_each_tick(recorded, open ? &open->view : nullptr, [&](std::size_t tick, const TraceRecord& record) {
       curve.time_s.push_back(static_cast<double>(tick) * recorded.header().period_ns * 1e-9);
-      curve.felt_n.push_back(evaluate::real(record.output.force).norm());
+      curve.felt_n.push_back(to_double(record.output.force).norm());
       if (sphere_mm <= 0) return;
-      const double depth = std::max(0.0, sphere_mm - evaluate::real(record.output.hip).norm());
+      const double depth = std::max(0.0, sphere_mm - to_double(record.output.hip).norm());
       curve.exact_n.push_back(std::min(stiffness * depth, limit));
     });
     view::write_png(picture.out, view::force_picture(curve, {.width = picture.size[0],
@@ -118,11 +118,11 @@ struct ForceRun {
                                                              .exact_label = "exact, sphere of " + view::number(sphere_mm, 3) + " mm"}));
   }
 
-  double stiffness_of(const evaluate::Trace& recorded, const BlobView* field) const {
+  double stiffness_of(const trace::Trace& recorded, const BlobView* field) const {
     const Stiffness set = recorded.header().settings.stiffness;
-    if (set.raw() != 0) return evaluate::real(set);
+    if (set.raw() != 0) return to_double(set);
     if (field == nullptr) throw InputError(trace.string() + ": its stiffness is that of the blob, name it with --blob");
-    return evaluate::real(field->stiffness);
+    return to_double(field->stiffness);
   }
 };
 

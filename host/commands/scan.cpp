@@ -18,11 +18,11 @@
 #include "host/error.h"
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/mesh_scan.h"
-#include "host/evaluate/real.h"
 #include "host/evaluate/touch_points.h"
-#include "host/evaluate/trace_file.h"
 #include "host/field/nearest.h"
 #include "host/field/triangle_tree.h"
+#include "host/to_double.h"
+#include "host/trace/trace_file.h"
 #include "shared/trace.h"
 
 namespace isotouch::commands {
@@ -45,15 +45,15 @@ TraceHeader scan_header(double stiffness) {
   TraceHeader header;
   header.period_ns = evaluate::kScanPeriodNs;
   header.has_outputs = true;
-  header.settings.stiffness = evaluate::nearest<Stiffness>(stiffness);
-  header.settings.force_limit = evaluate::nearest<Newton>(evaluate::kScanForceLimit);
+  header.settings.stiffness = to_fixed<Stiffness>(stiffness);
+  header.settings.force_limit = to_fixed<Newton>(evaluate::kScanForceLimit);
   header.settings.ramp_ticks = 0;
   return header;
 }
 
 evaluate::MeshScanReport record_scan(const field::TriangleTree& tree, const Options& options) {
   const TraceHeader header = scan_header(options.scan.stiffness_n_per_mm);
-  evaluate::TraceWriter writer(options.trace, header);
+  trace::TraceWriter writer(options.trace, header);
   Chain chain(header);
   std::uint64_t tick = 0;
   const auto report = evaluate::scan_mesh(tree, options.scan, [&](const Input& input, const Output& output) {
@@ -88,7 +88,7 @@ void print(const Options& options, const evaluate::TouchReport& report) {
 }
 
 void scan_trace(const Options& options) {
-  const auto trace = evaluate::read_trace(options.input);
+  const auto trace = trace::read_trace(options.input);
   evaluate::TouchReport report;
   const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
   cloud::write_ply(options.out, points, "isotouch scan of a trace, workspace mm");
@@ -111,7 +111,7 @@ void scan_mesh(const Options& options) {
   const evaluate::MeshScanReport scan = record_scan(tree, options);
 
   evaluate::TouchReport report;
-  cloud::OrientedPoints points = evaluate::touch_points(evaluate::read_trace(options.trace), options.touch, report);
+  cloud::OrientedPoints points = evaluate::touch_points(trace::read_trace(options.trace), options.touch, report);
   const double covered = coverage(mesh, points, report.spacing_mm);
   for (Eigen::Vector3d& position : points.positions) position = placement.to_cloud(position);
   cloud::write_ply(options.out, points, "isotouch scan of a mesh, in its frame, seed " + std::to_string(options.scan.seed));

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host/board_commands/choice.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/commands/choice.h"
 #include "host/commands/commands.h"
 
 namespace isotouch::commands {

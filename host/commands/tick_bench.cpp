@@ -6,9 +6,9 @@
 #include "firmware/core/render.h"
 #include "firmware/core/tick.h"
 #include "host/error.h"
-#include "host/evaluate/device_in_hand.h"
-#include "host/evaluate/real.h"
+#include "host/motion/device_in_hand.h"
 #include "host/published/float_tick.h"
+#include "host/to_double.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::commands {
@@ -66,7 +66,7 @@ TickSettings every_feature() {
 TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings) {
   std::vector<Input> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
-                 [](const Eigen::Vector3d& hip) { return position_input(evaluate::nearest<Mm>(hip)); });
+                 [](const Eigen::Vector3d& hip) { return position_input(to_fixed<Mm>(hip)); });
   const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field);
   return measure([&](const auto& report) {
     core::PositionState state;
@@ -81,10 +81,10 @@ TickTimes time_core(const BlobView& field, const Motion& motion, const TickSetti
 TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings) {
   DeviceModel device = libnifalcon_model();
   device.speed_limit = MmPerS::of(10'000);  // a motion's start is a leap
-  evaluate::DeviceInHand hand(device);
+  motion::DeviceInHand hand(device);
   std::vector<Input> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
-                 [&](const Eigen::Vector3d& hip) { return hand(position_input(evaluate::nearest<Mm>(hip))); });
+                 [&](const Eigen::Vector3d& hip) { return hand(position_input(to_fixed<Mm>(hip))); });
   const core::TickModel model = core::make_tick_model(device, settings, 1'000'000);
   return measure([&](const auto& report) {
     core::TickState state;

@@ -10,23 +10,23 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/choice.h"
+#include "host/blob/open_blob.h"
+#include "host/board_commands/choice.h"
+#include "host/board_commands/trace_show.h"
+#include "host/board_commands/trace_stop_latency.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
 #include "host/commands/trace_mutate.h"
-#include "host/commands/trace_show.h"
-#include "host/commands/trace_stop_latency.h"
 #include "host/error.h"
-#include "host/evaluate/device_in_hand.h"
-#include "host/evaluate/felt_surface.h"
-#include "host/evaluate/motion.h"
-#include "host/evaluate/motion_csv.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/real.h"
-#include "host/evaluate/replay.h"
-#include "host/evaluate/resample.h"
-#include "host/evaluate/trace_diff.h"
-#include "host/evaluate/trace_file.h"
+#include "host/motion/device_in_hand.h"
+#include "host/motion/felt_surface.h"
+#include "host/motion/motion.h"
+#include "host/motion/motion_csv.h"
+#include "host/motion/resample.h"
+#include "host/to_double.h"
+#include "host/trace/replay.h"
+#include "host/trace/trace_diff.h"
+#include "host/trace/trace_file.h"
 #include "shared/device_model.h"
 #include "shared/trace.h"
 
@@ -96,7 +96,7 @@ class TickWriter {
     return header;
   }
   TraceHeader header_;
-  evaluate::TraceWriter writer_;
+  trace::TraceWriter writer_;
   Chain chain_;
   std::uint64_t tick_ = 0;
 };
@@ -108,19 +108,19 @@ void report(const fs::path& file, std::uint64_t ticks, const TraceHeader& header
 
 struct MakeOptions {
   NewTrace trace;
-  evaluate::MotionOptions motion;
+  motion::MotionOptions motion;
   double lost_percent = 0.0;
   fs::path blob;
 };
 
 void make_trace(const MakeOptions& options) {
-  std::optional<evaluate::OpenBlob> blob;
-  if (!options.blob.empty()) blob.emplace(evaluate::open_blob(options.blob));
-  evaluate::MotionOptions motion = options.motion;
+  std::optional<blob::OpenBlob> blob;
+  if (!options.blob.empty()) blob.emplace(blob::open_blob(options.blob));
+  motion::MotionOptions motion = options.motion;
   motion.period_ns = options.trace.header().period_ns;
   motion.lost_share = options.lost_percent / 100;
   TickWriter writer(options.trace, false);
-  const std::uint64_t ticks = evaluate::make_motion(blob ? &blob->view : nullptr, motion, [&](const Input& input) { writer(input); });
+  const std::uint64_t ticks = motion::make_motion(blob ? &blob->view : nullptr, motion, [&](const Input& input) { writer(input); });
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
 }
@@ -139,7 +139,7 @@ struct ImportOptions {
 };
 
 /// Centred first, then scaled, then moved.
-void place(std::vector<evaluate::TimedPoint>& points, ImportOptions options) {
+void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
   Eigen::Vector3d low = points.front().position;
   Eigen::Vector3d high = low;
   for (const auto& point : points) {
@@ -149,8 +149,8 @@ void place(std::vector<evaluate::TimedPoint>& points, ImportOptions options) {
   const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
   Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
   if (!options.into.empty()) {
-    const evaluate::OpenBlob blob = evaluate::open_blob(options.into);
-    const evaluate::FeltSurface object(blob.view);
+    const blob::OpenBlob blob = blob::open_blob(options.into);
+    const motion::FeltSurface object(blob.view);
     const double widest = (high - low).maxCoeff();
     if (!(widest > 0)) throw InputError(options.csv.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
     options.scale = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1) / widest;
@@ -163,24 +163,24 @@ void place(std::vector<evaluate::TimedPoint>& points, ImportOptions options) {
 Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) {
   Output output;
   output.hip = input.hip;
-  output.force = evaluate::nearest<Newton>(force);
+  output.force = to_fixed<Newton>(force);
   output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
-  const Eigen::Vector3d hip = evaluate::real(input.hip);
-  output.proxy = evaluate::nearest<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
+  const Eigen::Vector3d hip = to_double(input.hip);
+  output.proxy = to_fixed<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
   return output;
 }
 
 void import_table(const ImportOptions& options) {
-  evaluate::MotionColumns columns = evaluate::parse_columns(options.columns);
+  motion::MotionColumns columns = motion::parse_columns(options.columns);
   columns.time_unit = options.time_unit;
   columns.length_unit = options.length_unit;
   columns.with_forces = options.forces;
-  std::vector<evaluate::TimedPoint> points = evaluate::read_motion_csv(options.csv, columns);
+  std::vector<motion::TimedPoint> points = motion::read_motion_csv(options.csv, columns);
   place(points, options);
   TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0;
   try {
-    ticks = evaluate::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
+    ticks = motion::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
       if (options.forces) {
         writer(input, felt(input, force, options.trace.stiffness()));
       } else {
@@ -203,13 +203,13 @@ struct ToPacketsOptions {
 
 /// What a device would have sent, and what its tick answers.
 void make_packets(const ToPacketsOptions& options) {
-  const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
-  const evaluate::Trace hand = evaluate::read_trace(options.hand, InputKind::kPosition);
+  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const trace::Trace hand = trace::read_trace(options.hand, InputKind::kPosition);
   TraceHeader header = hand.header();
   header.device = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
-  evaluate::Run run(blob.view, header);
-  evaluate::TraceWriter writer(options.out, run.header());
-  evaluate::DeviceInHand device(header.device);
+  trace::Run run(blob.view, header);
+  trace::TraceWriter writer(options.out, run.header());
+  motion::DeviceInHand device(header.device);
   for (std::size_t tick = 0; tick < hand.size(); ++tick) {
     const TraceRecord recorded = hand.record(tick);
     TraceRecord record = run.step(device(recorded.input));
@@ -231,9 +231,9 @@ struct DiffOptions {
 };
 
 void compare_traces(const DiffOptions& options) {
-  const evaluate::Trace a = evaluate::read_trace(options.a);
-  const evaluate::Trace b = evaluate::read_trace(options.b);
-  const std::optional<evaluate::Difference> difference = evaluate::first_difference(a, b);
+  const trace::Trace a = trace::read_trace(options.a);
+  const trace::Trace b = trace::read_trace(options.b);
+  const std::optional<trace::Difference> difference = trace::first_difference(a, b);
   if (options.json) {
     nlohmann::ordered_json json{{"ticks", a.size()}, {"first_difference", nullptr}};
     if (difference) json["first_difference"] = {{"tick", difference->tick}, {"field", difference->field}};
@@ -250,7 +250,7 @@ void compare_traces(const DiffOptions& options) {
 void add_make(CLI::App& trace) {
   auto options = std::make_shared<MakeOptions>();
   CLI::App* command = trace.add_subcommand("make", "A motion: press slide tap corner graze stab leave, or tour (all of them)");
-  command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(evaluate::motion_kinds()));
+  command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(motion::motion_kinds()));
   command->add_option("BLOB", options->blob, "the object it follows; without one it fills the workspace");
   command->add_option("--ticks", options->motion.ticks, "exactly so many; 0: one round of the motion")->capture_default_str();
   command->add_option("--seed", options->motion.seed, "other places, other speeds")->capture_default_str();

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/choice.h"
+#include "host/blob/open_blob.h"
+#include "host/board_commands/choice.h"
 #include "host/error.h"
-#include "host/evaluate/mutate.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/replay.h"
-#include "host/evaluate/trace_file.h"
+#include "host/motion/mutate.h"
+#include "host/trace/replay.h"
+#include "host/trace/trace_file.h"
 
 namespace isotouch::commands {
 
@@ -29,9 +29,9 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-evaluate::Recording read_inputs(const Options& options) {
-  const evaluate::Mutation& mutation = *evaluate::find_mutation(options.name);
-  const evaluate::Trace trace = evaluate::read_trace(options.trace);
+motion::Recording read_inputs(const Options& options) {
+  const motion::Mutation& mutation = *motion::find_mutation(options.name);
+  const trace::Trace trace = trace::read_trace(options.trace);
   if (trace.kind() != mutation.of) {
     throw InputError(options.trace.string() +
                      (mutation.of == InputKind::kPacket
@@ -40,26 +40,26 @@ evaluate::Recording read_inputs(const Options& options) {
                           : ": holds the packets of a device, but '" + options.name +
                                 "' changes positions; mutate the positions first, then isotouch trace to-packets"));
   }
-  evaluate::Recording recording{trace.header(), {}};
+  motion::Recording recording{trace.header(), {}};
   for (std::size_t tick = 0; tick < trace.size(); ++tick) recording.inputs.push_back(trace.record(tick).input);
   return recording;
 }
 
 /// Positions alone, as `trace make` writes them.
-void write_positions(const fs::path& out, const evaluate::Recording& recording) {
+void write_positions(const fs::path& out, const motion::Recording& recording) {
   TraceHeader header = recording.header;
   header.has_outputs = false;
   header.field_hash = 0;
-  evaluate::TraceWriter writer(out, header);
+  trace::TraceWriter writer(out, header);
   std::uint64_t tick = 0;
   for (const Input& input : recording.inputs) writer.append({input, {}, 0, header.period_ns * tick++});
   writer.finish();
 }
 
 /// Packets with what the tick of that device answers, as `trace to-packets` writes them.
-void write_packets(const fs::path& out, const evaluate::Recording& recording, const BlobView& field) {
-  evaluate::Run run(field, recording.header);
-  evaluate::TraceWriter writer(out, run.header());
+void write_packets(const fs::path& out, const motion::Recording& recording, const BlobView& field) {
+  trace::Run run(field, recording.header);
+  trace::TraceWriter writer(out, run.header());
   std::uint64_t tick = 0;
   for (const Input& input : recording.inputs) {
     TraceRecord record = run.step(input);
@@ -70,23 +70,23 @@ void write_packets(const fs::path& out, const evaluate::Recording& recording, co
 }
 
 void run(const Options& options) {
-  const evaluate::OpenBlob blob = evaluate::open_blob(options.blob);
-  const evaluate::Recording recording = read_inputs(options);
-  evaluate::Recording mutated;
+  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const motion::Recording recording = read_inputs(options);
+  motion::Recording mutated;
   try {
-    mutated = evaluate::mutate(recording, options.name, blob.view, options.seed);
+    mutated = motion::mutate(recording, options.name, blob.view, options.seed);
   } catch (const InputError& e) {
     throw InputError(options.trace.string() + ": " + e.what());
   }
-  evaluate::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, blob.view)
-                                                                  : write_positions(options.out, mutated);
+  motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, blob.view)
+                                                                : write_positions(options.out, mutated);
   std::fprintf(stderr, "%s: %zu ticks\n", options.out.string().c_str(), mutated.inputs.size());
 }
 
 /// One line for each, those of positions first.
 std::string list_of_mutations() {
   std::string list = "The mutations:";
-  for (const evaluate::Mutation& mutation : evaluate::mutations()) {
+  for (const motion::Mutation& mutation : motion::mutations()) {
     list += "\n  " + std::string(mutation.name) + std::string(10 - mutation.name.size(), ' ') +
             (mutation.of == InputKind::kPacket ? "packets    " : "positions  ") + std::string(mutation.meaning);
   }
@@ -101,7 +101,7 @@ void add_mutate(CLI::App& trace) {
   command->alias("mine");
   command->footer(list_of_mutations());
   std::vector<std::string> names;
-  for (const evaluate::Mutation& mutation : evaluate::mutations()) names.emplace_back(mutation.name);
+  for (const motion::Mutation& mutation : motion::mutations()) names.emplace_back(mutation.name);
   command->add_option("MUTATION", options->name, "what happens to it")->required()->check(one_of(names));
   command->add_option("BLOB", options->blob, "the field that was or will be touched (.itf)")->required();
   command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();

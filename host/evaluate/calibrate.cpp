@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/evaluate/device_in_hand.h"
+#include "host/motion/device_in_hand.h"
 
 namespace isotouch::evaluate {
 
 std::optional<AngleCalibration> calibrate(const DeviceModel& model, const std::vector<Posture>& postures) {
   std::array<double, 3> sum{}, least{}, most{};
   for (std::size_t n = 0; n < postures.size(); ++n) {
-    const auto expected = counts_at(postures[n].grip_mm, model);
+    const auto expected = motion::counts_at(postures[n].grip_mm, model);
     if (!expected) return std::nullopt;
     for (std::size_t i = 0; i < sum.size(); ++i) {
       const double off = (*expected)[i] - postures[n].counts[i];  // counts that are missing at count 0

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "host/blob/open_blob.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/oriented_points.h"
-#include "host/evaluate/open_blob.h"
 #include "host/evaluate/surface_error.h"
 
 namespace isotouch::evaluate {
@@ -25,6 +25,6 @@ cloud::Placement placement_of(const BlobView& field);
 SurfaceError compare_with_mesh(const BlobView& field, const cloud::TriangleMesh& mesh);
 
 /// The mesh's own exact distances on the field's grid and band: what no method can go below.
-OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh);
+blob::OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh);
 
 }  // namespace isotouch::evaluate

@@ -7,8 +7,8 @@
 
 #include "firmware/core/render.h"
 #include "host/error.h"
-#include "host/evaluate/hand.h"
-#include "host/evaluate/real.h"
+#include "host/motion/hand.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -24,7 +24,7 @@ const Vector3d kStart = Vector3d(0.36, 0.48, 0.8);  // unit; no axis, plane or d
 
 std::vector<ForceSample> slide_on_sphere(const SphereSlide& slide, const ForceTick& tick) {
   const double inner = slide.radius - slide.depth;
-  Hand hand({.period_s = slide.period_s}, [&](const Input& input) { tick(real(input.hip)); });
+  motion::Hand hand({.period_s = slide.period_s}, [&](const Input& input) { tick(to_double(input.hip)); });
   hand.step(slide.centre + (slide.radius + 2) * kStart);
   hand.move(slide.centre + inner * kStart, 25);
   hand.hold(0.1);
@@ -34,12 +34,12 @@ std::vector<ForceSample> slide_on_sphere(const SphereSlide& slide, const ForceTi
   Vector3d axis = kStart.cross(Vector3d(0.8, -0.5, 0.3)).normalized();
   const double whole = slide.turns * 2 * std::numbers::pi;
   for (double angle = 0, time = 0; angle < whole; time += slide.period_s) {
-    const double step = minimum_jerk((time + slide.period_s) / kRise) * slide.speed * slide.period_s / inner;
+    const double step = motion::minimum_jerk((time + slide.period_s) / kRise) * slide.speed * slide.period_s / inner;
     angle += step;
     out = (out + step * axis.cross(out)).normalized();
     axis = (axis + kTurnOfCircle * step * out.cross(axis)).normalized();
     axis = (axis - axis.dot(out) * out).normalized();
-    const Vector3d hip = real(nearest<Mm>(Vector3d(slide.centre + inner * out)));
+    const Vector3d hip = to_double(to_fixed<Mm>(Vector3d(slide.centre + inner * out)));
     const Vector3d arm = hip - slide.centre;
     const double depth = slide.radius - arm.norm();
     samples.push_back({time, tick(hip), slide.stiffness * depth * arm.normalized()});
@@ -69,7 +69,7 @@ ForceTick core_force(const BlobView& field, double period_s) {
   const auto period_ns = static_cast<std::uint32_t>(period_s * 1e9 + 0.5);
   return [&field, model = core::make_position_model(libnifalcon_model(), settings, period_ns, field),
           state = core::PositionState{}](const Vector3d& hip) mutable {
-    return real(core::render_position(position_input(nearest<Mm>(hip)), field, model, state).force);
+    return to_double(core::render_position(position_input(to_fixed<Mm>(hip)), field, model, state).force);
   };
 }
 

@@ -11,10 +11,10 @@
 #include "host/cloud/mesh.h"
 #include "host/cloud/random.h"
 #include "host/evaluate/god_object.h"
-#include "host/evaluate/hand.h"
-#include "host/evaluate/real.h"
 #include "host/field/first_hit.h"
 #include "host/field/nearest.h"
+#include "host/motion/hand.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -57,7 +57,7 @@ class Fingers {
 
 Vector3d tremor(double time) {
   constexpr double kSize = 0.03;  // mm
-  return kSize * Vector3d(wave(9.3 * time), wave(10.7 * time + 0.3), wave(11.9 * time + 0.7));
+  return kSize * Vector3d(motion::wave(9.3 * time), motion::wave(10.7 * time + 0.3), motion::wave(11.9 * time + 0.7));
 }
 
 class Scan {
@@ -119,16 +119,16 @@ class Scan {
   void tick(const Vector3d& wanted) {
     if (over()) return;
     const double time = static_cast<double>(report_.ticks) * kTick;
-    const Input input = position_input(nearest<Mm>(fingers_.follow(wanted) + tremor(time)));
-    const Vector3d hip = real(input.hip);
+    const Input input = position_input(to_fixed<Mm>(fingers_.follow(wanted) + tremor(time)));
+    const Vector3d hip = to_double(input.hip);
     const Vector3d proxy = object_.follow(hip);
     depth_ = (proxy - hip).norm();
     const Vector3d force = options_.stiffness_n_per_mm * (proxy - hip);
     const double limit = std::min(1.0, kScanForceLimit / std::max(force.norm(), 1e-9));
     Output output;
     output.hip = input.hip;
-    output.proxy = nearest<Mm>(proxy);
-    output.force = nearest<Newton>(Vector3d(limit * force));
+    output.proxy = to_fixed<Mm>(proxy);
+    output.force = to_fixed<Newton>(Vector3d(limit * force));
     if (object_.touching()) {
       output.status = kContact | (limit < 1 ? kForceLimited : 0U);
       ++report_.touching;

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "firmware/core/field_sampler.h"
-#include "host/evaluate/real.h"
 #include "host/field/parallel.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -47,8 +47,8 @@ std::vector<Cell> cells_near(const BlobView& blob, const Vector3i& cells) {
 
 field::BandField node_distances(const BlobView& blob) {
   field::BandField field;
-  field.grid = {real(blob.origin), real(blob.edge), {blob.size[0], blob.size[1], blob.size[2]}};
-  field.band = real(blob.band);
+  field.grid = {to_double(blob.origin), to_double(blob.edge), {blob.size[0], blob.size[1], blob.size[2]}};
+  field.band = to_double(blob.band);
   const std::vector<Cell> near = cells_near(blob, (field.grid.size + Vector3i::Constant(3)) / 4);
   std::vector<field::Brick> bricks(near.size());
   std::vector<std::uint8_t> within(near.size());
@@ -58,7 +58,7 @@ field::BandField node_distances(const BlobView& blob) {
       for (int n = 0; n < 64; ++n) {
         const Vector3i node = (4 * bricks[b].cell + Vector3i(n & 3, n >> 2 & 3, n >> 4)).cwiseMin(field.grid.size - Vector3i::Ones());
         const auto index = [](int i) { return Voxel::from_raw(i << Voxel::kFractionBits); };
-        const double d = real(core::sample_field(blob, {index(node.x()), index(node.y()), index(node.z())}).distance);
+        const double d = to_double(core::sample_field(blob, {index(node.x()), index(node.y()), index(node.z())}).distance);
         bricks[b].distance[static_cast<std::size_t>(n)] = static_cast<float>(d);
         if (std::abs(d) < field.band) within[b] = 1;
       }

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "host/cloud/random.h"
-#include "host/evaluate/real.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
 #include "host/published/build.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -21,12 +21,12 @@ cloud::OrientedPoints in_workspace(cloud::OrientedPoints points) {
   return points;
 }
 
-OpenBlob as_blob(const field::BandField& field, const ShapeTrial& trial, blob::Method method) {
-  blob::BlobInfo info;
+blob::OpenBlob as_blob(const field::BandField& field, const ShapeTrial& trial, encoding::Method method) {
+  encoding::BlobInfo info;
   info.method = method;
   info.point_count = static_cast<std::uint32_t>(trial.points.size());
   info.placement.scale = kTrialVoxel;
-  return open_blob(blob::write_blob(field, info), trial.shape.name);
+  return blob::open_blob(encoding::write_blob(field, info), trial.shape.name);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ ShapeTrial shape_trial(const std::string& name, std::uint64_t seed) {
   trial.truth = in_workspace(cloud::scatter_on_shape(trial.shape, kTrialTruths, seed + 1'000'000));
   trial.grid = field::make_grid(kTrialVoxel * trial.shape.low, kTrialVoxel * trial.shape.high, kTrialVoxel, kTrialBand + 4);
   cloud::Random random(seed + 2'000'000);
-  for (double& at : trial.grid.origin) at = real(nearest<Mm>(at + kTrialVoxel * random.uniform(-0.5, 0.5)));
+  for (double& at : trial.grid.origin) at = to_double(to_fixed<Mm>(at + kTrialVoxel * random.uniform(-0.5, 0.5)));
   return trial;
 }
 
@@ -51,17 +51,17 @@ ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uin
   return result;
 }
 
-OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method, field::Repair* repair) {
+blob::OpenBlob trial_blob(const ShapeTrial& trial, encoding::Method method, field::Repair* repair) {
   field::Progress progress;
-  if (method == blob::Method::kPublished) {
+  if (method == encoding::Method::kPublished) {
     return as_blob(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
   }
   return as_blob(field::build_field(trial.points, trial.grid, kTrialBand, progress, repair), trial, method);
 }
 
-OpenBlob floor_blob(const ShapeTrial& trial) {
+blob::OpenBlob floor_blob(const ShapeTrial& trial) {
   const auto distance = [&](const Eigen::Vector3d& point) { return trial.distance(point); };
-  return as_blob(field::sample_distance(distance, trial.grid, kTrialBand), trial, blob::Method::kDefault);
+  return as_blob(field::sample_distance(distance, trial.grid, kTrialBand), trial, encoding::Method::kDefault);
 }
 
 SphereSlide trial_slide(const BlobView& field, double speed) {
@@ -69,7 +69,7 @@ SphereSlide trial_slide(const BlobView& field, double speed) {
   slide.radius = kSphereRadius * kTrialVoxel;
   slide.depth = kSlideDepth * kTrialVoxel;
   slide.speed = speed;
-  slide.stiffness = real(field.stiffness);
+  slide.stiffness = to_double(field.stiffness);
   return slide;
 }
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/open_blob.h"
 #include "host/cloud/shapes.h"
+#include "host/encoding/write_blob.h"
 #include "host/evaluate/damage.h"
 #include "host/evaluate/force_error.h"
-#include "host/evaluate/open_blob.h"
 #include "host/evaluate/surface_error.h"
 #include "host/field/band_field.h"
 #include "host/field/build_field.h"
@@ -41,10 +41,10 @@ ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uin
 /// The blob that a method makes of the trial's points. kDefault is the analytic field, kPublished the paper's levels.
 ///
 /// repair    where given, is told what the default method mended
-OpenBlob trial_blob(const ShapeTrial& trial, blob::Method method, field::Repair* repair = nullptr);
+blob::OpenBlob trial_blob(const ShapeTrial& trial, encoding::Method method, field::Repair* repair = nullptr);
 
 /// The blob of the exact distances, on the same grid.
-OpenBlob floor_blob(const ShapeTrial& trial);
+blob::OpenBlob floor_blob(const ShapeTrial& trial);
 
 /// Fig. 9: 4 voxels deep over the sphere's trial. `speed` in mm/s.
 SphereSlide trial_slide(const BlobView& field, double speed);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/error.h"
-#include "host/evaluate/felt_surface.h"
+#include "host/motion/felt_surface.h"
 
 namespace isotouch::evaluate {
 
@@ -18,7 +18,7 @@ constexpr int kStepsPerVoxel = 16;
 constexpr int kHalvings = 14;  // of a step: the sampler's own resolution of 2^-16 voxel, and two more
 
 /// Voxels along the normal, of the crossing nearest to the point.
-std::optional<double> crossing(const FeltSurface& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+std::optional<double> crossing(const motion::FeltSurface& surface, const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
   const auto outside = [&](double offset) { return surface.sample(point + offset * surface.voxel_mm() * normal).distance > 0; };
   const auto refine = [&](double inner, double outer) {
     for (int i = 0; i < kHalvings; ++i) {
@@ -53,7 +53,7 @@ double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }  // namespace
 
 SurfaceError surface_error(const BlobView& field, const cloud::OrientedPoints& truth) {
-  const FeltSurface surface(field);
+  const motion::FeltSurface surface(field);
   std::vector<double> offsets;
   offsets.reserve(truth.size());
   SurfaceError error;

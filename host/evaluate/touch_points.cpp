@@ -10,8 +10,8 @@
 
 #include "host/cloud/elimination.h"
 #include "host/error.h"
-#include "host/evaluate/real.h"
 #include "host/field/nearest.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -117,11 +117,11 @@ OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchR
   return kept;
 }
 
-OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, TouchReport& report) {
+OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& options, TouchReport& report) {
   const std::string name = trace.path();
   const TraceHeader& header = trace.header();
   if (!header.has_outputs) throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
-  const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : real(header.settings.stiffness);
+  const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : to_double(header.settings.stiffness);
   if (!(stiffness > 0)) throw InputError(name + ": its stiffness is that of the field that was felt; name it with --stiffness");
   if (header.settings.damping > Damping{}) {
     throw InputError(name + ": it was felt with damping, so its forces do not tell how deep the hand was; replay it without");
@@ -132,7 +132,7 @@ OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, Tou
   OrientedPoints touches;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);
-    const Vector3d force = real(record.output.force);
+    const Vector3d force = to_double(record.output.force);
     if ((record.output.status & kContact) == 0) {
       ++report.free;
     } else if ((record.output.status & kUnfit) != 0 || !record.input.fresh) {
@@ -140,7 +140,7 @@ OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, Tou
     } else if (!(force.norm() >= options.least_force_n)) {
       ++report.weak;
     } else {
-      touches.positions.push_back(real(record.output.hip) + force / stiffness);
+      touches.positions.push_back(to_double(record.output.hip) + force / stiffness);
       touches.normals.push_back(force.normalized());
     }
   }

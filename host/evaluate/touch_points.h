@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "host/cloud/oriented_points.h"
-#include "host/evaluate/trace_file.h"
+#include "host/trace/trace_file.h"
 
 namespace isotouch::evaluate {
 
@@ -34,7 +34,7 @@ struct TouchReport {
 /// returns   workspace, mm
 /// fails     InputError: no outputs in the trace, encoder counts, no stiffness, damping (then the force is no measure of depth), nothing touched
 /// source    Sreeni, "Distance Field based Haptic Rendering of Scattered Oriented Points", section 4
-cloud::OrientedPoints touch_points(const Trace& trace, const TouchOptions& options, TouchReport& report);
+cloud::OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& options, TouchReport& report);
 
 /// The second half alone: averages and thins; `report` gets places, points and spacing.
 cloud::OrientedPoints thinned(const cloud::OrientedPoints& touches, std::size_t points, TouchReport& report);

@@ -1,16 +1,16 @@
 #include "host/evaluate/truth_comparison.h"
 
 #include "host/error.h"
-#include "host/evaluate/real.h"
 #include "host/evaluate/wrong_side.h"
 #include "host/field/triangle_tree.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
 TruthComparison compare_surfaces(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh) {
   if (surface.faces.empty()) throw InputError("the blob has no surface: nothing in it is inside; build it again");
   TruthComparison found;
-  found.voxel_mm = real(field.edge);
+  found.voxel_mm = to_double(field.edge);
   const field::TriangleTree ours(surface);
   const field::TriangleTree truth(mesh);
   found.from_mesh = farthest(truth, ours, kFineness * found.voxel_mm);

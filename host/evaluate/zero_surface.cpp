@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "firmware/core/field_sampler.h"
-#include "host/evaluate/real.h"
 #include "host/field/parallel.h"
+#include "host/to_double.h"
 
 namespace isotouch::evaluate {
 
@@ -311,8 +311,8 @@ cloud::TriangleMesh zero_surface(const BlobView& field) {
 
   cloud::TriangleMesh surface;
   surface.vertices.resize(crossings.size());
-  const Vector3d origin = real(field.origin);
-  const double edge = real(field.edge);
+  const Vector3d origin = to_double(field.origin);
+  const double edge = to_double(field.edge);
   field::in_parallel(crossings.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vector3i point = lattice.point(crossings[i].key / 8);

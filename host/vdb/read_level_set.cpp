@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <variant>
 
-#include "host/cloud/files.h"
 #include "host/cloud/trial.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "host/vdb/level_set.h"
 #include "shared/hash64.h"
 
@@ -244,7 +244,7 @@ struct LevelSet::Grid {
 LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& grid_name) {
   const std::string name = file.string();
   LevelSet set;
-  const std::vector<std::uint8_t> bytes = cloud::read_file(file);
+  const std::vector<std::uint8_t> bytes = read_file(file);
   set.source_hash = hash64(bytes.data(), bytes.size());
   try {
     openvdb::initialize();

@@ -13,7 +13,7 @@ namespace {
 constexpr double kCrossing = 0.002;  // voxels: how well a crossing is found
 
 template <class Q>
-double real(Q quantity) {
+double to_double(Q quantity) {
   return std::ldexp(static_cast<double>(quantity.raw()), -Q::kFractionBits);
 }
 
@@ -62,9 +62,9 @@ std::vector<Eigen::Vector3d> object_bricks(const BlobView& field) {
 
 FieldRays::FieldRays(const BlobView& field)
     : field_(field),
-      origin_(real(field.origin.x), real(field.origin.y), real(field.origin.z)),
-      edge_(real(field.edge)),
-      band_(real(field.band)) {
+      origin_(to_double(field.origin.x), to_double(field.origin.y), to_double(field.origin.z)),
+      edge_(to_double(field.edge)),
+      band_(to_double(field.band)) {
   for (const Eigen::Vector3d& index : object_bricks(field)) {
     outline_.emplace_back(origin_ + edge_ * index);
     object_.extend(index);
@@ -77,10 +77,10 @@ FieldRays::FieldRays(const BlobView& field)
 
 FieldRays::Value FieldRays::value(const Eigen::Vector3d& point) const {
   const core::FieldSample sample = core::sample_field(field_, to_core(to_index(point)));
-  return {real(sample.distance), {real(sample.gradient.x), real(sample.gradient.y), real(sample.gradient.z)}};
+  return {to_double(sample.distance), {to_double(sample.gradient.x), to_double(sample.gradient.y), to_double(sample.gradient.z)}};
 }
 
-double FieldRays::distance_at(const Eigen::Vector3d& index) const { return real(core::sample_field(field_, to_core(index)).distance); }
+double FieldRays::distance_at(const Eigen::Vector3d& index) const { return to_double(core::sample_field(field_, to_core(index)).distance); }
 
 double FieldRays::empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d& inverse) const {
   const Eigen::Array3i sample =

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "host/cloud/files.h"
+#include "host/files/whole_file.h"
 
 namespace isotouch::view {
 
@@ -31,7 +31,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
 
 void write_png(const std::filesystem::path& file, const Image& image) {
   const std::vector<std::uint8_t> png = encode_png(image);
-  cloud::write_file(file, png.data(), png.size());
+  write_file(file, png.data(), png.size());
 }
 
 }  // namespace isotouch::view

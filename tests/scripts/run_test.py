@@ -94,7 +94,7 @@ class DeskRunTest(fakes.Tree):
         self.assertNotEqual(found["trace_hash"], "00000000000000ab")
 
     def test_a_child_that_fails_fails_the_scenario(self) -> None:
-        programs = {"golden": "build/release/bin/replay_plain", "tour": "build/release/bin/isotouch", "closed-loop": "tests/across/closed_loop", "touch": "hil/touch_demo",
+        programs = {"golden": "build/release/bin/replay_plain", "tour": "build/release/bin/isotouch", "closed-loop": "tests/integration/closed_loop", "touch": "hil/touch_demo",
                     "cases": "hil/cases/run", "coverage": "hil/cases/coverage", "faults": "build/release/bin/fault_matrix", "instructions": "hil/instructions/ceilings"}
         for scenario, program in programs.items():
             with self.subTest(scenario):

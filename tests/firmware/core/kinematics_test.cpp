@@ -33,8 +33,8 @@ std::optional<Pose> cold(const Counts& counts, const DeviceModel& model, int* ti
 std::array<Point, 3> jacobian(const Statics& statics) {
   std::array<Point, 3> columns;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto real = [](PerMm v) { return v.raw() / 134217728.0; };
-    columns[i] = {real(statics.inverse[i].x), real(statics.inverse[i].y), real(statics.inverse[i].z)};
+    const auto as_double = [](PerMm v) { return v.raw() / 134217728.0; };
+    columns[i] = {as_double(statics.inverse[i].x), as_double(statics.inverse[i].y), as_double(statics.inverse[i].z)};
   }
   const double determinant = test::dot(columns[0], test::cross(columns[1], columns[2]));
   std::array<Point, 3> rows = {test::cross(columns[1], columns[2]), test::cross(columns[2], columns[0]),

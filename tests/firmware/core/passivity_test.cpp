@@ -15,7 +15,7 @@ template <class Q>
 Q fixed(double value) {
   return Q::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value, Q::kFractionBits))));
 }
-double real(Energy e) { return std::ldexp(e.raw(), -Energy::kFractionBits); }
+double to_double(Energy e) { return std::ldexp(e.raw(), -Energy::kFractionBits); }
 
 /// A wall at x = 0, felt by a hand that goes where it is told.
 struct Wall {
@@ -60,7 +60,7 @@ TEST(Passivity, TheLedgerIsThatOfTheTwin) {
       v = 0.9 * v + random.uniform(-0.1, 0.1) - 0.01 * x;
       x += v;
       wall.at(x, 1.5);
-      worst = std::max(worst, std::abs(real(wall.state.balance) - wall.twin));
+      worst = std::max(worst, std::abs(to_double(wall.state.balance) - wall.twin));
     }
   }
   EXPECT_LT(worst, 0.003);  // N·mm after thousands of sums: the spring's newtons have 16 bits
@@ -77,7 +77,7 @@ TEST(Passivity, WithinTheCertificateThereIsNeverADebtWhateverTheCounts) {
       const double hand = -1 + 1.5 * std::sin(0.02 * t) + 0.05 * std::sin(0.4 * t);
       const double counts = 0.046 * std::floor((hand + random.uniform(-0.02, 0.02)) / 0.046);
       wall.at(counts);
-      worst = std::min(worst, real(wall.state.balance));
+      worst = std::min(worst, to_double(wall.state.balance));
     }
     EXPECT_GT(worst, -0.02) << delay;
   }
@@ -88,7 +88,7 @@ TEST(Passivity, BeyondItAnOscillationRunsUpADebtAndIsDamped) {
     Wall wall{{Damping::of(0.01), DampingPerTick::of(3), delay}, 1.5 * 2 * 3 / (2 * delay + 1.0), {}, {}};
     EXPECT_EQ(injected_damping(wall.passivity, wall.state), Damping{});
     for (int t = 0; t < 2000; ++t) wall.at(-1 + 0.5 * std::sin(0.1 * t));
-    EXPECT_LT(real(wall.state.balance), -0.5);
+    EXPECT_LT(to_double(wall.state.balance), -0.5);
     EXPECT_EQ(injected_damping(wall.passivity, wall.state), wall.passivity.most);
   }
 }
@@ -109,7 +109,7 @@ TEST(Passivity, DampingGrowsWithTheDebtUpToItsLimit) {
 TEST(Passivity, ARampBeginsTheLedgerAnew) {
   Wall wall{{Damping::of(0.01), {}, 1}, 2, {}, {}};
   for (int t = 0; t < 500; ++t) wall.at(-1 + 0.5 * std::sin(0.1 * t));
-  EXPECT_LT(real(wall.state.balance), -0.1);
+  EXPECT_LT(to_double(wall.state.balance), -0.1);
   Force force;
   force.ramping = true;
   book_energy({}, force, {}, wall.passivity, wall.state);
@@ -124,7 +124,7 @@ TEST(Passivity, HalfOfWhatIsInjectedCountsAsPaid) {
     force.newton.x = Newton::of(-1);
     book_energy({}, force, {injected, {}, {}}, passivity, state);
     book_energy({Mm::of(0.01), {}, {}}, force, {injected, {}, {}}, passivity, state);
-    return real(state.balance);
+    return to_double(state.balance);
   };
   EXPECT_NEAR(after(Newton{}), 0.01, 0.00001);
   EXPECT_NEAR(after(Newton::of(-1)), 0.005, 0.00001);

@@ -8,25 +8,25 @@
 #include <vector>
 
 #include "host/blob/packed.h"
-#include "host/blob/write_blob.h"
-#include "host/cloud/files.h"
+#include "host/encoding/write_blob.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "shared/blob.h"
-#include "tests/host/blob/blob_bodies.h"
+#include "tests/host/encoding/blob_bodies.h"
 
 namespace isotouch::blob {
 namespace {
 
 TEST(Image, either_form_is_read_from_a_file) {
-  const Image image = write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
+  const Image image = encoding::write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
   const std::vector<std::uint8_t> packed = pack(*BlobView::parse(image.bytes()));
   const auto file = std::filesystem::path(::testing::TempDir()) / "image_test.itf";
   const auto comes_back = [&] { return std::ranges::equal(read_image(file).bytes(), image.bytes()); };
-  cloud::write_file(file, image.data(), image.size());
+  write_file(file, image.data(), image.size());
   EXPECT_TRUE(comes_back());
-  cloud::write_file(file, packed.data(), packed.size());
+  write_file(file, packed.data(), packed.size());
   EXPECT_TRUE(comes_back());
-  cloud::write_file(file, packed.data(), packed.size() - 1);
+  write_file(file, packed.data(), packed.size() - 1);
   EXPECT_THROW(read_image(file), InputError);
   std::filesystem::remove(file);
   EXPECT_THROW(read_image(file), InputError);

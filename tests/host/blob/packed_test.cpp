@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "host/blob/image.h"
-#include "host/blob/write_blob.h"
+#include "host/encoding/write_blob.h"
 #include "host/error.h"
 #include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 #include "shared/packed_blob.h"
 #include "shared/residuals.h"
-#include "tests/host/blob/blob_bodies.h"
+#include "tests/host/encoding/blob_bodies.h"
 
 namespace isotouch::blob {
 namespace {
@@ -27,7 +27,7 @@ namespace {
 using ::testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
-Image ball_image() { return write_blob(test::field_of(test::ball(9), {9, 9, 9}), {}); }
+Image ball_image() { return encoding::write_blob(test::field_of(test::ball(9), {9, 9, 9}), {}); }
 
 bool same(const Image& a, const Image& b) { return std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()); }
 
@@ -84,7 +84,7 @@ TEST(Packed, the_very_image_comes_back) {
       test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), 1.0),
   };
   for (const field::BandField& field : fields) {
-    const Image image = write_blob(field, {});
+    const Image image = encoding::write_blob(field, {});
     const Bytes bytes = packed(image);
     EXPECT_TRUE(same(unpack(bytes, "it"), image));
     EXPECT_LT(2 * bytes.size(), image.size());
@@ -95,13 +95,13 @@ TEST(Packed, the_very_image_comes_back) {
 TEST(Packed, a_stiffness_table_comes_back_too) {
   field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
   for (const field::Brick& brick : field.bricks) field.stiffness.push_back(1.0 + brick.cell.cast<double>().sum());
-  const Image image = write_blob(field, {});
+  const Image image = encoding::write_blob(field, {});
   ASSERT_NE(BlobView::parse(image.bytes())->stiffness_parts, nullptr);
   EXPECT_TRUE(same(unpack(packed(image), "it"), image));
 }
 
 TEST(Packed, a_ball_of_that_size_takes_so_many_bits) {
-  const Image image = write_blob(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
+  const Image image = encoding::write_blob(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
   const double samples = 64.0 * BlobView::parse(image.bytes())->brick_count;
   const double bits = 8.0 * static_cast<double>(packed(image).size()) / samples;
   EXPECT_LT(bits, 4.0);
@@ -116,7 +116,7 @@ TEST(Packed, the_golden_file_unpacks_to_its_image) {
 }
 
 TEST(Packed, the_frame_keeps_to_its_window) {
-  const Image image = write_blob(test::field_of(test::ball(34), Eigen::Vector3d::Constant(34)), {});
+  const Image image = encoding::write_blob(test::field_of(test::ball(34), Eigen::Vector3d::Constant(34)), {});
   const Bytes bytes = packed(image);
   ASSERT_GT(image.size(), std::size_t{2} << packed_layout::kWindowShift) << "a small frame is its own window";
   EXPECT_EQ(refusal(with_frame(bytes, frame_of(residuals_of(bytes), {{ZSTD_c_windowLog, 17}}))), "accepted");

@@ -6,7 +6,7 @@
 #include <bit>
 #include <string>
 
-#include "host/cloud/files.h"
+#include "host/files/whole_file.h"
 #include "shared/bytes.h"
 #include "tests/support/scratch_folder.h"
 

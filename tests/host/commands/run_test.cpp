@@ -1,4 +1,4 @@
-#include "host/commands/run.h"
+#include "host/board_commands/run.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/choice.h"
+#include "host/board_commands/choice.h"
 #include "host/commands/commands.h"
 
 namespace isotouch::commands {

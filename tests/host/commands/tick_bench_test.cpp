@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "host/blob/write_blob.h"
+#include "host/blob/open_blob.h"
+#include "host/encoding/write_blob.h"
 #include "host/error.h"
-#include "host/evaluate/open_blob.h"
 #include "host/field/make_grid.h"
 #include "host/field/progress.h"
 #include "host/field/sample_distance.h"
@@ -17,9 +17,9 @@ constexpr double kRadius = 10;  // mm and voxels
 
 field::Grid grid() { return field::make_grid(Eigen::Vector3d::Constant(-kRadius), Eigen::Vector3d::Constant(kRadius), 1.0, 8.0); }
 
-evaluate::OpenBlob ball() {
+blob::OpenBlob ball() {
   const auto distance = [](const Eigen::Vector3d& p) { return p.norm() - kRadius; };
-  return evaluate::open_blob(blob::write_blob(field::sample_distance(distance, grid(), 4.0), {}), "ball");
+  return blob::open_blob(encoding::write_blob(field::sample_distance(distance, grid(), 4.0), {}), "ball");
 }
 
 /// Straight along z through the ball's upper half and out again.

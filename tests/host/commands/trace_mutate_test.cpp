@@ -6,11 +6,11 @@
 #include <fstream>
 #include <string>
 
+#include "host/blob/open_blob.h"
 #include "host/error.h"
-#include "host/evaluate/felt_surface.h"
-#include "host/evaluate/open_blob.h"
-#include "host/evaluate/real.h"
-#include "host/evaluate/trace_file.h"
+#include "host/motion/felt_surface.h"
+#include "host/to_double.h"
+#include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
 #include "tests/support/scratch_folder.h"
 
@@ -40,7 +40,7 @@ class TraceMutate : public ::testing::Test {
 
 TEST_F(TraceMutate, AMutatedHandIsATraceWithoutOutputsAndWithTheSettingsOfTheHand) {
   run_command("trace mutate jitter " + kBlob + " " + file("hand.trace") + " --seed 3 -o " + file("mutated.trace"));
-  const auto mutated = evaluate::read_trace(file("mutated.trace")), hand = evaluate::read_trace(file("hand.trace"));
+  const auto mutated = trace::read_trace(file("mutated.trace")), hand = trace::read_trace(file("hand.trace"));
   EXPECT_EQ(mutated.size(), hand.size());
   EXPECT_FALSE(mutated.header().has_outputs);
   EXPECT_EQ(mutated.header().settings, hand.header().settings);
@@ -48,7 +48,7 @@ TEST_F(TraceMutate, AMutatedHandIsATraceWithoutOutputsAndWithTheSettingsOfTheHan
 
 TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
   run_command("trace mutate faults " + kBlob + " " + file("packets.trace") + " -o " + file("mutated.trace"));
-  const auto mutated = evaluate::read_trace(file("mutated.trace"));
+  const auto mutated = trace::read_trace(file("mutated.trace"));
   EXPECT_EQ(mutated.size(), 2000U);
   EXPECT_TRUE(mutated.header().has_outputs);
   EXPECT_TRUE(mutated.chain_follows(1999));
@@ -67,13 +67,13 @@ TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
 TEST_F(TraceMutate, AMotionIsImportedIntoTheBlobsBox) {
   std::ofstream(file("motion.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1000,5,7\n0.5,1100,25,7\n1,1000,5,57\n";
   run_command("trace import " + file("motion.csv") + " --into " + kBlob + " -o " + file("motion.trace"));
-  const evaluate::OpenBlob blob = evaluate::open_blob(kBlob);
-  const evaluate::FeltSurface object(blob.view);
-  const auto trace = evaluate::read_trace(file("motion.trace"));
-  Eigen::Vector3d low = evaluate::real(trace.record(0).input.hip), high = low;
+  const blob::OpenBlob blob = blob::open_blob(kBlob);
+  const motion::FeltSurface object(blob.view);
+  const auto trace = trace::read_trace(file("motion.trace"));
+  Eigen::Vector3d low = to_double(trace.record(0).input.hip), high = low;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    low = low.cwiseMin(evaluate::real(trace.record(tick).input.hip));
-    high = high.cwiseMax(evaluate::real(trace.record(tick).input.hip));
+    low = low.cwiseMin(to_double(trace.record(tick).input.hip));
+    high = high.cwiseMax(to_double(trace.record(tick).input.hip));
   }
   const double longest = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1);
   EXPECT_NEAR((high - low).x(), longest, 0.01);

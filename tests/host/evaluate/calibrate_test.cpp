@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host/evaluate/device_in_hand.h"
+#include "host/motion/device_in_hand.h"
 #include "tests/support/falcon_twin.h"
 
 namespace isotouch::evaluate {
@@ -20,7 +20,7 @@ DeviceModel turned(DeviceModel model, const std::array<double, 3>& degrees) {
   return model;
 }
 
-Posture posture(const DeviceModel& real, const Eigen::Vector3d& place) { return {place, *counts_at(place, real)}; }
+Posture posture(const DeviceModel& real, const Eigen::Vector3d& place) { return {place, *motion::counts_at(place, real)}; }
 
 double degrees_between(Angle a, Angle b) { return static_cast<std::int32_t>(a.raw() - b.raw()) / kTurn * 360; }
 

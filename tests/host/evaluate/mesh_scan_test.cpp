@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "host/evaluate/real.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/field/line_crossings.h"
+#include "host/to_double.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch::evaluate {
@@ -47,8 +47,8 @@ TEST(MeshScan, TheHandIsAHandAndTheGodObjectStaysOutside) {
   EXPECT_GT(report.reached, report.targets * 7 / 10);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     const auto& [input, output] = ticks[i];
-    const Vector3d hip = real(input.hip), proxy = real(output.proxy), force = real(output.force);
-    const Vector3d before = real(ticks[i == 0 ? 0 : i - 1].input.hip);
+    const Vector3d hip = to_double(input.hip), proxy = to_double(output.proxy), force = to_double(output.force);
+    const Vector3d before = to_double(ticks[i == 0 ? 0 : i - 1].input.hip);
     ASSERT_LT((hip - before).norm(), 0.41) << "faster than a hand";
     ASSERT_LT((force - 0.8 * (proxy - hip)).norm(), 1e-4);
     ASSERT_EQ((output.status & kContact) != 0, force.norm() > 0);

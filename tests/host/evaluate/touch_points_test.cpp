@@ -10,7 +10,7 @@
 
 #include "host/cloud/random.h"
 #include "host/error.h"
-#include "host/evaluate/real.h"
+#include "host/to_double.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::evaluate {
@@ -29,9 +29,9 @@ TraceRecord touch(cloud::Random& random) {
   } while (way.norm() > 1 || way.norm() < 0.1);
   way.normalize();
   TraceRecord record;
-  record.input = position_input(nearest<Mm>(Vector3d((kRadius - 1) * way)));
+  record.input = position_input(to_fixed<Mm>(Vector3d((kRadius - 1) * way)));
   record.output.hip = record.input.hip;
-  record.output.force = nearest<Newton>(Vector3d(kStiffness * way));
+  record.output.force = to_fixed<Newton>(Vector3d(kStiffness * way));
   record.output.status = kContact;
   return record;
 }
@@ -39,20 +39,20 @@ TraceRecord touch(cloud::Random& random) {
 class TouchPoints : public testing::Test {
  protected:
   /// A trace of ball touches, changed one by one.
-  Trace trace(std::size_t ticks, const std::function<void(std::size_t, TraceRecord&)>& change = {}) {
+  trace::Trace trace(std::size_t ticks, const std::function<void(std::size_t, TraceRecord&)>& change = {}) {
     cloud::Random random(2);
-    TraceWriter writer(folder_.path() / "a.trace", header_);
+    trace::TraceWriter writer(folder_.path() / "a.trace", header_);
     for (std::size_t tick = 0; tick < ticks; ++tick) {
       TraceRecord record = touch(random);
       if (change) change(tick, record);
       writer.append(record);
     }
     writer.finish();
-    return read_trace(folder_.path() / "a.trace");
+    return trace::read_trace(folder_.path() / "a.trace");
   }
   TouchPoints() {
     header_.has_outputs = true;
-    header_.settings.stiffness = nearest<Stiffness>(kStiffness);
+    header_.settings.stiffness = to_fixed<Stiffness>(kStiffness);
   }
 
   ScratchFolder folder_;
@@ -84,10 +84,10 @@ TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
   const std::uint32_t unfit[] = {kRamping, kForceLimited, kStale, kInputClamped, kFollowing, kHeldInside};
   const auto spoil = [&](std::size_t tick, TraceRecord& record) {
     if (tick % 10 >= 8) return;
-    record.output.force = nearest<Newton>(Vector3d(3, 0, 0));  // would lie far off
+    record.output.force = to_fixed<Newton>(Vector3d(3, 0, 0));  // would lie far off
     if (tick % 10 < 6) record.output.status |= unfit[tick % 10];
     if (tick % 10 == 6) record.output.status = 0;
-    if (tick % 10 == 7) record.output.force = nearest<Newton>(Vector3d(0.01, 0, 0));
+    if (tick % 10 == 7) record.output.force = to_fixed<Newton>(Vector3d(0.01, 0, 0));
   };
   const auto points = touch_points(trace(1000, spoil), {}, report_);
   EXPECT_EQ(report_.ticks, 1000U);
@@ -101,8 +101,8 @@ TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
 TEST_F(TouchPoints, WhatIsTouchedManyTimesIsAveraged) {
   cloud::Random noise(5);
   const auto shake = [&](std::size_t, TraceRecord& record) {
-    const Vector3d hip = real(record.output.hip);
-    record.output.hip = nearest<Mm>(Vector3d(hip + noise.uniform(-0.2, 0.2) * hip.normalized()));
+    const Vector3d hip = to_double(record.output.hip);
+    record.output.hip = to_fixed<Mm>(Vector3d(hip + noise.uniform(-0.2, 0.2) * hip.normalized()));
   };
   const auto points = touch_points(trace(60000, shake), {.points = 300}, report_);
   double squares = 0;
@@ -117,8 +117,8 @@ TEST_F(TouchPoints, TheTwoSidesOfAFoilAreNotAveraged) {
   const auto on_foil = [](std::size_t tick, TraceRecord& record) {
     const double x = static_cast<double>(tick % 50) / 5, y = static_cast<double>(tick / 50 % 50) / 5;
     const double side = tick % 2 == 0 ? 1 : -1;
-    record.output.hip = nearest<Mm>(Vector3d(x, y, side * (0.01 - 1)));
-    record.output.force = nearest<Newton>(Vector3d(0, 0, side * kStiffness));
+    record.output.hip = to_fixed<Mm>(Vector3d(x, y, side * (0.01 - 1)));
+    record.output.force = to_fixed<Newton>(Vector3d(0, 0, side * kStiffness));
   };
   const auto points = touch_points(trace(5000, on_foil), {.points = 100}, report_);
   ASSERT_EQ(points.size(), 100U);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/evaluate/felt_surface.h"
+#include "host/motion/felt_surface.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch::evaluate {
@@ -25,7 +25,7 @@ TEST(ZeroSurface, ABallIsOneClosedPieceOfItsVolumeWithEveryCornerOnTheSamplersZe
   const double area = 4 * std::numbers::pi * 20 * 20;
   EXPECT_GT(static_cast<double>(surface.vertices.size()) / area, 14);
   EXPECT_LT(static_cast<double>(surface.vertices.size()) / area, 22);
-  const FeltSurface felt(image.view());
+  const motion::FeltSurface felt(image.view());
   double worst = 0;
   for (const Eigen::Vector3d& vertex : surface.vertices) worst = std::max(worst, std::abs(felt.sample(vertex).distance) / kVoxel);
   EXPECT_LT(worst, 1e-4);

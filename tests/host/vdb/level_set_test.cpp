@@ -10,8 +10,8 @@
 #include <cmath>
 #include <functional>
 
-#include "host/cloud/files.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "host/vdb/level_set_field.h"
 #include "tests/support/scratch_folder.h"
 
@@ -209,7 +209,7 @@ TEST(LevelSet, half_floats_and_doubles_are_read) {
 
 TEST(LevelSet, a_file_that_was_cut_is_refused) {
   const ScratchFolder folder;
-  const auto bytes = cloud::read_file(save(folder, {sphere()}));
+  const auto bytes = read_file(save(folder, {sphere()}));
   int refused = 0;
   for (std::size_t size = 0; size < bytes.size(); size += bytes.size() / 97 + 1) {
     const fs::path cut = folder.write("cut.vdb", std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)));

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "host/blob/write_blob.h"
+#include "host/encoding/write_blob.h"
 #include "shared/blob.h"
 
 namespace isotouch::view {
@@ -12,7 +12,7 @@ inline constexpr double kTestEdge = 0.5;    // mm
 inline constexpr double kTestRadius = 8.0;  // mm: 16 voxels
 
 struct SphereBlob {
-  SphereBlob() : image(blob::write_blob(field(), {})), view(*BlobView::parse(image.bytes())) {}
+  SphereBlob() : image(encoding::write_blob(field(), {})), view(*BlobView::parse(image.bytes())) {}
 
   static field::BandField field() {
     field::BandField made;

@@ -1,0 +1,66 @@
+/// isotouch fields: what a controller has stored, and which one it renders.
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/board_commands/commands.h"
+#include "host/board_commands/controller_options.h"
+#include "host/error.h"
+#include "host/link/controller.h"
+#include "host/trace/hash_text.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::string to, select;
+  bool json = false;
+};
+
+std::uint64_t read_hash(const std::string& text) {
+  std::uint64_t hash = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
+  if (text.size() != 16 || failed != std::errc{} || end != text.data() + text.size()) {
+    throw InputError("--select " + text + ": a hash has 16 hexadecimal digits; take one from the list without --select");
+  }
+  return hash;
+}
+
+void print(const std::vector<wire::FieldEntry>& fields, bool as_json) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const wire::FieldEntry& field : fields) {
+    const std::string hash = trace::hash_text(field.image_hash), name(field.name.view());
+    if (as_json) {
+      json.push_back({{"field_hash", hash}, {"name", name}, {"bytes", field.packed_bytes}, {"active", field.active != 0}});
+    } else {
+      std::printf("%s %s %8llu bytes  %s\n", field.active != 0 ? "*" : " ", hash.c_str(),
+                  static_cast<unsigned long long>(field.packed_bytes), name.c_str());
+    }
+  }
+  if (as_json) std::printf("%s\n", nlohmann::ordered_json{{"fields", json}}.dump(2).c_str());
+}
+
+void run(const Options& options) {
+  const std::uint64_t wanted = options.select.empty() ? 0 : read_hash(options.select);
+  link::Controller controller(options.to);
+  if (!options.select.empty()) (void)controller.select(wanted);
+  print(controller.fields(), options.json);
+}
+
+}  // namespace
+
+void add_fields(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("fields", "The fields that a controller has stored, the active one marked; or render another of them");
+  add_address(*command, options->to);
+  command->add_option("--select", options->select, "the hash of the stored field to render from now on");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,118 @@
+#include "host/board_commands/run.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "host/board_commands/choice.h"
+#include "host/board_commands/commands.h"
+#include "host/error.h"
+#include "shared/files/version_text.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
+
+int complain(const char* program, ExitCode code, const char* sentence) {
+  std::fprintf(stderr, "%s: %s\n", program, sentence);
+  return code;
+}
+
+/// The commands of each task, in the order in which a person meets them.
+struct Task {
+  const char* name;
+  std::vector<const char*> commands;
+};
+
+const std::vector<Task>& tasks() {
+  static const std::vector<Task> all = {
+      {"Build and judge a field", {"demo", "shape", "build", "info", "export", "render", "evaluate", "compare", "bench"}},
+      {"Run a controller", {"upload", "fields", "status", "latency", "watch", "set", "stop", "resume", "calibrate", "qualify"}},
+      {"Record and replay", {"record", "replay", "trace", "scan"}}};
+  return all;
+}
+
+/// Also by its older name; nullptr where there is none.
+template <class App>
+App* find_command(App& app, const std::string& name) {
+  for (auto* command : app.get_subcommands(nullptr)) {
+    if (command->check_name(name)) return command;
+  }
+  return nullptr;
+}
+
+void group_by_task(CLI::App& app) {
+  for (const Task& task : tasks()) {
+    for (const char* name : task.commands) {
+      if (CLI::App* command = find_command(app, name)) command->group(task.name);
+    }
+  }
+}
+
+/// A word that no command or option is called, and what was probably meant; empty where all are known.
+std::string unknown_word(const CLI::App& app, int argc, char** argv) {
+  const CLI::App* command = &app;
+  std::string said;  // the commands so far
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    std::vector<std::string> names;
+    if (word.starts_with("--")) {
+      for (const CLI::Option* option : command->get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      }
+    } else if (word.starts_with("-") || command->get_subcommands(nullptr).empty()) {
+      continue;
+    } else {
+      for (const CLI::App* known : command->get_subcommands(nullptr)) {
+        names.push_back(known->get_name());
+        names.insert(names.end(), known->get_aliases().begin(), known->get_aliases().end());
+      }
+    }
+    if (std::find(names.begin(), names.end(), word) != names.end()) {
+      if (!word.starts_with("--")) command = find_command(*command, word), said += " " + command->get_name();
+      continue;
+    }
+    const std::string meant = nearest_name(word, names);
+    return std::string("there is no ") + (word.starts_with("--") ? "option" : "command") + " '" + word + "'" +
+           (meant.empty() ? "" : "; did you mean '" + meant + "'?") + (meant.empty() ? "; " : " ") + app.get_name() + said +
+           " --help lists them";
+  }
+  return {};
+}
+
+}  // namespace
+
+int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
+  CLI::App app{about, program};
+  app.set_version_flag("--version", files::version_text(program), "print version, commit, formats and compiler");
+  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
+  app.require_subcommand(1);
+  add(app);  // last: a sub-command takes over what is said before it is made
+  group_by_task(app);
+  try {
+    app.parse(argc, argv);
+    return kDone;
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);
+    const std::string unknown = unknown_word(app, argc, argv);
+    if (!unknown.empty()) return complain(program, kWrongUsage, unknown.c_str());
+    return app.exit(e), kWrongUsage;
+  } catch (const ComparisonFailed& e) {
+    return complain(program, kComparisonFailed, e.what());
+  } catch (const EndedEarly& e) {
+    return complain(program, kEndedEarly, e.what());
+  } catch (const InputError& e) {
+    return complain(program, kBadInput, e.what());
+  } catch (const std::bad_alloc&) {
+    return complain(program, kBadInput, "not enough memory for this input; a field with a larger --voxel or a smaller --grid takes less");
+  } catch (const std::exception& e) {
+    return complain(program, kBadInput, e.what());
+  }
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,137 @@
+/// isotouch status: how a running controller is.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "host/board_commands/commands.h"
+#include "host/board_commands/controller_options.h"
+#include "host/error.h"
+#include "host/link/controller.h"
+#include "host/trace/hash_text.h"
+#include "shared/fault_names.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::string to;
+  std::string field;  ///< only this value of the JSON object
+  bool json = false;
+};
+
+/// Faults in words.
+std::vector<std::string> fault_names(std::uint16_t faults) {
+  std::vector<std::string> names;
+  unsigned known = 0;
+  for (const FaultName& fault : kFaultNames) {
+    if ((faults & fault.fault) != 0) names.emplace_back(fault.name);
+    known |= fault.fault;
+  }
+  if ((faults & ~known) != 0) names.emplace_back("unknown");
+  return names;
+}
+
+constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< wire::AnglesFrom in words
+
+std::string angles_from(const wire::DeviceReport& device) {
+  return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
+}
+
+nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
+  nlohmann::ordered_json json{{"program", welcome.program.view()},
+                              {"state", state_name(status.state)},
+                              {"ticks", status.ticks},
+                              {"late", status.late},
+                              {"faults", fault_names(status.faults)},
+                              {"field_hash", nullptr}};
+  if (status.field_hash != 0) json["field_hash"] = trace::hash_text(status.field_hash);
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
+    const wire::Quantiles& q = status.measures[i];
+    json[kMeasureNames[i].key] = {{"p50", in(q.p50)}, {"p999", in(q.p999)}, {"max", in(q.max)}};
+  }
+  json["allocations"] = status.allocations;
+  json["page_faults"] = status.page_faults;
+  json["device"] = {{"serial", device.serial.view()},
+                    {"angles_from", angles_from(device)},
+                    {"angle_at_zero_deg", {degrees_of(device.at_zero[0]), degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2])}},
+                    {"other_angles_wait", device.waits != 0}};
+  return json;
+}
+
+/// One value as a script wants it: text without quotation marks, the parts of a list separated by spaces, nothing for null.
+std::string plain(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& part : value) text += (text.empty() ? "" : " ") + plain(part);
+  return text;
+}
+
+/// name      a key, or keys joined by dots: "tick_us.p999"
+void print_field(const nlohmann::ordered_json& json, const std::string& name) {
+  const nlohmann::ordered_json* value = &json;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string key = name.substr(begin, end - begin);
+    if (!value->is_object() || !value->contains(key)) {
+      std::string keys;
+      if (value->is_object()) {
+        for (const auto& [known, ignored] : value->items()) keys += " " + known;
+      }
+      throw InputError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
+    }
+    value = &(*value)[key];
+    begin = end + 1;
+  }
+  std::printf("%s\n", plain(*value).c_str());
+}
+
+void print_text(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
+  std::string state = state_name(status.state);
+  for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
+  std::printf("%-17s%s\n", "state", state.c_str());
+  std::printf("%-17s%s\n", "field", status.field_hash == 0 ? "none" : trace::hash_text(status.field_hash).c_str());
+  std::printf("%-17s%llu, of which late %llu\n", "ticks", static_cast<unsigned long long>(status.ticks),
+              static_cast<unsigned long long>(status.late));
+  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+    const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
+    const wire::Quantiles& q = status.measures[i];
+    std::printf("%-17smedian %.1f, 99.9 %% %.1f, largest %.1f %s\n", kMeasureNames[i].text, in(q.p50), in(q.p999), in(q.max),
+                kMeasureNames[i].in_ticks ? "ticks" : "us");
+  }
+  std::printf("%-17s%llu, page faults %llu\n", "allocations", static_cast<unsigned long long>(status.allocations),
+              static_cast<unsigned long long>(status.page_faults));
+  std::printf("%-17s%s, arms at count 0 at %.3f, %.3f, %.3f degrees (%s)%s\n", "device",
+              device.serial.size == 0 ? "none" : std::string(device.serial.view()).c_str(), degrees_of(device.at_zero[0]),
+              degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), angles_from(device).c_str(),
+              device.waits != 0 ? "; others are kept and wait for the next start" : "");
+}
+
+void run(const Options& options) {
+  link::Controller controller(options.to);
+  const wire::StatusReport status = controller.status();
+  const wire::DeviceReport device = controller.welcome().minor >= 1 ? controller.device() : wire::DeviceReport{};
+  if (!options.field.empty()) return print_field(to_json(status, device, controller.welcome()), options.field);
+  if (!options.json) return print_text(status, device, controller.welcome());
+  std::printf("%s\n", to_json(status, device, controller.welcome()).dump(2).c_str());
+}
+
+}  // namespace
+
+void add_status(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("status", "How a running controller is: state, faults, field, times");
+  add_address(*command, options->to);
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->add_option("--field", options->field, "print this value alone, by its key in the JSON object, as tick_us.p999");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,59 @@
+/// isotouch upload: a field onto a running controller.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/blob/open_blob.h"
+#include "host/blob/packed.h"
+#include "host/board_commands/commands.h"
+#include "host/board_commands/controller_options.h"
+#include "host/error.h"
+#include "host/link/controller.h"
+#include "host/trace/hash_text.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+struct Options {
+  std::filesystem::path blob;
+  std::string to, name;
+  bool json = false;
+};
+
+void run(const Options& options) {
+  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const std::vector<std::uint8_t> packed = blob::pack(blob.view);
+  const std::string name = options.name.empty() ? options.blob.stem().string() : options.name;
+  const std::uint64_t hash = blob.view.hash();
+  link::Controller controller(options.to);
+  const wire::Accepted accepted = controller.upload({packed.size(), blob.view.image.size(), hash, wire::Text::of(name)}, packed);
+  if (accepted.image_hash != hash) throw InputError(options.to + ": another field was taken over meanwhile; upload again");
+  if (options.json) {
+    const nlohmann::ordered_json json{
+        {"field_hash", trace::hash_text(hash)}, {"bytes", packed.size()}, {"generation", accepted.generation}};
+    std::printf("%s\n", json.dump(2).c_str());
+  } else {
+    std::printf("%s is felt: field %s, %zu bytes sent\n", name.c_str(), trace::hash_text(hash).c_str(), packed.size());
+  }
+}
+
+}  // namespace
+
+void add_upload(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("upload", "Send a field to a running controller; whatever goes wrong, the one before stays");
+  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  add_address(*command, options->to);
+  command->add_option("--name", options->name, "what the controller calls it; the file's name by default");
+  command->add_flag("--json", options->json, "print one JSON object");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,208 @@
+#include "host/encoding/certificate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "host/encoding/apron.h"
+#include "host/field/four.h"
+#include "host/field/parallel.h"
+#include "shared/bytes.h"
+
+namespace isotouch::encoding {
+
+namespace {
+
+using namespace blob_layout;
+using namespace field;  // numbers by four
+
+constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
+constexpr std::size_t kStep[3] = {1, 6, 36};
+
+/// Calls four(n) for every four places n to n + 3 of an apron that have both neighbours `step` away; the last ones may come twice.
+template <class Action>
+void for_each_four(std::size_t step, const Action& four) {
+  const std::size_t end = std::tuple_size_v<Apron> - step;
+  for (std::size_t n = step; n + 4 <= end; n += 4) four(n);
+  four(end - 4);
+}
+
+float squared(float x) { return x * x; }
+
+/// The largest step to a neighbour along one axis, of all that are known.
+float largest_rise(const Apron& values, std::size_t step) {
+  const auto rise = [&](std::size_t n) { return magnitude(load(&values[n]) - load(&values[n - step])); };
+  Four most{};
+  for (std::size_t n = step; n + 4 <= values.size(); n += 4) most = larger(rise(n), most);
+  return largest(larger(rise(values.size() - 4), most));
+}
+
+/// The larger of the steps to the two neighbours of each value along one axis, zero where none is known (NaN).
+Apron rises(const Apron& values, std::size_t step) {
+  Apron rise{};
+  for_each_four(step, [&](std::size_t n) {
+    const Four back = magnitude(load(&values[n]) - load(&values[n - step])), ahead = magnitude(load(&values[n + step]) - load(&values[n]));
+    store(larger(back, larger(ahead, Four{})), &rise[n]);
+  });
+  return rise;
+}
+
+/// The largest of each value and its two neighbours along one axis.
+Apron spread(const Apron& values, std::size_t step) {
+  Apron most{};
+  for_each_four(
+      step, [&](std::size_t n) { store(larger(larger(load(&values[n]), load(&values[n - step])), load(&values[n + step])), &most[n]); });
+  return most;
+}
+
+/// A bound of |∇φ|² in the cells around the brick's samples, or what is given. A cell reaches half a sample to each side and knows 3x3x3
+/// coefficients.
+float steepest(const Apron& coefficients, float known) {
+  float at_most = 0.0F;
+  for (const std::size_t step : kStep) at_most += squared(largest_rise(coefficients, step));
+  if (at_most <= known) return known;
+  std::array<Apron, 3> rise;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rise[axis] = spread(spread(rises(coefficients, kStep[axis]), kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
+  Four most = all(known);
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      Four sum{};
+      for (const Apron& along : rise) {
+        const Four row = load(&along[apron_number(0, y, z)]);
+        sum += row * row;
+      }
+      most = larger(most, sum);
+    }
+  }
+  return largest(most);
+}
+
+/// A brick with two rings around it, 8 samples a side.
+using Surroundings = std::array<float, 512>;
+
+constexpr std::ptrdiff_t surroundings_number(int x, int y, int z) { return ((z + 2) * 8 + y + 2) * 8 + x + 2; }
+
+Surroundings surroundings(const std::vector<field::Brick>& bricks, const Neighbours& around) {
+  Surroundings all;
+  all.fill(NAN);
+  float* out = all.data();
+  for (int z = -2; z < 6; ++z) {
+    for (int y = -2; y < 6; ++y, out += 8) {
+      const std::uint32_t* row = &around[static_cast<std::size_t>(((z + 4) / 4 * 3 + (y + 4) / 4) * 3)];
+      const std::size_t at = sample_number(0, y & 3, z & 3);
+      if (row[0] != kAbsent) std::copy_n(&bricks[row[0]].distance[at + 2], 2, out);
+      if (row[1] != kAbsent) std::copy_n(&bricks[row[1]].distance[at], 4, out + 2);
+      if (row[2] != kAbsent) std::copy_n(&bricks[row[2]].distance[at], 2, out + 6);
+    }
+  }
+  return all;
+}
+
+/// One of each pair of opposite steps to the 26 neighbours.
+struct Direction {
+  std::ptrdiff_t step;
+  float length;
+};
+
+constexpr std::array<std::array<int, 3>, 13> kDirections = {{{1, 0, 0},
+                                                             {0, 1, 0},
+                                                             {0, 0, 1},
+                                                             {1, 1, 0},
+                                                             {1, -1, 0},
+                                                             {1, 0, 1},
+                                                             {1, 0, -1},
+                                                             {0, 1, 1},
+                                                             {0, 1, -1},
+                                                             {1, 1, 1},
+                                                             {1, 1, -1},
+                                                             {1, -1, 1},
+                                                             {-1, 1, 1}}};
+
+std::array<Direction, 13> directions() {
+  std::array<Direction, 13> all{};
+  for (std::size_t d = 0; d < all.size(); ++d) {
+    const auto& [x, y, z] = kDirections[d];
+    all[d] = {surroundings_number(x, y, z) - surroundings_number(0, 0, 0), std::sqrt(static_cast<float>(x * x + y * y + z * z))};
+  }
+  return all;
+}
+
+bool has_inside(const Samples& distance) {
+  return std::any_of(distance.begin(), distance.end(), [](float d) { return d < 0.0F; });
+}
+
+/// The least thickness of a wall whose middle lies beside one of the brick's samples, or what is given. Across a wall the distance falls by the
+/// way, and behind its middle it rises by the way.
+float thinnest(const Surroundings& distance, const std::array<Direction, 13>& ways, float thickness) {
+  constexpr float kOpposed = 0.9F;  // of the way: at the edge of a box it is 0.7, between sides 130 degrees apart 0.9
+  Four thin = all(thickness);
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      const float* at = &distance[static_cast<std::size_t>(surroundings_number(0, y, z))];
+      const Four here = load(at);
+      if (!any(here < 0.0F)) continue;
+      for (const Direction& way : ways) {
+        const float opposed = kOpposed * way.length;
+        const Four fall = load(at - way.step) - here;
+        if (!any(fall >= opposed)) continue;
+        const Four next = load(at + way.step), rise = load(at + 2 * way.step) - next;
+        const Four wall = (fall + rise) / 2.0F - (here + next);
+        const auto thinner = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin);
+        thin = thinner ? wall : thin;
+      }
+    }
+  }
+  return least(thin);
+}
+
+}  // namespace
+
+double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns) {
+  return 2.0 * damping_ns_per_mm / ((2.0 * delay_ticks + 1.0) * 1e-9 * period_ns);
+}
+
+Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients) {
+  std::vector<Samples> splines(field.bricks.size());
+  std::vector<float> slopes(field.bricks.size()), walls(field.bricks.size());
+  for (std::size_t b = 0; b < splines.size(); ++b) {
+    std::transform(coefficients[b].begin(), coefficients[b].end(), splines[b].begin(),
+                   [](std::int16_t c) { return static_cast<float>(c) / (1 << Distance::kFractionBits); });
+  }
+  const auto ways = directions();
+  const float none = 2.0F * static_cast<float>(field.band);
+  field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    float slope = 0.0F, wall = none;
+    for (std::size_t b = begin; b < end; ++b) {
+      slopes[b] = slope = steepest(gather(splines, around[b]), slope);
+      if (has_inside(field.bricks[b].distance)) wall = thinnest(surroundings(field.bricks, around[b]), ways, wall);
+      walls[b] = wall;
+    }
+  });
+  Certificate certificate;
+  if (!slopes.empty()) {
+    const float wall = *std::min_element(walls.begin(), walls.end());
+    certificate.largest_slope = std::sqrt(static_cast<double>(*std::max_element(slopes.begin(), slopes.end())));
+    certificate.thinnest_wall_voxel = wall < none ? static_cast<double>(std::max(wall, 0.0F)) : 0.0;
+  }
+  certificate.quantisation_voxel = 0.5 / (1 << Distance::kFractionBits);  // the spline is a mean of coefficients
+  certificate.stiffness_n_per_mm = advisable_stiffness(certificate.damping_ns_per_mm, certificate.delay_ticks, certificate.period_ns);
+  return certificate;
+}
+
+Certificate certificate_of(const BlobView& view) {
+  const std::uint8_t* at = view.image.data();
+  const auto scaled = [at](std::size_t offset, int bits) {
+    return std::ldexp(static_cast<double>(load_le<std::uint32_t>(at + offset)), -bits);
+  };
+  return {scaled(kLargestSlopeAt, 16),
+          scaled(kQuantisationAt, 24),
+          scaled(kThinnestWallAt, 16),
+          scaled(kAdvisedStiffnessAt, Stiffness::kFractionBits),
+          load_le<std::uint32_t>(at + kAdvisedPeriodAt),
+          scaled(kAdvisedDampingAt, Damping::kFractionBits),
+          load_le<std::uint32_t>(at + kAdvisedDelayAt)};
+}
+
+}  // namespace isotouch::encoding

@@ -1,0 +1,40 @@
+/// What a blob promises of itself, measured while it is written, so that a controller can refuse what it cannot hold.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host/encoding/apron.h"
+#include "host/encoding/spline.h"
+#include "host/field/band_field.h"
+#include "shared/blob.h"
+
+namespace isotouch::encoding {
+
+struct Certificate {
+  double largest_slope = 0.0;        ///< a bound of |∇φ| over all stored bricks, voxels a voxel; 0 = the blob has no certificate
+  double quantisation_voxel = 0.0;   ///< how far rounding the coefficients moves the distance at most, voxels
+  double thinnest_wall_voxel = 0.0;  ///< between two sides that face away from each other; 0 = none that both bands see
+  double stiffness_n_per_mm = 0.0;   ///< the largest advisable one for the three numbers below
+  std::uint32_t period_ns = 1'000'000;
+  double damping_ns_per_mm = 0.003;  ///< of the device: the Falcon's own, about 3 N·s/m, is assumed
+  std::uint32_t delay_ticks = 1;     ///< from encoder to motor word
+};
+
+/// K = 2 b / ((2 d + 1) T), N/mm: above it a sampled wall feeds energy into the hand.
+///
+/// source    Colgate and Schenkel, Passivity of a class of sampled-data systems, 1997, with d whole periods of delay
+double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns);
+
+/// field          as it was sampled
+/// around         its `neighbours`
+/// coefficients   of its spline, one brick for each of the field's
+/// returns        the slope from above: in each cell every component of the gradient is a mean of differences of neighbouring coefficients.
+///                The wall from two samples on both sides of its middle, where these see it: up to about twice the band, and to 0.3 voxel
+/// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
+Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
+
+/// What a checked image says; all zero where it says nothing (version 1.0).
+Certificate certificate_of(const BlobView& view);
+
+}  // namespace isotouch::encoding

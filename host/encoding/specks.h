@@ -1,0 +1,24 @@
+/// Bits of surface that are too small for the grid.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host/encoding/apron.h"
+#include "host/encoding/spline.h"
+
+namespace isotouch::encoding {
+
+/// Coefficients of one sign that hang together face to face, and are so few, are no part of a body but roughness: two voxels a side.
+inline constexpr int kSpeck = 8;
+
+/// Turns the sign of every such set that coefficients of the other sign enclose, unless it touches the tip of something larger at an edge or a corner. A
+/// spline whose coefficients have one sign has no zero among them, so no
+/// tiny piece or hole stands beside the surface of a noisy scan.
+///
+/// around    `neighbours` of the field that the coefficients are of
+/// returns   how many sets
+/// fails     never
+std::size_t drop_specks(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around);
+
+}  // namespace isotouch::encoding

@@ -1,0 +1,37 @@
+/// Band field → the bytes of a blob (shared/SPEC.md, section 2).
+#pragma once
+
+#include <cstdint>
+
+#include "host/blob/image.h"
+#include "host/cloud/oriented_points.h"
+#include "host/field/band_field.h"
+#include "shared/blob.h"
+
+namespace isotouch::encoding {
+
+enum class Method : std::uint32_t { kDefault = 0, kPublished = 1 };
+
+/// What the image says beside the distances.
+struct BlobInfo {
+  double stiffness_n_per_mm = 0.8;  ///< the largest, where the field has one for each brick: they are scaled to it
+  std::uint64_t source_hash = 0;
+  Method method = Method::kDefault;
+  std::uint32_t point_count = 0;
+  cloud::Placement placement;
+};
+
+/// Turns distances into spline coefficients, rounds them and lays out the image. The same field gives the same bytes on every machine.
+///
+/// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
+/// its
+///           row, and that of the border, which is outside, where its row has none before it
+/// returns   an image that BlobView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
+///           has them (`field::make_grid`), and every sample stays where it was computed
+/// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
+blob::Image write_blob(field::BandField field, const BlobInfo& info);
+
+/// What `write_blob` was told, read back from a checked image; stiffness as rounded.
+BlobInfo info_of(const BlobView& view);
+
+}  // namespace isotouch::encoding

@@ -1,0 +1,164 @@
+#include "host/motion/motion_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "host/error.h"
+
+namespace isotouch::motion {
+
+namespace {
+
+using Factors = std::array<std::pair<std::string_view, double>, 4>;
+constexpr Factors kSeconds = {{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
+constexpr Factors kMillimetres = {{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}};
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \r\"";
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+std::string in_quotes(std::string_view text) {
+  std::string sentence = "'";
+  return sentence.append(text).append("'");
+}
+
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const std::size_t end = line.find(separator);
+    fields.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// The factor of a stated unit, else of the one that the column's name ends with, else 1.
+double unit_factor(const Factors& factors, const std::string& stated, std::string_view column) {
+  const auto find = [&](std::string_view unit) {
+    return std::find_if(factors.begin(), factors.end(), [&](auto& f) { return f.first == unit; });
+  };
+  if (!stated.empty()) {
+    const auto found = find(stated);
+    if (found != factors.end()) return found->second;
+    std::string known;
+    for (const auto& [name, factor] : factors) known.append(" ").append(name);
+    throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
+  }
+  const std::size_t ending = column.rfind('_');
+  const auto found = ending == std::string_view::npos ? factors.end() : find(column.substr(ending + 1));
+  return found == factors.end() ? 1.0 : found->second;
+}
+
+/// Lines with their numbers, and the sentences that name them.
+class Table {
+ public:
+  explicit Table(const std::filesystem::path& file) : name_(file.string()), in_(file) {
+    if (!in_ || std::filesystem::is_directory(file)) throw InputError(name_ + ": cannot be read; check the path and its permissions");
+  }
+
+  bool next() {
+    while (std::getline(in_, line_)) {
+      ++number_;
+      if (number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
+      const std::string_view text = trimmed(line_);
+      if (!text.empty() && text.front() != '#') return true;
+    }
+    return false;
+  }
+  const std::string& line() const { return line_; }
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(name_ + ": line " + std::to_string(number_) + ": " + what); }
+  [[noreturn]] void refuse_file(const std::string& what) const { throw InputError(name_ + ": " + what); }
+
+ private:
+  std::string name_;
+  std::ifstream in_;
+  std::string line_;
+  std::size_t number_ = 0;
+};
+
+std::size_t find_column(const Table& table, const std::vector<std::string_view>& names, const std::string& wanted) {
+  const auto found = std::find(names.begin(), names.end(), wanted);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  std::string present;
+  for (const std::string_view name : names) present.append(" ").append(name);
+  table.refuse("no column is called " + in_quotes(wanted) + ", there are:" + present + "; name them with --columns t=…,x=…,y=…,z=…");
+}
+
+double number(const Table& table, std::string_view field, std::string_view column) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+    table.refuse(in_quotes(field) + " in column " + in_quotes(column) + " is not a finite number; correct or remove the row");
+  }
+  return value;
+}
+
+}  // namespace
+
+MotionColumns parse_columns(const std::string& text) {
+  MotionColumns columns;
+  if (text.empty()) return columns;
+  for (const std::string_view part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string_view key = part.substr(0, equals);
+    const std::array<std::pair<std::string_view, std::string*>, 7> names = {{{"t", &columns.time},
+                                                                             {"x", &columns.x},
+                                                                             {"y", &columns.y},
+                                                                             {"z", &columns.z},
+                                                                             {"fx", &columns.fx},
+                                                                             {"fy", &columns.fy},
+                                                                             {"fz", &columns.fz}}};
+    const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == key; });
+    std::string* name = found == names.end() ? nullptr : found->second;
+    if (equals == std::string_view::npos || name == nullptr || equals + 1 == part.size()) {
+      throw InputError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME, and fx, fy, fz for forces");
+    }
+    *name = part.substr(equals + 1);
+  }
+  return columns;
+}
+
+std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const MotionColumns& columns) {
+  Table table(file);
+  if (!table.next()) table.refuse_file("is empty; a header line with the columns' names and rows of numbers are expected");
+  const std::string header = table.line();
+  const char separator = header.find('\t') != std::string::npos ? '\t' : header.find(';') != std::string::npos ? ';' : ',';
+  const std::vector<std::string_view> names = split(header, separator);
+  std::vector<std::size_t> at;
+  for (const std::string* name : {&columns.time, &columns.x, &columns.y, &columns.z}) at.push_back(find_column(table, names, *name));
+  if (columns.with_forces) {
+    for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) at.push_back(find_column(table, names, *name));
+  }
+  const double seconds = unit_factor(kSeconds, columns.time_unit, columns.time);
+  const double millimetres = unit_factor(kMillimetres, columns.length_unit, columns.x);
+
+  std::vector<TimedPoint> points;
+  while (table.next()) {
+    const std::vector<std::string_view> fields = split(table.line(), separator);
+    if (fields.size() != names.size()) {
+      table.refuse("has " + std::to_string(fields.size()) + " fields where the header names " + std::to_string(names.size()) +
+                   "; correct or remove the row");
+    }
+    std::array<double, 7> value{};
+    for (std::size_t i = 0; i < at.size(); ++i) value[i] = number(table, fields[at[i]], names[at[i]]);
+    const TimedPoint point{seconds * value[0], millimetres * Eigen::Vector3d(value[1], value[2], value[3]),
+                           Eigen::Vector3d(value[4], value[5], value[6])};
+    if (!points.empty() && point.time <= points.back().time) {
+      table.refuse("the time " + std::string(fields[at[0]]) +
+                   " does not come after that of the row before; sort the rows or remove this one");
+    }
+    points.push_back(point);
+  }
+  if (points.size() < 2) table.refuse_file("holds " + std::to_string(points.size()) + " rows; a motion needs at least two");
+  return points;
+}
+
+}  // namespace isotouch::motion

@@ -1,0 +1,88 @@
+#include "host/trace/fault_response.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "host/error.h"
+#include "shared/falcon_packet.h"
+
+namespace isotouch::trace {
+
+namespace {
+
+/// What the inputs show, tick by tick.
+class Shown {
+ public:
+  explicit Shown(const DeviceModel& device) : device_(device) {}
+
+  /// Names joined by '+'; empty where nothing speaks against forces.
+  std::string by(const Input& in) {
+    std::string names;
+    const auto show = [&](bool shown, const char* name) {
+      if (shown) names.append(names.empty() ? "" : "+").append(name);
+    };
+    const auto reply = decode_reply(in.packet);
+    const bool heard = in.fresh && reply.has_value();
+    const std::uint32_t gap = stale_ + 1;  // ticks since the counts that are known
+    stale_ = heard ? 0 : std::max(gap, std::uint32_t{in.age});
+    late_ = {in.late, late_[0], late_[1]};
+    const std::int64_t change = heard && known_ ? largest_change(reply->counts) : 0;
+    const std::int64_t jump = device_.count_jump;
+    const bool anew = heard && known_ && (reply->counts == decltype(counts_){} || 8 * change > jump * gap);
+    show((in.requests & kRequestStop) != 0, "stop");
+    show((in.lines & kLineStop) != 0, "lines");
+    show((in.lines & kLineEnableWrong) != 0, "enable");
+    show(stale_ >= device_.hold_ticks, "stale");
+    show(late_[0] >= device_.hold_ticks || late_[0] + late_[1] + late_[2] > device_.hold_ticks, "late");
+    show(anew && reply->homed != kAllHomed, "unhomed");
+    show(change > jump * gap, "jump");
+    show(gap == 1 && change <= jump && 2 * change > jump, "leap");
+    if (heard) counts_ = reply->counts;
+    known_ |= heard;
+    return names;
+  }
+
+ private:
+  static constexpr std::uint8_t kAllHomed = 7;
+
+  std::int64_t largest_change(const std::array<std::int16_t, 3>& counts) const {
+    std::int64_t largest = 0;
+    for (std::size_t leg = 0; leg < counts.size(); ++leg) largest = std::max<std::int64_t>(largest, std::abs(counts[leg] - counts_[leg]));
+    return largest;
+  }
+
+  const DeviceModel& device_;
+  std::uint32_t stale_ = 0;
+  std::array<std::uint32_t, 3> late_{};
+  std::array<std::int16_t, 3> counts_{};  ///< of the last valid packet
+  bool known_ = false;
+};
+
+}  // namespace
+
+std::vector<FaultResponse> fault_responses(const Trace& trace) {
+  if (!trace.header().has_outputs) throw InputError(trace.path() + ": it holds inputs only; replay it with --out first");
+  std::vector<FaultResponse> responses;
+  Shown shown(trace.header().device);
+  bool open = false, words_before = false, quiet_before = false;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord record = trace.record(tick);
+    const std::string condition = shown.by(record.input);
+    const bool words = record.output.commands != MotorCommands{};
+    if (!open && words_before && quiet_before && !condition.empty()) {
+      responses.push_back({tick, condition, std::nullopt, SupervisorState::kBoot});
+      open = true;
+    }
+    if (open) responses.back().state = static_cast<SupervisorState>(record.output.state);
+    if (open && !words) {
+      responses.back().ticks = tick - responses.back().tick;
+      open = false;
+    }
+    words_before = words;
+    quiet_before = condition.empty();
+  }
+  return responses;
+}
+
+}  // namespace isotouch::trace

@@ -1,0 +1,102 @@
+#include "host/trace/replay.h"
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "host/error.h"
+
+namespace isotouch::trace {
+
+namespace {
+
+/// A trace names one field, so it ends where another one was loaded.
+void check_inputs(const Trace& trace) {
+  std::uint32_t generation = 0;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const std::uint32_t loaded = trace.record(tick).input.field_generation;
+    if (generation != 0 && loaded != 0 && loaded != generation) {
+      throw InputError(trace.path() + ": another field was loaded at record " + std::to_string(tick) +
+                       ", but a trace names one field; record it in two parts");
+    }
+    if (loaded != 0) generation = loaded;
+  }
+}
+
+/// A recording that ended before a field was loaded names none.
+bool may_be_of(const Trace& trace, std::uint64_t field) {
+  const std::uint64_t named = trace.header().field_hash;
+  return named == field || (named == 0 && trace.kind() == InputKind::kPacket);
+}
+
+void check_usable(const BlobView& field, const Trace& trace, bool check) {
+  const std::string name = trace.path() + ": ";
+  check_inputs(trace);
+  if (!check) return;
+  if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
+  if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
+  if (!may_be_of(trace, field.hash())) {
+    throw InputError(name + describe(Error::kWrongBlob) + "; give the field it was recorded on, or replay without --check");
+  }
+}
+
+/// Why a recorded tick is not the one that was computed, given that the ticks before it are. What was stored is told from what was computed
+/// by asking which of the two the stored chain belongs to.
+std::optional<std::string> difference_at(const Trace& trace, std::size_t tick, const TraceRecord& computed) {
+  const TraceRecord stored = trace.record(tick);
+  const FieldName output = differing_output(stored.output, computed.output);
+  if (!output && stored.chain == computed.chain) return std::nullopt;
+  if (output && (stored.chain == computed.chain || trace.chain_follows(tick))) return std::string(output.view());
+  const bool chain_goes_on = !output && tick + 1 < trace.size() && !trace.chain_follows(tick + 1);
+  return chain_goes_on ? "chain" : "input";
+}
+
+}  // namespace
+
+TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs) {
+  TraceHeader header = inputs;
+  header.field_hash = field.hash();
+  header.has_outputs = true;
+  return header;
+}
+
+Run::Run(const BlobView& field, const TraceHeader& header)
+    : field_(field),
+      header_(replay_header(field, header)),
+      tick_model_(core::make_tick_model(header.device, header.settings, header.period_ns)),
+      position_model_(core::make_position_model(header.device, header.settings, header.period_ns, field)),
+      chain_(header_) {}
+
+TraceRecord Run::step(const Input& input) {
+  TraceRecord record;
+  record.input = input;
+  record.output = input.kind == InputKind::kPosition
+                      ? core::render_position(input, field_, position_model_, position_state_)
+                      : core::tick(input, input.field_generation == 0 ? nullptr : &field_, tick_model_, tick_state_);
+  record.chain = chain_.extend(record.input, record.output);
+  return record;
+}
+
+ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out) {
+  check_usable(field, trace, check);
+  Run run(field, trace.header());
+  ReplayReport report;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord recorded = trace.record(tick);
+    TraceRecord computed = run.step(recorded.input);
+    if (check && !report.first_difference) {
+      if (const auto name = difference_at(trace, tick, computed)) report.first_difference = Difference{tick, *name};
+    }
+    if (out != nullptr) {
+      computed.arrival_ns = recorded.arrival_ns;
+      out->append(computed);
+    }
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.ticks = trace.size();
+  report.hash = run.hash();
+  return report;
+}
+
+}  // namespace isotouch::trace

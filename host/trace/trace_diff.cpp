@@ -1,0 +1,59 @@
+#include "host/trace/trace_diff.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "host/error.h"
+
+namespace isotouch::trace {
+
+namespace {
+
+void check_recording(const Trace& trace) {
+  const std::string name = trace.path() + ": ";
+  if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
+  if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    if (!trace.chain_follows(tick)) {
+      throw InputError(name + "the chain breaks at record " + std::to_string(tick) +
+                       ": its bytes were changed after they were recorded; use the original file");
+    }
+  }
+}
+
+const char* differing_header(const TraceHeader& a, const TraceHeader& b) {
+  if (a.field_hash != b.field_hash) return "field";
+  if (a.device != b.device) return "model";
+  if (a.period_ns != b.period_ns) return "period";
+  if (a.settings != b.settings) return "settings";
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<Difference> first_difference(const Trace& a, const Trace& b) {
+  check_recording(a);
+  check_recording(b);
+  if (const char* field = differing_header(a.header(), b.header())) return Difference{0, field};
+
+  const std::size_t common = std::min(a.size(), b.size());
+  std::size_t equal_before = 0;       // every tick below is equal
+  std::size_t differs_from = common;  // this tick, if it exists, differs
+  while (equal_before < differs_from) {
+    const std::size_t middle = equal_before + (differs_from - equal_before) / 2;
+    if (a.chain(middle) == b.chain(middle)) {
+      equal_before = middle + 1;
+    } else {
+      differs_from = middle;
+    }
+  }
+  if (differs_from < common) {
+    const TraceRecord left = a.record(differs_from), right = b.record(differs_from);
+    const FieldName input = differing_input(left.input, right.input);
+    return Difference{differs_from, std::string((input ? input : differing_output(left.output, right.output)).view())};
+  }
+  if (a.size() != b.size()) return Difference{common, "length"};
+  return std::nullopt;
+}
+
+}  // namespace isotouch::trace

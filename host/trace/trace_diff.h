@@ -1,0 +1,26 @@
+/// Where two runs part: the first tick and the field in it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host/trace/trace_file.h"
+
+namespace isotouch::trace {
+
+struct Difference {
+  std::uint64_t tick = 0;
+  std::string
+      field;  ///< a field of SPEC.md's record, as `differing_input` and `differing_output` name it, or one that the function which found it states
+};
+
+/// Compares two traces with recorded outputs. Both are first checked against their own chains; then equal chains mean equal histories, so
+/// the first tick that differs is found by bisection, in log2(ticks) look-ups.
+///
+/// returns   nothing when they are equal to the bit, arrival times apart; field is also one of
+///           field, model, period, settings (the headers differ: tick 0), length (one ends earlier, equal until there)
+/// fails     InputError when one has no outputs or no records, or when its bytes were changed after recording
+std::optional<Difference> first_difference(const Trace& a, const Trace& b);
+
+}  // namespace isotouch::trace

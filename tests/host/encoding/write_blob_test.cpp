@@ -1,0 +1,159 @@
+#include "host/encoding/write_blob.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "host/error.h"
+#include "shared/blob.h"
+#include "tests/host/encoding/blob_bodies.h"
+
+namespace isotouch::encoding {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Every sample of the grid, stored or not, has the sign of the distance, and far ones are ±band.
+void expect_signs(const test::Distance3& distance, const Eigen::Vector3d& half) {
+  const Eigen::Vector3d shift(0.31, -0.17, 0.44);
+  const field::BandField field = test::field_of(distance, half, 3.0, shift);
+  const blob::Image image = write_blob(field, {});
+  const auto parsed = BlobView::parse(image.bytes());
+  ASSERT_TRUE(parsed.has_value());
+  const BlobView& view = *parsed;
+  std::size_t inside = 0;
+  for (int k = 0; k < view.size[2]; ++k) {
+    for (int j = 0; j < view.size[1]; ++j) {
+      for (int i = 0; i < view.size[0]; ++i) {
+        const double truth = distance(field.grid.position({i, j, k}) - shift);
+        const int stored = view.coefficient(i, j, k);
+        if (std::abs(truth) > 0.6) {
+          ASSERT_EQ(stored < 0, truth < 0) << i << ' ' << j << ' ' << k;
+        }
+        if (std::abs(truth) > 3.0) {
+          ASSERT_EQ(std::abs(stored), view.band.raw()) << i << ' ' << j << ' ' << k;
+        }
+        inside += truth < 0 ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GT(inside, 5000U);
+}
+
+TEST(WriteBlob, every_sample_has_the_right_sign_in_a_ball) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
+
+TEST(WriteBlob, every_sample_has_the_right_sign_around_a_cavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
+
+TEST(WriteBlob, every_sample_has_the_right_sign_around_a_thin_plate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
+
+TEST(WriteBlob, the_header_says_what_it_was_told) {
+  field::BandField field = test::field_of(test::ball(9), {9, 9, 9});
+  field.grid.edge = 0.375;
+  field.grid.origin = {-1.5, 2.25, 17.0};
+  BlobInfo info;
+  info.stiffness_n_per_mm = 1.25;
+  info.source_hash = 0x0123456789abcdefULL;
+  info.method = Method::kPublished;
+  info.point_count = 77;
+  info.placement = {2.5, {1.0, -2.0, 3.5}};
+  const blob::Image image = write_blob(field, info);
+  const auto view = BlobView::parse(image.bytes());
+  ASSERT_TRUE(view.has_value());
+  EXPECT_EQ(view->edge, MmPerVoxel::of(0.375));
+  EXPECT_EQ(view->inverse_edge, VoxelPerMm::of(1 / 0.375));
+  EXPECT_EQ(view->origin, (Vec3<Mm>{Mm::of(-1.5), Mm::of(2.25), Mm::of(17.0)}));
+  EXPECT_EQ(view->band, Distance::of(4.0));
+  EXPECT_EQ(view->stiffness, Stiffness::of(1.25));
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(view->size[axis], field.grid.size[static_cast<int>(axis)]);
+  const BlobInfo read = info_of(*view);
+  EXPECT_EQ(read.stiffness_n_per_mm, info.stiffness_n_per_mm);
+  EXPECT_EQ(read.source_hash, info.source_hash);
+  EXPECT_EQ(read.method, info.method);
+  EXPECT_EQ(read.point_count, info.point_count);
+  EXPECT_EQ(read.placement.scale, info.placement.scale);
+  EXPECT_EQ(read.placement.offset, info.placement.offset);
+}
+
+TEST(WriteBlob, a_listed_brick_of_one_constant_is_not_stored) {
+  const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25));
+  field::BandField more = field;
+  ASSERT_NE(more.bricks.front().cell, Eigen::Vector3i::Zero());
+  field::Brick far{Eigen::Vector3i::Zero(), {}};
+  far.distance.fill(50.0F);
+  more.bricks.insert(more.bricks.begin(), far);
+  const blob::Image a = write_blob(field, {});
+  const blob::Image b = write_blob(more, {});
+  EXPECT_TRUE(std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()));
+}
+
+TEST(WriteBlob, any_band_in_the_format_is_accepted) {
+  for (const double band : {1.0, 1.7001, 2.50012207, 4.00012207, 7.99}) {
+    const blob::Image image = write_blob(test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), band), {});
+    EXPECT_TRUE(BlobView::parse(image.bytes()).has_value()) << band;
+  }
+}
+
+TEST(WriteBlob, a_stiffness_of_each_brick_becomes_a_table_of_parts_of_the_largest) {
+  field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
+  const blob::Image without = write_blob(field, {});
+  for (const field::Brick& brick : field.bricks) field.stiffness.push_back(brick.cell.x() < 6 ? 0.001 : brick.cell.x() < 7 ? 0.6 : 1.2);
+  BlobInfo info;
+  info.stiffness_n_per_mm = 1.2;
+  const blob::Image image = write_blob(field, info);
+  const auto view = BlobView::parse(image.bytes());
+  ASSERT_TRUE(view.has_value());
+  ASSERT_NE(view->stiffness_parts, nullptr);
+  EXPECT_EQ(image.size(), without.size() + view->brick_count);
+  EXPECT_EQ(BlobView::parse(without.bytes())->stiffness_parts, nullptr);
+  int soft = 0, middle = 0, hard = 0;
+  for (const field::Brick& brick : field.bricks) {
+    const Eigen::Vector3i at = 4 * brick.cell;
+    if ((at.array() >= field.grid.size.array()).any()) continue;
+    const std::uint32_t number = view->brick_number(at.x(), at.y(), at.z());
+    if (number < 2) continue;
+    const int part = view->stiffness_parts[number];
+    const int x = brick.cell.x();
+    ASSERT_EQ(part, x < 6 ? 1 : x < 7 ? 128 : 255) << "rounded, and 1 at least";
+    (x < 6 ? soft : x < 7 ? middle : hard) += 1;
+  }
+  EXPECT_GT(std::min({soft, middle, hard}), 20);
+}
+
+std::string refusal(const field::BandField& field, const BlobInfo& info = {}) {
+  try {
+    write_blob(field, info);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
+  const field::BandField good = test::field_of(test::ball(9), {9, 9, 9});
+  field::BandField bad = good;
+  bad.grid.edge = 0.01;
+  EXPECT_THAT(refusal(bad), HasSubstr("voxel edge"));
+  bad = good;
+  bad.grid.origin.y() = 512.1;
+  EXPECT_THAT(refusal(bad), HasSubstr("corner"));
+  bad = good;
+  bad.band = 8.0;
+  EXPECT_THAT(refusal(bad), HasSubstr("band"));
+  bad = good;
+  bad.grid.size.z() = 5000;
+  EXPECT_THAT(refusal(bad), HasSubstr("5000 samples"));
+  BlobInfo info;
+  info.stiffness_n_per_mm = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal(good, info), HasSubstr("stiffness"));
+  EXPECT_EQ(refusal(good), "accepted");
+}
+
+TEST(WriteBlob, a_body_that_reaches_the_border_is_refused) {
+  const field::Grid grid = field::make_grid({-9, -9, -9}, {9, 9, 9}, 1.0, 2.0);
+  EXPECT_THAT(refusal(field::sample_distance(test::ball(9), grid, 4.0)), HasSubstr("border"));
+}
+
+}  // namespace
+}  // namespace isotouch::encoding

@@ -1,0 +1,53 @@
+#include "host/files/whole_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host/error.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch {
+namespace {
+
+TEST(Files, what_is_written_is_read_and_no_temporary_stays) {
+  const ScratchFolder folder;
+  std::vector<std::uint8_t> bytes(200000);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 31);
+  const auto file = folder.write("data", "what was there before");
+  write_file(file, bytes.data(), bytes.size());
+  EXPECT_EQ(read_file(file), bytes);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+  write_file(file, nullptr, 0);
+  EXPECT_TRUE(read_file(file).empty());
+}
+
+TEST(Files, a_refusal_names_the_file_and_the_reason) {
+  const ScratchFolder folder;
+  const std::string missing = (folder.path() / "missing").string();
+  const std::string beneath = (folder.path() / "missing" / "file").string();
+  const auto sentence = [](const auto& action) -> std::string {
+    try {
+      action();
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no refusal";
+  };
+  EXPECT_EQ(sentence([&] { read_file(missing); }), missing + ": cannot be read: No such file or directory");
+  EXPECT_EQ(sentence([&] { read_file(folder.path()); }), folder.path().string() + ": cannot be read: it is a folder, name a file");
+  EXPECT_EQ(sentence([&] { write_file(beneath, nullptr, 0); }), beneath + ": cannot be written: No such file or directory");
+  EXPECT_EQ(sentence([&] { write_file(folder.path(), nullptr, 0); }),
+            folder.path().string() + ": cannot be written: it is a folder, name a file");
+}
+
+TEST(Files, a_failed_write_leaves_the_old_file) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const std::vector<std::uint8_t> bytes(100000);
+  EXPECT_THROW(write_file("/dev/full", bytes.data(), bytes.size()), InputError);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+}  // namespace
+}  // namespace isotouch

@@ -1,0 +1,50 @@
+#include "host/motion/resample.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/error.h"
+#include "host/to_double.h"
+
+namespace isotouch::motion {
+namespace {
+
+std::vector<Eigen::Vector3d> resampled(const std::vector<TimedPoint>& points, std::uint32_t period_ns = 1'000'000) {
+  std::vector<Eigen::Vector3d> positions;
+  const std::uint64_t ticks =
+      resample(points, period_ns, [&](const Input& input, const Eigen::Vector3d&) { positions.push_back(to_double(input.hip)); });
+  EXPECT_EQ(ticks, positions.size());
+  return positions;
+}
+
+TEST(Resample, EverySampleOnATickIsKeptAndSoIsTheLast) {
+  std::vector<TimedPoint> points;
+  for (int i = 0; i <= 20; ++i) points.push_back({0.016 * i, {std::round(100 * std::sin(i)) / 8, i * 0.25, -i * 0.5}});
+  const auto positions = resampled(points);
+  ASSERT_EQ(positions.size(), 321U);
+  for (std::size_t i = 0; i <= 20; ++i) EXPECT_LT((positions[16 * i] - points[i].position).norm(), 2e-6) << i;
+}
+
+TEST(Resample, UniformMotionStaysUniform) {
+  std::vector<TimedPoint> points;
+  for (const double time : {0.0, 0.01, 0.013, 0.05, 0.051}) points.push_back({time, {100 * time, -50 * time, 1}});
+  const auto positions = resampled(points);
+  for (std::size_t tick = 0; tick < positions.size(); ++tick) EXPECT_NEAR(positions[tick].x(), 0.1 * static_cast<double>(tick), 2e-6);
+}
+
+TEST(Resample, NothingOvershootsAStop) {
+  const std::vector<TimedPoint> points = {{0, {0, 0, 0}}, {0.02, {5, 0, 0}}, {0.04, {5, 0, 0}}, {0.06, {0, 0, 0}}};
+  double highest = 0;
+  for (const auto& position : resampled(points)) highest = std::max(highest, position.x());
+  EXPECT_EQ(highest, 5.0);
+}
+
+TEST(Resample, WhatATraceCannotHoldIsRefused) {
+  EXPECT_THROW(resampled({{0, {0, 0, 0}}, {1, {2048, 0, 0}}}), InputError);
+  EXPECT_THROW(resampled({{0, {0, 0, 0}}, {1e6, {1, 0, 0}}}), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::motion

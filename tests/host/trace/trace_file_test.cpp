@@ -1,0 +1,209 @@
+#include "host/trace/trace_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include "host/error.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "tests/support/full_disk.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::trace {
+namespace {
+
+using testing::HasSubstr;
+
+TraceRecord record_at(std::size_t tick, bool outputs) {
+  TraceRecord record;
+  record.input.kind = InputKind::kPosition;
+  record.input.hip = {Mm::from_raw(static_cast<std::int32_t>(1000 * tick)), Mm::of(-3.5), Mm::of(2047)};
+  record.input.buttons = static_cast<std::uint8_t>(tick & 0xF);
+  record.input.fresh = tick % 3 != 2;
+  record.input.age = record.input.fresh ? 0 : 1;
+  record.arrival_ns = 1'000'000 * tick;
+  if (outputs) {
+    record.output.force = {Newton::of(1), Newton::of(-2), Newton::from_raw(static_cast<std::int32_t>(tick))};
+    record.output.status = kContact;
+  }
+  return record;
+}
+
+std::filesystem::path write_trace(const ScratchFolder& folder, std::size_t ticks, bool outputs) {
+  TraceHeader header;
+  header.field_hash = 42;
+  header.has_outputs = outputs;
+  const std::filesystem::path file = folder.path() / "a.trace";
+  TraceWriter writer(file, header);
+  Chain chain(header);
+  for (std::size_t tick = 0; tick < ticks; ++tick) {
+    TraceRecord record = record_at(tick, outputs);
+    if (outputs) record.chain = chain.extend(record.input, record.output);
+    writer.append(record);
+  }
+  writer.finish();
+  return file;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(TraceFile, WhatWasWrittenIsRead) {
+  const ScratchFolder folder;
+  const Trace trace = read_trace(write_trace(folder, 100, true));
+  ASSERT_EQ(trace.size(), 100U);
+  EXPECT_EQ(trace.header().record_count, 100U);
+  EXPECT_EQ(trace.header().field_hash, 42U);
+  for (std::size_t tick = 0; tick < 100; ++tick) {
+    const TraceRecord expected = record_at(tick, true);
+    const TraceRecord read = trace.record(tick);
+    EXPECT_EQ(read.input.hip, expected.input.hip);
+    EXPECT_EQ(read.input.fresh, expected.input.fresh);
+    EXPECT_EQ(read.output, expected.output);
+    EXPECT_EQ(read.chain, trace.chain(tick));
+    EXPECT_EQ(read.arrival_ns, expected.arrival_ns);
+    EXPECT_TRUE(trace.chain_follows(tick));
+  }
+}
+
+TEST(TraceFile, AnUnfinishedWriterLeavesTheOldFileAndNothingElse) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = write_trace(folder, 5, true);
+  const std::string before = bytes_of(file);
+  {
+    TraceWriter writer(file, {});
+    writer.append(record_at(0, false));
+  }
+  EXPECT_EQ(bytes_of(file), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+/// So many records on a disk with room for fewer.
+struct CutTrace {
+  CutTrace(const ScratchFolder& folder, std::size_t ticks, std::uint64_t room)
+      : disk(room), file(folder.path() / "a.trace"), writer(file, header) {
+    Chain chain(header);
+    for (std::size_t tick = 0; tick < ticks; ++tick) {
+      TraceRecord record = record_at(tick, true);
+      record.chain = chain.extend(record.input, record.output);
+      writer.append(record);
+    }
+  }
+  FullDisk disk;
+  TraceHeader header = [] {
+    TraceHeader made;
+    made.has_outputs = true;
+    return made;
+  }();
+  std::filesystem::path file;
+  TraceWriter writer;
+};
+
+std::uint64_t room_for(std::uint64_t records) { return trace_layout::kHeaderBytes + records * trace_layout::kRecordBytes; }
+
+TEST(TraceFile, AFullDiskKeepsTheWholeRecordsThatItTook) {
+  for (const std::size_t ticks : {701UL, 2000UL, 5000UL}) {  // noticed at the end, or on the way
+    const ScratchFolder folder;
+    const auto [records, chain] = CutTrace(folder, ticks, room_for(700) + 7).writer.finish_with_what_fits();
+    EXPECT_EQ(records, 700U);
+    const Trace trace = read_trace(folder.path() / "a.trace");
+    ASSERT_EQ(trace.size(), 700U);
+    for (std::size_t tick = 0; tick < 700; ++tick) ASSERT_TRUE(trace.chain_follows(tick)) << tick;
+    EXPECT_EQ(trace.chain(699), chain);
+  }
+}
+
+TEST(TraceFile, ADiskWithRoomForAllKeepsAll) {
+  const ScratchFolder folder;
+  const auto [records, chain] = CutTrace(folder, 700, room_for(700)).writer.finish_with_what_fits();
+  EXPECT_EQ(records, 700U);
+  EXPECT_EQ(read_trace(folder.path() / "a.trace").chain(699), chain);
+}
+
+TEST(TraceFile, AFullDiskIsAnErrorWhereAllOrNothingWasWantedOrNothingFits) {
+  const ScratchFolder folder;
+  EXPECT_THROW(CutTrace(folder, 2000, room_for(700)).writer.finish(), InputError);
+  EXPECT_THROW(CutTrace(folder, 2000, room_for(1) - 1).writer.finish_with_what_fits(), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(TraceFile, AHeaderThatCouldNotBeReadAgainIsRefused) {
+  const ScratchFolder folder;
+  TraceHeader header;
+  header.settings.force_limit = Newton::of(50.1);
+  EXPECT_THROW(TraceWriter(folder.path() / "a.trace", header), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(TraceFile, AWriterWithoutItsFolderSaysSo) {
+  const ScratchFolder folder;
+  EXPECT_THROW(TraceWriter(folder.path() / "missing" / "a.trace", {}), InputError);
+}
+
+TEST(TraceFile, ARecordedChainBreaksWhereABitWasFlipped) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = write_trace(folder, 50, true);
+  std::string bytes = bytes_of(file);
+  bytes[256 + 104 * 17 + 46] ^= 1;
+  const Trace trace = read_trace(folder.write("b.trace", bytes));
+  for (std::size_t tick = 0; tick < 50; ++tick) EXPECT_EQ(trace.chain_follows(tick), tick != 17) << tick;
+}
+
+/// Restates the header's checksum, so that the refusal is about the field itself.
+void seal(std::string& bytes) {
+  auto* at = reinterpret_cast<std::uint8_t*>(bytes.data());
+  store_le(at + 252, crc32(at, 252));
+}
+
+struct Malformed {
+  const char* name;
+  std::function<void(std::string&)> damage;
+  bool outputs;
+  const char* sentence;
+};
+
+TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
+  const Malformed cases[] = {
+      {"empty", [](std::string& b) { b.clear(); }, true, "not a file of this kind"},
+      {"not a trace", [](std::string& b) { b[0] = 'X'; }, true, "not a file of this kind"},
+      {"half a header", [](std::string& b) { b.resize(50); }, true, "ends before"},
+      {"newer major", [](std::string& b) { b[4] = 4; }, true, "newer than this program"},
+      {"flipped header bit", [](std::string& b) { b[40] = static_cast<char>(b[40] ^ 4); }, true, "checksum"},
+      {"period of zero", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 36, 0U), seal(b); }, true,
+       "header field"},
+      {"half a record", [](std::string& b) { b.resize(b.size() - 30); }, true, "ends before"},
+      {"hostile count", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 16, ~std::uint64_t{0} / 104), seal(b); },
+       true, "ends before"},
+      {"bytes after the last record", [](std::string& b) { b += "trailing"; }, true, "contradict"},
+      {"undefined button", [](std::string& b) { b[256 + 104 * 3 + 28] = 0x40; }, true, "record 3 at byte 568"},
+      {"fresh with an age", [](std::string& b) { b[256 + 104 * 4 + 6] = 1; }, true, "record 4 at byte 672"},
+      {"packets among positions", [](std::string& b) { b[256 + 104 * 5] = 1; }, true, "record 5 at byte 776"},
+      {"outputs that the header denies", [](std::string& b) { b[256 + 104 * 2 + 46] = 1; }, false, "record 2 at byte 464"},
+  };
+  for (const Malformed& malformed : cases) {
+    const ScratchFolder folder;
+    std::string bytes = bytes_of(write_trace(folder, 10, malformed.outputs));
+    malformed.damage(bytes);
+    const std::filesystem::path file = folder.write("bad.trace", bytes);
+    try {
+      read_trace(file);
+      ADD_FAILURE() << malformed.name << " was accepted";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(file.string())) << malformed.name;
+      EXPECT_THAT(error.what(), HasSubstr(malformed.sentence)) << malformed.name;
+    }
+  }
+  const ScratchFolder folder;
+  EXPECT_THROW(read_trace(folder.path() / "missing.trace"), InputError);
+  EXPECT_THROW(read_trace(folder.path()), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::trace

@@ -1,0 +1,151 @@
+/// Level sets there and back: OpenVDB's own sphere, felt as the core samples it; a blob, exported and read again.
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "firmware/core/field_sampler.h"
+#include "host/blob/open_blob.h"
+#include "host/cloud/random.h"
+#include "host/encoding/write_blob.h"
+#include "host/to_double.h"
+#include "host/vdb/level_set.h"
+#include "tests/host/commands/run_command.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch {
+namespace {
+
+using commands::run_command;
+using Eigen::Vector3d;
+
+Vec3<Voxel> index_of(const blob::OpenBlob& blob, const Vector3d& place) {
+  return to_fixed<Voxel>(Vector3d((place - to_double(blob.view.origin)) / to_double(blob.view.edge)));
+}
+
+struct Errors {
+  double distance_voxel = 0;
+  double normal_deg = 0;
+};
+
+/// The largest errors of the core's distance and gradient within half a voxel of a sphere round the origin.
+Errors against_sphere(const blob::OpenBlob& blob, double radius) {
+  cloud::Random random(11);
+  const double edge = to_double(blob.view.edge);
+  Errors worst;
+  for (int i = 0; i < 5000; ++i) {
+    Vector3d way;
+    do {
+      way = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    } while (way.norm() > 1 || way.norm() < 0.1);
+    const Vector3d place = (radius + random.uniform(-0.5, 0.5) * edge) * way.normalized();
+    const core::FieldSample sample = core::sample_field(blob.view, index_of(blob, place));
+    const double cosine = to_double(sample.gradient).normalized().dot(way.normalized());
+    worst.distance_voxel = std::max(worst.distance_voxel, std::abs(to_double(sample.distance) - (place.norm() - radius) / edge));
+    worst.normal_deg = std::max(worst.normal_deg, std::acos(std::min(1.0, cosine)) * 180 / M_PI);
+  }
+  return worst;
+}
+
+class LevelSetAcross : public ::testing::Test {
+ protected:
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  /// A sphere of radius 7 round (1, 2, 3), by the library itself.
+  void make_sphere(const std::string& name, double turn = 0) const {
+    openvdb::initialize();
+    const auto grid = openvdb::tools::createLevelSetSphere<openvdb::FloatGrid>(7.0F, openvdb::Vec3f(1, 2, 3), 0.2F, 3.0F);
+    grid->transform().postRotate(turn, openvdb::math::Z_AXIS);
+    openvdb::io::File(file(name)).write({grid});
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+TEST_F(LevelSetAcross, a_sphere_of_openvdb_is_felt_as_a_sphere) {
+  make_sphere("a.vdb");
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm");
+  const auto blob = blob::open_blob(file("a.itf"));
+  EXPECT_NEAR(to_double(blob.view.edge), 0.2, 1e-6);
+  EXPECT_EQ(to_double(blob.view.band), 3);
+  const Errors errors = against_sphere(blob, 7);
+  EXPECT_LT(errors.distance_voxel, 0.003);
+  EXPECT_GT(errors.distance_voxel, 0.0003);
+  EXPECT_LT(errors.normal_deg, 0.1);
+}
+
+TEST_F(LevelSetAcross, a_turned_or_refined_sphere_is_still_felt_as_one) {
+  make_sphere("a.vdb", 0.4);
+  for (const char* size : {"", " --voxel 0.13mm", " --grid 50"}) {
+    run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm" + size);
+    const Errors errors = against_sphere(blob::open_blob(file("a.itf")), 7);
+    EXPECT_LT(errors.distance_voxel, 0.02) << size;
+    EXPECT_LT(errors.normal_deg, 0.5) << size;
+  }
+}
+
+TEST_F(LevelSetAcross, an_export_holds_what_the_core_samples_at_every_node) {
+  make_sphere("a.vdb");
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
+  run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
+  const auto blob = blob::open_blob(file("a.itf"));
+  openvdb::io::File reader(file("b.vdb"));
+  reader.open(false);
+  const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(reader.readGrid("b"));
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
+  const double edge = to_double(blob.view.edge);
+  const double band_mm = to_double(blob.view.band) * edge;
+  EXPECT_EQ(grid->background(), static_cast<float>(band_mm));
+  EXPECT_EQ(grid->metaValue<std::string>("isotouch_unit"), "mm");
+  int active = 0;
+  double worst_mm = 0;
+  for (std::int32_t k = 0; k < blob.view.size[2]; ++k) {
+    for (std::int32_t j = 0; j < blob.view.size[1]; ++j) {
+      for (std::int32_t i = 0; i < blob.view.size[0]; ++i) {
+        const openvdb::Vec3d world = grid->indexToWorld(openvdb::Coord(i, j, k));
+        const Vector3d place = to_double(blob.view.origin) + edge * Vector3d(i, j, k);
+        ASSERT_NEAR((Vector3d(world.x(), world.y(), world.z()) - place).norm(), 0, 1e-12);
+        const double felt = to_double(core::sample_field(blob.view, index_of(blob, place)).distance) * edge;
+        const double held = std::clamp(felt, -band_mm, band_mm);
+        worst_mm = std::max(worst_mm, std::abs(static_cast<double>(grid->tree().getValue(openvdb::Coord(i, j, k))) - held));
+        if (grid->tree().isValueOn(openvdb::Coord(i, j, k))) ++active;
+      }
+    }
+  }
+  EXPECT_GT(active, 10'000);
+  EXPECT_LT(worst_mm, 1e-6 * band_mm);
+}
+
+TEST_F(LevelSetAcross, a_blob_comes_back_from_an_export_to_a_five_hundredth_of_a_voxel) {
+  make_sphere("a.vdb");
+  run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
+  run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
+  run_command("build " + file("b.vdb") + " -o " + file("b.itf") + " --units mm");
+  const auto first = blob::open_blob(file("a.itf"));
+  const auto second = blob::open_blob(file("b.itf"));
+  EXPECT_EQ(second.view.edge.raw(), first.view.edge.raw());
+  cloud::Random random(12);
+  double worst = 0;
+  int compared = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vector3d place(random.uniform(-20, 20), random.uniform(-20, 20), random.uniform(-20, 20));
+    const Vector3d moved = place - encoding::info_of(second.view).placement.to_workspace(Vector3d::Zero());
+    const double a = to_double(core::sample_field(first.view, index_of(first, moved)).distance);
+    if (std::abs(a) > 0.5) continue;
+    worst = std::max(worst, std::abs(to_double(core::sample_field(second.view, index_of(second, place)).distance) - a));
+    ++compared;
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_LT(worst, 0.002);  // the nodes are the same to rounding; three steps of the prefilter find their spline to this
+  EXPECT_GT(worst, 0.0001);
+}
+
+}  // namespace
+}  // namespace isotouch
