@@ -44,7 +44,7 @@ CLI::Validator one_of(std::vector<std::string> names) {
     const std::string meant = nearest_name(text, names);
     return "there is no '" + text + "'; " + (meant.empty() ? "" : "did you mean '" + meant + "'? ") + "the choices are " + list;
   };
-  return {check, list, "one of"};
+  return {check, "one of " + list, "one of"};
 }
 
 }  // namespace isotouch::commands

@@ -9,6 +9,7 @@
 
 #include "host/blob/open_blob.h"
 #include "host/board_commands/commands.h"
+#include "host/board_commands/print_field.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/replay.h"
@@ -25,14 +26,15 @@ struct Options {
   std::filesystem::path out;
   bool check = false;
   bool json = false;
+  std::string field;  ///< only this value of the JSON object
 };
 
-void print_json(const trace::ReplayReport& report) {
+nlohmann::ordered_json to_json(const trace::ReplayReport& report) {
   nlohmann::ordered_json json{{"ticks", report.ticks}, {"seconds", report.seconds}, {"hash", trace::hash_text(report.hash)}};
   json["first_difference"] = nullptr;
   if (report.first_difference)
     json["first_difference"] = {{"tick", report.first_difference->tick}, {"field", report.first_difference->field}};
-  std::printf("%s\n", json.dump(2).c_str());
+  return json;
 }
 
 void print_text(const trace::ReplayReport& report, bool checked) {
@@ -66,8 +68,10 @@ void run(const Options& options) {
   if (!options.out.empty()) writer.emplace(options.out, trace::replay_header(blob.view, trace.header()));
   const trace::ReplayReport report = trace::replay(blob.view, trace, options.check, writer ? &*writer : nullptr);
   if (writer) writer->finish();
-  if (options.json) {
-    print_json(report);
+  if (!options.field.empty()) {
+    print_field(to_json(report), options.field);
+  } else if (options.json) {
+    std::printf("%s\n", to_json(report).dump(2).c_str());
   } else {
     print_text(report, options.check);
   }
@@ -82,12 +86,13 @@ void run(const Options& options) {
 void add_replay(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("replay", "Run the core over a trace; the same blob and inputs give the same hash on every machine");
+      app.add_subcommand("replay", "Compute a trace's outputs again; the same field and inputs give the same hash on every machine");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
   command->add_option("-o,--out", options->out, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");
+  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] { run(*options); });
 }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/commands.h"
+#include "host/board_commands/help_formatter.h"
 #include "host/error.h"
 #include "shared/files/version_text.h"
 
@@ -90,7 +92,8 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
 int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
   CLI::App app{about, program};
   app.set_version_flag("--version", files::version_text(program), "print version, commit, formats and compiler");
-  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early and what came is kept.");
+  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early, what was done until then is kept.");
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   add(app);  // last: a sub-command takes over what is said before it is made
   group_by_task(app);

@@ -9,6 +9,7 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/print_field.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/trace/hash_text.h"
@@ -64,35 +65,6 @@ nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::Dev
   return json;
 }
 
-/// One value as a script wants it: text without quotation marks, the parts of a list separated by spaces, nothing for null.
-std::string plain(const nlohmann::ordered_json& value) {
-  if (value.is_null()) return {};
-  if (value.is_string()) return value.get<std::string>();
-  if (!value.is_array()) return value.dump();
-  std::string text;
-  for (const auto& part : value) text += (text.empty() ? "" : " ") + plain(part);
-  return text;
-}
-
-/// name      a key, or keys joined by dots: "tick_us.p999"
-void print_field(const nlohmann::ordered_json& json, const std::string& name) {
-  const nlohmann::ordered_json* value = &json;
-  for (std::size_t begin = 0; begin <= name.size();) {
-    const std::size_t end = std::min(name.find('.', begin), name.size());
-    const std::string key = name.substr(begin, end - begin);
-    if (!value->is_object() || !value->contains(key)) {
-      std::string keys;
-      if (value->is_object()) {
-        for (const auto& [known, ignored] : value->items()) keys += " " + known;
-      }
-      throw InputError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
-    }
-    value = &(*value)[key];
-    begin = end + 1;
-  }
-  std::printf("%s\n", plain(*value).c_str());
-}
-
 void print_text(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
   std::string state = state_name(status.state);
   for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
@@ -127,10 +99,10 @@ void run(const Options& options) {
 
 void add_status(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("status", "How a running controller is: state, faults, field, times");
+  CLI::App* command = app.add_subcommand("status", "Print how a running controller is: state, faults, field, times");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->field, "print this value alone, by its key in the JSON object, as tick_us.p999");
+  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as tick_us.p999");
   command->callback([options] { run(*options); });
 }
 

@@ -13,6 +13,7 @@
 
 #include "host/blob/open_blob.h"
 #include "host/blob/packed.h"
+#include "host/board_commands/print_field.h"
 #include "host/commands/commands.h"
 #include "host/encoding/certificate.h"
 #include "host/encoding/dense_bytes.h"
@@ -73,7 +74,7 @@ struct StiffnessRange {
   }
 };
 
-void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
+nlohmann::ordered_json to_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
   const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
@@ -95,7 +96,7 @@ void print_json(const BlobView& view, std::size_t wire_bytes, bool with_surface)
   const StiffnessRange stiffness(view);
   json["stiffness_n_per_mm"] = {{"least", stiffness.least}, {"largest", stiffness.largest}};
   if (with_surface) add_surface(view, json);
-  std::printf("%s\n", json.dump(2).c_str());
+  return json;
 }
 
 void print_text(const BlobView& view, std::size_t wire_bytes) {
@@ -147,16 +148,22 @@ void add_info(CLI::App& app) {
     std::filesystem::path blob;
     bool surface = false;
     bool json = false;
+    std::string field;  ///< only this value of the JSON object
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("info", "Tell what a blob holds");
+  CLI::App* command = app.add_subcommand("info", "Print what a field file holds");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
-  command->add_flag("--surface", options->surface, "also walk the whole surface: its pieces, the volume inside, its area");
+  command->add_flag("--surface", options->surface, "also measure the whole surface: number of pieces, volume inside, area");
   command->add_flag("--json", options->json, "print one JSON object");
+  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
     const blob::OpenBlob blob = blob::open_blob(options->blob);
     const std::size_t wire = wire_bytes(options->blob, blob.view);
-    if (options->json) return print_json(blob.view, wire, options->surface);
+    if (!options->field.empty()) return print_field(to_json(blob.view, wire, options->surface), options->field);
+    if (options->json) {
+      std::printf("%s\n", to_json(blob.view, wire, options->surface).dump(2).c_str());
+      return;
+    }
     print_text(blob.view, wire);
     if (options->surface) print_surface(blob.view);
   });

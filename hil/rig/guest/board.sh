@@ -32,9 +32,9 @@ tell_status() { status | sed 's/^/hil: status: /'; }
 status() { isotouchctl status --to $control --json; }
 
 # A value of the status, by its key.
-status_of() { status | sed -nE "s/^ *\"$1\": \"?([^\",]*)\"?,?\$/\1/p"; }
+status_of() { isotouchctl status --to $control --field "$1"; }
 
-is_in() { status | grep -qE "\"state\": \"($1)\""; }
+is_in() { status_of state | grep -qxE "$1"; }
 
 # Where the kernel puts a new program in memory: 2, wherever the seed says, for the controller and the device; 0, in one place, for the tools, because
 # QEMU translates a program anew in each place where it stands.

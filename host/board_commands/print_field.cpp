@@ -1,0 +1,41 @@
+#include "host/board_commands/print_field.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "host/error.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+std::string plain(const nlohmann::ordered_json& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const auto& part : value) text += (text.empty() ? "" : " ") + plain(part);
+  return text;
+}
+
+}  // namespace
+
+void print_field(const nlohmann::ordered_json& json, const std::string& name) {
+  const nlohmann::ordered_json* value = &json;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string key = name.substr(begin, end - begin);
+    if (!value->is_object() || !value->contains(key)) {
+      std::string keys;
+      if (value->is_object()) {
+        for (const auto& [known, ignored] : value->items()) keys += " " + known;
+      }
+      throw InputError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
+    }
+    value = &(*value)[key];
+    begin = end + 1;
+  }
+  std::printf("%s\n", plain(*value).c_str());
+}
+
+}  // namespace isotouch::commands
