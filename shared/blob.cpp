@@ -74,8 +74,8 @@ Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   view.inverse_edge = VoxelPerMm::from_raw(field(kInverseEdgeAt));
   view.band = Distance::from_raw(field(kBandAt));
   view.stiffness = Stiffness::from_raw(field(kStiffnessAt));
-  if (const auto slope = load_le<std::uint32_t>(at + kLargestSlopeAt); slope > 1U << kSlopeBits) {
-    view.free_share = Ratio::from_raw(static_cast<std::int32_t>((std::uint64_t{1} << (Ratio::kFractionBits + kSlopeBits)) / slope));
+  if (const auto slope = load_le<std::uint32_t>(at + kMaxSlopeAt); slope > 1U << kSlopeBits) {
+    view.inverse_slope = Ratio::from_raw(static_cast<std::int32_t>((std::uint64_t{1} << (Ratio::kFractionBits + kSlopeBits)) / slope));
   }
   view.node_count = load_le<std::uint32_t>(at + kNodeCountAt);
   view.brick_count = load_le<std::uint32_t>(at + kBrickCountAt);

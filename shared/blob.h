@@ -41,7 +41,7 @@ inline constexpr std::size_t kMethodAt = 104;
 inline constexpr std::size_t kPointCountAt = 108;
 inline constexpr std::size_t kScaleAt = 112;
 inline constexpr std::size_t kOffsetAt = 120;
-inline constexpr std::size_t kLargestSlopeAt = 144;
+inline constexpr std::size_t kMaxSlopeAt = 144;
 inline constexpr std::size_t kQuantisationAt = 148;
 inline constexpr std::size_t kThinnestWallAt = 152;
 inline constexpr std::size_t kAdvisedStiffnessAt = 156;
@@ -79,7 +79,7 @@ struct BlobView {
   VoxelPerMm inverse_edge;
   Distance band;
   Stiffness stiffness;                      ///< the largest, where there is a table of it
-  Ratio free_share = Ratio::of(1);          ///< how much of a distance is surely free way: 1 / the largest slope where that is above 1
+  Ratio inverse_slope = Ratio::of(1);       ///< how much of a distance is surely free way: 1 / the largest slope where that is above 1
   std::array<std::int32_t, 3> size{};       ///< samples along x, y, z
   std::array<std::int32_t, 3> root_size{};  ///< nodes along x, y, z
   std::uint32_t node_count = 0;

@@ -18,7 +18,7 @@ struct Stored {
 
   explicit Stored(const std::uint8_t* header) {
     const auto field = [header](std::size_t at) { return load_le<std::uint32_t>(header + at); };
-    slope = field(kLargestSlopeAt);
+    slope = field(kMaxSlopeAt);
     wall = field(kThinnestWallAt);
     stiffness = field(kAdvisedStiffnessAt);
     const auto damping = std::min(field(kAdvisedDampingAt), std::uint32_t{INT32_MAX});

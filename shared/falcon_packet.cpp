@@ -8,8 +8,8 @@ constexpr std::uint8_t kBegin = '<';
 constexpr std::uint8_t kEnd = '>';
 constexpr std::uint8_t kZero = 0x41;  // 'A'
 constexpr std::size_t kFlagsAt = 13;
-constexpr std::uint8_t kMostCommandFlags = 0x0F;
-constexpr std::uint8_t kMostReplyFlags = 0x7F;
+constexpr std::uint8_t kMaxCommandFlags = 0x0F;
+constexpr std::uint8_t kMaxReplyFlags = 0x7F;
 
 FalconPacket frame(const std::array<std::int16_t, 3>& numbers, unsigned flags) {
   FalconPacket packet{};
@@ -46,17 +46,17 @@ std::array<std::int16_t, 3> numbers_of(std::span<const std::uint8_t, kFalconPack
 
 }  // namespace
 
-FalconPacket encode(const FalconCommand& command) { return frame(command.words, command.flags & kMostCommandFlags); }
+FalconPacket encode(const FalconCommand& command) { return frame(command.words, command.flags & kMaxCommandFlags); }
 
 FalconPacket encode(const FalconReply& reply) { return frame(reply.counts, (reply.buttons & 0x0FU) | ((reply.homed & 0x07U) << 4)); }
 
 Result<FalconCommand> decode_command(std::span<const std::uint8_t, kFalconPacketBytes> bytes) {
-  if (!is_well_formed(bytes, kMostCommandFlags)) return Error::kBadPacket;
+  if (!is_well_formed(bytes, kMaxCommandFlags)) return Error::kBadPacket;
   return FalconCommand{numbers_of(bytes), static_cast<std::uint8_t>(bytes[kFlagsAt] - kZero)};
 }
 
 Result<FalconReply> decode_reply(std::span<const std::uint8_t, kFalconPacketBytes> bytes) {
-  if (!is_well_formed(bytes, kMostReplyFlags)) return Error::kBadPacket;
+  if (!is_well_formed(bytes, kMaxReplyFlags)) return Error::kBadPacket;
   const unsigned flags = bytes[kFlagsAt] - static_cast<unsigned>(kZero);
   return FalconReply{numbers_of(bytes), static_cast<std::uint8_t>(flags & 0x0F), static_cast<std::uint8_t>(flags >> 4)};
 }

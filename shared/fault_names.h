@@ -17,13 +17,13 @@ struct FaultName {
 
 inline constexpr std::array<FaultName, 9> kFaultNames = {{
     {kFaultStopped, "stopped", "it was told to stop"},
-    {kFaultSilent, "silent", "the device did not answer in time; look after its cable and supply"},
+    {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},
     {kFaultPenetration, "penetration", "the hand was deeper in the object than it may be; let go, and move out of it"},
     {kFaultEncoders, "encoders", "the encoders jumped while there were forces; unplug the device, so that it is homed anew"},
     {kFaultPose, "pose", "the grip was where the arms cannot reach; check geometry and homing of the device"},
     {kFaultSpeed, "speed", "the grip moved faster than it may for too long; hold it"},
     {kFaultLate, "late", "ticks came too late for too long; give the controller its priority and a core, or a lower rate"},
-    {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or nobody reads it any more; release it"},
+    {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or the watchdog no longer reads it; release it"},
     {kFaultEnable, "enable", "the motors' enable does not read back as it was set; check relay and wires"},
 }};
 

@@ -91,7 +91,7 @@ inline constexpr SettingRow kPlay{
     "play_mm", "mm", 20, 0, 1, 0.046, "way of the HIP of one encoder count: less is taken for a hand at rest"};
 inline constexpr SettingRow kFlags{"flags", "", 0, 0, 15, 0, "flags of a command packet"};
 inline constexpr SettingRow kHeatWord{
-    "heat_word", "", 0, 1, 4095, 2000, "rms of a motor command that a motor stands for ever; an estimate of ours", true};
+    "heat_word", "", 0, 1, 4095, 2000, "rms of a motor command that a motor can bear for ever; our own estimate", true};
 inline constexpr SettingRow kHeatTime{
     "heat_time", "ms", 0, 1'000, 1'000'000, 20'000, "time constant of the motors' warming; an estimate of ours", true};
 inline constexpr SettingRow kButtonMask{"mask", "", 0, 0, 15, 15, "buttons of the grip that resume from a fault, and run: bits 1, 2, 4, 8"};

@@ -52,8 +52,7 @@ Refusal Calibration::keep(const wire::Calibrate& measured) {
   store::AnglesAtZero angles;
   for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);
   const Result<void> kept = store_->put(serial, angles);
-  if (!kept)
-    return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; look after the controller's state folder";
+  if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
   answers(serial);
   return {};
 }

@@ -338,7 +338,7 @@ void ControlServer::finish_measuring() {
   if (measuring_ == nullptr || (!posture_.has_ended() && !given_up)) return;
   ControlClient& client = *std::exchange(measuring_, nullptr);
   client.waiting = false;
-  if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; look after the controller");
+  if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; restart the controller");
   if (posture_.refusal()) return client.refuse(Kind::kPosture, posture_.refusal().sentence());
   const DeviceModelBytes device = encode(settings_.recordings.device);
   client.say(Kind::kPostureReport, wire::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});

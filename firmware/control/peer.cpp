@@ -40,7 +40,7 @@ Peer peer_of(int socket) {
 }
 
 Refusal refusal_of(const Peer& peer, const Admission& admission) {
-  if (!peer.known) return "the system does not tell who is connecting, so nobody is let in; use a local socket";
+  if (!peer.known) return "the system does not report who is connecting, so the connection is refused; use a local socket";
   if (peer.user == 0 || peer.user == ::geteuid() || holds(admission.users, peer.user)) return {};
   if (std::any_of(peer.groups.begin(), peer.groups.end(), [&](gid_t group) { return holds(admission.groups, group); })) return {};
   return "user " + std::to_string(peer.user) +

@@ -51,7 +51,7 @@ void PostureMeter::take(const loop::TickRecord& tick) {
     }
     ++fresh_;
   }
-  if (--left_ == 0 && fresh_ == 0) end("the device does not answer; look after its cable");
+  if (--left_ == 0 && fresh_ == 0) end("the device does not answer; check its cable");
 }
 
 std::array<std::int32_t, 3> PostureMeter::counts() const {

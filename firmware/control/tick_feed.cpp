@@ -14,7 +14,7 @@ using wire::Kind;
 constexpr std::size_t kRecordRoom = wire::kMaxBody - 32;
 
 constexpr const char* kTooSlow =
-    "the recording ended: ticks came faster than they were taken; record fewer ticks a second, or over a faster connection";
+    "the recording ended: the connection was too slow for this tick rate; use a faster connection or a lower tick rate";
 
 }  // namespace
 

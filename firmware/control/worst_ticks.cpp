@@ -13,8 +13,8 @@ std::uint64_t lateness_ns(const wire::WorstTick& tick) { return std::uint64_t{ti
 void WorstTicks::take(const loop::TickRecord& tick) {
   ++seen_;
   const wire::WorstTick late{tick.number, tick.start_ns, tick.wake_ns, tick.tick_ns};
-  if (count_ == kMost && lateness_ns(ticks_[kMost - 1]) >= lateness_ns(late)) return;
-  std::size_t at = count_ < kMost ? count_++ : kMost - 1;
+  if (count_ == kMax && lateness_ns(ticks_[kMax - 1]) >= lateness_ns(late)) return;
+  std::size_t at = count_ < kMax ? count_++ : kMax - 1;
   ticks_[at] = late;
   for (; at > 0 && lateness_ns(ticks_[at - 1]) < lateness_ns(ticks_[at]); --at) std::swap(ticks_[at - 1], ticks_[at]);
 }

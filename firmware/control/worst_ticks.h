@@ -13,7 +13,7 @@ namespace isotouch::control {
 
 class WorstTicks {
  public:
-  static constexpr std::size_t kMost = 10;
+  static constexpr std::size_t kMax = 10;
 
   /// Forgets all.
   void begin_anew() { seen_ = count_ = 0; }
@@ -28,7 +28,7 @@ class WorstTicks {
  private:
   std::uint64_t seen_ = 0;
   std::size_t count_ = 0;
-  std::array<wire::WorstTick, kMost> ticks_;
+  std::array<wire::WorstTick, kMax> ticks_;
 };
 
 }  // namespace isotouch::control

@@ -44,20 +44,20 @@ Coupling make_coupling(const TickSettings& settings, PerSecond rate) {
 }
 
 Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping) {
-  const Vec3<Mm> stretch = mul<Mm>(contact.stretch, coupling.edge);
-  const Vec3<Mm> change = stretch - state.last_stretch;
-  state.last_stretch = stretch;
+  const Vec3<Mm> deflection = mul<Mm>(contact.deflection, coupling.edge);
+  const Vec3<Mm> change = deflection - state.last_deflection;
+  state.last_deflection = deflection;
 
   const bool arrived = !contact.following && !contact.held_inside;
   const bool in_ramp = contact.touching && state.ramp < coupling.ramp_ticks;
   state.ramp = !arrived ? 0 : in_ramp ? state.ramp + 1 : coupling.ramp_ticks;
 
   if (!contact.touching) return {};
-  const Vec3<Newton> spring = mul<Newton>(stretch, stiffness);
+  const Vec3<Newton> spring = mul<Newton>(deflection, stiffness);
   const Vec3<Newton> full = spring + mul<Newton>(change, coupling.damping) + damping;
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
   const Limited force = limited_length(in_ramp ? part_of(full, RampPart::from_raw(part)) : full, coupling.force_limit);
-  return {force.newton, force.limited, in_ramp, stretch, spring, force.kept};
+  return {force.newton, force.limited, in_ramp, deflection, spring, force.kept};
 }
 
 }  // namespace isotouch::core

@@ -12,7 +12,7 @@
 
 namespace isotouch::core {
 
-/// Damping over one tick period: newton for a change of stretch of one millimetre a tick. Range ±127 N/mm.
+/// Damping over one tick period: newton for a change of deflection of one millimetre a tick. Range ±127 N/mm.
 using DampingPerTick = Fixed<Unit<-1, 1, 0, 0>, 24>;
 
 /// The one conversion of a damping to the tick's rate; clamped to 127 N/mm.
@@ -35,7 +35,7 @@ struct Coupling {
 };
 
 struct CouplingState {
-  Vec3<Mm> last_stretch;
+  Vec3<Mm> last_deflection;
   std::uint32_t ramp = 0;  ///< ticks of the ramp done; ramp_ticks = full force
 };
 
@@ -44,8 +44,8 @@ struct Force {
   bool limited = false;
   bool ramping = false;
   // What it was made of, for a ledger of energy.
-  Vec3<Mm> stretch;           ///< of the spring; zero without contact
-  Vec3<Newton> spring;        ///< stiffness times stretch, before limit and ramp
+  Vec3<Mm> deflection;        ///< of the spring; zero without contact
+  Vec3<Newton> spring;        ///< stiffness times deflection, before limit and ramp
   Ratio kept = Ratio::of(1);  ///< how much of the force the limit left
 };
 

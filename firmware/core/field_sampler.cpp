@@ -15,18 +15,18 @@ constexpr int kCoefficientBits = kInnerBits - Distance::kFractionBits;
 constexpr int kOuterBits = kInnerBits - Voxel::kFractionBits;
 
 /// Three neighbours contracted along one axis by the quadratic B-spline: value, first and second derivative at offset t from the middle one.
-struct Along {
-  std::int32_t value, slope, bend;
+struct AxisSample {
+  std::int32_t value, slope, second;
 };
 
 /// t: 32 fraction bits, from -1/2 to below 1/2, so that the upper half of a product is what is wanted. Two products, each below 2^26 * 2^31; what is cut
 /// off is below 2^-20.
-Along along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32_t t) {
-  const std::int32_t bend = before - 2 * at + after;
+AxisSample along(std::int32_t before, std::int32_t at, std::int32_t after, std::int32_t t) {
+  const std::int32_t second = before - 2 * at + after;
   const std::int32_t rise = after - before;
-  const auto turn = static_cast<std::int32_t>((std::int64_t{bend} * t) >> 32);
-  const auto tilt = static_cast<std::int32_t>((std::int64_t{rise + turn} * t) >> 32) >> 1;
-  return {at + (bend >> 3) + tilt, (rise >> 1) + turn, bend};
+  const auto slope_change = static_cast<std::int32_t>((std::int64_t{second} * t) >> 32);
+  const auto value_change = static_cast<std::int32_t>((std::int64_t{rise + slope_change} * t) >> 32) >> 1;
+  return {at + (second >> 3) + value_change, (rise >> 1) + slope_change, second};
 }
 
 /// One axis of the point: the three samples around it, numbered 0 to 2.
@@ -81,11 +81,11 @@ inline Plane contract_plane(const Rows& rows, const AxisPlace& x, const AxisPlac
     const auto sample = [&](std::size_t i) { return std::int32_t{row[i][offset]} * (1 << kCoefficientBits); };
     return along(sample(0), sample(1), sample(2), x.t);
   };
-  const Along row0 = contract_row(rows[0], 0), row1 = contract_row(rows[y.middle_is_after()], 1), row2 = contract_row(rows[1], 2);
-  const Along value = along(row0.value, row1.value, row2.value, y.t);
-  const Along slope = along(row0.slope, row1.slope, row2.slope, y.t);
-  const std::int32_t dxx = along(row0.bend, row1.bend, row2.bend, y.t).value;
-  return {value.value, slope.value, value.slope, dxx, value.bend, slope.slope};
+  const AxisSample row0 = contract_row(rows[0], 0), row1 = contract_row(rows[y.middle_is_after()], 1), row2 = contract_row(rows[1], 2);
+  const AxisSample value = along(row0.value, row1.value, row2.value, y.t);
+  const AxisSample slope = along(row0.slope, row1.slope, row2.slope, y.t);
+  const std::int32_t dxx = along(row0.second, row1.second, row2.second, y.t).value;
+  return {value.value, slope.value, value.slope, dxx, value.second, slope.slope};
 }
 
 constexpr std::int32_t outer(std::int32_t inner) { return (inner + (1 << (kOuterBits - 1))) >> kOuterBits; }
@@ -101,16 +101,16 @@ void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& 
 
   const auto plane = [&](const Rows& around, std::int32_t k) { return contract_plane(around, x, y, z.in_brick(k) << 4); };
   const Plane p0 = plane(rows[0], 0), p1 = plane(rows[z.middle_is_after()], 1), p2 = plane(rows[1], 2);
-  const Along value = along(p0.value, p1.value, p2.value, z.t);
-  const Along dx = along(p0.dx, p1.dx, p2.dx, z.t);
-  const Along dy = along(p0.dy, p1.dy, p2.dy, z.t);
+  const AxisSample value = along(p0.value, p1.value, p2.value, z.t);
+  const AxisSample dx = along(p0.dx, p1.dx, p2.dx, z.t);
+  const AxisSample dy = along(p0.dy, p1.dy, p2.dy, z.t);
   const std::int32_t dxx = along(p0.dxx, p1.dxx, p2.dxx, z.t).value;
   const std::int32_t dyy = along(p0.dyy, p1.dyy, p2.dyy, z.t).value;
   const std::int32_t dxy = along(p0.dxy, p1.dxy, p2.dxy, z.t).value;
 
   sample.distance = Voxel::from_raw(outer(value.value));
   sample.gradient = {Slope::from_raw(outer(dx.value)), Slope::from_raw(outer(dy.value)), Slope::from_raw(outer(value.slope))};
-  sample.second = {Curvature::from_raw(outer(dxx)), Curvature::from_raw(outer(dyy)), Curvature::from_raw(outer(value.bend))};
+  sample.second = {Curvature::from_raw(outer(dxx)), Curvature::from_raw(outer(dyy)), Curvature::from_raw(outer(value.second))};
   sample.mixed = {Curvature::from_raw(outer(dy.slope)), Curvature::from_raw(outer(dx.slope)), Curvature::from_raw(outer(dxy))};
   sample.outside_grid = outside;
 }

@@ -42,11 +42,11 @@ Vec3<Voxel> friction_offset(const Contact& contact, Stiffness stiffness, const F
     state.grip = contact.proxy;
     return {};
   }
-  const Vec3<Ratio> normal = direction(contact.stretch, dot_raw(contact.stretch, contact.stretch));
+  const Vec3<Ratio> normal = direction(contact.deflection, dot_raw(contact.deflection, contact.deflection));
   const Vec3<Voxel> dragged = state.grip - contact.proxy;
   const Vec3<Voxel> offset = dragged - reaching(along(dragged, normal), normal);
 
-  const Voxel rim = mul<Voxel>(along(contact.stretch, normal), friction.coefficient);
+  const Voxel rim = mul<Voxel>(along(contact.deflection, normal), friction.coefficient);
   const std::int64_t square = dot_raw(offset, offset);
   if (square <= std::int64_t{rim.raw()} * rim.raw()) return offset;
 

@@ -32,9 +32,9 @@ struct FrictionState {
 /// Coulomb's part is a fixed rim; the viscous part is implicit, so that it damps at every rate: sliding on leaves an offset e' with
 /// k e' = k μ depth + b (e - e'), so e' = (k μ depth + b e) / (k + b).
 ///
-/// contact     proxy and stretch of the surface without friction, within ±8191 voxels
+/// contact     proxy and deflection of the surface without friction, within ±8191 voxels
 /// stiffness   of the surface there
-/// returns     what is added to proxy and stretch, in the plane across the stretch; zero without contact, which forgets the grip
+/// returns     what is added to proxy and deflection, in the plane across the deflection; zero without contact, which forgets the grip
 /// fails       never
 /// tick        yes: constant cost, no division
 Vec3<Voxel> friction_offset(const Contact& contact, Stiffness stiffness, const Friction& friction, FrictionState& state);

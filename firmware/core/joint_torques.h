@@ -19,8 +19,8 @@ using JointTorques = std::array<NewtonMm, 3>;
 /// tick      yes
 /// source    principle of virtual work; falls out of Jᵀ τ = F with J = G / d
 inline JointTorques joint_torques(const Vec3<Newton>& force, const Statics& statics) {
-  constexpr int kBits = 30;                                 // of μ = inverse · F, N/mm
-  constexpr std::int64_t kLargest = std::int64_t{1} << 33;  // 8 N/mm: keeps μ times a lever below 2^62
+  constexpr int kBits = 30;                             // of μ = inverse · F, N/mm
+  constexpr std::int64_t kMax = std::int64_t{1} << 33;  // 8 N/mm: keeps μ times a lever below 2^62
   JointTorques torques;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::int64_t sum = std::int64_t{statics.inverse[i].x.raw()} * force.x.raw() +  // each below 2^31 * 2^23
@@ -33,7 +33,7 @@ inline JointTorques joint_torques(const Vec3<Newton>& force, const Statics& stat
       torques[i] = torque(product(static_cast<Narrow>(mu), statics.levers[i].raw()));
       continue;
     }
-    const std::int64_t bounded = mu < -kLargest ? -kLargest : mu > kLargest ? kLargest : mu;
+    const std::int64_t bounded = mu < -kMax ? -kMax : mu > kMax ? kMax : mu;
     torques[i] = torque(bounded * statics.levers[i].raw());
   }
   return torques;

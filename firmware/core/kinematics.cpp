@@ -16,15 +16,15 @@ constexpr int kCofactorBits = 12;  // of its cofactors, mm²
 constexpr int kDeterminantBits = kGradientBits + kCofactorBits;
 constexpr int kResidualBits = 16;  // of half a closure's residual, mm²
 
-constexpr Mm kWidest = Mm::of(160);   // of x and y: G stays below 512 mm
-constexpr Mm kLongest = Mm::of(300);  // of z
-constexpr Mm kLongestStep = Mm::of(20);
+constexpr Mm kWidest = Mm::of(160);  // of x and y: G stays below 512 mm
+constexpr Mm kMax = Mm::of(300);     // of z
+constexpr Mm kMaxStep = Mm::of(20);
 constexpr Mm kConfirmed = Mm::of(0.001);
 constexpr std::uint32_t kPatience = 16;
 constexpr std::int64_t kSmallestDeterminant = std::int64_t{50'000} << kDeterminantBits;
-constexpr int kLargestResidualBits = 11 + kResidualBits;  // 2048 mm², about 20 mm away; keeps a step's sum below 2^62
+constexpr int kMaxResidualBits = 11 + kResidualBits;  // 2048 mm², about 20 mm away; keeps a step's sum below 2^62
 
-constexpr Narrow kLargestGradient = 1 << 25;  // 512 mm: the difference of two products fits a cofactor
+constexpr Narrow kMaxGradient = 1 << 25;  // 512 mm: the difference of two products fits a cofactor
 
 using Raw3 = std::array<Narrow, 3>;
 
@@ -55,18 +55,18 @@ struct Closure {
 
 /// Hardly ever out of bounds, so one comparison decides; here and below.
 Narrow bounded(Narrow g) {
-  if (static_cast<std::uint_fast32_t>(g + kLargestGradient) < 2 * kLargestGradient) [[likely]]
+  if (static_cast<std::uint_fast32_t>(g + kMaxGradient) < 2 * kMaxGradient) [[likely]]
     return g;
-  return g < 0 ? -kLargestGradient : kLargestGradient - 1;
+  return g < 0 ? -kMaxGradient : kMaxGradient - 1;
 }
 
 /// missing   E² - X² - Z², mm²
 Narrow bounded_residual(std::int64_t missing) {
   constexpr int kShift = 2 * kMmBits - kResidualBits + 1;
   const std::int64_t rounded = missing + (std::int64_t{1} << (kShift - 1));
-  if (is_within_bits<kLargestResidualBits + kShift>(rounded)) [[likely]]
+  if (is_within_bits<kMaxResidualBits + kShift>(rounded)) [[likely]]
     return static_cast<Narrow>(rounded >> kShift);
-  return rounded < 0 ? -(1 << kLargestResidualBits) : 1 << kLargestResidualBits;
+  return rounded < 0 ? -(1 << kMaxResidualBits) : 1 << kMaxResidualBits;
 }
 
 /// Lengths carry kMmBits and are below 512 mm: 2^29. Products of fine ones with ratios are below 2^62.
@@ -143,15 +143,15 @@ Inverse inverse_of(const Closures& legs) {
   return {{column(cofactors[0]), column(cofactors[1]), column(cofactors[2])}, size < kSmallestDeterminant};
 }
 
-/// Newton's step along an axis, no longer than kLongestStep: the sum's upper word tells, before anything is cut off.
+/// Newton's step along an axis, no longer than kMaxStep: the sum's upper word tells, before anything is cut off.
 Mm limited_step(std::int64_t sum) {
   constexpr int kShift = PerMm::kFractionBits + kResidualBits - kMmBits;
-  constexpr Narrow kLongestUpper = kLongestStep.raw() >> (32 - kShift);
-  static_assert(kLongestUpper << (32 - kShift) == kLongestStep.raw());
+  constexpr Narrow kMaxUpper = kMaxStep.raw() >> (32 - kShift);
+  static_assert(kMaxUpper << (32 - kShift) == kMaxStep.raw());
   const std::int64_t rounded = sum + (std::int64_t{1} << (kShift - 1));
   const Narrow upper = upper_word(rounded);
-  if (upper >= kLongestUpper) return kLongestStep;
-  return upper < -kLongestUpper ? -kLongestStep : Mm::from_raw(static_cast<std::int32_t>(rounded >> kShift));
+  if (upper >= kMaxUpper) return kMaxStep;
+  return upper < -kMaxUpper ? -kMaxStep : Mm::from_raw(static_cast<std::int32_t>(rounded >> kShift));
 }
 
 bool is_short(const Vec3<Mm>& step) {
@@ -190,7 +190,7 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
     };
     step = {along(0), along(1), along(2)};
     const auto moved = [](Mm from, Mm by) { return Mm::from_raw(from.raw() + by.raw()); };  // both far from 2^31
-    hip = {within(moved(hip.x, step.x), kWidest), within(moved(hip.y, step.y), kWidest), within(moved(hip.z, step.z), Mm{}, kLongest)};
+    hip = {within(moved(hip.x, step.x), kWidest), within(moved(hip.y, step.y), kWidest), within(moved(hip.z, step.z), Mm{}, kMax)};
   }
 
   const std::array<SquareMm, 3> levers = {lever_of(legs[0], arms[0], mechanism.arm), lever_of(legs[1], arms[1], mechanism.arm),

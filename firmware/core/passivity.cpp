@@ -8,8 +8,8 @@ namespace {
 
 using PerEnergy = Fixed<Unit<-1, -1, 0, 0>, 20>;
 constexpr PerEnergy kPerDebt = PerEnergy::of(5.0);  // 1 / kFullDebt
-constexpr Mm kMostMove = Mm::of(16);
-constexpr Newton kMostForce = Newton::of(8191);
+constexpr Mm kMaxMove = Mm::of(16);
+constexpr Newton kMaxForce = Newton::of(8191);
 constexpr Ratio kWhole = Ratio::of(1);
 constexpr int kWorkBits = Newton::kFractionBits + Mm::kFractionBits - Energy::kFractionBits;
 
@@ -19,7 +19,7 @@ Energy work(const Vec3<Newton>& force, const Vec3<Mm>& way) {
 
 /// What the spring can give back, ½ k s²; where its force is limited to the part r of k s, that is k s² r (1 - r/2).
 Energy stored_energy(const Force& force) {
-  const Energy whole = work(within(force.spring, kMostForce), within(force.stretch, Mm::of(1023)));
+  const Energy whole = work(within(force.spring, kMaxForce), within(force.deflection, Mm::of(1023)));
   const Ratio half = Ratio::from_raw(force.kept.raw() >> 1);
   return part_of(whole, part_of(force.kept, kWhole - half));
 }
@@ -41,11 +41,11 @@ void book_energy(const Vec3<Mm>& way, const Force& force, const Vec3<Newton>& in
   if (force.ramping) forget(state);
   const Energy stored = stored_energy(force);
   if (state.begun) {
-    const Vec3<Mm> moved = within(way, kMostMove);
+    const Vec3<Mm> moved = within(way, kMaxMove);
     const bool felt_any = state.tick > passivity.delay;
     const Vec3<Newton> felt = felt_any ? state.forces[(state.tick - passivity.delay) & (PassivityState::kForces - 1)] : Vec3<Newton>{};
     const Energy brought = work(mul<Newton>(moved, passivity.device) - felt, moved);
-    state.balance = std::min(state.balance + brought - (stored - state.stored), kMostSurplus);
+    state.balance = std::min(state.balance + brought - (stored - state.stored), kMaxSurplus);
   }
   const auto half = [](Newton f) { return Newton::from_raw(f.raw() >> 1); };
   state.injected = injected;

@@ -14,7 +14,7 @@
 ///   - on a velocity with a play of one count, `hand_damping.h`: none on a hand that rests;
 ///   - only half of what it takes is booked as paid: with delay it acts after the fact, and a loop that is just passive goes on swinging.
 ///
-/// A surplus is kept only up to kMostSurplus: what the hand lost long ago may not be spent now. The ledger is one of a contact: it begins anew where
+/// A surplus is kept only up to kMaxSurplus: what the hand lost long ago may not be spent now. The ledger is one of a contact: it begins anew where
 /// the force is not wholly the surface's (ramps), and a debt that a contact leaves is taken into the next.
 ///
 /// source    Hannaford and Ryu 2002, Time-domain passivity control of haptic interfaces; stored energy as reference: Ryu and others 2005; certificate:
@@ -34,7 +34,7 @@ namespace isotouch::core {
 using Energy = Fixed<Unit<1, 1, 0, 0>, 20>;
 
 /// Largest surplus that is kept.
-inline constexpr Energy kMostSurplus = Energy::of(0.02);
+inline constexpr Energy kMaxSurplus = Energy::of(0.02);
 /// Debt from which on all the damping allowed is injected. By trial with 0.3 kg at twice the certificate's stiffness and 1 to 3 ticks of delay: a
 /// quarter of it doubles the noise of counts, four times it lets 1.5 mJ through.
 inline constexpr Energy kFullDebt = Energy::of(0.2);

@@ -30,22 +30,22 @@ Contact rest_at(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state
 Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state) {
   if (state.mode == ProxyMode::kUnplaced || state.mode == ProxyMode::kHeldInside) return rest_at(hip, field, state);
 
-  renew_reach(hip - state.hip, state.steps);
+  renew_trust_radius(hip - state.hip, state.steps);
   state.hip = hip;
   for (int step = 0; step < kProxySteps; ++step) {
-    step_towards(hip, state.sample, field.free_share, state.steps, state.point);
+    step_towards(hip, state.sample, field.inverse_slope, state.steps, state.point);
     sample_field(field, state.point, state.sample);
   }
 
-  Foothold foothold;
-  find_foothold(hip, state.point, state.sample, foothold);
-  const bool settled = is_short(foothold.step);
+  SurfaceProjection projection;
+  project_on_surface(hip, state.point, state.sample, projection);
+  const bool settled = is_short(projection.step);
   const bool was_touching = state.mode == ProxyMode::kContact;
   Contact contact;
-  contact.touching = (settled || was_touching) && foothold.hip_behind;
-  contact.proxy = !contact.touching ? state.point : settled ? state.point + foothold.step : state.proxy;
+  contact.touching = (settled || was_touching) && projection.hip_behind;
+  contact.proxy = !contact.touching ? state.point : settled ? state.point + projection.step : state.proxy;
   state.proxy = contact.proxy;
-  if (contact.touching) contact.stretch = contact.proxy - hip;
+  if (contact.touching) contact.deflection = contact.proxy - hip;
   contact.following = !contact.touching && !(state.point == hip);
   contact.outside_grid = state.sample.outside_grid;
   state.mode = contact.touching ? ProxyMode::kContact : ProxyMode::kFree;

@@ -38,7 +38,7 @@ struct ProxyState {
 
 struct Contact {
   Vec3<Voxel> proxy;          ///< index coordinates; on the surface in contact, at the HIP in free space once arrived
-  Vec3<Voxel> stretch;        ///< proxy - HIP where there is contact, else zero
+  Vec3<Voxel> deflection;     ///< proxy - HIP where there is contact, else zero
   bool touching = false;      ///< held by the surface
   bool following = false;     ///< on the way to the HIP, not arrived: no force
   bool held_inside = false;   ///< the HIP began inside the object

@@ -36,7 +36,7 @@ void add_friction(Stiffness stiffness, const Friction& friction, FrictionState& 
   }
   const Vec3<Voxel> offset = friction_offset(contact, stiffness, friction, state);
   contact.proxy = contact.proxy + offset;
-  contact.stretch = contact.stretch + offset;
+  contact.deflection = contact.deflection + offset;
 }
 
 }  // namespace

@@ -9,12 +9,12 @@ namespace isotouch::core {
 namespace {
 
 constexpr std::uint8_t kAllHomed = 0x07;
-constexpr std::uint32_t kMostStale = 1'000'000;  // ticks; beyond every limit
-constexpr std::uint32_t kMostGap = 16;           // ticks for which a hand's way is allowed to add up
+constexpr std::uint32_t kMaxStale = 1'000'000;  // ticks; beyond every limit
+constexpr std::uint32_t kMaxGap = 16;           // ticks for which a hand's way is allowed to add up
 
 /// Did any count change by more than a hand could in `gap` ticks?
 bool is_jump(const Counts& from, const Counts& to, std::uint32_t gap, std::int32_t limit) {
-  const std::int32_t most = limit * static_cast<std::int32_t>(std::min(gap, kMostGap));
+  const std::int32_t most = limit * static_cast<std::int32_t>(std::min(gap, kMaxGap));
   bool jump = false;
   for (std::size_t i = 0; i < from.size(); ++i) jump |= std::abs(to[i] - from[i]) > most;
   return jump;
@@ -28,7 +28,7 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   reading.fresh = in.fresh && reply.has_value();
   reading.malformed = in.fresh && !reply.has_value();
   const std::uint32_t gap = state.stale + 1;  // ticks since the counts that are known
-  state.stale = reading.fresh ? 0 : std::min(std::max(state.stale + 1, std::uint32_t{in.age}), kMostStale);
+  state.stale = reading.fresh ? 0 : std::min(std::max(state.stale + 1, std::uint32_t{in.age}), kMaxStale);
   if (!reading.fresh) {
     if (reading.malformed) state.in_a_row = 0;
     return reading;

@@ -8,7 +8,7 @@ namespace {
 
 using S = SupervisorState;
 
-constexpr std::uint32_t kMostTicks = 1'000'000'000;
+constexpr std::uint32_t kMaxTicks = 1'000'000'000;
 
 constexpr std::uint16_t when(bool condition, Faults fault) { return condition ? std::uint16_t{fault} : std::uint16_t{0}; }
 
@@ -82,7 +82,7 @@ Permission supervise(const Observations& seen, const Supervision& limits, Superv
   const bool resumed = memory.state == S::kFault && asks && now == 0;
   memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
   memory.state = next_state(memory.state, finding(seen, doubts, now, resumed, limits));
-  memory.held_ticks = memory.state == S::kHold ? std::min(memory.held_ticks + 1, kMostTicks) : 0;
+  memory.held_ticks = memory.state == S::kHold ? std::min(memory.held_ticks + 1, kMaxTicks) : 0;
 
   if (allows_force(memory.state) && !seen.new_field) return ramped(limits, memory);
   memory.ramp = 0;

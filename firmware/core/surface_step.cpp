@@ -13,19 +13,19 @@ namespace {
 // Raw numbers of 16 fraction bits, Narrow where they are known to fit 32 bits. A checked blob may hold any coefficients within ±8 voxels, so |g| <= 16 a
 // component (2^20) and |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17. Places are within ±8191 voxels (2^29).
 constexpr Narrow kOne = 1 << 16;
-constexpr Narrow kSlideLimit = kOne * 5 / 4;   // a step along the surface: the spline bends over about one voxel
-constexpr Narrow kRestoreFirst = 32;           // a step along the surface gets shorter by this many times the depth: out first
-constexpr Narrow kStill = kOne / 256;          // shorter steps are rounding, not motion
-constexpr Narrow kMinSlopeSquare = kOne / 64;  // |g|² is taken as at least this: the field flattens in the middle of thin parts
-constexpr Narrow kPullLimit = 64 * kOne;       // a pull along the surface beyond this acts like this
-constexpr Narrow kDepthLimit = 1024 * kOne;    // the same for the depth where it multiplies curvature
-constexpr Narrow kTraceLimit = 8 * kOne;       // curvatures beyond 8 and 16 a voxel are no surface's
+constexpr Narrow kMaxTangentStep = kOne * 5 / 4;  // a step along the surface: the spline bends over about one voxel
+constexpr Narrow kRestoreFirst = 32;              // a step along the surface gets shorter by this many times the depth: out first
+constexpr Narrow kStill = kOne / 256;             // shorter steps are rounding, not motion
+constexpr Narrow kMinSlopeSquare = kOne / 64;     // |g|² is taken as at least this: the field flattens in the middle of thin parts
+constexpr Narrow kPullLimit = 64 * kOne;          // a pull along the surface beyond this acts like this
+constexpr Narrow kDepthLimit = 1024 * kOne;       // the same for the depth where it multiplies curvature
+constexpr Narrow kTraceLimit = 8 * kOne;          // curvatures beyond 8 and 16 a voxel are no surface's
 constexpr Narrow kDeterminantLimit = 16 * kOne;
 constexpr std::int64_t kDividendLimit = std::int64_t{1} << 31;  // what a reciprocal may be multiplied with
 constexpr Narrow kLengthLimit = 1 << 30;                        // of a component whose square is taken: three of them fit 63 bits
-constexpr Narrow kMinBend = kOne / 2;      // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
-constexpr int kTameBits = 42;              // of a product of two lengths: 1024 square voxels; beyond, wider numbers are needed
-constexpr Narrow kMinSpread = kOne / 512;  // half of the least distance that two eigenvalues count with
+constexpr Narrow kMinEigenvalue = kOne / 2;  // smallest eigenvalue of the Newton matrix: a step is at most twice the pull
+constexpr int kTameBits = 42;                // of a product of two lengths: 1024 square voxels; beyond, wider numbers are needed
+constexpr Narrow kMinSpread = kOne / 512;    // half of the least distance that two eigenvalues count with
 
 struct Raw3 {
   Narrow x, y, z;
@@ -103,7 +103,7 @@ struct LocalField {
   }
 
   /// H v. |v| components below 2^26: sums below 2^49, the result below 2^31 up to 2^24.
-  Raw3 bend(const Raw3& v) const {
+  Raw3 hessian_times(const Raw3& v) const {
     const auto row = [&v](Narrow x, Narrow y, Narrow z) { return static_cast<Narrow>(dot({x, y, z}, v)); };
     return {row(second.x, mixed.z, mixed.y), row(mixed.z, second.y, mixed.x), row(mixed.y, mixed.x, second.z)};
   }
@@ -128,11 +128,11 @@ struct LocalField {
 ///
 /// It solves (I - M) δ = pull with M = depth · PHP, P the projection on the plane and depth the multiplier of the constraint. M's eigenvalues
 /// μ₁ <= μ₂ come from its trace and determinant within the plane, tr H - gᵀHg/|g|² and gᵀ adj(H) g/|g|² times depth and depth². Near or past a
-/// centre of curvature 1 - μ is small or negative; it counts by its size, and as kMinBend at least, so that the step goes down the distance there
-/// too and its length stays bounded (saddle-free Newton). With b = max(|1 - μ|, kMinBend) and the second eigenvector's projection written through M,
+/// centre of curvature 1 - μ is small or negative; it counts by its size, and as kMinEigenvalue at least, so that the step goes down the distance there
+/// too and its length stays bounded (saddle-free Newton). With b = max(|1 - μ|, kMinEigenvalue) and the second eigenvector's projection written through M,
 ///   step = ( pull + (b₁ - b₂) / ((μ₂ - μ₁) b₂) · (M pull - μ₁ pull) ) / b₁.
 Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
-  const Narrow along_normal = within(divide(dot(at.gradient, at.bend(at.gradient)), at.slope_square), kLengthLimit);
+  const Narrow along_normal = within(divide(dot(at.gradient, at.hessian_times(at.gradient)), at.slope_square), kLengthLimit);
   const Narrow plane_trace = within(at.second.x + at.second.y + at.second.z - along_normal, kTraceLimit);
   const Narrow plane_determinant = within(divide(dot(at.gradient, at.cofactors(at.gradient)), at.slope_square), kDeterminantLimit);
   const auto half_trace = static_cast<Narrow>(product(depth, plane_trace) >> 17);                          // below 2^28
@@ -141,15 +141,15 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
   const auto [over_spread, spread] = roots_of(static_cast<std::uint64_t>(square));  // spread: half of μ₂ - μ₁
 
   const Narrow mu1 = half_trace - spread, mu2 = half_trace + spread;
-  const Narrow b1 = std::max<Narrow>(std::abs(kOne - mu1), kMinBend), b2 = std::max<Narrow>(std::abs(kOne - mu2), kMinBend);
+  const Narrow b1 = std::max<Narrow>(std::abs(kOne - mu1), kMinEigenvalue), b2 = std::max<Narrow>(std::abs(kOne - mu2), kMinEigenvalue);
   const Reciprocal over_b1 = reciprocal32_of_positive(static_cast<std::uint32_t>(b1));
   const Reciprocal over_b2 = reciprocal32_of_positive(static_cast<std::uint32_t>(b2));
   const Narrow share = ratio((b1 - b2) >> 1, over_spread);  // |b₁ - b₂| <= μ₂ - μ₁, so within ±1
   const Narrow factor = upper_word(product(share * (1 << 14), over_b2.mantissa)) >> (over_b2.shift - 34);  // share / b₂, within ±2
 
-  const Raw3 turned = at.tangential(at.bend(pull));
-  const auto solved = [&](Narrow pulled, Narrow turned_part) {
-    const std::int64_t bent = product(turned_part, depth), straight = product(pulled, mu1);  // M pull and μ₁ pull, below 2^57
+  const Raw3 curved = at.tangential(at.hessian_times(pull));
+  const auto solved = [&](Narrow pulled, Narrow curved_part) {
+    const std::int64_t bent = product(curved_part, depth), straight = product(pulled, mu1);  // M pull and μ₁ pull, below 2^57
     if (is_within_bits<kTameBits>(bent) && is_within_bits<kTameBits>(straight)) [[likely]] {
       const Narrow sum = pulled + scaled(static_cast<Narrow>(bent >> 16) - static_cast<Narrow>(straight >> 16), factor);  // below 2^29
       return upper_word(product(sum * 4, over_b1.mantissa)) >> (over_b1.shift - 46);
@@ -158,7 +158,7 @@ Raw3 slide(const LocalField& at, const Raw3& pull, Narrow depth) {
     const std::int64_t sum = std::clamp(pulled + ((beyond * factor) >> 16), -kDividendLimit, kDividendLimit);
     return Narrow{saturate32((sum * over_b1.mantissa) >> (over_b1.shift - 16))};
   };
-  return {solved(pull.x, turned.x), solved(pull.y, turned.y), solved(pull.z, turned.z)};
+  return {solved(pull.x, curved.x), solved(pull.y, curved.y), solved(pull.z, curved.z)};
 }
 
 /// The largest component: a length that needs no root.
@@ -169,33 +169,33 @@ inline Raw3 without_turning_back(const Raw3& way, StepMemory& memory) {
   const bool turns_back = dot(way, raw(memory.last)) < 0 && size_of(way) > kStill;
   const int halved = turns_back ? 1 : 0;
   const Raw3 taken = {way.x >> halved, way.y >> halved, way.z >> halved};
-  const Narrow reach = turns_back ? size_of(taken) : std::min<Narrow>((memory.reach.raw() * 17 + 15) >> 4, kSlideLimit);
-  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(reach));
+  const Narrow radius = turns_back ? size_of(taken) : std::min<Narrow>((memory.trust_radius.raw() * 17 + 15) >> 4, kMaxTangentStep);
+  memory.trust_radius = Voxel::from_raw(static_cast<std::int32_t>(radius));
   memory.last = to_voxel(taken);
   return taken;
 }
 
 }  // namespace
 
-void find_foothold(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, Foothold& foothold) {
+void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, SurfaceProjection& projection) {
   const LocalField at(sample);
-  foothold.step = to_voxel(at.onto_surface());
-  foothold.hip_behind = at.clearance(raw(hip) - raw(point)) < 0;
+  projection.step = to_voxel(at.onto_surface());
+  projection.hip_behind = at.clearance(raw(hip) - raw(point)) < 0;
 }
 
-void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory) {
+void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory) {
   const Narrow moved = size_of(raw(motion));
   if (moved > kStill) memory.last = {};  // turning with the hand is no cycle
-  const Narrow reach = std::clamp<Narrow>(2 * std::min(moved, kSlideLimit), memory.reach.raw(), kSlideLimit);
-  memory.reach = Voxel::from_raw(static_cast<std::int32_t>(reach));
+  const Narrow radius = std::clamp<Narrow>(2 * std::min(moved, kMaxTangentStep), memory.trust_radius.raw(), kMaxTangentStep);
+  memory.trust_radius = Voxel::from_raw(static_cast<std::int32_t>(radius));
 }
 
-void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio free_share, StepMemory& memory, Vec3<Voxel>& point) {
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio inverse_slope, StepMemory& memory, Vec3<Voxel>& point) {
   const LocalField at(sample);
   const Raw3 pull = raw(hip) - raw(point);
-  const auto free_way = static_cast<Narrow>(product(std::max<Narrow>(at.distance, 0), free_share.raw()) >> Ratio::kFractionBits);
+  const auto free_way = static_cast<Narrow>(product(std::max<Narrow>(at.distance, 0), inverse_slope.raw()) >> Ratio::kFractionBits);
   const Narrow buried = std::max<Narrow>(-at.distance, 0);
-  const Narrow safe = free_way + kSlideLimit;  // a surface may be this far away, and one step may end that deep
+  const Narrow safe = free_way + kMaxTangentStep;  // a surface may be this far away, and one step may end that deep
   const std::int64_t clearance = at.clearance(pull);
   const bool in_front = clearance >= 0;
 
@@ -204,7 +204,7 @@ void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio free_
     const Narrow depth = -std::max(divide(clearance, at.slope_square), -kDepthLimit);
     wanted = slide(at, within(at.tangential(pull), kPullLimit), depth);
   }
-  const Narrow allowed = memory.reach.raw() + (in_front ? free_way : free_way / 2) - kRestoreFirst * buried;
+  const Narrow allowed = memory.trust_radius.raw() + (in_front ? free_way : free_way / 2) - kRestoreFirst * buried;
   const Raw3 way = without_turning_back(shorten(wanted, std::max<Narrow>(0, allowed)), memory);
   if (in_front && buried == 0) {
     point = to_voxel(raw(point) + way);

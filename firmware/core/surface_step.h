@@ -10,22 +10,22 @@
 namespace isotouch::core {
 
 /// Where the surface lies from a sampled point, to first order.
-struct Foothold {
+struct SurfaceProjection {
   Vec3<Voxel> step;         ///< from the point straight onto the surface, -φ g / |g|²: one Newton step
   bool hip_behind = false;  ///< the HIP is behind the plane that the sample predicts for the surface, φ + g·(hip - point) < 0
 };
 
 /// Results go where they are used, here and below: small structures in registers would be packed through memory and wait for their own parts.
-void find_foothold(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, Foothold& foothold);
+void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, SurfaceProjection& projection);
 
 /// What the steps remember of each other, so that a cycle dies out where Newton's step alone would keep circling in a rough crease.
 struct StepMemory {
-  Vec3<Voxel> last;               ///< the last step, without its part straight onto the surface
-  Voxel reach = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted
+  Vec3<Voxel> last;                      ///< the last step, without its part straight onto the surface
+  Voxel trust_radius = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted
 };
 
 /// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.
-void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory);
+void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory);
 
 /// Moves `point`, where the sample was taken, one step towards the point of the surface, or of free space, closest to the HIP.
 ///
@@ -33,7 +33,7 @@ void renew_reach(const Vec3<Voxel>& motion, StepMemory& memory);
 /// with the field's second derivatives. Never longer than is safe, the surely free way to the surface and 1.25 voxels more; the part along the surface
 /// gets shorter the deeper the point is inside, so that steps in an acute crease cannot add up to a passage, and it is halved where it turns back.
 ///
-/// free_share     how much of a distance outside is surely free way, BlobView::free_share
-void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio free_share, StepMemory& memory, Vec3<Voxel>& point);
+/// inverse_slope     how much of a distance outside is surely free way, BlobView::inverse_slope
+void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio inverse_slope, StepMemory& memory, Vec3<Voxel>& point);
 
 }  // namespace isotouch::core

@@ -84,7 +84,7 @@ void Controller::choose_calibration() {
 Refusal Controller::connect_device() {
   if (!options_.lockstep) {
     if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
-    if (!lines_.watch) say(no_lines_line());
+    if (!lines_.watchdog) say(no_lines_line());
     exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
                                                        std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns);
   } else {
@@ -159,12 +159,12 @@ void Controller::start() {
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) recorder_->drain();
   });
-  asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watch ? 1 : 0));
+  asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
   if (exchange_) exchanges_ = begin_thread("exchange", settings_.exchange_priority, -1, [this] { exchange_->serve(stop_exchange_); });
-  if (lines_.watch) {
-    watches_ = begin_thread("watch", settings_.watch_priority, -1, [this] {
-      while (!stop_exchange_) lines_.watch->step();
-      lines_.watch->leave();
+  if (lines_.watchdog) {
+    watchdogs_ = begin_thread("watchdog", settings_.watch_priority, -1, [this] {
+      while (!stop_exchange_) lines_.watchdog->step();
+      lines_.watchdog->leave();
     });
   }
   ticks_ = begin_thread("tick", settings_.priority, settings_.core, [this] {
@@ -236,7 +236,7 @@ void Controller::stop() {
   if (!crash_) return;  // it has not started, or has stopped
   stop_exchange_ = stop_ticks_ = true;
   if (!go_.try_wait()) go_.count_down();  // the system gave no more threads: those that wait end at once
-  for (std::thread* thread : {&exchanges_, &watches_, &ticks_}) {
+  for (std::thread* thread : {&exchanges_, &watchdogs_, &ticks_}) {
     if (thread->joinable()) thread->join();
   }
   hardware_.port().rest();

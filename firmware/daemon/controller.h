@@ -113,7 +113,7 @@ class Controller {
 
   std::optional<std::latch> asked_;  ///< the threads that have yet to ask for their priority
   std::latch go_{1};
-  std::thread exchanges_, watches_, ticks_, records_;
+  std::thread exchanges_, watchdogs_, ticks_, records_;
 
   std::string device_line_, supervisor_line_;                   ///< as said last
   std::pair<std::uint32_t, std::uint32_t> judged_delay_{0, 0};  ///< and for which field

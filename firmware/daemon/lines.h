@@ -8,7 +8,7 @@
 #include "firmware/lines/gpio_lines.h"
 #include "firmware/loop/line_state.h"
 #include "firmware/loop/tick_stats.h"
-#include "firmware/loop/watch.h"
+#include "firmware/loop/watchdog.h"
 #include "firmware/settings/settings.h"
 #include "shared/files/refusal.h"
 
@@ -17,8 +17,8 @@ namespace isotouch::daemon {
 struct Lines {
   std::unique_ptr<lines::Gpio> chip;
   std::optional<lines::GpioLines> wires;
-  loop::LineState state;             ///< what the watch tells the ticks
-  std::optional<loop::Watch> watch;  ///< nothing where the settings name no chip
+  loop::LineState state;                   ///< what the watchdog tells the ticks
+  std::optional<loop::Watchdog> watchdog;  ///< nothing where the settings name no chip
 };
 
 /// Takes the lines that the settings name.

@@ -44,15 +44,15 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   bool print = false, list = false;
   app.set_version_flag("--version", files::version_text("isotouchd"), "print version, commit, formats and compiler");
   app.add_option("--config", config, "settings, a TOML file; see --print-config");
-  app.add_option("--check-config", check, "only say whether this settings file is good");
+  app.add_option("--check-config", check, "only check this settings file");
   app.add_flag("--print-config", print, "only print every setting with its default");
   app.add_flag("--list", list, "only list the devices that are plugged in");
   app.add_option("--device", device, "usb, usb:SERIAL, sim:SOCKET (a simulated Falcon), replay:FILE (a recording)")->capture_default_str();
   app.add_option("--control", control, "listen for the host tool at this local socket");
-  app.add_option("--field", field, "begin with this blob");
-  app.add_option("--record", record, "record from the first tick on");
-  app.add_flag("--lockstep", options.lockstep, "a tick for every packet and no clock: a run is a pure function of what the device answers");
-  app.add_option("--ticks", options.ticks, "end after so many");
+  app.add_option("--field", field, "load this field at the start");
+  app.add_option("--record", record, "record to this file from the first tick on");
+  app.add_flag("--lockstep", options.lockstep, "one tick for every packet and no clock: a run depends only on what the device answers");
+  app.add_option("--ticks", options.ticks, "end after this many ticks");
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
   try {

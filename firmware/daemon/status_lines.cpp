@@ -68,7 +68,8 @@ std::string refusal_line(unsigned refused) {
 }
 
 std::string no_lines_line() {
-  return "no safety lines: no emergency stop and no watchdog relay, only the device's own time limit, stands behind this program; see "
+  return "no safety lines are set up, so there is no emergency stop and no watchdog relay: if this program fails, only the device's own "
+         "time limit ends the force; see "
          "[lines]";
 }
 

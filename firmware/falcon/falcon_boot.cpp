@@ -229,7 +229,8 @@ std::string explain(const BootReport& report) {
       return "the Falcon has no firmware, and no image was given: give the file of one, it came with the device's software";
     case BootOutcome::kBadImage: return "the firmware image is not usable: " + explain(report.image) + "; take a fresh copy of it";
     case BootOutcome::kNoHandshake:
-      return "no wall power? USB works, but nobody answers behind it" + tries + ": plug in the Falcon's own power supply and try again";
+      return "no wall power? USB works, but the Falcon behind it does not answer" + tries +
+             ": plug in the Falcon's own power supply and try again";
     case BootOutcome::kNoAutobaud:
       return "the Falcon answers, but its boot loader does not" + tries + ": take its wall power away for a few seconds and try again";
     case BootOutcome::kEchoDiffers:

@@ -6,7 +6,7 @@ namespace isotouch::falcon {
 
 namespace {
 
-constexpr std::int16_t kMostWord = 4095;
+constexpr std::int16_t kMaxWord = 4095;
 constexpr int kSuspectFor = 8;  // a late reply is at most some milliseconds late
 constexpr int kEmptyPackets = 4;
 constexpr int kRestPackets = 3;
@@ -38,7 +38,7 @@ Exchange FalconDevice::exchange(const FalconCommand& command) {
   result.rested = silent_ > 0;
   FalconCommand sent = {{}, command.flags};
   for (std::size_t i = 0; i < sent.words.size() && !result.rested; ++i) {
-    sent.words[i] = std::clamp<std::int16_t>(command.words[i], -kMostWord, kMostWord);
+    sent.words[i] = std::clamp<std::int16_t>(command.words[i], -kMaxWord, kMaxWord);
   }
   counts_.clamped += !result.rested && sent.words != command.words ? 1U : 0U;
   result.fresh = send(sent) && await_reply();

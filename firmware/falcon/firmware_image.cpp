@@ -12,8 +12,8 @@ namespace isotouch::falcon {
 namespace {
 
 constexpr std::size_t kReservedAt = 2, kEntryAt = 18, kBlocksAt = 22;
-constexpr std::uint32_t kAddresses = 1U << 22;              // the 28x core has 22 address lines
-constexpr std::size_t kLargestFile = std::size_t{1} << 20;  // thirty times the DSP's memory
+constexpr std::uint32_t kAddresses = 1U << 22;          // the 28x core has 22 address lines
+constexpr std::size_t kMaxFile = std::size_t{1} << 20;  // thirty times the DSP's memory
 
 std::uint32_t load_high_first(const std::uint8_t* at) {
   return std::uint32_t{load_le<std::uint16_t>(at)} << 16 | load_le<std::uint16_t>(at + 2);
@@ -82,12 +82,12 @@ Refusal read_image(const std::string& path, std::vector<std::uint8_t>& image) {
   const std::string unusable = path + ": not usable as firmware: ";
   std::FILE* file = std::fopen(path.c_str(), "rb");
   if (file == nullptr) return unusable + std::strerror(errno) + "; give the path of a readable image";
-  std::vector<std::uint8_t> bytes(kLargestFile + 1);
+  std::vector<std::uint8_t> bytes(kMaxFile + 1);
   bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file));
   const bool failed = std::ferror(file) != 0;
   std::fclose(file);
   if (failed) return unusable + "it cannot be read; give the path of a file";
-  if (bytes.size() > kLargestFile) return unusable + "it is larger than 1 MiB; a Falcon's image has a few thousand bytes";
+  if (bytes.size() > kMaxFile) return unusable + "it is larger than 1 MiB; a Falcon's image has a few thousand bytes";
   const ImageReport report = check_image(bytes);
   if (report.defect != ImageDefect::kNone) return unusable + explain(report) + "; take a fresh copy of the image";
   image = std::move(bytes);

@@ -15,8 +15,8 @@ namespace isotouch::falcon {
 
 namespace {
 
-constexpr std::size_t kLongestMessage = 8192;
-constexpr std::size_t kLongestWrite = 4096;
+constexpr std::size_t kMaxMessage = 8192;
+constexpr std::size_t kMaxWrite = 4096;
 constexpr std::uint32_t kPatienceMs = 2000;  // beyond the request's own timeout: a simulator that hangs is gone
 constexpr std::size_t kDescriptor = 18;
 
@@ -31,7 +31,7 @@ Error error_of(int code) {
 
 }  // namespace
 
-SimLink::SimLink(std::string path) : path_(std::move(path)), message_(kLongestMessage) {}
+SimLink::SimLink(std::string path) : path_(std::move(path)), message_(kMaxMessage) {}
 
 SimLink::~SimLink() { SimLink::close(); }
 
@@ -70,7 +70,7 @@ Result<std::size_t> SimLink::control(const UsbSetup& setup, std::span<std::uint8
 }
 
 Result<std::size_t> SimLink::write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) {
-  const std::size_t size = std::min(data.size(), kLongestWrite);
+  const std::size_t size = std::min(data.size(), kMaxWrite);
   std::copy_n(data.begin(), size, message_.begin() + 1);
   const Result<std::span<const std::uint8_t>> answer = ask_for_status('O', 1 + size, timeout_ms);
   if (!answer) return answer.error();
@@ -79,7 +79,7 @@ Result<std::size_t> SimLink::write(std::span<const std::uint8_t> data, std::uint
 }
 
 Result<std::size_t> SimLink::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
-  const std::size_t capacity = std::min<std::size_t>(buffer.size(), kLongestWrite) / kUsbPacket * kUsbPacket;
+  const std::size_t capacity = std::min<std::size_t>(buffer.size(), kMaxWrite) / kUsbPacket * kUsbPacket;
   store_le(&message_[1], static_cast<std::uint16_t>(capacity));
   store_le(&message_[3], std::max(timeout_ms, 1U));  // to the simulator, as on USB, 0 is for ever
   const Result<std::span<const std::uint8_t>> data = ask_for_status('I', 7, timeout_ms);

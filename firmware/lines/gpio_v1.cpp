@@ -12,7 +12,7 @@ namespace isotouch::lines {
 namespace {
 
 constexpr const char* kOwner = "isotouchd";
-constexpr int kMostEdges = 64;  // a contact that bounces
+constexpr int kMaxEdges = 64;  // a contact that bounces
 
 using OpenChip = std::unique_ptr<gpiod_chip, files::CDeleter<gpiod_chip_close>>;
 using TakenLine = std::unique_ptr<gpiod_line, files::CDeleter<gpiod_line_release>>;
@@ -26,7 +26,7 @@ class Line final : public GpioLine {
 
   bool wait_edge(std::int64_t timeout_ns, std::int64_t& edge_ns) override {
     timespec timeout{static_cast<std::time_t>(timeout_ns / 1'000'000'000), static_cast<long>(timeout_ns % 1'000'000'000)};
-    for (int edges = 0; edges < kMostEdges; ++edges) {
+    for (int edges = 0; edges < kMaxEdges; ++edges) {
       const int there = gpiod_line_event_wait(line_.get(), &timeout);
       if (there <= 0) return there == 0;
       gpiod_line_event event{};

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kOwner = "isotouchd";
 constexpr std::size_t kEdges = 16;
-constexpr int kMostReads = 4;  // of so many edges: a contact that bounces
+constexpr int kMaxReads = 4;  // of so many edges: a contact that bounces
 
 using Settings = std::unique_ptr<gpiod_line_settings, files::CDeleter<gpiod_line_settings_free>>;
 using Config = std::unique_ptr<gpiod_line_config, files::CDeleter<gpiod_line_config_free>>;
@@ -33,7 +33,7 @@ class Line final : public GpioLine {
 
   bool wait_edge(std::int64_t timeout_ns, std::int64_t& edge_ns) override {
     if (edges_ == nullptr) return false;
-    for (int reads = 0; reads < kMostReads; ++reads) {
+    for (int reads = 0; reads < kMaxReads; ++reads) {
       const int there = gpiod_line_request_wait_edge_events(request_.get(), timeout_ns);
       if (there <= 0) return there == 0;
       const int count = gpiod_line_request_read_edge_events(request_.get(), edges_.get(), kEdges);

@@ -1,4 +1,4 @@
-/// What the watch thread and the tick tell each other: what the safety lines say, and what the supervisor allows.
+/// What the watchdog thread and the tick tell each other: what the safety lines say, and what the supervisor allows.
 #pragma once
 
 #include <atomic>
@@ -8,19 +8,19 @@
 
 namespace isotouch::loop {
 
-/// Without a watch nothing is ever wrong.
+/// Without a watchdog nothing is ever wrong.
 class LineState {
   static_assert(std::atomic<std::uint16_t>::is_always_lock_free);
 
  public:
-  /// The watch's side. bits: LineBits
+  /// The watchdog's side. bits: LineBits
   void put(std::uint8_t bits) {
     bits_.store(bits, std::memory_order_release);
     words_.store(words_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
   SupervisorState told() const { return static_cast<SupervisorState>(state_.load(std::memory_order_acquire)); }
 
-  /// What the lines say; pressed, too, when the watch has said nothing for longer than the patience: nobody would hear the stop.
+  /// What the lines say; pressed, too, when the watchdog has been silent for longer than the patience, because a real stop could not get through.
   ///
   /// tick      yes
   std::uint8_t get() {

@@ -45,14 +45,14 @@ class Pace {
     }
     const std::int64_t behind = now_ns > expected_ ? (now_ns - expected_) / period_ : 0;
     expected_ += (behind + 1) * period_;
-    return behind > kMost ? kMost : static_cast<std::uint32_t>(behind);
+    return behind > kMax ? kMax : static_cast<std::uint32_t>(behind);
   }
 
   static constexpr std::int64_t kNoReply = -1;
 
  private:
   static constexpr std::int64_t kPull = 64, kLag = 512;
-  static constexpr std::uint32_t kMost = 1'000'000'000;
+  static constexpr std::uint32_t kMax = 1'000'000'000;
 
   bool too_early(std::int64_t arrival_ns) const { return arrival_ns < expected_ - period_ / 2; }
 

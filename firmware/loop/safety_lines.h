@@ -1,5 +1,5 @@
 /// The seam to four wires beside the device: an emergency stop, the motors' enable with its read-back, a heartbeat for an external watchdog relay, and a
-/// light. Used by one thread, the watch's.
+/// light. Used by one thread, the watchdog's.
 #pragma once
 
 #include <cstdint>

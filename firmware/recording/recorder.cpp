@@ -61,7 +61,7 @@ void Recorder::record(const loop::TickRecord& tick) {
   if (!begun_ && (tick.in.requests & kRequestRestart) == 0) return;
   if (!begun_) next_ = tick.number;
   begun_ = true;
-  if (tick.number != next_) return end("ticks were lost, because nobody took them off the ring in time");
+  if (tick.number != next_) return end("ticks were lost because the recorder was too slow");
   ++next_;
   const std::uint32_t generation = tick.in.field_generation;
   if (generation_ != 0 && generation != 0 && generation != generation_) return end("another field was loaded");

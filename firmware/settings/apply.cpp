@@ -138,10 +138,10 @@ lines::GpioSettings gpio_settings(const Settings& settings) {
   return {settings.line_stop, settings.line_enable, settings.line_enable_back, settings.line_heartbeat, settings.line_light};
 }
 
-loop::WatchSettings watch_settings(const Settings& settings) {
-  loop::WatchSettings watch;
-  watch.settle_ns = ns_of_ms(settings.line_settle_ms);
-  return watch;
+loop::WatchdogSettings watch_settings(const Settings& settings) {
+  loop::WatchdogSettings watchdog;
+  watchdog.settle_ns = ns_of_ms(settings.line_settle_ms);
+  return watchdog;
 }
 
 std::size_t field_bytes(const Settings& settings) { return static_cast<std::size_t>(std::llround(settings.field_mib * 1024 * 1024)); }

@@ -8,7 +8,7 @@
 #include "firmware/falcon/falcon_session.h"
 #include "firmware/lines/gpio_lines.h"
 #include "firmware/loop/loop.h"
-#include "firmware/loop/watch.h"
+#include "firmware/loop/watchdog.h"
 #include "firmware/settings/settings.h"
 #include "shared/blob.h"
 #include "shared/files/refusal.h"
@@ -48,7 +48,7 @@ falcon::SessionSettings session_settings(const Settings& settings);
 
 /// Numbers of the safety lines.
 lines::GpioSettings gpio_settings(const Settings& settings);
-loop::WatchSettings watch_settings(const Settings& settings);
+loop::WatchdogSettings watch_settings(const Settings& settings);
 
 /// Largest unpacked field.
 std::size_t field_bytes(const Settings& settings);

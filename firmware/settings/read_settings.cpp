@@ -112,7 +112,7 @@ class Reader {
       if (section == "calibration" && entries != nullptr) {
         if (Refusal refusal = read_calibrations(*entries)) return refusal;
       } else if (entries == nullptr) {
-        return at(key) + in_quotes(section) + " stands in no section; " + advice();
+        return at(key) + in_quotes(section) + " is outside every section; " + advice();
       } else {
         bool known = false;
         for (const Setting& setting : table()) known |= setting.section == section;
@@ -142,7 +142,7 @@ class Reader {
   Refusal read_calibrations(const toml::table& serials) const {
     for (const auto& [serial, node] : serials) {
       const toml::table* entries = node.as_table();
-      if (entries == nullptr) return at(serial) + "a calibration stands in a section of its own, [calibration.SERIAL]";
+      if (entries == nullptr) return at(serial) + "a calibration needs a section of its own, [calibration.SERIAL]";
       Calibration calibration;
       for (const auto& [key, value] : *entries) {
         if (key.str() != "angle_at_zero_deg") {
@@ -172,7 +172,7 @@ Refusal parse_settings(std::string_view text, const std::string& name, Settings&
   const AsciiToml ascii = ascii_toml(text);
   if (ascii.stray_line != 0) {
     return name + ":" + std::to_string(ascii.stray_line) +
-           ": a character that is not ASCII stands outside comments; in a string write it as \\u and four hexadecimal digits";
+           ": there is a character that is not ASCII outside a comment; in a string write it as \\u and four hexadecimal digits";
   }
   const toml::parse_result result = toml::parse(ascii.text, name);
   if (!result) {

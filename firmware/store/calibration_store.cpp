@@ -15,7 +15,7 @@ namespace isotouch::store {
 namespace {
 
 constexpr std::size_t kDigits = 8, kNumbers = 4, kFileBytes = kNumbers * (kDigits + 1);
-constexpr std::size_t kLongestSerial = 24;
+constexpr std::size_t kMaxSerial = 24;
 
 std::string file_of(const std::string& serial) { return "calibration-" + serial; }
 
@@ -60,7 +60,7 @@ Result<void> CalibrationStore::put(const std::string& serial, const AnglesAtZero
 
 bool CalibrationStore::is_serial(const std::string& serial) {
   const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-  return !serial.empty() && serial.size() <= kLongestSerial && std::all_of(serial.begin(), serial.end(), plain);
+  return !serial.empty() && serial.size() <= kMaxSerial && std::all_of(serial.begin(), serial.end(), plain);
 }
 
 }  // namespace isotouch::store

@@ -56,7 +56,7 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
   Refusal refusal = unpack(std::span(upload_).first(*bytes), wanted);
   if (!refusal) {
     const Result<void> switched = store_->set_active(wanted);
-    if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; look after the state folder";
+    if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; check the state folder";
   }
   return activate(wanted, std::move(refusal), before);
 }
@@ -147,7 +147,7 @@ Refusal FieldIntake::keep(const wire::Begin& field, std::span<const std::uint8_t
   if (stored) return {};
   if (before) (void)store_->set_active(*before);
   return std::string("the field is good but cannot be stored: ") + describe(stored.error()) +
-         "; look after the controller's state folder and send it again";
+         "; check the controller's state folder and send it again";
 }
 
 /// What was unpacked becomes the tick's, unless something spoke against it.
@@ -177,7 +177,7 @@ Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Bef
   show_published(felt);
   std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";
   if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", and the next start may begin with it";
-  return refusal + "; look after the controller";
+  return refusal + "; restart the controller";
 }
 
 bool FieldIntake::was_taken_over() {

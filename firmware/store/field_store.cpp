@@ -34,7 +34,7 @@ std::optional<T> number(std::string_view text, int base) {
 
 std::string file_name(std::uint32_t count, std::uint64_t hash, std::string_view name) {
   std::string file = digits(count, kNumberDigits, 10) + "-" + digits(hash, kHashDigits, 16) + "-";
-  for (const char c : name.substr(0, FieldStore::kLongestName)) {
+  for (const char c : name.substr(0, FieldStore::kMaxName)) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
     file += plain ? c : '_';
   }

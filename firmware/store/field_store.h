@@ -29,7 +29,7 @@ struct StoredField {
 
 class FieldStore {
  public:
-  static constexpr std::size_t kLongestName = 40;
+  static constexpr std::size_t kMaxName = 40;
 
   /// folder    lives longer; other files in it are left alone
   /// most      fields kept, at least 2: the oldest go first, never the active one

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "hil/falcon_sim/event_loop.h"
-#include "hil/falcon_sim/socket_face.h"
-#include "hil/falcon_sim/usbip_face.h"
-#include "hil/falcon_sim/usbredir_face.h"
+#include "hil/falcon_sim/socket_frontend.h"
+#include "hil/falcon_sim/usbip_frontend.h"
+#include "hil/falcon_sim/usbredir_frontend.h"
 
 namespace {
 
@@ -46,26 +46,28 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--hand", o.hand, "what the hand does once the device is homed: " + list(motion_names()) + ", none, or a trace file")
       ->capture_default_str();
   app.add_option("--faults", o.faults, "a file with one fault a line: at PACKET FAULT [ARGUMENTS]");
-  app.add_option("--quirk", o.quirks, "what devices do beside the rule, may be given several times: " + list(quirk_names()));
+  app.add_option("--quirk", o.quirks, "deviations seen on real devices; may be given several times: " + list(quirk_names()));
   app.add_option("--pace", o.pace, "real: on frames of 1 ms; lockstep: at once")
       ->check(CLI::IsMember({"real", "lockstep"}))
       ->capture_default_str();
   app.add_option("--serial", o.device.strings.serial, "the serial number, letters and digits")->capture_default_str();
-  app.add_option("--geometry", o.geometry, "which published numbers")
+  app.add_option("--geometry", o.geometry, "which of the published geometries")
       ->check(CLI::IsMember({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();
-  app.add_option("--angle-at-zero", o.angles, "of the arms at count 0, degrees: top, right, left; default: the published one")
+  app.add_option("--angle-at-zero", o.angles, "angles of the arms at count 0, degrees: top, right, left; by default the published ones")
       ->expected(3)
       ->check(CLI::Range(0.0, 80.0));
-  app.add_option("--mass", o.device.mechanism.mass_kg, "at the grip, kg")->check(CLI::Range(0.01, 10.0))->capture_default_str();
-  app.add_option("--damping", o.device.mechanism.damping_n_s_per_m, "at the grip, N s/m")
+  app.add_option("--mass", o.device.mechanism.mass_kg, "moving mass at the grip, kg")->check(CLI::Range(0.01, 10.0))->capture_default_str();
+  app.add_option("--damping", o.device.mechanism.damping_n_s_per_m, "damping at the grip, N s/m")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--hand-stiffness", o.device.hand.stiffness_n_per_mm, "of the hand, N/mm")
+  app.add_option("--hand-stiffness", o.device.hand.stiffness_n_per_mm, "stiffness of the hand, N/mm")
       ->check(CLI::Range(0.0, 5.0))
       ->capture_default_str();
-  app.add_option("--step-ms", o.device.step_ms, "of the mechanism per packet, ms")->check(CLI::Range(0.1, 10.0))->capture_default_str();
-  app.add_option("--hold-ms", o.device.hold_ms, "a torque lasts so long without a packet, ms")
+  app.add_option("--step-ms", o.device.step_ms, "time that passes for the mechanism with each packet, ms")
+      ->check(CLI::Range(0.1, 10.0))
+      ->capture_default_str();
+  app.add_option("--hold-ms", o.device.hold_ms, "how long a torque lasts without a packet, ms")
       ->check(CLI::Range(1.0, 10000.0))
       ->capture_default_str();
 }
@@ -113,7 +115,7 @@ void run(const Options& o) {
   PacedDevice device(SimulatedFalcon(settings_of(o)), pace);
   catch_end_signals();
   std::vector<std::unique_ptr<Face>> faces;
-  if (!o.socket.empty()) faces.push_back(std::make_unique<SocketFace>(o.socket, device));
+  if (!o.socket.empty()) faces.push_back(std::make_unique<SocketFrontend>(o.socket, device));
   if (!o.usbredir.empty()) faces.push_back(make_usbredir_face(o.usbredir, device));
   if (!o.vhci.empty()) faces.push_back(make_usbip_face(vhci_port(o.vhci), device));
   std::printf("falcon-sim: ready\n");

@@ -44,7 +44,7 @@ std::optional<ReadRequest> parse_read(std::span<const std::uint8_t> message) {
 
 Bytes answer(std::span<const std::uint8_t> message, PacedDevice& device, Time now) {
   falcon_model::SimulatedFalcon& falcon = device.falcon();
-  if (message.empty() || message.size() > kLargestMessage) return {};
+  if (message.empty() || message.size() > kMaxMessage) return {};
   const auto body = message.subspan(1);
   switch (message[0]) {
     case 'D': return body.empty() ? describe(falcon.chip().strings()) : Bytes{};

@@ -11,7 +11,7 @@ namespace isotouch::falcon_sim {
 
 using falcon_model::Bytes;
 
-inline constexpr std::size_t kLargestMessage = 1 + 4096;
+inline constexpr std::size_t kMaxMessage = 1 + 4096;
 
 enum Status : std::uint8_t { kOk = 0, kStalled = 1, kTimedOut = 2, kGone = 3 };
 

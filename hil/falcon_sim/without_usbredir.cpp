@@ -1,6 +1,6 @@
 #include <stdexcept>
 
-#include "hil/falcon_sim/usbredir_face.h"
+#include "hil/falcon_sim/usbredir_frontend.h"
 
 namespace isotouch::falcon_sim {
 

@@ -56,9 +56,9 @@ void run(const Options& options) {
 void add_fields(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("fields", "The fields that a controller has stored, the active one marked; or render another of them");
+      app.add_subcommand("fields", "List the fields stored on a controller and mark the active one, or make another one active");
   add_address(*command, options->to);
-  command->add_option("--select", options->select, "the hash of the stored field to render from now on");
+  command->add_option("--select", options->select, "hash of the stored field to make active");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

@@ -57,7 +57,7 @@ void run(const Options& options) {
 
 void add_latency(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("latency", "The times of a running controller's ticks since its start, as histograms");
+  CLI::App* command = app.add_subcommand("latency", "Print histograms of the tick times of a running controller since its start");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

@@ -71,7 +71,7 @@ void run(const Options& options) {
 void add_record(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "record", "Record the ticks of a running controller from now on, as a trace that replays to the bit; Ctrl-C ends it well");
+      "record", "Record the ticks of a running controller as a trace that replays to the bit; Ctrl-C ends the recording and keeps it");
   add_address(*command, options->to);
   command->add_option("-o,--out", options->out, "the trace to write (.trace)")->required();
   command->add_option("--seconds", options->seconds, "how long at most")->check(CLI::Range(0.001, 86400.0))->capture_default_str();

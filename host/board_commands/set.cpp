@@ -14,9 +14,9 @@ void add_set(CLI::App& app) {
     std::string name, value, to;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("set", "Change how it feels while it is felt; the force follows by a ramp");
-  command->add_option("KEY", options->name, "a setting of section [feel], as friction or stiffness")->required();
-  command->add_option("VALUE", options->value, "a number in the unit of the settings' file")->required();
+  CLI::App* command = app.add_subcommand("set", "Change a setting while the object is being touched; the force follows with a ramp");
+  command->add_option("KEY", options->name, "name of a setting in section [feel], such as friction or stiffness")->required();
+  command->add_option("VALUE", options->value, "a number in the unit of the settings file")->required();
   add_address(*command, options->to);
   command->callback([options] {
     link::Controller(options->to).set(options->name, options->value);

@@ -10,7 +10,7 @@ namespace isotouch::commands {
 
 void add_stop(CLI::App& app) {
   auto to = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("stop", "No force from the next tick on, until resume");
+  CLI::App* command = app.add_subcommand("stop", "Switch the force off from the next tick on, until 'isotouch resume'");
   add_address(*command, *to);
   command->callback([to] { link::Controller(*to).stop(); });
 }

@@ -188,7 +188,7 @@ void run(const Options& options) {
 void add_show(CLI::App& trace) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      trace.add_subcommand("show", "Print a trace as a table: one line a tick; what a trace does not hold is empty, or null");
+      trace.add_subcommand("show", "Print a trace as a table: one line per tick; values that the trace does not hold are empty, or null");
   command->add_option("TRACE", options->trace, "the trace to print (.trace)")->required();
   CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, the first line names the columns (without --json, this)");
   CLI::Option* json = command->add_flag("--json", options->json, "one JSON object: the header, and an object a tick")->excludes(csv);

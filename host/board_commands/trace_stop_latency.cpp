@@ -73,10 +73,9 @@ void run(const Options& options) {
 
 void add_stop_latency(CLI::App& trace) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      trace.add_subcommand("stop-latency",
-                           "Count the ticks from each input that forbids forces to motor commands of zero; exit code 3 when one took "
-                           "longer than allowed");
+  CLI::App* command = trace.add_subcommand(
+      "stop-latency",
+      "Count the ticks from each input that forbids forces to motor commands of zero; exit code 3 when one took longer than allowed");
   command->alias("zero");
   command->add_option("TRACE", options->trace, "a controller's recording (.trace)")->required();
   command->add_option("--most", options->most, "ticks allowed")->capture_default_str();

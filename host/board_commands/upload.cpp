@@ -48,10 +48,11 @@ void run(const Options& options) {
 
 void add_upload(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("upload", "Send a field to a running controller; whatever goes wrong, the one before stays");
+  CLI::App* command =
+      app.add_subcommand("upload", "Send a field to a running controller; if anything fails, the previous field stays active");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   add_address(*command, options->to);
-  command->add_option("--name", options->name, "what the controller calls it; the file's name by default");
+  command->add_option("--name", options->name, "name that the controller stores it under; by default the file's name");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

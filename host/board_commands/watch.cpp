@@ -74,13 +74,14 @@ void run(const Options& options) {
 
 void add_watch(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("watch", "Follow the ticks of a running controller: state, positions and force, a line each");
+  CLI::App* command =
+      app.add_subcommand("watch", "Print the ticks of a running controller: state, positions and force, one line for each tick");
   add_address(*command, options->to);
-  command->add_option("--rate", options->rate, "lines a second, at most the rate of the ticks")
+  command->add_option("--rate", options->rate, "lines per second, at most the tick rate")
       ->check(CLI::Range(0.01, 10000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "how long; until Ctrl-C by default")->check(CLI::Range(0.001, 86400.0));
-  command->add_flag("--json", options->json, "a JSON object on each line instead of values with commas");
+  command->add_option("--seconds", options->seconds, "how long; by default until Ctrl-C")->check(CLI::Range(0.001, 86400.0));
+  command->add_flag("--json", options->json, "print one JSON object per line instead of comma-separated values");
   command->callback([options] { run(*options); });
 }
 

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kFarthest = 1e12;
 constexpr double kShortestNormal = 0.5;
-constexpr double kLongestNormal = 2.0;
+constexpr double kMaxNormal = 2.0;
 constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
 constexpr double kDoubtful = 0.3;
@@ -33,7 +33,7 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
     const double length = model.normals[i].norm();
     if (length < 1e-6)
       throw InputError(name + ": " + model.place(i) + ": the normal is zero; estimate the normals again or remove the point");
-    if (!(length >= kShortestNormal && length <= kLongestNormal)) {
+    if (!(length >= kShortestNormal && length <= kMaxNormal)) {
       throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
                        " instead of 1; normalise the normals");
     }

@@ -113,7 +113,7 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
   if (obj.faces.empty()) {
     if (!obj.normals.empty() && obj.normals.size() != obj.vertices.size()) {
       throw InputError(name + ": " + std::to_string(obj.vertices.size()) + " vertices and " + std::to_string(obj.normals.size()) +
-                       " normals without faces: nothing tells which belong together");
+                       " normals without faces: it is not known which of them belong together");
     }
     for (std::uint32_t i = 0; i < obj.normals.size(); ++i) points.push_back({i, i});
   } else if (!obj.normals.empty()) {

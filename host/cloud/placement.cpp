@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestMm = 1.0;
-constexpr double kLargestMm = 1000.0;  // a blob's origin lies within 512 mm
+constexpr double kMaxMm = 1000.0;  // a blob's origin lies within 512 mm
 
 std::string text(double value) {
   std::ostringstream stream;
@@ -46,7 +46,7 @@ Placement place(std::span<const Vector3d> positions, const PlacementOptions& opt
   if (!(placement.scale > 0.0))
     throw InputError("a size of " + text(options.mm_per_unit.value_or(options.fit_mm)) + " mm is not possible; it must be above 0");
   const double size = placement.scale * longest;
-  if (!(size >= kSmallestMm && size <= kLargestMm)) {
+  if (!(size >= kSmallestMm && size <= kMaxMm)) {
     throw InputError("the object would be " + text(size) + " mm long, a workspace holds 1 mm to 1000 mm; state other --units or use --fit");
   }
   placement.offset = -placement.scale * (0.5 * (low + high));

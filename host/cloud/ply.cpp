@@ -37,7 +37,7 @@ class TextRows {
   }
   double number(PlyType, std::string_view what) { return lines_.number(what); }
   void end_row() {
-    if (const auto extra = lines_.field()) throw refusal(quote(*extra) + " stands after the last property of the row");
+    if (const auto extra = lines_.field()) throw refusal(quote(*extra) + " follows the last property of the row");
   }
   void end() {
     while (lines_.next()) {

@@ -5,8 +5,8 @@
 
 #include "host/cloud/bodies.h"
 #include "host/cloud/crossings.h"
-#include "host/cloud/elimination.h"
 #include "host/cloud/objects.h"
+#include "host/cloud/poisson_disk.h"
 #include "host/error.h"
 
 namespace isotouch::cloud {

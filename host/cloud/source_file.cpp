@@ -38,7 +38,7 @@ Model SourceFile::points() const {
     case FileKind::kStl: throw InputError(name() + ": an STL file holds triangles, not points with normals; name a PLY, OBJ or text cloud");
     case FileKind::kUnknown: break;
   }
-  throw InputError(name() + ": nothing tells what kind of file this is; a cloud ends in .ply, .obj, .xyz, .pwn, .npts or .txt");
+  throw InputError(name() + ": the kind of this file is not recognised; a cloud ends in .ply, .obj, .xyz, .pwn, .npts or .txt");
 }
 
 Model SourceFile::faces() const {

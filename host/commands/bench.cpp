@@ -196,12 +196,13 @@ void add_bench(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("bench", "Measure what the tool's parts cost on this machine");
   command->require_subcommand(1);
-  CLI::App* tick = command->add_subcommand(
-      "tick", "One tick, HIP to force and counts to motor words, warm, sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
+  CLI::App* tick = command->add_subcommand("tick",
+                                           "Time of one tick, from HIP to force and from counts to motor commands, with warm caches, "
+                                           "sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
   tick->add_option("BLOB", options->blobs, "time these fields too, sliding on each");
   tick->add_flag("--json", options->json, "print one JSON object");
   tick->callback([options] { bench_tick(options->blobs, options->json); });
-  CLI::App* field = command->add_subcommand("field", "From a cloud's file to a verified blob's file, beside the published method");
+  CLI::App* field = command->add_subcommand("field", "Time from a file of points to a verified field file, beside the published method");
   field->add_flag("--json", options->json, "print one JSON object");
   field->callback([options] { bench_field(options->json); });
   CLI::App* growth = command->add_subcommand("growth", "Time and memory of a build for more points, and for finer grids");

@@ -76,34 +76,35 @@ void add_build(CLI::App& app) {
   const std::map<std::string, InputKind> kinds = {{"cloud", InputKind::kCloud}, {"mesh", InputKind::kMesh}};
   command
       ->add_option("--as", options->as,
-                   "what INPUT is: cloud or mesh. Unless given, a file with faces and without normals is a mesh, and one with normals is a "
-                   "cloud, whose faces are not used")
-      ->transform(CLI::CheckedTransformer(kinds));
-  command->add_option("-o,--out", options->out, "the blob to write (.itf)")->required();
+                   "what INPUT is. By default a file with faces and without normals is a mesh, and a file with normals is a cloud, whose "
+                   "faces are ignored")
+      ->transform(one_of(kinds));
+  command->add_option("-o,--out", options->out, "the field file to write (.itf)")->required();
   const std::map<std::string, encoding::Method> methods = {{"default", encoding::Method::kDefault},
                                                            {"published", encoding::Method::kPublished}};
-  command->add_option("--method", options->method, "default, or published: the paper's levels")
-      ->transform(CLI::CheckedTransformer(methods));
-  command->add_option("--grid-name", options->grid_name, "the grid of an OpenVDB file; its first level set unless given");
+  command->add_option("--method", options->method, "'published' builds integer levels inside the object, as the paper does")
+      ->transform(one_of(methods));
+  command->add_option("--grid-name", options->grid_name, "which grid of an OpenVDB file to read; by default its first level set");
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
-  CLI::Option* grid =
-      command->add_option("--grid", options->grid,
-                          "voxels along the longest side of the input's box; 186 unless given, a level set's own voxels where there are");
+  CLI::Option* grid = command->add_option(
+      "--grid", options->grid, "voxels along the longest side of the input's bounding box; by default 186, or a level set's own voxels");
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
-  CLI::Option* band = command->add_option("--band", options->band, "half width of the band, voxels; 3 unless given");
+  CLI::Option* band =
+      command->add_option("--band", options->band, "half width of the band around the surface that is stored, in voxels; by default 3");
   band->check(CLI::Range(1.0, 7.99));
   command
       ->add_option("--stiffness", options->stiffness,
-                   "of the surface, such as 0.8N/mm, which it is unless given; where the points have a stiffness of their own, the largest")
+                   "stiffness of the surface; by default 0.8N/mm. If the points have stiffness values of their own, this is the largest")
       ->transform(quantity(kStiffness, 0.001, 100));
   CLI::Option* fit =
       command->add_option("--fit", options->fit_mm, "scale the longest side to this length, such as 70mm")->capture_default_str();
   fit->transform(quantity(kLength, 1, 1000));
-  command->add_option("--units", options->units, "keep the true size: the input's unit is mm, cm, m or in")
+  command->add_option("--units", options->units, "keep the true size; the unit of the input's coordinates")
       ->check(one_of({"mm", "cm", "m", "in"}))
       ->excludes(fit);
-  command->add_option("--threads", options->threads, "as many as there are processors unless given; the blob is the same for any number")
+  command
+      ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, json] {

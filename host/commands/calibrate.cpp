@@ -88,13 +88,12 @@ void run(Options options) {
 void add_calibrate(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
-      "calibrate", "Learn the angles of a device's arms from a hand that holds the grip still at known places; without any force");
+      "calibrate", "Measure the angles of a device's arms while a hand holds the grip still at known places; no force is given");
   add_address(*command, options->to);
   command
-      ->add_option(
-          "--at", options->at,
-          "a place, x y z in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given several times. "
-          "Default: 0 0 125")
+      ->add_option("--at", options->at,
+                   "a known place, x y z in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given "
+                   "several times. Default: 0 0 125")
       ->type_name("X Y Z")
       ->check(CLI::Range(-300.0, 300.0));
   command->add_flag("--json", options->json, "print one JSON object");

@@ -105,14 +105,13 @@ void run(const Options& options) {
 
 void add_compare(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "compare",
-      "A blob against the closed mesh of its object: offsets at 20,000 points along its normals, the worst place of both surfaces, "
-      "the volume on the wrong side");
+  CLI::App* command = app.add_subcommand("compare",
+                                         "Compare a field with the closed mesh of its object: offsets at 20,000 points along the mesh's "
+                                         "normals, the worst place of both surfaces, the volume on the wrong side");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the blob's grid");
-  command->add_option("--worst", options->worst, "draw the worst place of the blob (.png)");
+  command->add_option("--worst", options->worst, "draw the worst place of the field (.png)");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

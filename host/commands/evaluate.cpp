@@ -165,8 +165,9 @@ void add_evaluate(CLI::App& app) {
     bool published = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("evaluate", "Accuracy of surface, normals and force on objects whose answer is known");
-  command->add_flag("--published", options->published, "the published method beside it, and the paper's Table 1");
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Measure the accuracy of surface, normals and force on objects whose exact answer is known");
+  command->add_flag("--published", options->published, "also measure the published method, and print the paper's Table 1");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(options->json, options->published); });
 }

@@ -83,9 +83,9 @@ void add_export(CLI::App& app) {
     std::filesystem::path out;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("export", "Write a blob in another form");
+  CLI::App* command = app.add_subcommand("export", "Write a field in another file format");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
-  command->add_option("-o,--out", options->out, "the file to write; its extension chooses the form: " + known_forms())->required();
+  command->add_option("-o,--out", options->out, "the file to write; its extension chooses the format: " + known_forms())->required();
   command->callback([options] {
     const Form& form = form_of(options->out);  // before the work
     form.write(blob::open_blob(options->blob), options->out);

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "host/cloud/forked_call.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/cloud/trial.h"
 #include "host/commands/build_blob.h"
 #include "host/commands/temporary_folder.h"
 #include "host/error.h"
@@ -22,8 +22,8 @@ constexpr std::size_t kClouds[] = {4'000, 40'000, 400'000};
 constexpr int kGrids[] = {128, 256, 512, 1024};
 
 /// What the copy of this process returned; its peak counts what this process holds, so that is little.
-std::string ask_a_copy(const std::function<std::string()>& call, cloud::Trial& trial) {
-  trial = cloud::try_out(call);
+std::string ask_a_copy(const std::function<std::string()>& call, cloud::ForkedCall& trial) {
+  trial = cloud::call_in_fork(call);
   if (trial.crashed || (trial.thrown.empty() && trial.answer.empty()))
     throw InputError("a process for the measurement did not come to its end; there may be too little memory");
   if (!trial.thrown.empty()) throw InputError(trial.thrown);
@@ -32,7 +32,7 @@ std::string ask_a_copy(const std::function<std::string()>& call, cloud::Trial& t
 
 /// Points with the same density all over, without any order.
 void write_sphere(const std::filesystem::path& file, std::size_t points) {
-  cloud::Trial trial;
+  cloud::ForkedCall trial;
   ask_a_copy(
       [&] {
         cloud::write_ply(file, cloud::sample_shape(cloud::shape("sphere"), points), "isotouch bench growth");
@@ -42,7 +42,7 @@ void write_sphere(const std::filesystem::path& file, std::size_t points) {
 }
 
 GrowthRow one_run(const BuildOptions& options) {
-  cloud::Trial trial;
+  cloud::ForkedCall trial;
   const auto build = [&] {
     const BuiltBlob built = build_blob(options);
     const BlobView& view = built.blob.view;

@@ -68,34 +68,36 @@ void run(const Options& options) {
 
 void add_qualify(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("qualify", "Is a board fit to render forces? Measures its ticks, timers and temperature; exit code 3: no");
+  CLI::App* command = app.add_subcommand(
+      "qualify", "Check whether a board can render forces: measures its ticks, timers and temperature; exit code 3 if it cannot");
   add_address(*command, options->to);
-  command->add_option("-o,--out", options->page, "the report, a page (.html)");
-  command->add_option("--json", options->json, "the same figures for programs (.json)");
-  command->add_option("--seconds", options->wish.seconds, "how long the ticks are measured, and as long again cyclictest")
+  command->add_option("-o,--out", options->page, "write the report as a page (.html)");
+  command->add_option("--json", options->json, "write the same figures as JSON (.json)");
+  command->add_option("--seconds", options->wish.seconds, "how long to measure the ticks, and as long again with cyclictest, s")
       ->check(CLI::Range(1.0, 86400.0))
       ->capture_default_str();
-  command->add_option("--priority", options->wish.priority, "of cyclictest; 0 = it is not run")
+  command->add_option("--priority", options->wish.priority, "priority of cyclictest; 0: do not run it")
       ->check(CLI::Range(0, 99))
       ->capture_default_str();
-  command->add_flag("!--no-trace", options->wish.trace, "leave the kernel's tracer alone; then causes are not known");
+  command->add_flag("!--no-trace", options->wish.trace, "do not use the kernel's tracer; the report then names no causes of late ticks");
   qualify::Limits& limits = options->limits;
-  command->add_option("--missed,--left-out", limits.left_out, "limit of ticks that did not come, of a hundred expected ones")
+  command->add_option("--missed,--left-out", limits.left_out, "limit: missed ticks, percent")->capture_default_str();
+  command->add_option("--late", limits.late_ticks, "limit: number of late ticks")->capture_default_str();
+  command->add_option("--wakeup-us", limits.wakeup_us, "limit: 99.9th percentile of the wake-up delay, us; 0: a tenth of the period")
       ->capture_default_str();
-  command->add_option("--late", limits.late_ticks, "limit of late ticks")->capture_default_str();
-  command->add_option("--wakeup-us", limits.wakeup_us, "limit of 99.9 % of the wake-ups; 0 = a tenth of the period")->capture_default_str();
-  command->add_option("--round-trip-us", limits.round_trip_us, "limit of 99.9 % of the device's round trips")->capture_default_str();
-  command->add_option("--word-ticks", limits.word_ticks, "limit of all delays from sensor to word")->capture_default_str();
+  command->add_option("--round-trip-us", limits.round_trip_us, "limit: 99.9th percentile of the device's round trip, us")
+      ->capture_default_str();
+  command->add_option("--word-ticks", limits.word_ticks, "limit: longest delay from sensor to motor command, ticks")->capture_default_str();
   command
       ->add_option("--lost-samples", limits.lost_samples,
-                   "limit of samples that did not come, of a hundred: one a tick, at most one a millisecond")
+                   "limit: lost samples, percent; one is expected in each tick, but at most one in a millisecond")
       ->capture_default_str();
-  command->add_option("--celsius", limits.celsius, "limit of the temperature")->capture_default_str();
-  command->add_option("--page-faults", limits.page_faults, "limit of the tick's page faults")->capture_default_str();
-  command->add_option("--allocations", limits.allocations, "limit of the tick's allocations")->capture_default_str();
-  command->add_option("--faults", limits.faults, "limit of looks, one a second, that see the controller in fault")->capture_default_str();
-  command->add_option("--inactive", limits.inactive, "limit of looks that see it in another state than active, of a hundred")
+  command->add_option("--celsius", limits.celsius, "limit: temperature")->capture_default_str();
+  command->add_option("--page-faults", limits.page_faults, "limit: page faults of the tick")->capture_default_str();
+  command->add_option("--allocations", limits.allocations, "limit: allocations of the tick")->capture_default_str();
+  command->add_option("--faults", limits.faults, "limit: how many of the checks, one per second, find the controller in fault")
+      ->capture_default_str();
+  command->add_option("--inactive", limits.inactive, "limit: checks that find it in a state other than active, percent")
       ->capture_default_str();
   command->callback([options] { run(*options); });
 }

@@ -141,25 +141,26 @@ bool is_trace(const fs::path& file) {
 
 void add_scan(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("scan", "Touch to points: of a trace with forces, or of a mesh that a simulated hand strokes");
+  CLI::App* command = app.add_subcommand(
+      "scan", "Turn touches into oriented points: from a trace with forces, or from a mesh that a simulated hand strokes");
   command->add_option("INPUT", options->input, "a .trace with positions and forces, or a closed mesh: PLY, OBJ or STL")->required();
-  command->add_option("-o,--out", options->out, "the cloud to write, as PLY; of a mesh: in its frame, of a trace: workspace mm")
+  command->add_option("-o,--out", options->out, "the cloud to write, as PLY; from a mesh in its frame, from a trace in workspace mm")
       ->required();
-  command->add_option("--points", options->touch.points, "at most so many, evenly spread")
+  command->add_option("--points", options->touch.points, "largest number of points; they are spread evenly")
       ->check(CLI::Range(8, 1000000))
       ->capture_default_str();
   command
       ->add_option("--stiffness", options->touch.stiffness_n_per_mm,
-                   "of the wall that was felt, N/mm; default: the trace's, 0.8 for a mesh")
+                   "stiffness of the wall that was touched; by default the trace's own, 0.8 for a mesh")
       ->transform(quantity(kStiffness, 0.001, 100.0));
-  command->add_option("--least-force", options->touch.least_force_n, "weaker touches are left out, N")
+  command->add_option("--least-force", options->touch.least_force_n, "leave out touches weaker than this, N")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  command->add_option("--trace", options->trace, "of a mesh: the trace to record");
-  command->add_option("--seconds", options->scan.seconds, "of a mesh: at most so long")
+  command->add_option("--trace", options->trace, "with a mesh: also write the simulated hand's trace");
+  command->add_option("--seconds", options->scan.seconds, "with a mesh: how long the hand strokes it at most, s")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--seed", options->scan.seed, "of a mesh: another hand")->capture_default_str();
+  command->add_option("--seed", options->scan.seed, "with a mesh: seed of the hand's random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     if (options->touch.stiffness_n_per_mm > 0) options->scan.stiffness_n_per_mm = options->touch.stiffness_n_per_mm;

@@ -44,13 +44,13 @@ void make_shape(const ShapeOptions& options) {
 }  // namespace
 
 void add_shape(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("shape", "Draw evenly spread points with exact normals from one of the project's own objects");
+  CLI::App* command = app.add_subcommand("shape", "Sample points with exact normals from one of the built-in objects");
   auto options = std::make_shared<ShapeOptions>();
   command->add_option("name", options->name, "the object")->required()->check(one_of(cloud::shape_names()));
   command->add_option("-o,--out", options->out, "the cloud to write, as PLY")->required();
-  command->add_option("--points", options->points, "how many; the object's own number if not given")->check(CLI::Range(8, 1000000));
-  command->add_option("--seed", options->seed, "another seed draws other points")->capture_default_str();
-  command->add_flag("--json", options->json, "print one object on standard output");
+  command->add_option("--points", options->points, "number of points; each object has its own default")->check(CLI::Range(8, 1000000));
+  command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();
+  command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { make_shape(*options); });
 }
 

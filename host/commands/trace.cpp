@@ -249,11 +249,12 @@ void compare_traces(const DiffOptions& options) {
 
 void add_make(CLI::App& trace) {
   auto options = std::make_shared<MakeOptions>();
-  CLI::App* command = trace.add_subcommand("make", "A motion: press slide tap corner graze stab leave, or tour (all of them)");
+  CLI::App* command =
+      trace.add_subcommand("make", "Make the motion of a hand: press slide tap corner graze stab leave, or tour (all of them)");
   command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(motion::motion_kinds()));
-  command->add_option("BLOB", options->blob, "the object it follows; without one it fills the workspace");
-  command->add_option("--ticks", options->motion.ticks, "exactly so many; 0: one round of the motion")->capture_default_str();
-  command->add_option("--seed", options->motion.seed, "other places, other speeds")->capture_default_str();
+  command->add_option("BLOB", options->blob, "the field that the hand follows; without one it moves through the whole workspace");
+  command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")->capture_default_str();
+  command->add_option("--seed", options->motion.seed, "seed of the places and speeds")->capture_default_str();
   command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
       ->check(CLI::Range(0.0, 50.0))
       ->capture_default_str();
@@ -264,8 +265,9 @@ void add_make(CLI::App& trace) {
 void add_import(CLI::App& trace) {
   auto options = std::make_shared<ImportOptions>();
   CLI::App* command = trace.add_subcommand(
-      "import", "A table of times and positions, with --forces also of forces, resampled to the tick period by monotone cubics");
-  command->add_option("CSV", options->csv, "first line: the columns' names")->required();
+      "import",
+      "Turn a table of times and positions (with --forces: and forces) into a trace, resampled to the tick period by monotone cubics");
+  command->add_option("CSV", options->csv, "the table; its first line names the columns")->required();
   command->add_option("--columns", options->columns,
                       "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
   command->add_flag("--forces", options->forces, "also the forces on the hand, N, for isotouch scan; name the wall's --stiffness");
@@ -274,7 +276,9 @@ void add_import(CLI::App& trace) {
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
   command->add_option("--offset", options->offset, "then move by x,y,z mm")->delimiter(',')->expected(3);
-  command->add_option("--into", options->into, "instead: centred in this blob's box, its longest side as long as the box's")
+  command
+      ->add_option("--into", options->into,
+                   "instead of these: centre the motion in this field's box and make its longest side as long as the box's")
       ->excludes("--centre")
       ->excludes("--scale")
       ->excludes("--offset");
@@ -285,7 +289,7 @@ void add_import(CLI::App& trace) {
 void add_to_packets(CLI::App& trace) {
   auto options = std::make_shared<ToPacketsOptions>();
   CLI::App* command = trace.add_subcommand(
-      "to-packets", "Turn positions of a hand into the packets of a device that it moves, with what the device's tick answers");
+      "to-packets", "Turn the positions of a hand into the packets of a device that the hand moves, with the tick's answers");
   command->alias("wire");
   command->add_option("BLOB", options->blob, "the field (.itf)")->required();
   command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
@@ -299,7 +303,7 @@ void add_to_packets(CLI::App& trace) {
 void add_diff(CLI::App& trace) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* command =
-      trace.add_subcommand("diff", "The first tick and field in which two recorded traces differ; exit code 3 when they do");
+      trace.add_subcommand("diff", "Find the first tick and value in which two recorded traces differ; exit code 3 if they do");
   command->add_option("A", options->a)->required();
   command->add_option("B", options->b)->required();
   command->add_flag("--json", options->json, "print one JSON object");

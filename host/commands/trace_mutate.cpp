@@ -102,11 +102,11 @@ void add_mutate(CLI::App& trace) {
   command->footer(list_of_mutations());
   std::vector<std::string> names;
   for (const motion::Mutation& mutation : motion::mutations()) names.emplace_back(mutation.name);
-  command->add_option("MUTATION", options->name, "what happens to it")->required()->check(one_of(names));
+  command->add_option("MUTATION", options->name, "what to do with it")->required()->check(one_of(names));
   command->add_option("BLOB", options->blob, "the field that was or will be touched (.itf)")->required();
   command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();
-  command->add_option("--seed", options->seed, "another seed draws other numbers")->capture_default_str();
+  command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();
   command->callback([options] { run(*options); });
 }
 

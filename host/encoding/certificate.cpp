@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "host/encoding/apron.h"
-#include "host/field/four.h"
 #include "host/field/parallel.h"
+#include "host/field/simd.h"
 #include "shared/bytes.h"
 
 namespace isotouch::encoding {
@@ -196,7 +196,7 @@ Certificate certificate_of(const BlobView& view) {
   const auto scaled = [at](std::size_t offset, int bits) {
     return std::ldexp(static_cast<double>(load_le<std::uint32_t>(at + offset)), -bits);
   };
-  return {scaled(kLargestSlopeAt, 16),
+  return {scaled(kMaxSlopeAt, 16),
           scaled(kQuantisationAt, 24),
           scaled(kThinnestWallAt, 16),
           scaled(kAdvisedStiffnessAt, Stiffness::kFractionBits),

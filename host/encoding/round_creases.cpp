@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host/encoding/apron.h"
-#include "host/field/four.h"
 #include "host/field/parallel.h"
+#include "host/field/simd.h"
 
 namespace isotouch::encoding {
 

@@ -5,8 +5,8 @@
 
 #include "host/encoding/apron.h"
 #include "host/field/brick_mask.h"
-#include "host/field/four.h"
 #include "host/field/parallel.h"
+#include "host/field/simd.h"
 
 namespace isotouch::encoding {
 

@@ -14,7 +14,7 @@
 #include "host/encoding/brick_tree.h"
 #include "host/encoding/certificate.h"
 #include "host/encoding/round_creases.h"
-#include "host/encoding/specks.h"
+#include "host/encoding/small_components.h"
 #include "host/encoding/spline.h"
 #include "host/error.h"
 #include "shared/bytes.h"
@@ -79,7 +79,7 @@ void store_certificate(std::uint8_t* at, const Certificate& certificate) {
   const auto store = [at](std::size_t offset, double value, int bits) {
     store_le(at + offset, static_cast<std::uint32_t>(std::clamp(std::ceil(std::ldexp(value, bits)), 0.0, 4294967295.0)));
   };
-  store(kLargestSlopeAt, certificate.largest_slope, 16);
+  store(kMaxSlopeAt, certificate.largest_slope, 16);
   store(kQuantisationAt, certificate.quantisation_voxel, 24);
   store(kThinnestWallAt, certificate.thinnest_wall_voxel, 16);
   store_le(at + kAdvisedStiffnessAt, static_cast<std::uint32_t>(std::ldexp(certificate.stiffness_n_per_mm, Stiffness::kFractionBits)));
@@ -109,7 +109,7 @@ blob::Image write_blob(field::BandField field, const BlobInfo& info) {
   const field::BandField held =
       info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field), around);  // what the grid can hold
   std::vector<Coefficients> coefficients = spline_coefficients(held, around);
-  if (info.method != Method::kPublished) drop_specks(coefficients, around);
+  if (info.method != Method::kPublished) drop_small_components(coefficients, around);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
   for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);

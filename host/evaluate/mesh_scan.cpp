@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "host/cloud/elimination.h"
 #include "host/cloud/mesh.h"
+#include "host/cloud/poisson_disk.h"
 #include "host/cloud/random.h"
 #include "host/evaluate/god_object.h"
 #include "host/field/first_hit.h"
@@ -26,7 +26,7 @@ namespace {
 constexpr double kTick = kScanPeriodNs * 1e-9;  // s
 constexpr double kMeanSpeed = 100;              // mm/s
 constexpr double kUseful = 0.5;                 // share of the time that adds something new, by trial on the data's meshes
-constexpr double kLongestStroke = 8;            // s
+constexpr double kMaxStroke = 8;                // s
 constexpr double kTravelSpeed = 250;            // mm/s
 constexpr double kClearance = 4;                // mm over the surface before and after a stroke
 constexpr int kTries = 3;                       // strokes that pass a target in vain
@@ -39,9 +39,9 @@ class Fingers {
 
   const Vector3d& follow(const Vector3d& wanted) {
     constexpr double kStiffness = 60.0 * 60.0, kDamping = 2 * 60.0;  // 1/s², 1/s
-    constexpr double kMostAcceleration = 8000, kMostSpeed = 400;     // mm/s², mm/s
-    velocity_ += kTick * shortened(kStiffness * (wanted - position_) - kDamping * velocity_, kMostAcceleration);
-    velocity_ = shortened(velocity_, kMostSpeed);
+    constexpr double kMaxAcceleration = 8000, kMaxSpeed = 400;       // mm/s², mm/s
+    velocity_ += kTick * shortened(kStiffness * (wanted - position_) - kDamping * velocity_, kMaxAcceleration);
+    velocity_ = shortened(velocity_, kMaxSpeed);
     position_ += kTick * velocity_;
     return position_;
   }
@@ -228,7 +228,7 @@ class Scan {
   void stroke(std::size_t first) {
     const double speed = random_.uniform(80, 120);
     const double depth = random_.uniform(0.5, 2.0);
-    const double end = static_cast<double>(report_.ticks) * kTick + random_.uniform(0.5, 1) * kLongestStroke;
+    const double end = static_cast<double>(report_.ticks) * kTick + random_.uniform(0.5, 1) * kMaxStroke;
     Vector3d guide = targets_.positions[first], normal = targets_.normals[first], heading = normal.unitOrthogonal();
     std::uint32_t face = 0;
     std::optional<std::size_t> target = next_target(guide, normal, heading);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/cloud/elimination.h"
+#include "host/cloud/poisson_disk.h"
 #include "host/error.h"
 #include "host/field/nearest.h"
 #include "host/to_double.h"
@@ -146,7 +146,8 @@ OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& optio
   }
   report.touches = touches.size();
   if (touches.size() == 0) {
-    throw InputError(name + ": not one of its " + std::to_string(report.ticks) + " ticks touches anything with a force that tells where");
+    throw InputError(name + ": not one of its " + std::to_string(report.ticks) +
+                     " ticks touches anything with enough force to show where the surface is");
   }
   return thinned(touches, options.points, report);
 }

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "host/field/agreement.h"
 #include "host/field/cell_order.h"
-#include "host/field/isolated.h"
+#include "host/field/normal_voting.h"
+#include "host/field/outliers.h"
 #include "host/field/parallel.h"
 #include "host/field/thinning.h"
 
@@ -77,7 +77,7 @@ Round described(cloud::OrientedPoints samples, std::vector<std::uint32_t> point,
         cloud::OrientedPoints{picked(all.positions(), kept), picked(all.normals(), kept), picked(all.stiffness(), kept)});
     now.point = picked(now.point, kept);
   }
-  result.turned = turn_contradicted(*result.scan);
+  result.turned = turn_outvoted(*result.scan);
   fit_models(*result.scan, known_models(before, now, points), result.models);
   return now;
 }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "host/field/blend_brick.h"
-#include "host/field/enclosure.h"
-#include "host/field/four.h"
+#include "host/field/simd.h"
+#include "host/field/winding_sign.h"
 
 namespace isotouch::field {
 

@@ -45,7 +45,7 @@ std::vector<std::string> Repair::warnings() const {
     const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
     list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +
                    rounded(rim.place.x()) + ", " + rounded(rim.place.y()) + ", " + rounded(rim.place.z()) +
-                   ") mm in the workspace; the field closes them with surface that nobody scanned");
+                   ") mm in the workspace; the field closes them with surface that was not scanned");
   }
   return list;
 }
@@ -84,7 +84,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   if (field.bricks.empty()) throw InputError("the points do not bound a body");
-  mended.debris = drop_debris(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
+  mended.debris = drop_unsupported(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
   if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;

@@ -7,9 +7,9 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
-#include "host/field/debris.h"
 #include "host/field/open_rim.h"
 #include "host/field/progress.h"
+#include "host/field/unsupported_components.h"
 
 namespace isotouch::field {
 
@@ -20,10 +20,10 @@ constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 
 /// What was doubtful about the samples, and mended.
 struct Repair {
-  std::size_t isolated = 0;  ///< samples far from all others, left out
-  std::size_t turned = 0;    ///< normals that nearly all neighbours contradicted
-  Debris debris;             ///< pieces and cavities that no sample stands for
-  OpenRim rim;               ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
+  std::size_t isolated = 0;      ///< samples far from all others, left out
+  std::size_t turned = 0;        ///< normals that nearly all neighbours contradicted
+  UnsupportedComponents debris;  ///< pieces and cavities that no sample stands for
+  OpenRim rim;                   ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
   std::vector<std::string> warnings() const;
 };
 

@@ -46,7 +46,7 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
   // All at one distance: x is the centre of a ball through the samples.
   const double blended = weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
   double distance = held_by_balls(blended, x, nearest.first(count), balls_);
-  if (held) distance = held_by_enclosure(distance, x, nearest.front().squared_distance, border, enclosure_);
+  if (held) distance = signed_by_winding(distance, x, nearest.front().squared_distance, border, enclosure_);
   return std::max(distance, closing_.distance(x));
 }
 
@@ -76,7 +76,7 @@ bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span
     const auto ninth = away.begin() + kBlended;
     std::nth_element(away.begin(), ninth, away.end());
     const auto held = static_cast<float>(
-        held_by_enclosure(static_cast<double>(samples[s]), x, *std::min_element(away.begin(), ninth), *ninth, enclosure_));
+        signed_by_winding(static_cast<double>(samples[s]), x, *std::min_element(away.begin(), ninth), *ninth, enclosure_));
     turned = turned || (held < 0.0F) != (samples[s] < 0.0F);
     samples[s] = held;
   }

@@ -15,8 +15,8 @@
 
 #include "host/field/blend_brick.h"
 #include "host/field/bricks.h"
-#include "host/field/enclosure.h"
 #include "host/field/scan.h"
+#include "host/field/winding_sign.h"
 
 namespace isotouch::field {
 
@@ -43,7 +43,7 @@ class Surface {
   double distance(const Eigen::Vector3d& x) const;
 
   /// What the scan as a whole says.
-  const Enclosure& enclosure() const { return enclosure_; }
+  const WindingSign& enclosure() const { return enclosure_; }
 
   /// The same at the 4x4x4 points first + (i, j, k), in single precision: to 1e-4 for coordinates in voxels.
   BrickDistances brick(const Eigen::Vector3d& first, double reach) const;
@@ -61,7 +61,7 @@ class Surface {
 
   const Scan& scan_;
   Box closing_;
-  Enclosure enclosure_;
+  WindingSign enclosure_;
   std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
   BrickBlend brick_;

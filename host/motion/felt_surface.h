@@ -13,7 +13,7 @@ namespace isotouch::motion {
 struct FeltSample {
   double distance = 0;                                 ///< mm, clamped to the band; negative inside
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< mm a mm, points out; zero beyond the band
-  double bend = 0;  ///< 1/voxel, Frobenius norm of the second derivatives: high at edges, corners and creases
+  double curvature = 0;  ///< 1/voxel, Frobenius norm of the second derivatives: high at edges, corners and creases
 };
 
 struct SurfacePoint {

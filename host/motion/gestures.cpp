@@ -37,11 +37,11 @@ Gestures::Gestures(const FeltSurface& surface, Hand& hand, cloud::Random random)
   if (places.empty())
     throw InputError("the blob holds no surface that a hand could reach from outside; build it again from a closed cloud");
 
-  std::vector<double> bend(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) bend[i] = surface_.sample(places[i].at.position).bend;
+  std::vector<double> curvature(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) curvature[i] = surface_.sample(places[i].at.position).curvature;
   std::vector<std::size_t> order(places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bend[a] > bend[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return curvature[a] > curvature[b]; });
   for (const std::size_t i : order) {
     const bool apart = std::all_of(bent_.begin(), bent_.end(),
                                    [&](const Place& p) { return (p.at.position - places[i].at.position).norm() > 6 * voxel_; });

@@ -135,7 +135,7 @@ void jitter(HandMutator& m) {
 
 void dwell(HandMutator& m) {
   const double voxel = m.surface.voxel_mm();
-  const auto bent_most = [&](const SurfacePoint& at) { return -m.surface.sample(at.position).bend; };
+  const auto bent_most = [&](const SurfacePoint& at) { return -m.surface.sample(at.position).curvature; };
   m.with_detours(m.touches(kPlaces, bent_most), [&](const SurfacePoint& at, const Vector3d&) {
     const Vector3d inner = at.position - m.random.uniform(1, 5) * voxel * at.normal;
     m.hand.move(inner, kPressSpeed);

@@ -99,7 +99,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     if (measure == wire::Measure::kWakeup) {
       html += figures.timer.count > 0 ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " +
                                             std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
-                                      : "<p>Nothing stands beside it: " + escaped(figures.timer_unknown) + "</p>\n";
+                                      : "<p>Not compared with cyclictest: " + escaped(figures.timer_unknown) + "</p>\n";
     }
     html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
                           measure == wire::Measure::kWakeup ? figures.timer : link::Histogram{});

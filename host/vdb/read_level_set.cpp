@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "host/cloud/trial.h"
+#include "host/cloud/forked_call.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/vdb/level_set.h"
@@ -249,7 +249,7 @@ LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& gr
   try {
     openvdb::initialize();
     // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
-    const cloud::Trial trial = cloud::try_out([&] {
+    const cloud::ForkedCall trial = cloud::call_in_fork([&] {
       static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings)));
       return std::string();
     });

@@ -10,7 +10,7 @@
 #include "firmware/falcon/falcon_port.h"
 #include "firmware/falcon/firmware_image.h"
 #include "firmware/loop/loop.h"
-#include "firmware/loop/watch.h"
+#include "firmware/loop/watchdog.h"
 #include "tests/driver/model_link.h"
 #include "tests/support/fake_lines.h"
 
@@ -75,7 +75,7 @@ class FaultBench final : public loop::Device {
   loop::TickStats stats;
   FakeLines lines{clock};
   loop::LineState line_state;
-  loop::Watch watch;
+  loop::Watchdog watch;
   loop::LoopSettings settings;
   loop::Loop loop;
   loop::TickRecord last;

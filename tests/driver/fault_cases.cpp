@@ -17,7 +17,7 @@ using S = SupervisorState;
 
 constexpr int kStrike = 50;     // ticks after the hand has pressed for a while
 constexpr int kAskFrom = 1500;  // from here on a person asks to resume, ten times a second
-constexpr int kMost = 20'000;   // ticks until it must be well again
+constexpr int kMax = 20'000;    // ticks until it must be well again
 
 /// Does this tick's input show the fault? Judged from the input alone, not from what the core made of it.
 using Shows = std::function<bool(const TickRecord& now, const TickRecord& before)>;
@@ -163,7 +163,7 @@ class Follow {
     FaultRow row;
     row.fault = case_.name;
     const bool happens = static_cast<bool>(case_.shows);
-    for (int t = 0; t < kMost && !(well_again_ >= 0 && t > well_again_ + 300) && !(!happens && t > 1000); ++t) {
+    for (int t = 0; t < kMax && !(well_again_ >= 0 && t > well_again_ + 300) && !(!happens && t > 1000); ++t) {
       if (case_.pull) case_.pull(bench_, t);
       if (t >= kAskFrom && t % 100 == 0 && bench_.state() == S::kFault) {
         bench_.commands.ask(kRequestResume);
@@ -215,7 +215,7 @@ class Follow {
     if (!case_.shows) return state_ != S::kActive || bench_.longest_gap_ns > 5 * FaultBench::kPeriod / 2 ? "something happened" : "";
     if (shown_ < 0) return "no input showed the fault";
     if (zero_ < 0) return "there was no zero";
-    if (zero_ - shown_ > kMostTicks) return "zero came too late";
+    if (zero_ - shown_ > kMaxTicks) return "zero came too late";
     if (state_ != case_.state) return "another state was reached";
     if (faults_ != case_.faults) return "other faults were told";
     if (well_again_ < 0) return "forces did not return";

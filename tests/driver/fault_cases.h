@@ -15,7 +15,7 @@ struct FaultRow {
   std::string broken;  ///< which promise was; empty: none
 };
 
-inline constexpr int kMostTicks = 3;
+inline constexpr int kMaxTicks = 3;
 
 /// Runs all of them, in a time of their own; the same rows every time.
 std::vector<FaultRow> fault_matrix();

@@ -31,7 +31,7 @@ int print_matrix() {
       "zero words at\n"
       "the device's seam, at most %d; - where no input shows it. While the link is down the motors do what the device's own time limit "
       "says.\n",
-      rows, broken, kMostTicks);
+      rows, broken, kMaxTicks);
   return broken == 0 ? 0 : 3;
 }
 

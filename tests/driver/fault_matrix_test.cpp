@@ -11,7 +11,7 @@ TEST(FaultMatrix, EveryBoundIsKept) {
   int shown = 0;
   for (const FaultRow& row : rows) {
     EXPECT_EQ(row.broken, "") << row.fault;
-    EXPECT_LE(row.ticks, kMostTicks) << row.fault;
+    EXPECT_LE(row.ticks, kMaxTicks) << row.fault;
     shown += row.ticks >= 0 ? 1 : 0;
   }
   EXPECT_GE(rows.size(), 30U);

@@ -18,7 +18,7 @@ namespace isotouch::test {
 namespace {
 
 constexpr int kTicksOfARun = 20'000;
-constexpr int kMostTicks = 3;
+constexpr int kMaxTicks = 3;
 
 /// An image where a view of it may look at it.
 struct Field {
@@ -68,13 +68,13 @@ std::string random_script(Random& random, std::uint64_t& count) {
 
 /// One of [feel], up to what a person would set; each may also be off.
 SettingChange random_setting(Random& random) {
-  constexpr LiveRaw kMost = {Stiffness::of(2).raw(),   Damping::of(0.001).raw(), Newton::of(12).raw(),     Ratio::of(0.9).raw(),
-                             Damping::of(0.002).raw(), Damping::of(0.004).raw(), Damping::of(0.012).raw(), Newton::of(1).raw()};
+  constexpr LiveRaw kMax = {Stiffness::of(2).raw(),   Damping::of(0.001).raw(), Newton::of(12).raw(),     Ratio::of(0.9).raw(),
+                            Damping::of(0.002).raw(), Damping::of(0.004).raw(), Damping::of(0.012).raw(), Newton::of(1).raw()};
   const std::uint64_t which = below(random, kLiveSettings);
   const auto setting = static_cast<TickSetting>(which + 1);
   const bool may_be_off = setting != TickSetting::kStiffness && setting != TickSetting::kForceLimit;
   if (may_be_off && below(random, 4) == 0) return {setting, 0};
-  return {setting, 1 + static_cast<std::int32_t>(below(random, static_cast<std::uint64_t>(kMost[which])))};
+  return {setting, 1 + static_cast<std::int32_t>(below(random, static_cast<std::uint64_t>(kMax[which])))};
 }
 
 /// What a run must keep in every tick.
@@ -101,7 +101,7 @@ class Judge {
     shown += bad ? 1 : 0;
     if (left.words != now.out.commands) return "other words were left than the tick said";
     if (words && !active) return "words in a state that has none";
-    if (words && in_a_row_ > kMostTicks) return "words beyond the bound";
+    if (words && in_a_row_ > kMaxTicks) return "words beyond the bound";
     if (words && bad) return "words in a tick that shows a fault";
     if (fault_ && now.out.state != kFaultState && (now.in.requests & kRequestResume) == 0 && now.out.buttons == 0)
       return "a fault ended without a person";

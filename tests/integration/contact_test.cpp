@@ -103,7 +103,7 @@ TEST(ContactHeavy, SlidingAlongACreaseTheForceIsThatOfTheConvergedProxy) {
         core::Contact converged;
         for (int t = 0; t < 20; ++t) converged = core::step_proxy(hip, field, later);
         ASSERT_TRUE(now.touching && converged.touching);
-        worst = std::max(worst, test::angle_degrees(test::to_point(now.stretch), test::to_point(converged.stretch)));
+        worst = std::max(worst, test::angle_degrees(test::to_point(now.deflection), test::to_point(converged.deflection)));
         ++compared;
       }
       EXPECT_GT(compared, 30);

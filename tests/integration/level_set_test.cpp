@@ -68,7 +68,7 @@ class LevelSetAcross : public ::testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(LevelSetAcross, a_sphere_of_openvdb_is_felt_as_a_sphere) {
+TEST_F(LevelSetAcross, ASphereOfOpenvdbIsFeltAsASphere) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm");
   const auto blob = blob::open_blob(file("a.itf"));
@@ -80,7 +80,7 @@ TEST_F(LevelSetAcross, a_sphere_of_openvdb_is_felt_as_a_sphere) {
   EXPECT_LT(errors.normal_deg, 0.1);
 }
 
-TEST_F(LevelSetAcross, a_turned_or_refined_sphere_is_still_felt_as_one) {
+TEST_F(LevelSetAcross, ATurnedOrRefinedSphereIsStillFeltAsOne) {
   make_sphere("a.vdb", 0.4);
   for (const char* size : {"", " --voxel 0.13mm", " --grid 50"}) {
     run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm" + size);
@@ -90,7 +90,7 @@ TEST_F(LevelSetAcross, a_turned_or_refined_sphere_is_still_felt_as_one) {
   }
 }
 
-TEST_F(LevelSetAcross, an_export_holds_what_the_core_samples_at_every_node) {
+TEST_F(LevelSetAcross, AnExportHoldsWhatTheCoreSamplesAtEveryNode) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
   run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
@@ -123,7 +123,7 @@ TEST_F(LevelSetAcross, an_export_holds_what_the_core_samples_at_every_node) {
   EXPECT_LT(worst_mm, 1e-6 * band_mm);
 }
 
-TEST_F(LevelSetAcross, a_blob_comes_back_from_an_export_to_a_five_hundredth_of_a_voxel) {
+TEST_F(LevelSetAcross, ABlobComesBackFromAnExportToAFiveHundredthOfAVoxel) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
   run_command("export " + file("a.itf") + " -o " + file("b.vdb"));

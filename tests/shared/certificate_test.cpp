@@ -30,7 +30,7 @@ class Certified {
     auto* at = reinterpret_cast<std::uint8_t*>(words_.data());
     std::memcpy(at, bytes.data(), bytes.size());
     std::vector<std::pair<std::size_t, std::uint32_t>> fields = {
-        {kLargestSlopeAt, 81920},      {kQuantisationAt, 2048},    {kThinnestWallAt, 0}, {kAdvisedStiffnessAt, 131071},
+        {kMaxSlopeAt, 81920},          {kQuantisationAt, 2048},    {kThinnestWallAt, 0}, {kAdvisedStiffnessAt, 131071},
         {kAdvisedPeriodAt, 1'000'000}, {kAdvisedDampingAt, 50332}, {kAdvisedDelayAt, 1}};
     fields.insert(fields.end(), changes.begin(), changes.end());
     for (const auto& [offset, value] : fields) store_le(at + offset, value);
@@ -90,10 +90,17 @@ TEST(Certificate, TheLoopItSpeaksOfIsReadBack) {
 TEST(Certificate, EveryContradictionIsSeen) {
   const std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> lies = {
       {{kAdvisedStiffnessAt, 131075}},  // 2 N/mm is 131,072
-      {{kAdvisedStiffnessAt, 131060}}, {{kAdvisedStiffnessAt, ~0U}},       {{kAdvisedPeriodAt, 1'000'500}}, {{kAdvisedPeriodAt, 0}},
-      {{kAdvisedDampingAt, 50345}},    {{kAdvisedDampingAt, ~0U}},         {{kAdvisedDelayAt, 2}},          {{kAdvisedDelayAt, ~0U}},
-      {{kLargestSlopeAt, 60000}},                                           // the ball rises by 0.99 from one coefficient to the next
-      {{kLargestSlopeAt, 1}},          {{kThinnestWallAt, 8 * 65536 + 1}},  // twice the band is 8 voxels
+      {{kAdvisedStiffnessAt, 131060}},
+      {{kAdvisedStiffnessAt, ~0U}},
+      {{kAdvisedPeriodAt, 1'000'500}},
+      {{kAdvisedPeriodAt, 0}},
+      {{kAdvisedDampingAt, 50345}},
+      {{kAdvisedDampingAt, ~0U}},
+      {{kAdvisedDelayAt, 2}},
+      {{kAdvisedDelayAt, ~0U}},
+      {{kMaxSlopeAt, 60000}},  // the ball rises by 0.99 from one coefficient to the next
+      {{kMaxSlopeAt, 1}},
+      {{kThinnestWallAt, 8 * 65536 + 1}},  // twice the band is 8 voxels
   };
   for (std::size_t n = 0; n < lies.size(); ++n) {
     const CertificateCheck check = check_certificate(Certified(lies[n]).view(), kFalcon, {});
@@ -102,7 +109,7 @@ TEST(Certificate, EveryContradictionIsSeen) {
     EXPECT_EQ(check.stiffness, Stiffness{}) << n;
   }
   const std::vector<std::vector<std::pair<std::size_t, std::uint32_t>>> truths = {
-      {{kAdvisedStiffnessAt, 131072}}, {{kThinnestWallAt, 8 * 65536}}, {{kLargestSlopeAt, 66000}}};
+      {{kAdvisedStiffnessAt, 131072}}, {{kThinnestWallAt, 8 * 65536}}, {{kMaxSlopeAt, 66000}}};
   for (std::size_t n = 0; n < truths.size(); ++n) EXPECT_TRUE(check_certificate(Certified(truths[n]).view(), kFalcon, {}).accepted) << n;
 }
 
@@ -122,7 +129,7 @@ TEST(Certificate, SteepGradientsNeedOneThatSaysSo) {
 }
 
 TEST(Certificate, ABlobWithoutOneIsJudgedByItsStiffnessAlone) {
-  const Certified none({{kLargestSlopeAt, 0}, {kAdvisedStiffnessAt, 0}, {kAdvisedPeriodAt, 0}, {kAdvisedDampingAt, 0}});
+  const Certified none({{kMaxSlopeAt, 0}, {kAdvisedStiffnessAt, 0}, {kAdvisedPeriodAt, 0}, {kAdvisedDampingAt, 0}});
   EXPECT_TRUE(check_certificate(none.view(), kFalcon, {}).accepted);
   EXPECT_EQ(check_certificate(none.view(), kFalcon, Stiffness::of(2.1)).error, Error::kTooStiff);
 }

@@ -75,10 +75,10 @@ TEST(PackedBlob, EveryByteBehindTheChecksumIsCheckedByIt) {
 }
 
 TEST(PackedBlob, AnImageThatItsFrameCannotHoldIsRefused) {
-  constexpr std::uint64_t kMost = 256 + kFrame * 32768;  // what the checks before allocation leave to a file of 360 bytes
+  constexpr std::uint64_t kMax = 256 + kFrame * 32768;  // what the checks before allocation leave to a file of 360 bytes
   for (const std::uint64_t more : {0U, 1U, 32768U, 0xF0000000U}) {
-    std::vector<std::uint8_t> bytes = valid_bytes(static_cast<std::uint32_t>(kMost + more - 256));
-    store_le<std::uint64_t>(bytes.data() + 24, kMost + more);
+    std::vector<std::uint8_t> bytes = valid_bytes(static_cast<std::uint32_t>(kMax + more - 256));
+    store_le<std::uint64_t>(bytes.data() + 24, kMax + more);
     const Result<PackedBlob> packed = PackedBlob::parse(sealed(bytes));
     EXPECT_EQ(packed.has_value(), more == 0) << more;
     EXPECT_TRUE(packed || packed.error() == Error::kBadSize) << more;

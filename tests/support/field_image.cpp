@@ -97,7 +97,7 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   put(kInverseEdgeAt, static_cast<std::int32_t>(((std::int64_t{1} << 44) + edge / 2) / edge));
   put(kBandAt, std::int32_t{far});
   put(kStiffnessAt, static_cast<std::int32_t>(std::lround(options.stiffness * 65536)));
-  put(kLargestSlopeAt, static_cast<std::uint32_t>(std::lround(options.largest_slope * 65536)));
+  put(kMaxSlopeAt, static_cast<std::uint32_t>(std::lround(options.largest_slope * 65536)));
   put(kNodeCountAt, static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
   put(kBrickCountAt, static_cast<std::uint32_t>(bricks.size() / kSamplesPerBrick));
   put(kRootOffsetAt, static_cast<std::uint32_t>(kHeaderBytes));

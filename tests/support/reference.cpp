@@ -71,11 +71,11 @@ Point reference_step(const Point& pull, const ReferenceSample& s) {
 
   // H restricted to the tangent plane, in an orthonormal basis of it, and its eigenvectors there
   const Frame frame(s.gradient);
-  const auto bend = [&](const Point& v) {
+  const auto hessian_times = [&](const Point& v) {
     return Point{s.second[0] * v[0] + s.mixed[2] * v[1] + s.mixed[1] * v[2], s.mixed[2] * v[0] + s.second[1] * v[1] + s.mixed[0] * v[2],
                  s.mixed[1] * v[0] + s.mixed[0] * v[1] + s.second[2] * v[2]};
   };
-  const double a = dot(frame.y, bend(frame.y)), b = dot(frame.y, bend(frame.z)), c = dot(frame.z, bend(frame.z));
+  const double a = dot(frame.y, hessian_times(frame.y)), b = dot(frame.y, hessian_times(frame.z)), c = dot(frame.z, hessian_times(frame.z));
   const double spread = std::sqrt((a - c) * (a - c) / 4 + b * b);
   const double low = (a + c) / 2 - spread, high = (a + c) / 2 + spread;
   const double turn = std::atan2(2 * b, a - c) / 2;  // of the eigenvector of the higher eigenvalue against frame.y

@@ -294,7 +294,7 @@ TEST(ControlServer, WhoDoesNotTakeTheTicksIsToldSoAfterThoseThatWereSent) {
   std::size_t ticks = 0;
   Heard heard = speaker.hear();
   for (; heard.kind == Kind::kRecords; heard = speaker.hear()) ticks += records_of(heard).size();
-  expect_sentence(heard, "faster than they were taken");
+  expect_sentence(heard, "too slow for this tick rate");
   EXPECT_LT(ticks, 10'000U);
   speaker.say(Kind::kStatus);
   EXPECT_EQ(speaker.hear().kind, Kind::kStatusReport) << "the connection stays";

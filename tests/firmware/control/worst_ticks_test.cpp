@@ -35,7 +35,7 @@ TEST(WorstTicks, AreTheTenWhoseWordsCameLatestInOrder) {
   for (const loop::TickRecord& one : all) worst.take(one);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.wake_ns + a.tick_ns > b.wake_ns + b.tick_ns; });
   std::vector<std::uint64_t> expected;
-  for (std::size_t i = 0; i < WorstTicks::kMost; ++i) expected.push_back(all[i].number);
+  for (std::size_t i = 0; i < WorstTicks::kMax; ++i) expected.push_back(all[i].number);
   EXPECT_EQ(numbers(worst), expected);
   EXPECT_EQ(worst.seen(), 5000U);
   EXPECT_EQ(worst.ticks()[0].start_ns, all[0].start_ns);

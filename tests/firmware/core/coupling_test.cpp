@@ -22,10 +22,10 @@ BlobView view_with(double edge_mm, double stiffness) {
   return view;
 }
 
-Contact contact_with(const Point& stretch) {
+Contact contact_with(const Point& deflection) {
   Contact contact;
   contact.touching = true;
-  contact.stretch = test::to_voxel(stretch);
+  contact.deflection = test::to_voxel(deflection);
   return contact;
 }
 
@@ -40,10 +40,10 @@ TEST(Coupling, IsASpringOfTheBlobsStiffness) {
   for (int i = 0; i < 5000; ++i) {
     CouplingState state;
     state.ramp = coupling.ramp_ticks;
-    const Point stretch = random.in_ball(25.0);
-    const Force force = couple(contact_with(stretch), coupling.stiffness, coupling, state);
+    const Point deflection = random.in_ball(25.0);
+    const Force force = couple(contact_with(deflection), coupling.stiffness, coupling, state);
     EXPECT_FALSE(force.limited || force.ramping);
-    worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(stretch)) * (0.34 * 0.8)));
+    worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(deflection)) * (0.34 * 0.8)));
   }
   EXPECT_LT(worst, 0.0003);  // of up to 6.8 N: three roundings and the stiffness's own 16 bits
   EXPECT_GT(worst, 0.00001);
@@ -76,16 +76,16 @@ TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
   for (int i = 0; i < 5000; ++i) {
     CouplingState state;
     state.ramp = coupling.ramp_ticks;
-    const Point stretch = random.in_ball(i % 2 == 0 ? 4000.0 : 20.0);
-    const Force force = couple(contact_with(stretch), coupling.stiffness, coupling, state);
-    const double spring = test::length(stretch) * 0.34 * 0.8;
+    const Point deflection = random.in_ball(i % 2 == 0 ? 4000.0 : 20.0);
+    const Force force = couple(contact_with(deflection), coupling.stiffness, coupling, state);
+    const double spring = test::length(deflection) * 0.34 * 0.8;
     if (spring < 2.49) {
       EXPECT_FALSE(force.limited);
     } else if (spring > 2.51) {
       ++limited;
       EXPECT_TRUE(force.limited);
       EXPECT_NEAR(test::length(newton(force)), 2.5, 0.0001);
-      EXPECT_LT(test::angle_degrees(newton(force), stretch), 0.01);
+      EXPECT_LT(test::angle_degrees(newton(force), deflection), 0.01);
     }
   }
   EXPECT_GT(limited, 2500);

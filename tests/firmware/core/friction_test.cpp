@@ -18,11 +18,11 @@ const Stiffness kSurface = Stiffness::of(kStiffness);
 Ratio ratio(double value) { return Ratio::from_raw(static_cast<std::int32_t>(std::lround(value * 1073741824))); }
 DampingPerTick per_tick(double value) { return DampingPerTick::from_raw(static_cast<std::int32_t>(std::lround(value * 16777216))); }
 
-Contact contact_at(const Point& proxy, const Point& stretch) {
+Contact contact_at(const Point& proxy, const Point& deflection) {
   Contact contact;
   contact.touching = true;
   contact.proxy = test::to_voxel(proxy);
-  contact.stretch = test::to_voxel(stretch);
+  contact.deflection = test::to_voxel(deflection);
   return contact;
 }
 
@@ -31,15 +31,15 @@ struct Twin {
   double coefficient, viscous;
   Point grip{};
   bool holds = false;
-  Point offset(const Point& proxy, const Point& stretch) {
+  Point offset(const Point& proxy, const Point& deflection) {
     if (!holds) {
       holds = true;
       grip = proxy;
       return {};
     }
-    const Point n = test::unit(stretch);
+    const Point n = test::unit(deflection);
     const Point across = grip - proxy - n * test::dot(grip - proxy, n);
-    const double e = test::length(across), rim = coefficient * test::length(stretch);
+    const double e = test::length(across), rim = coefficient * test::length(deflection);
     if (e <= rim) return across;
     const double left = (kStiffness * rim + viscous * e) / (kStiffness + viscous);
     grip = proxy + across * (left / e);
@@ -55,16 +55,16 @@ TEST(Friction, IsThatOfTheTwin) {
     const Friction friction = {ratio(random.uniform(0, 1.2)), per_tick(walk % 3 == 0 ? 0 : random.uniform(0, 5))};
     Twin twin = {friction.coefficient.raw() / 1073741824.0, friction.viscous.raw() / 16777216.0};
     FrictionState state;
-    Point proxy = random.in_box(150), stretch = random.direction() * random.uniform(0.5, 20);
+    Point proxy = random.in_box(150), deflection = random.direction() * random.uniform(0.5, 20);
     for (int t = 0; t < 60; ++t) {
-      const Contact contact = contact_at(proxy, stretch);
+      const Contact contact = contact_at(proxy, deflection);
       const Point before = twin.grip;
-      const Point exact = twin.offset(test::to_point(contact.proxy), test::to_point(contact.stretch));
+      const Point exact = twin.offset(test::to_point(contact.proxy), test::to_point(contact.deflection));
       const Point felt = test::to_point(friction_offset(contact, kSurface, friction, state));
       worst = std::max(worst, test::length(felt - exact));
       slid += test::length(twin.grip - before) > 0 ? 1 : 0;
       proxy = proxy + random.in_ball(0.5);
-      stretch = stretch + random.in_ball(0.1);
+      deflection = deflection + random.in_ball(0.1);
     }
   }
   EXPECT_GT(slid, 2000);

@@ -28,16 +28,16 @@ struct Wall {
 
   /// Tells the ledger one tick; its twin is kept in doubles.
   void at(double x, double limit = 1000) {
-    const double stretch = std::max(-x, 0.0), spring = stiffness * stretch, felt = std::min(spring, limit);
+    const double deflection = std::max(-x, 0.0), spring = stiffness * deflection, felt = std::min(spring, limit);
     Force force;
-    force.stretch.x = fixed<Mm>(stretch);
+    force.deflection.x = fixed<Mm>(deflection);
     force.spring.x = fixed<Newton>(spring);
     force.newton.x = fixed<Newton>(felt);
     force.limited = spring > limit;
     if (force.limited) force.kept = fixed<Ratio>(limit / spring);
     book_energy({fixed<Mm>(x) - fixed<Mm>(begun ? last : x), {}, {}}, force, {}, passivity, state);
 
-    const double holds = spring > limit ? felt * stretch - felt * felt / stiffness / 2 : felt * stretch / 2;
+    const double holds = spring > limit ? felt * deflection - felt * felt / stiffness / 2 : felt * deflection / 2;
     const double device = std::ldexp(passivity.device.raw(), -DampingPerTick::kFractionBits);
     if (begun) {
       const double late = said.size() > passivity.delay ? said[said.size() - 1 - passivity.delay] : 0;

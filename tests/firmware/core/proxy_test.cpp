@@ -67,9 +67,9 @@ TEST(Proxy, OnASphereFollowsTheClosestPoint) {
       const Point hip = on_arc(t * speed * kMetreASecond / (radius - depth), depth);
       const Contact contact = hand.move_to(hip);
       ASSERT_TRUE(contact.touching);
-      const Point stretch = test::to_point(contact.stretch);
-      worst = std::max(worst, test::angle_degrees(stretch, hip - centre));
-      square += std::pow(test::length(stretch) / depth - 1, 2);
+      const Point deflection = test::to_point(contact.deflection);
+      worst = std::max(worst, test::angle_degrees(deflection, hip - centre));
+      square += std::pow(test::length(deflection) / depth - 1, 2);
     }
     EXPECT_LT(worst, bound) << speed << " m/s";
     EXPECT_LT(100 * std::sqrt(square / ticks), 0.01) << speed << " m/s";  // percent
@@ -91,7 +91,7 @@ TEST(Proxy, InFreeSpaceIsTheHip) {
       EXPECT_FALSE(contact.touching);
       EXPECT_FALSE(contact.following);
       EXPECT_EQ(contact.proxy, test::to_voxel(hip));
-      EXPECT_EQ(contact.stretch, Vec3<Voxel>{});
+      EXPECT_EQ(contact.deflection, Vec3<Voxel>{});
       ++ticks;
     });
     at = to;
@@ -105,7 +105,7 @@ TEST(Proxy, ThatBeginsInsideGivesNoContactUntilTheHandHasLeft) {
   hand.move({32, 32, 32}, {32, 32, 41.9}, 0.2, [](const Point&, const Contact& contact) {
     EXPECT_FALSE(contact.touching);
     EXPECT_TRUE(contact.held_inside);
-    EXPECT_EQ(contact.stretch, Vec3<Voxel>{});
+    EXPECT_EQ(contact.deflection, Vec3<Voxel>{});
   });
   EXPECT_FALSE(hand.move_to({32, 32, 42.5}).held_inside);
   EXPECT_TRUE(hand.move_to({32, 32, 41.5}).touching);
@@ -118,7 +118,7 @@ TEST(Proxy, ThatCannotArriveInOneTickFollowsWithoutContact) {
   const Contact jump = hand.move_to({60, 60, 4});
   EXPECT_TRUE(jump.following);
   EXPECT_FALSE(jump.touching);
-  EXPECT_EQ(jump.stretch, Vec3<Voxel>{});
+  EXPECT_EQ(jump.deflection, Vec3<Voxel>{});
   EXPECT_FALSE(hand.converged({60, 60, 4}, 20).following);
 }
 
@@ -286,7 +286,7 @@ FieldImage corner_field(Corner kind, const std::vector<Point>& normals, const Po
   });
 }
 
-/// Presses into the corner, then holds still; the largest movement of the stretch in ticks 100 to 200 of stillness.
+/// Presses into the corner, then holds still; the largest movement of the deflection in ticks 100 to 200 of stillness.
 double dwell(Corner kind, double degrees, bool walls, double fillet, int bodies, std::uint64_t seed, int& touching) {
   Random random(seed);
   double worst = 0;
@@ -311,10 +311,10 @@ double dwell(Corner kind, double degrees, bool walls, double fillet, int bodies,
       for (int t = 0; t < 200; ++t) {
         contact = hand.move_to(end);
         if (t < 100) continue;
-        const Point stretch = test::to_point(contact.stretch);
+        const Point deflection = test::to_point(contact.deflection);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          low[axis] = std::min(low[axis], stretch[axis]);
-          high[axis] = std::max(high[axis], stretch[axis]);
+          low[axis] = std::min(low[axis], deflection[axis]);
+          high[axis] = std::max(high[axis], deflection[axis]);
         }
       }
       touching += contact.touching ? 1 : 0;
@@ -367,7 +367,7 @@ double crease_lag(double degrees, double speed, bool aligned, double fillet, std
       const Point hip = place(s, 4);
       const Contact now = hand.move_to(hip), later = hand.converged(hip, 16);
       EXPECT_TRUE(now.touching && later.touching);
-      worst = std::max(worst, test::angle_degrees(test::to_point(now.stretch), test::to_point(later.stretch)));
+      worst = std::max(worst, test::angle_degrees(test::to_point(now.deflection), test::to_point(later.deflection)));
       ++compared;
     }
     EXPECT_GT(hand.deepest(), -0.05);

@@ -55,13 +55,13 @@ TEST(SurfaceStep, AgreesWithItsTwinNearTheSurface) {
     const Point step = step_from(point, hip, sample, fresh);
     const Point twin = test::reference_step(pull, exact);
     worst = std::max(worst, test::length(step - twin));
-    Foothold foothold;
-    find_foothold(hip, point, sample, foothold);
+    SurfaceProjection projection;
+    project_on_surface(hip, point, sample, projection);
     const double twin_square = std::max(test::dot(exact.gradient, exact.gradient), 1.0 / 64);
     worst_foothold =
-        std::max(worst_foothold, test::length(test::to_point(foothold.step) + exact.gradient * (exact.distance / twin_square)));
-    EXPECT_EQ(foothold.hip_behind, exact.distance + test::dot(exact.gradient, pull) < 0);
-    behind += foothold.hip_behind ? 1 : 0;
+        std::max(worst_foothold, test::length(test::to_point(projection.step) + exact.gradient * (exact.distance / twin_square)));
+    EXPECT_EQ(projection.hip_behind, exact.distance + test::dot(exact.gradient, pull) < 0);
+    behind += projection.hip_behind ? 1 : 0;
     long_steps += test::length(twin) > 1.0 ? 1 : 0;
     ++compared;
   }
@@ -102,7 +102,7 @@ TEST(SurfaceStep, WhereTheFieldIsSteepItCoversNoMoreThanIsSurelyFree) {
                            return 2 * (test::length(p - Point{36, 32, 20}) - 9.0);
                          },
                          {.largest_slope = 2.5});
-  ASSERT_NEAR(image.view().free_share.raw(), (1 << 30) / 2.5, 2000.0);
+  ASSERT_NEAR(image.view().inverse_slope.raw(), (1 << 30) / 2.5, 2000.0);
   Random random(24);
   double longest = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -111,7 +111,7 @@ TEST(SurfaceStep, WhereTheFieldIsSteepItCoversNoMoreThanIsSurelyFree) {
     if (sample.distance < Voxel{}) continue;
     StepMemory memory;
     Vec3<Voxel> moved = point;
-    step_towards(point + test::to_voxel(random.in_ball(300.0)), sample, image.view().free_share, memory, moved);
+    step_towards(point + test::to_voxel(random.in_ball(300.0)), sample, image.view().inverse_slope, memory, moved);
     const double beyond = test::length(test::to_point(moved) - test::to_point(point)) - test::to_double(sample.distance) / 2.5;
     EXPECT_LT(beyond, 1.2501);
     longest = std::max(longest, beyond);

@@ -18,7 +18,7 @@ TEST(StatusLines, EveryStateHasALineOfItsOwn) {
   EXPECT_EQ(
       supervisor_line(SupervisorState::kFault, kFaultSilent | kFaultStopped),
       "state: fault, no force until resumed by a button or 'isotouch resume': it was told to stop: the device did not answer in time; "
-      "look after its cable and supply");
+      "check its cable and power supply");
   std::set<std::string> sentences;
   for (const FaultName& fault : kFaultNames) sentences.insert(supervisor_line(SupervisorState::kFault, fault.fault));
   EXPECT_EQ(sentences.size(), 9U);

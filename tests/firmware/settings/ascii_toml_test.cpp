@@ -41,7 +41,7 @@ TEST(AsciiToml, CharactersBeyondAsciiMayStandInCommentsAlone) {
 TEST(AsciiToml, WhatTheLibraryDoesNotSurviveIsRefusedInASentence) {
   Settings settings;
   EXPECT_EQ(parse_settings("[loop]\nt\u00e9.a = 1\n", "F.toml", settings).sentence(),
-            "F.toml:2: a character that is not ASCII stands outside comments; in a string write it as \\u and four hexadecimal digits");
+            "F.toml:2: there is a character that is not ASCII outside a comment; in a string write it as \\u and four hexadecimal digits");
 }
 
 }  // namespace

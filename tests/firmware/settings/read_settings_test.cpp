@@ -57,8 +57,8 @@ TEST(ReadSettings, WhatIsNotInTheTableOrNotOfItsKindIsRefusedWithItsLine) {
       {"[loop]\n\ntick_rate = 3",
        "F.toml:3: there is no setting 'tick_rate' in section 'loop'; 'isotouchd --print-config' lists all settings"},
       {"[lop]\ntick_hz = 1000", "F.toml:1: there is no section 'lop'; 'isotouchd --print-config' lists all settings"},
-      {"tick_hz = 1000", "F.toml:1: 'tick_hz' stands in no section; 'isotouchd --print-config' lists all settings"},
-      {"loop = 3", "F.toml:1: 'loop' stands in no section; 'isotouchd --print-config' lists all settings"},
+      {"tick_hz = 1000", "F.toml:1: 'tick_hz' is outside every section; 'isotouchd --print-config' lists all settings"},
+      {"loop = 3", "F.toml:1: 'loop' is outside every section; 'isotouchd --print-config' lists all settings"},
       {"[feel.deep]\nx = 1", "F.toml:1: there is no setting 'deep' in section 'feel'; 'isotouchd --print-config' lists all settings"},
       {"[device]\ngeometry = \"delta\"", "F.toml:2: device.geometry must be one of libnifalcon|martin-hillier"},
       {"[device]\ngeometry = \"libnifalcon|martin-hillier\"", "F.toml:2: device.geometry must be one of libnifalcon|martin-hillier"},
@@ -71,12 +71,12 @@ TEST(ReadSettings, WhatIsNotInTheTableOrNotOfItsKindIsRefusedWithItsLine) {
        "F.toml:2: device.workspace_origin_mm must be three numbers in brackets, each from -300 to 300 mm"},
       {"[device]\nworkspace_origin_mm = [1, 2, 301]",
        "F.toml:2: device.workspace_origin_mm must be three numbers in brackets, each from -300 to 300 mm"},
-      {"[calibration]\nX = 3", "F.toml:2: a calibration stands in a section of its own, [calibration.SERIAL]"},
+      {"[calibration]\nX = 3", "F.toml:2: a calibration needs a section of its own, [calibration.SERIAL]"},
       {"[calibration.X]\nscale = 3", "F.toml:2: there is no setting 'scale' in a calibration; it may hold angle_at_zero_deg"},
       {"[calibration.X]", "F.toml:1: the calibration of 'X' is empty; give it angle_at_zero_deg or leave it out"},
       {"[calibration.X]\nangle_at_zero_deg = 35",
        "F.toml:2: angle_at_zero_deg must be three numbers in brackets, each from -180 to 180 degrees"},
-      {"calibration = 3", "F.toml:1: 'calibration' stands in no section; 'isotouchd --print-config' lists all settings"},
+      {"calibration = 3", "F.toml:1: 'calibration' is outside every section; 'isotouchd --print-config' lists all settings"},
   };
   for (const auto& [text, complaint] : cases) {
     Settings settings;

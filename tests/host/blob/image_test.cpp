@@ -17,7 +17,7 @@
 namespace isotouch::blob {
 namespace {
 
-TEST(Image, either_form_is_read_from_a_file) {
+TEST(Image, EitherFormIsReadFromAFile) {
   const Image image = encoding::write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
   const std::vector<std::uint8_t> packed = pack(*BlobView::parse(image.bytes()));
   const auto file = std::filesystem::path(::testing::TempDir()) / "image_test.itf";

@@ -75,7 +75,7 @@ Bytes frame_of(const Bytes& content, const std::vector<std::pair<ZSTD_cParameter
   return frame;
 }
 
-TEST(Packed, the_very_image_comes_back) {
+TEST(Packed, TheVeryImageComesBack) {
   const std::vector<field::BandField> fields = {
       test::field_of(test::ball(25), Eigen::Vector3d::Constant(25), 3.0, {0.31, -0.17, 0.44}),
       test::field_of(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)),
@@ -92,7 +92,7 @@ TEST(Packed, the_very_image_comes_back) {
   }
 }
 
-TEST(Packed, a_stiffness_table_comes_back_too) {
+TEST(Packed, AStiffnessTableComesBackToo) {
   field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
   for (const field::Brick& brick : field.bricks) field.stiffness.push_back(1.0 + brick.cell.cast<double>().sum());
   const Image image = encoding::write_blob(field, {});
@@ -100,7 +100,7 @@ TEST(Packed, a_stiffness_table_comes_back_too) {
   EXPECT_TRUE(same(unpack(packed(image), "it"), image));
 }
 
-TEST(Packed, a_ball_of_that_size_takes_so_many_bits) {
+TEST(Packed, ABallOfThatSizeTakesSoManyBits) {
   const Image image = encoding::write_blob(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
   const double samples = 64.0 * BlobView::parse(image.bytes())->brick_count;
   const double bits = 8.0 * static_cast<double>(packed(image).size()) / samples;
@@ -108,14 +108,14 @@ TEST(Packed, a_ball_of_that_size_takes_so_many_bits) {
   EXPECT_GT(bits, 2.0) << "so much better: tighten the bound";
 }
 
-TEST(Packed, the_golden_file_unpacks_to_its_image) {
+TEST(Packed, TheGoldenFileUnpacksToItsImage) {
   const auto golden = std::filesystem::path(ISOTOUCH_ROOT) / "tests/golden";
   const Image image = read_image(golden / "packed_1_0.itf");
   EXPECT_TRUE(same(image, read_image(golden / "blob_1_0.itf")));
   EXPECT_EQ(BlobView::parse(image.bytes())->hash(), 0x79f3401dc9bbc5adULL);
 }
 
-TEST(Packed, the_frame_keeps_to_its_window) {
+TEST(Packed, TheFrameKeepsToItsWindow) {
   const Image image = encoding::write_blob(test::field_of(test::ball(34), Eigen::Vector3d::Constant(34)), {});
   const Bytes bytes = packed(image);
   ASSERT_GT(image.size(), std::size_t{2} << packed_layout::kWindowShift) << "a small frame is its own window";
@@ -129,7 +129,7 @@ struct Malformed {
   std::function<void(Bytes&)> spoil;  ///< the checksum and the total are made right afterwards
 };
 
-TEST(Packed, every_malformed_file_is_refused_for_its_reason) {
+TEST(Packed, EveryMalformedFileIsRefusedForItsReason) {
   using namespace packed_layout;
   using B = Bytes;
   const Bytes good = packed(ball_image());
@@ -225,7 +225,7 @@ TEST(Packed, every_malformed_file_is_refused_for_its_reason) {
   }
 }
 
-TEST(Packed, every_length_but_the_right_one_is_refused) {
+TEST(Packed, EveryLengthButTheRightOneIsRefused) {
   const Bytes good = packed(ball_image());
   for (std::size_t length = 0; length < good.size(); length += length < 400 ? 1 : 37) {
     EXPECT_NE(refusal(Bytes(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length))), "accepted") << length;
@@ -236,7 +236,7 @@ TEST(Packed, every_length_but_the_right_one_is_refused) {
 }
 
 /// Damage is seen by the checksum; damage by someone who makes the checksum right again, by the rest.
-TEST(Packed, every_changed_byte_is_refused_or_changes_nothing) {
+TEST(Packed, EveryChangedByteIsRefusedOrChangesNothing) {
   const Image image = ball_image();
   const Bytes good = packed(image);
   int refused = 0, harmless = 0;

@@ -48,7 +48,7 @@ Vector3d somewhere(Random& random) {
   return {x, y, z};
 }
 
-TEST(Bodies, the_foot_of_a_euclidean_distance_lies_on_the_surface) {
+TEST(Bodies, TheFootOfAEuclideanDistanceLiesOnTheSurface) {
   for (const auto& [name, body] : exact_bodies()) {
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
@@ -59,7 +59,7 @@ TEST(Bodies, the_foot_of_a_euclidean_distance_lies_on_the_surface) {
   }
 }
 
-TEST(Bodies, no_step_of_the_distance_leaves_the_side_it_began_on) {
+TEST(Bodies, NoStepOfTheDistanceLeavesTheSideItBeganOn) {
   for (const auto& [name, body] : all_bodies()) {
     Random random(2);
     for (int i = 0; i < 2000; ++i) {
@@ -71,7 +71,7 @@ TEST(Bodies, no_step_of_the_distance_leaves_the_side_it_began_on) {
   }
 }
 
-TEST(Bodies, gradients_are_unit_and_near_the_surface_those_of_the_distance) {
+TEST(Bodies, GradientsAreUnitAndNearTheSurfaceThoseOfTheDistance) {
   for (const auto& [name, body] : all_bodies()) {
     Random random(3);
     int compared = 0;
@@ -94,7 +94,7 @@ TEST(Bodies, gradients_are_unit_and_near_the_surface_those_of_the_distance) {
   }
 }
 
-TEST(Bodies, known_distances) {
+TEST(Bodies, KnownDistances) {
   EXPECT_DOUBLE_EQ(box({0, 0, 0}, {80, 60, 2})(Vector3d(83, 64, 0)).distance, 5.0);
   EXPECT_DOUBLE_EQ(box({0, 0, 0}, {80, 60, 2})(Vector3d(0, 0, 1)).distance, -1.0);
   EXPECT_DOUBLE_EQ(torus({0, 0, 0}, {0, 0, 1}, 70, 25)(Vector3d(0, 0, 0)).distance, 45.0);
@@ -102,7 +102,7 @@ TEST(Bodies, known_distances) {
   EXPECT_DOUBLE_EQ(cone_stump({0, 0, 0}, 3, {0, 4, 0}, 0)(Vector3d(4, 3, 0)).distance, 2.6);  // mantle 4 x + 3 y = 12
 }
 
-TEST(Bodies, points_on_an_axis_get_a_gradient_too) {
+TEST(Bodies, PointsOnAnAxisGetAGradientToo) {
   EXPECT_DOUBLE_EQ(torus({0, 0, 0}, {1, 0, 0}, 5, 1)(Vector3d(0, 0, 0)).distance, 4.0);
   EXPECT_DOUBLE_EQ(capsule({-2, 0, 0}, {2, 0, 0}, 1)(Vector3d(0, 0, 0)).distance, -1.0);
   for (const auto& [name, body] : all_bodies()) EXPECT_NEAR(body(Vector3d(0, 0, 0)).gradient.norm(), 1.0, 1e-12) << name;

@@ -24,7 +24,7 @@ OrientedPoints turned(OrientedPoints points) {
   return points;
 }
 
-TEST(Check, a_good_cloud_passes_untouched) {
+TEST(Check, AGoodCloudPassesUntouched) {
   const OrientedPoints cloud = sample_shape(shape("torus"), 500, 1);
   CloudReport report;
   const OrientedPoints checked = check("cloud", model_of(cloud), report);
@@ -37,7 +37,7 @@ TEST(Check, a_good_cloud_passes_untouched) {
   EXPECT_NEAR(report.high.x(), 95.0, 1.0);
 }
 
-TEST(Check, inward_normals_are_turned_round_and_said_so) {
+TEST(Check, InwardNormalsAreTurnedRoundAndSaidSo) {
   for (const std::string& name : shape_names()) {
     const OrientedPoints cloud = scatter_on_shape(shape(name), 1000, 2);
     CloudReport report;
@@ -49,7 +49,7 @@ TEST(Check, inward_normals_are_turned_round_and_said_so) {
   }
 }
 
-TEST(Check, the_direction_is_found_on_an_uneven_open_bowl_where_the_flux_is_misled) {
+TEST(Check, TheDirectionIsFoundOnAnUnevenOpenBowlWhereTheFluxIsMisled) {
   Random random(3);  // a bowl 1 thick, open above, sampled ten times as densely within as without
   OrientedPoints bowl;
   while (bowl.size() < 3000) {
@@ -67,14 +67,14 @@ TEST(Check, the_direction_is_found_on_an_uneven_open_bowl_where_the_flux_is_misl
   EXPECT_LT(outwardness(turned(bowl)), -0.8);
 }
 
-TEST(Check, a_twentieth_of_turned_normals_does_not_mislead_it) {
+TEST(Check, ATwentiethOfTurnedNormalsDoesNotMisleadIt) {
   OrientedPoints cloud = sample_shape(shape("owl"), 1000, 1);
   Random random(5);
   for (Vector3d& n : cloud.normals) n = random.uniform() < 0.05 ? Vector3d(-n) : n;
   EXPECT_GT(outwardness(cloud), 0.6);
 }
 
-TEST(Check, normals_without_agreement_are_warned_of) {
+TEST(Check, NormalsWithoutAgreementAreWarnedOf) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 1000, 1);
   Random random(6);
   for (Vector3d& n : cloud.normals) n = random.uniform() < 0.5 ? Vector3d(-n) : n;
@@ -83,7 +83,7 @@ TEST(Check, normals_without_agreement_are_warned_of) {
   EXPECT_THAT(report.warnings(), ::testing::Contains(::testing::HasSubstr("do not agree")));
 }
 
-TEST(Check, points_at_one_place_are_merged_in_the_place_of_the_first) {
+TEST(Check, PointsAtOnePlaceAreMergedInThePlaceOfTheFirst) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   const Vector3d tangent = cloud.normals[40].unitOrthogonal();
   cloud.positions.push_back(cloud.positions[40]);
@@ -97,7 +97,7 @@ TEST(Check, points_at_one_place_are_merged_in_the_place_of_the_first) {
   EXPECT_THAT(report.warnings(), ::testing::ElementsAre("1 point was merged with others at the same place"));
 }
 
-TEST(Check, points_that_contradict_each_other_are_left_out) {
+TEST(Check, PointsThatContradictEachOtherAreLeftOut) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   cloud.positions.push_back(cloud.positions[40]);
   cloud.normals.emplace_back(-cloud.normals[40]);
@@ -107,7 +107,7 @@ TEST(Check, points_that_contradict_each_other_are_left_out) {
   EXPECT_THAT(report.warnings(), ::testing::ElementsAre(::testing::HasSubstr("2 points were left out")));
 }
 
-TEST(Check, normals_nearly_of_unit_length_are_brought_to_it) {
+TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   cloud.normals[3] *= 1.5;
   cloud.normals[4] *= 1.005;  // rounding in a text: not worth a word
@@ -118,7 +118,7 @@ TEST(Check, normals_nearly_of_unit_length_are_brought_to_it) {
   EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
 }
 
-TEST(Check, points_at_one_place_share_their_mean_stiffness) {
+TEST(Check, PointsAtOnePlaceShareTheirMeanStiffness) {
   OrientedPoints cloud = sample_shape(shape("torus"), 100, 1);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud.stiffness.push_back(0.5 + 0.001 * static_cast<double>(i));
   for (const double stiffness : {2.0, 3.0}) {
@@ -136,7 +136,7 @@ TEST(Check, points_at_one_place_share_their_mean_stiffness) {
   EXPECT_TRUE(check("cloud", model_of(cloud), report).stiffness.empty());
 }
 
-TEST(Check, a_stiffness_that_no_surface_has_is_refused_with_its_place) {
+TEST(Check, AStiffnessThatNoSurfaceHasIsRefusedWithItsPlace) {
   Model model = model_of(sample_shape(shape("torus"), 100, 1));
   for (const double wrong : {0.0, -1.0, 100.001, 1e300}) {
     model.stiffness.assign(100, 0.8);

@@ -55,7 +55,7 @@ std::vector<Malformed> all() {
   const std::string mesh_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
   return {
       {"empty", "a.ply", "", "the file is empty"},
-      {"unknown kind", "a.dat", "1 2 3 0 0 1\n", "nothing tells what kind of file this is"},
+      {"unknown kind", "a.dat", "1 2 3 0 0 1\n", "the kind of this file is not recognised"},
       {"stl", "a.stl", "solid\nendsolid\n", "an STL file holds triangles, not points"},
       {"no magic", "a.ply", "plain text\n", "line 1: a PLY file begins with a line 'ply'"},
       {"header cut short", "a.ply", "ply\nformat ascii 1.0\nelement vertex 8\nprop", "line 4: 'prop' is no keyword of a PLY header"},
@@ -102,7 +102,7 @@ std::vector<Malformed> all() {
       {"one line too many", "a.ply", ascii + cube() + "1 2 3 0 0 1\n", "line 19: more rows than the header declares"},
       {"nan", "a.ply", ascii + with(cube(), "1 1 -1", "1 nan -1"), "line 12: y is not a finite number"},
       {"text in a row", "a.ply", ascii + with(cube(), "1 1 -1", "1 one -1"), "line 12: 'one' is no number; y should stand there"},
-      {"number too many", "a.ply", ascii + with(cube(), "0.577\n", "0.577 9\n"), "line 11: '9' stands after the last property"},
+      {"number too many", "a.ply", ascii + with(cube(), "0.577\n", "0.577 9\n"), "line 11: '9' follows the last property"},
       {"zero normal", "a.xyz", with(cube(), "0.577 0.577 -0.577", "0 0 0"), "line 2: the normal is zero"},
       {"normal far from unit", "a.xyz", with(cube(), "0.577 0.577 -0.577", "57 57 -57"), "line 2: the normal has length 98.7"},
       {"overflowing normal", "a.xyz", with(cube(), "0.577 0.577 -0.577", "1e200 1e200 1"), "line 2: the normal has length inf"},
@@ -143,7 +143,7 @@ std::vector<Malformed> all() {
 
 class MalformedClouds : public ::testing::TestWithParam<Malformed> {};
 
-TEST_P(MalformedClouds, get_one_clear_sentence) {
+TEST_P(MalformedClouds, GetOneClearSentence) {
   const ScratchFolder folder;
   const auto file = folder.write(GetParam().file, GetParam().content);
   CloudReport report;
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Every, MalformedClouds, ::testing::ValuesIn(all()), [](
   return name;
 });
 
-TEST(SoundClouds, the_cube_that_they_are_made_from_is_accepted_in_any_dress) {
+TEST(SoundClouds, TheCubeThatTheyAreMadeFromIsAcceptedInAnyDress) {
   const ScratchFolder folder;
   std::string windows = header("ascii", "8") + cube();
   for (std::size_t at = 0; (at = windows.find('\n', at)) != std::string::npos; at += 2) windows.replace(at, 1, "\r\n");
@@ -180,7 +180,7 @@ TEST(SoundClouds, the_cube_that_they_are_made_from_is_accepted_in_any_dress) {
   }
 }
 
-TEST(MissingClouds, and_folders_are_refused) {
+TEST(MissingClouds, AndFoldersAreRefused) {
   const ScratchFolder folder;
   CloudReport report;
   EXPECT_THROW(read_cloud(folder.path() / "missing.ply", report), InputError);

@@ -29,7 +29,7 @@ std::string refusal(const std::function<void()>& action) {
   return "no refusal";
 }
 
-TEST(Mesh, a_tetrahedron_is_closed_and_has_its_volume) {
+TEST(Mesh, ATetrahedronIsClosedAndHasItsVolume) {
   const ScratchFolder folder;
   const TriangleMesh mesh = read_mesh(folder.write("a.obj", kTetrahedron));
   EXPECT_EQ(mesh.vertices.size(), 4U);
@@ -39,7 +39,7 @@ TEST(Mesh, a_tetrahedron_is_closed_and_has_its_volume) {
   EXPECT_EQ(face_normal(mesh, 0), Vector3d(0, 0, -1));
 }
 
-TEST(Mesh, seams_are_joined_and_faces_without_extent_dropped) {
+TEST(Mesh, SeamsAreJoinedAndFacesWithoutExtentDropped) {
   const ScratchFolder folder;
   const TriangleMesh mesh = read_mesh(folder.write("a.obj",
                                                    "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nv 0 0 0\nv 3 0 0\n"
@@ -49,7 +49,7 @@ TEST(Mesh, seams_are_joined_and_faces_without_extent_dropped) {
   require_closed(mesh, "a.obj");
 }
 
-TEST(Mesh, a_hole_a_fin_and_an_inside_out_mesh_are_refused) {
+TEST(Mesh, AHoleAFinAndAnInsideOutMeshAreRefused) {
   const ScratchFolder folder;
   const std::string vertices = "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\n";
   const auto complaint = [&](const std::string& text) {
@@ -63,13 +63,13 @@ TEST(Mesh, a_hole_a_fin_and_an_inside_out_mesh_are_refused) {
   EXPECT_THAT(complaint(vertices + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"), ::testing::HasSubstr("turn inward"));
 }
 
-TEST(Mesh, without_faces_is_refused) {
+TEST(Mesh, WithoutFacesIsRefused) {
   const ScratchFolder folder;
   const auto file = folder.write("a.obj", "v 0 0 0\n");
   EXPECT_EQ(refusal([&] { read_mesh(file); }), file.string() + ": there are no faces in it; a mesh is a closed surface of faces");
 }
 
-TEST(Mesh, scattered_points_lie_on_the_faces_in_proportion_to_their_area) {
+TEST(Mesh, ScatteredPointsLieOnTheFacesInProportionToTheirArea) {
   const ScratchFolder folder;
   const TriangleMesh mesh = read_mesh(folder.write("a.obj", kTetrahedron));
   const OrientedPoints points = scatter_on_mesh(mesh, 20000, 1);
@@ -93,7 +93,7 @@ TEST(Mesh, scattered_points_lie_on_the_faces_in_proportion_to_their_area) {
   EXPECT_NE(scatter_on_mesh(mesh, 10, 1).positions, scatter_on_mesh(mesh, 10, 2).positions);
 }
 
-TEST(Mesh, all_true_surfaces_are_closed) {
+TEST(Mesh, AllTrueSurfacesAreClosed) {
   const char* folder = std::getenv("ISOTOUCH_DATA");
   if (folder == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA names no folder";
   std::size_t meshes = 0;

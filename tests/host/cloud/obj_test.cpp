@@ -16,7 +16,7 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 const std::string kSquare =
     "# a remark\nmtllib away.mtl\no square\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nvn 0 1 0\nusemtl none\ns off\n";
 
-TEST(Obj, normals_are_found_through_the_faces) {
+TEST(Obj, NormalsAreFoundThroughTheFaces) {
   const std::string text = kSquare + "f 1/1/1 2/1/1 -2/1/-2\nf 1//1 3//1 4//2\n";
   const Model model = read_obj_points("f.obj", bytes_of(text));
   const std::vector<Vector3d> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -25,7 +25,7 @@ TEST(Obj, normals_are_found_through_the_faces) {
   EXPECT_EQ(model.normals, normals);
 }
 
-TEST(Obj, a_vertex_with_two_normals_gives_two_points) {
+TEST(Obj, AVertexWithTwoNormalsGivesTwoPoints) {
   const std::string text = kSquare + "f 1//1 2//1 3//1\nf 1//2 3//1 4//1\n";
   const Model model = read_obj_points("f.obj", bytes_of(text));
   EXPECT_EQ(model.positions.size(), 5U);
@@ -33,14 +33,14 @@ TEST(Obj, a_vertex_with_two_normals_gives_two_points) {
   EXPECT_EQ(model.normals[3], Vector3d(0, 1, 0));
 }
 
-TEST(Obj, without_faces_normals_belong_to_vertices_in_order) {
+TEST(Obj, WithoutFacesNormalsBelongToVerticesInOrder) {
   const std::string text = "v 1 2 3\nvn 0 0 1\nv 4 5 6\nvn 0 1 0\n";
   const Model model = read_obj_points("f.obj", bytes_of(text));
   ASSERT_EQ(model.positions.size(), 2U);
   EXPECT_EQ(model.normals[1], Vector3d(0, 1, 0));
 }
 
-TEST(Obj, without_normals_there_are_none) {
+TEST(Obj, WithoutNormalsThereAreNone) {
   const std::string text = kSquare + "f 1 2 3 4\n";
   EXPECT_TRUE(read_obj_points("f.obj", bytes_of("v 1 2 3\n")).normals.empty());
   const Model faces = read_obj_faces("f.obj", bytes_of(text));

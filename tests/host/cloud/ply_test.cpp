@@ -41,7 +41,7 @@ void expect_the_two_points(const Model& model) {
   EXPECT_EQ(model.normals[1], Vector3d(0, -1, 0));
 }
 
-TEST(Ply, ascii_with_properties_and_elements_in_any_order_and_lists_to_skip) {
+TEST(Ply, AsciiWithPropertiesAndElementsInAnyOrderAndListsToSkip) {
   const Model model = read(
       "ply\nformat ascii 1.0\ncomment any\nobj_info any\n"
       "element face 2\nproperty uchar flag\nproperty list uchar int vertex_indices\n"
@@ -56,7 +56,7 @@ TEST(Ply, ascii_with_properties_and_elements_in_any_order_and_lists_to_skip) {
   EXPECT_EQ(model.lines, (std::vector<std::size_t>{22, 24}));
 }
 
-TEST(Ply, both_byte_orders_and_every_number_type) {
+TEST(Ply, BothByteOrdersAndEveryNumberType) {
   for (const bool big : {false, true}) {
     std::string text = "ply\r\nformat binary_";
     text += big ? "big" : "little";
@@ -74,7 +74,7 @@ TEST(Ply, both_byte_orders_and_every_number_type) {
   }
 }
 
-TEST(Ply, numbers_that_are_not_used_may_be_anything) {
+TEST(Ply, NumbersThatAreNotUsedMayBeAnything) {
   const Model model = read(
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float "
       "quality\nend_header\n1 2 3 nan\n");
@@ -82,7 +82,7 @@ TEST(Ply, numbers_that_are_not_used_may_be_anything) {
   EXPECT_TRUE(model.normals.empty());
 }
 
-TEST(Ply, what_is_written_is_read_to_the_last_bit) {
+TEST(Ply, WhatIsWrittenIsReadToTheLastBit) {
   const ScratchFolder folder;
   const OrientedPoints points{{Vector3d(0.1, -1e-300, 1e10), Vector3d(1.0 / 3, 2, 3)}, {Vector3d(0.6, 0.8, 0), Vector3d(0, 0, 1)}};
   const auto file = folder.path() / "cloud.ply";
@@ -93,7 +93,7 @@ TEST(Ply, what_is_written_is_read_to_the_last_bit) {
   EXPECT_EQ(model.normals, points.normals);
 }
 
-TEST(Ply, a_stiffness_is_read_and_written_back) {
+TEST(Ply, AStiffnessIsReadAndWrittenBack) {
   const Model model = read(
       "ply\nformat ascii 1.0\nelement vertex 2\nproperty float stiffness\nproperty float x\nproperty float y\nproperty float z\n"
       "property float nx\nproperty float ny\nproperty float nz\nend_header\n0.5 1 2 3 0 0 1\n1.25 -4.5 5 6 0 -1 0\n");

@@ -5,14 +5,14 @@
 namespace isotouch::cloud {
 namespace {
 
-TEST(Random, gives_the_published_sequence_of_splitmix64) {  // seed 1234567, as in the generator's reference output
+TEST(Random, GivesThePublishedSequenceOfSplitmix64) {  // seed 1234567, as in the generator's reference output
   Random random(1234567);
   EXPECT_EQ(random.bits(), 6457827717110365317ULL);
   EXPECT_EQ(random.bits(), 3203168211198807973ULL);
   EXPECT_EQ(random.bits(), 9817491932198370423ULL);
 }
 
-TEST(Random, fills_the_unit_interval_evenly) {
+TEST(Random, FillsTheUnitIntervalEvenly) {
   Random random(7);
   double sum = 0.0;
   double sum_of_squares = 0.0;

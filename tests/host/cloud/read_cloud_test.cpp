@@ -41,7 +41,7 @@ std::array<float, 6> as_floats(const OrientedPoints& cloud, std::size_t i) {
   return row;
 }
 
-TEST_F(RealClouds, all_are_read_with_their_normals_outward) {
+TEST_F(RealClouds, AllAreReadWithTheirNormalsOutward) {
   std::size_t read_files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(clouds_)) {
     if (entry.path().extension() != ".ply") continue;
@@ -55,7 +55,7 @@ TEST_F(RealClouds, all_are_read_with_their_normals_outward) {
   EXPECT_GE(read_files, 15U);
 }
 
-TEST_F(RealClouds, kitten_as_text_equals_its_ply) {
+TEST_F(RealClouds, KittenAsTextEqualsItsPly) {
   const OrientedPoints ply = read("kitten.ply");
   const OrientedPoints text = read("foreign/kitten.xyz");
   ASSERT_EQ(ply.size(), 5210U);
@@ -68,7 +68,7 @@ TEST_F(RealClouds, kitten_as_text_equals_its_ply) {
   }
 }
 
-TEST_F(RealClouds, every_point_of_the_thinned_elephant_is_in_the_whole_one) {
+TEST_F(RealClouds, EveryPointOfTheThinnedElephantIsInTheWholeOne) {
   const OrientedPoints thinned = read("elephant.ply");
   const OrientedPoints whole = read("foreign/elephant.pwn");
   ASSERT_EQ(whole.size(), 10000U);
@@ -82,18 +82,18 @@ TEST_F(RealClouds, every_point_of_the_thinned_elephant_is_in_the_whole_one) {
   for (std::size_t i = 0; i < thinned.size(); ++i) ASSERT_TRUE(std::binary_search(places.begin(), places.end(), position(thinned, i))) << i;
 }
 
-TEST_F(RealClouds, drill_as_obj_finds_its_normals_through_the_faces) {
+TEST_F(RealClouds, DrillAsObjFindsItsNormalsThroughTheFaces) {
   EXPECT_EQ(read("foreign/drill.obj").size(), 7866U);
   EXPECT_GT(report_.outward, 0.9);
 }
 
-TEST_F(RealClouds, oni_is_read_in_double) {
+TEST_F(RealClouds, OniIsReadInDouble) {
   const OrientedPoints cloud = read("foreign/oni.ply");
   EXPECT_EQ(cloud.size(), 1435U);
   EXPECT_EQ(cloud.positions[0], Vector3d(-0.120621, -0.048544, -0.228788));
 }
 
-TEST_F(RealClouds, a_mesh_without_normals_is_refused) {
+TEST_F(RealClouds, AMeshWithoutNormalsIsRefused) {
   try {
     read("foreign/bun_zipper_res4.ply");
     FAIL();

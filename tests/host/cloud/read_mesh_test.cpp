@@ -20,7 +20,7 @@ std::string ply(const std::string& properties, const std::string& row, const std
 
 bool is_mesh(const std::filesystem::path& file) { return SourceFile(file).is_mesh(); }
 
-TEST(ReadMesh, faces_without_normals_are_a_mesh_and_normals_a_cloud) {
+TEST(ReadMesh, FacesWithoutNormalsAreAMeshAndNormalsACloud) {
   const ScratchFolder folder;
   const std::string normals = "property float nx\nproperty float ny\nproperty float nz\n";
   EXPECT_TRUE(is_mesh(folder.write("a.stl", "solid\nendsolid\n")));
@@ -34,7 +34,7 @@ TEST(ReadMesh, faces_without_normals_are_a_mesh_and_normals_a_cloud) {
   EXPECT_FALSE(is_mesh(folder.write("a.what", "0 0 0 0 0 1\n")));
 }
 
-TEST(ReadMesh, tells_the_format_and_drops_vertices_without_a_face) {
+TEST(ReadMesh, TellsTheFormatAndDropsVerticesWithoutAFace) {
   const ScratchFolder folder;
   MeshReport report;
   const TriangleMesh mesh = read_mesh(folder.write("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n"), report);
@@ -45,7 +45,7 @@ TEST(ReadMesh, tells_the_format_and_drops_vertices_without_a_face) {
   EXPECT_EQ(mesh.faces[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
 }
 
-TEST(ReadMesh, coordinates_that_no_unit_explains_are_refused) {
+TEST(ReadMesh, CoordinatesThatNoUnitExplainsAreRefused) {
   const ScratchFolder folder;
   try {
     read_mesh(folder.write("a.obj", "v 0 0 0\nv 1e13 0 0\nv 0 1 0\nf 1 2 3\n"));

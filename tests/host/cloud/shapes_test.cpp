@@ -44,12 +44,12 @@ std::vector<double> spacings(const OrientedPoints& points) {
   return nearest;
 }
 
-TEST(Shapes, are_the_ten_that_the_manual_names) {
+TEST(Shapes, AreTheTenThatTheManualNames) {
   const std::vector<std::string> expected = {"sphere", "torus", "box", "plate", "capsules", "hydrant", "owl", "boy", "bomberman", "jaguar"};
   EXPECT_EQ(shape_names(), expected);
 }
 
-TEST(Shapes, an_unknown_name_is_answered_with_the_known_ones) {
+TEST(Shapes, AnUnknownNameIsAnsweredWithTheKnownOnes) {
   try {
     shape("cat");
     FAIL();
@@ -58,13 +58,13 @@ TEST(Shapes, an_unknown_name_is_answered_with_the_known_ones) {
   }
 }
 
-TEST(Shapes, have_the_published_point_counts) {
+TEST(Shapes, HaveThePublishedPointCounts) {
   const std::map<std::string, std::size_t> published = {
       {"hydrant", 3756}, {"owl", 3725}, {"boy", 5153}, {"bomberman", 3751}, {"jaguar", 4433}};
   for (const auto& [name, points] : published) EXPECT_EQ(shape(name).default_points, points) << name;
 }
 
-TEST(Shapes, scattered_points_lie_on_the_surface_and_know_its_normal) {
+TEST(Shapes, ScatteredPointsLieOnTheSurfaceAndKnowItsNormal) {
   for (const std::string& name : shape_names()) {
     const Shape object = shape(name);
     const OrientedPoints points = scatter_on_shape(object, 1000, 5);
@@ -83,7 +83,7 @@ TEST(Shapes, scattered_points_lie_on_the_surface_and_know_its_normal) {
   }
 }
 
-TEST(Shapes, no_distance_exceeds_the_way_to_the_surface_and_the_exact_ones_reach_it) {
+TEST(Shapes, NoDistanceExceedsTheWayToTheSurfaceAndTheExactOnesReachIt) {
   for (const std::string& name : shape_names()) {
     const Shape object = shape(name);
     const OrientedPoints surface = scatter_on_shape(object, 3000, 6);
@@ -100,7 +100,7 @@ TEST(Shapes, no_distance_exceeds_the_way_to_the_surface_and_the_exact_ones_reach
   }
 }
 
-TEST(Shapes, sampled_points_are_as_many_as_asked_for_and_evenly_spread) {
+TEST(Shapes, SampledPointsAreAsManyAsAskedForAndEvenlySpread) {
   const std::map<std::string, double> areas = {{"sphere", 80424.77}, {"plate", 2 * (160 * 120 + 160 * 4 + 120 * 4.0)}};
   for (const auto& [name, area] : areas) {
     const OrientedPoints points = sample_shape(shape(name), 1500, 1);
@@ -114,7 +114,7 @@ TEST(Shapes, sampled_points_are_as_many_as_asked_for_and_evenly_spread) {
   }
 }
 
-TEST(Shapes, a_thin_plate_keeps_as_many_points_on_either_side) {
+TEST(Shapes, AThinPlateKeepsAsManyPointsOnEitherSide) {
   const OrientedPoints points = sample_shape(shape("plate"), 1500, 3);
   const auto above = std::count_if(points.normals.begin(), points.normals.end(), [](const Vector3d& n) { return n.z() > 0.5; });
   const auto below = std::count_if(points.normals.begin(), points.normals.end(), [](const Vector3d& n) { return n.z() < -0.5; });
@@ -122,7 +122,7 @@ TEST(Shapes, a_thin_plate_keeps_as_many_points_on_either_side) {
   EXPECT_GT(above + below, 1300);
 }
 
-TEST(Shapes, the_same_seed_draws_the_same_points_on_every_machine) {
+TEST(Shapes, TheSameSeedDrawsTheSamePointsOnEveryMachine) {
   EXPECT_EQ(hash_of(sample_shape(shape("torus"), 200, 1)), 6647268900835413817ULL);
   EXPECT_EQ(hash_of(sample_shape(shape("hydrant"), 200, 1)), 2380761034309952269ULL);
   EXPECT_EQ(hash_of(scatter_on_shape(shape("jaguar"), 200, 1)), 1013281044582174818ULL);

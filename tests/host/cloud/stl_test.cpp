@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const std::vector<Vector3d> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 2.5, 0}};
 
-TEST(Stl, ascii_facets_become_faces) {
+TEST(Stl, AsciiFacetsBecomeFaces) {
   const std::string text =
       "solid a thing\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 2.5 0\n endloop\nendfacet\nendsolid a "
       "thing\n";
@@ -26,7 +26,7 @@ TEST(Stl, ascii_facets_become_faces) {
   EXPECT_EQ(model.faces.size(), 1U);
 }
 
-TEST(Stl, a_binary_file_may_begin_like_an_ascii_one) {
+TEST(Stl, ABinaryFileMayBeginLikeAnAsciiOne) {
   std::vector<std::uint8_t> bytes(84 + 50);
   const std::string title = "solid but binary";
   std::copy(title.begin(), title.end(), bytes.begin());

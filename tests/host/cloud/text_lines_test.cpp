@@ -9,7 +9,7 @@ namespace {
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
 
-TEST(TextLines, takes_any_line_end_and_any_separator) {
+TEST(TextLines, TakesAnyLineEndAndAnySeparator) {
   constexpr std::string_view kText = "1 2\r\n3,\t4;5\n\nlast";
   TextLines lines("f", bytes_of(kText));
   ASSERT_TRUE(lines.next());
@@ -29,7 +29,7 @@ TEST(TextLines, takes_any_line_end_and_any_separator) {
   EXPECT_EQ(lines.bytes_read(), kText.size());
 }
 
-TEST(TextLines, numbers_are_whole_fields) {
+TEST(TextLines, NumbersAreWholeFields) {
   EXPECT_EQ(as_number("-1.5e3"), -1500.0);
   EXPECT_EQ(as_number("+2"), 2.0);
   EXPECT_EQ(as_number("1e-400"), 0.0);
@@ -42,7 +42,7 @@ TEST(TextLines, numbers_are_whole_fields) {
   EXPECT_EQ(as_number("+-1"), std::nullopt);
 }
 
-TEST(TextLines, quotes_are_short_and_printable) {
+TEST(TextLines, QuotesAreShortAndPrintable) {
   EXPECT_EQ(quote("abc"), "'abc'");
   EXPECT_EQ(quote(std::string_view("a\0\x1b\n", 4)), "'a\?\?\?'");
   EXPECT_EQ(quote(std::string(1000, 'x')), "'" + std::string(24, 'x') + "...'");

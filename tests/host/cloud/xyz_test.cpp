@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 Model read(const std::string& text) { return read_xyz("f.xyz", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
 
-TEST(Xyz, every_customary_dress_gives_the_same_points) {
+TEST(Xyz, EveryCustomaryDressGivesTheSamePoints) {
   for (const char* text :
        {"1 2 3 0 0 1\n4 5 6 0 1 0\n", "2\n1 2 3 0 0 1\n4 5 6 0 1 0\n", "# remark\r\n1,2,3,0,0,1\r\n\r\n// remark\r\n4;5;6;0;1;0",
         "  1\t2\t3\t0\t0\t1e0  \n+4 5. 6.0 0 1 -0\n", "2\n1 2 3\n4 5 6\n0 0 1\n0 1 0\n"}) {
@@ -24,11 +24,9 @@ TEST(Xyz, every_customary_dress_gives_the_same_points) {
   }
 }
 
-TEST(Xyz, places_are_the_files_lines) {
-  EXPECT_EQ(read("# remark\n2\n1 2 3 0 0 1\n\n4 5 6 0 1 0\n").lines, (std::vector<std::size_t>{3, 5}));
-}
+TEST(Xyz, PlacesAreTheFilesLines) { EXPECT_EQ(read("# remark\n2\n1 2 3 0 0 1\n\n4 5 6 0 1 0\n").lines, (std::vector<std::size_t>{3, 5})); }
 
-TEST(Xyz, positions_alone_have_no_normals) { EXPECT_TRUE(read("1 2 3\n4 5 6\n").normals.empty()); }
+TEST(Xyz, PositionsAloneHaveNoNormals) { EXPECT_TRUE(read("1 2 3\n4 5 6\n").normals.empty()); }
 
 }  // namespace
 }  // namespace isotouch::cloud

@@ -46,7 +46,7 @@ std::vector<std::string> keys(const nlohmann::ordered_json& json) {
   return names;
 }
 
-TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
+TEST_F(Build, TheReportHasTheKeysThatScriptsRelyOn) {
   const auto json = nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 40 --json"));
   EXPECT_EQ(json["points"], 400);
   EXPECT_LT(3 * fs::file_size(file("t.itf")), 2 * json["bytes"].get<std::size_t>()) << "the file is packed";
@@ -75,7 +75,7 @@ TEST_F(Build, the_report_has_the_keys_that_scripts_rely_on) {
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
 }
 
-TEST_F(Build, the_exported_image_is_the_same_blob) {
+TEST_F(Build, TheExportedImageIsTheSameBlob) {
   const auto json = nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 30 --json"));
   run("export " + file("t.itf") + " -o " + file("t.itfi"));
   EXPECT_EQ(json["bytes"], fs::file_size(file("t.itfi")));
@@ -85,7 +85,7 @@ TEST_F(Build, the_exported_image_is_the_same_blob) {
   EXPECT_EQ(json["hash"], nlohmann::json::parse(run("info " + file("t.itfi") + " --json"))["hash"]);
 }
 
-TEST_F(Build, an_export_without_a_known_extension_is_refused_before_the_blob_is_read) {
+TEST_F(Build, AnExportWithoutAKnownExtensionIsRefusedBeforeTheBlobIsRead) {
   for (const char* name : {"t", "t.itfx", "t.obj"}) {
     try {
       run("export " + file("missing.itf") + " -o " + file(name));
@@ -97,7 +97,7 @@ TEST_F(Build, an_export_without_a_known_extension_is_refused_before_the_blob_is_
   EXPECT_THROW(run("export " + file("missing.itf") + " -o " + file("t.itfi")), InputError);
 }
 
-TEST_F(Build, the_same_cloud_gives_the_same_hash) {
+TEST_F(Build, TheSameCloudGivesTheSameHash) {
   const std::string arguments = "build " + file("torus.ply") + " --grid 30 --json -o ";
   const auto first = nlohmann::json::parse(run(arguments + file("a.itf")));
   const auto second = nlohmann::json::parse(run(arguments + file("b.itf")));
@@ -106,7 +106,7 @@ TEST_F(Build, the_same_cloud_gives_the_same_hash) {
   EXPECT_NE(first["hash"], other["hash"]);
 }
 
-TEST_F(Build, the_published_method_makes_a_blob_of_its_own) {
+TEST_F(Build, ThePublishedMethodMakesABlobOfItsOwn) {
   const auto json =
       nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
   EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "pack", "write"}));
@@ -115,7 +115,7 @@ TEST_F(Build, the_published_method_makes_a_blob_of_its_own) {
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("p.itf") + " --json"))["band_voxels"], 7.0);
 }
 
-TEST_F(Build, size_is_true_with_units_and_made_to_fit_without) {
+TEST_F(Build, SizeIsTrueWithUnitsAndMadeToFitWithout) {
   run("build " + file("torus.ply") + " -o " + file("u.itf") + " --units mm --voxel 4mm");
   const auto true_size = nlohmann::json::parse(run("info " + file("u.itf") + " --json"));
   EXPECT_EQ(true_size["voxel_mm"], 4.0);
@@ -126,7 +126,7 @@ TEST_F(Build, size_is_true_with_units_and_made_to_fit_without) {
   EXPECT_LT(fitted["grid"][0], 40 + 30);
 }
 
-TEST_F(Build, wrong_usage_is_told_before_anything_is_read) {
+TEST_F(Build, WrongUsageIsToldBeforeAnythingIsRead) {
   const std::string start = "build " + file("missing.ply") + " -o " + file("x.itf");
   for (const char* wrong : {"--voxel 0.5kg", "--voxel 0.5mm --grid 20", "--grid 12.5", "--band 9", "--stiffness nan", "--units mm --fit 70",
                             "--units ft", "--method magic", "--method published --band 4"}) {
@@ -143,7 +143,7 @@ void expect_floor(const nlohmann::json& compared) {
   }
 }
 
-TEST_F(Build, a_mesh_comes_back_as_exact_as_its_grid_can_hold) {
+TEST_F(Build, AMeshComesBackAsExactAsItsGridCanHold) {
   std::ofstream(file("box.obj")) << "v 0 0 0\nv 3 0 0\nv 0 2 0\nv 3 2 0\nv 0 0 1\nv 3 0 1\nv 0 2 1\nv 3 2 1\n"
                                     "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
   const auto json = nlohmann::ordered_json::parse(run("build " + file("box.obj") + " -o " + file("m.itf") + " --grid 60 --json"));
@@ -156,7 +156,7 @@ TEST_F(Build, a_mesh_comes_back_as_exact_as_its_grid_can_hold) {
   expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + file("box.obj") + " --floor --json")));
 }
 
-TEST_F(Build, a_real_mesh_comes_back_as_exact_as_its_grid_can_hold) {
+TEST_F(Build, ARealMeshComesBackAsExactAsItsGridCanHold) {
   const char* data = std::getenv("ISOTOUCH_DATA");
   if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA names no folder";
   const std::string mesh = (fs::path(data) / "meshes" / "goathead.ply").string();
@@ -164,7 +164,7 @@ TEST_F(Build, a_real_mesh_comes_back_as_exact_as_its_grid_can_hold) {
   expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + mesh + " --floor --json")));
 }
 
-TEST_F(Build, what_a_file_is_taken_for_can_be_said) {
+TEST_F(Build, WhatAFileIsTakenForCanBeSaid) {
   std::ofstream(file("tetra.obj")) << "v 0 0 0\nv 3 0 0\nv 0 3 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as cloud"), InputError);
   EXPECT_THROW(run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --method published"), InputError);
@@ -173,7 +173,7 @@ TEST_F(Build, what_a_file_is_taken_for_can_be_said) {
   run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as mesh --grid 20");
 }
 
-TEST_F(Build, an_open_scan_is_closed_and_its_rim_told) {
+TEST_F(Build, AnOpenScanIsClosedAndItsRimTold) {
   const cloud::OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 4000);
   cloud::OrientedPoints half;
   for (std::size_t i = 0; i < sphere.size(); ++i) {
@@ -194,7 +194,7 @@ TEST_F(Build, an_open_scan_is_closed_and_its_rim_told) {
   EXPECT_NEAR(info["volume_mm3"].get<double>(), 2.0 / 3 * M_PI * 35 * 35 * 35, 0.25 * 2.0 / 3 * M_PI * 35 * 35 * 35);
 }
 
-TEST_F(Build, bad_input_leaves_the_old_blob) {
+TEST_F(Build, BadInputLeavesTheOldBlob) {
   run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 20");
   const auto before = nlohmann::json::parse(run("info " + file("t.itf") + " --json"));
   std::ofstream(file("bad.xyz")) << "0 0 0 0 0 nan\n";
@@ -202,7 +202,7 @@ TEST_F(Build, bad_input_leaves_the_old_blob) {
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("t.itf") + " --json")), before);
 }
 
-TEST_F(Build, info_says_which_file_is_no_blob_and_why) {
+TEST_F(Build, InfoSaysWhichFileIsNoBlobAndWhy) {
   try {
     run("info " + file("torus.ply"));
     FAIL() << "a cloud was taken for a blob";
@@ -212,7 +212,7 @@ TEST_F(Build, info_says_which_file_is_no_blob_and_why) {
   }
 }
 
-TEST_F(Build, the_stiffness_of_the_points_reaches_the_blob) {
+TEST_F(Build, TheStiffnessOfThePointsReachesTheBlob) {
   cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("torus"), 400);
   for (const auto& p : points.positions) points.stiffness.push_back(p.x() < 0 ? 0.4 : 1.2);
   cloud::write_ply(file("soft.ply"), points, "test");

@@ -5,7 +5,7 @@
 namespace isotouch::commands {
 namespace {
 
-TEST(Quantities, a_number_may_carry_its_unit) {
+TEST(Quantities, ANumberMayCarryItsUnit) {
   EXPECT_EQ(parse_quantity("0.34mm", kLength), 0.34);
   EXPECT_EQ(parse_quantity("0.34", kLength), 0.34);
   EXPECT_EQ(parse_quantity(".5", kLength), 0.5);
@@ -16,7 +16,7 @@ TEST(Quantities, a_number_may_carry_its_unit) {
   EXPECT_EQ(parse_quantity("800N/m", kStiffness), 0.8);
 }
 
-TEST(Quantities, anything_else_is_not_a_quantity) {
+TEST(Quantities, AnythingElseIsNotAQuantity) {
   for (const char* text :
        {"", "mm", "-1mm", "+1mm", " 1mm", "1 mm", "1mm ", "1mmm", "1MM", "1N/mm", "nan", "inf", "0x10", "1,5", "1e999", "1.2.3"}) {
     EXPECT_FALSE(parse_quantity(text, kLength).has_value()) << text;
@@ -36,7 +36,7 @@ std::optional<double> parsed(const std::string& text) {
   return value;
 }
 
-TEST(Quantities, an_option_takes_only_values_in_its_range) {
+TEST(Quantities, AnOptionTakesOnlyValuesInItsRange) {
   EXPECT_EQ(parsed("0.34mm"), 0.34);
   EXPECT_EQ(parsed("0.1"), 0.1);
   EXPECT_EQ(parsed("1.6cm"), 16.0);

@@ -66,6 +66,12 @@ TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
   EXPECT_EQ(help.code, 0);
   EXPECT_THAT(help.out, testing::HasSubstr("Build and judge a field:"));
   EXPECT_THAT(help.out, testing::HasSubstr("Record and replay:"));
+  const std::string build = answer({"build", "--help"}).out;
+  EXPECT_THAT(build, testing::HasSubstr("  --grid NUMBER             voxels along"));
+  EXPECT_THAT(build, testing::HasSubstr("; 8 to 4000"));
+  EXPECT_THAT(build, testing::HasSubstr("one of default published"));
+  EXPECT_THAT(build, testing::HasSubstr("(required)"));
+  for (const char* raw : {"ENUM", "FLOAT", "->", " in ["}) EXPECT_THAT(build, testing::Not(testing::HasSubstr(raw)));
   EXPECT_THAT(help.out, testing::Not(testing::HasSubstr("Subcommands:"))) << "a command without a task";
   for (const char* old : {"mine", "zero", "wire"}) EXPECT_EQ(answer({"trace", old, "--help"}).code, 0) << old;
 }

@@ -37,7 +37,7 @@ void expect_times(const TickTimes& times) {
   EXPECT_LT(times.ticks, 250U);  // of 400: only those in contact
 }
 
-TEST(TickBench, times_the_ticks_in_contact_and_no_others) {
+TEST(TickBench, TimesTheTicksInContactAndNoOthers) {
   expect_times(time_core(ball().view, dip()));
   expect_times(time_core(ball().view, dip(), every_feature()));
   expect_times(time_device(ball().view, dip()));
@@ -53,7 +53,7 @@ TEST(TickBench, times_the_ticks_in_contact_and_no_others) {
   expect_times(time_published(published::peel(inside, quiet), 0.8, dip()));
 }
 
-TEST(TickBench, a_motion_that_never_touches_is_refused) {
+TEST(TickBench, AMotionThatNeverTouchesIsRefused) {
   const Motion away(100, Eigen::Vector3d(0, 0, 14));
   EXPECT_THROW(time_core(ball().view, away), InputError);
   EXPECT_THROW(time_core(ball().view, {}), InputError);

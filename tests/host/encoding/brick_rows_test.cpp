@@ -7,7 +7,7 @@
 namespace isotouch::encoding {
 namespace {
 
-TEST(BrickRows, finds_every_listed_brick_and_no_other) {
+TEST(BrickRows, FindsEveryListedBrickAndNoOther) {
   const auto field = test::field_of(test::ball(11), Eigen::Vector3d::Constant(11));
   const BrickRows rows(field);
   std::size_t found = 0;
@@ -27,7 +27,7 @@ TEST(BrickRows, finds_every_listed_brick_and_no_other) {
   EXPECT_GT(found, 100U);
 }
 
-TEST(BrickRows, an_empty_field_has_empty_rows) {
+TEST(BrickRows, AnEmptyFieldHasEmptyRows) {
   field::BandField field;
   field.grid.size = {9, 8, 17};
   const BrickRows rows(field);

@@ -13,7 +13,7 @@ field::Brick brick_at(int x, int y, int z, float distance) {
   return brick;
 }
 
-TEST(BrickTree, an_empty_field_is_outside_throughout) {
+TEST(BrickTree, AnEmptyFieldIsOutsideThroughout) {
   field::BandField field;
   field.grid.size = {40, 17, 16};
   const BrickTree tree = brick_tree(BrickRows(field), {});
@@ -22,7 +22,7 @@ TEST(BrickTree, an_empty_field_is_outside_throughout) {
   EXPECT_TRUE(tree.stored.empty());
 }
 
-TEST(BrickTree, a_gap_has_the_sign_of_the_brick_before_it) {
+TEST(BrickTree, AGapHasTheSignOfTheBrickBeforeIt) {
   field::BandField field;
   field.grid.size = {32, 8, 8};
   field.bricks = {brick_at(1, 0, 0, -3), brick_at(6, 0, 0, 3)};
@@ -33,7 +33,7 @@ TEST(BrickTree, a_gap_has_the_sign_of_the_brick_before_it) {
   EXPECT_EQ(tree.stored, (std::vector<std::size_t>{0, 1}));
 }
 
-TEST(BrickTree, nodes_of_one_kind_are_shared) {
+TEST(BrickTree, NodesOfOneKindAreShared) {
   field::BandField field;
   field.grid.size = {64, 16, 16};
   for (int z = 0; z < 4; ++z) {
@@ -46,7 +46,7 @@ TEST(BrickTree, nodes_of_one_kind_are_shared) {
   EXPECT_EQ(tree.root, (std::vector<std::uint32_t>{2, 1, 1, 3}));
 }
 
-TEST(BrickTree, the_bricks_of_a_node_lie_together_and_each_is_stored_once) {
+TEST(BrickTree, TheBricksOfANodeLieTogetherAndEachIsStoredOnce) {
   field::BandField field;
   field.grid.size = {64, 64, 64};
   for (int z = 0; z < 16; ++z) {

@@ -8,7 +8,7 @@
 namespace isotouch::encoding {
 namespace {
 
-TEST(InsideSamples, counts_every_negative_coefficient_of_the_grid) {
+TEST(InsideSamples, CountsEveryNegativeCoefficientOfTheGrid) {
   const blob::Image image = write_blob(test::field_of(test::hollow_ball(40, 17), Eigen::Vector3d::Constant(40)), {});
   const auto view = BlobView::parse(image.bytes());
   ASSERT_TRUE(view.has_value());

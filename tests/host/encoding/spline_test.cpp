@@ -95,7 +95,7 @@ Surface on_box(cloud::Random& random, const Eigen::Vector3d& half) {
   return {kShift + point, normal};
 }
 
-TEST(Spline, takes_the_distances_at_the_samples_where_they_are_smooth) {
+TEST(Spline, TakesTheDistancesAtTheSamplesWhereTheyAreSmooth) {
   const auto field = test::field_of(test::ball(20), Eigen::Vector3d::Constant(20));
   const Spline spline(field, kSplineSteps);
   double worst = 0;
@@ -114,7 +114,7 @@ TEST(Spline, takes_the_distances_at_the_samples_where_they_are_smooth) {
   EXPECT_GT(worst, 1e-5);
 }
 
-TEST(Spline, correction_brings_the_zero_of_a_ball_to_its_surface) {
+TEST(Spline, CorrectionBringsTheZeroOfABallToItsSurface) {
   const auto field = test::field_of(test::ball(20), Eigen::Vector3d::Constant(20));
   const auto draw = [](cloud::Random& random) { return on_ball(random, 20); };
   const double plain = rms_offset(Spline(field, 0), draw);
@@ -124,7 +124,7 @@ TEST(Spline, correction_brings_the_zero_of_a_ball_to_its_surface) {
   EXPECT_GT(corrected, 2e-6);
 }
 
-TEST(Spline, correction_halves_the_error_of_sharp_edges) {
+TEST(Spline, CorrectionHalvesTheErrorOfSharpEdges) {
   const Eigen::Vector3d half(20, 15, 10);
   const auto field = test::field_of(test::box(half), half);
   const auto draw = [&](cloud::Random& random) { return on_box(random, half); };
@@ -134,7 +134,7 @@ TEST(Spline, correction_halves_the_error_of_sharp_edges) {
   EXPECT_GT(corrected, 0.2 * plain);
 }
 
-TEST(Spline, what_lies_beyond_the_band_counts_only_by_its_sign) {
+TEST(Spline, WhatLiesBeyondTheBandCountsOnlyByItsSign) {
   auto field = test::field_of(test::box({12, 9, 7}), {12, 9, 7});
   const auto expected = spline_coefficients(field, neighbours(field));
   int changed = 0;
@@ -149,7 +149,7 @@ TEST(Spline, what_lies_beyond_the_band_counts_only_by_its_sign) {
   EXPECT_EQ(spline_coefficients(field, neighbours(field)), expected);
 }
 
-TEST(Spline, without_a_step_the_coefficients_are_the_clamped_samples) {
+TEST(Spline, WithoutAStepTheCoefficientsAreTheClampedSamples) {
   const auto field = test::field_of(test::ball(9), Eigen::Vector3d::Constant(9), 1.3);
   const auto coefficients = spline_coefficients(field, neighbours(field), 0);
   ASSERT_EQ(coefficients.size(), field.bricks.size());

@@ -42,13 +42,13 @@ void expect_signs(const test::Distance3& distance, const Eigen::Vector3d& half) 
   EXPECT_GT(inside, 5000U);
 }
 
-TEST(WriteBlob, every_sample_has_the_right_sign_in_a_ball) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
+TEST(WriteBlob, EverySampleHasTheRightSignInABall) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
 
-TEST(WriteBlob, every_sample_has_the_right_sign_around_a_cavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
+TEST(WriteBlob, EverySampleHasTheRightSignAroundACavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
 
-TEST(WriteBlob, every_sample_has_the_right_sign_around_a_thin_plate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
+TEST(WriteBlob, EverySampleHasTheRightSignAroundAThinPlate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
 
-TEST(WriteBlob, the_header_says_what_it_was_told) {
+TEST(WriteBlob, TheHeaderSaysWhatItWasTold) {
   field::BandField field = test::field_of(test::ball(9), {9, 9, 9});
   field.grid.edge = 0.375;
   field.grid.origin = {-1.5, 2.25, 17.0};
@@ -76,7 +76,7 @@ TEST(WriteBlob, the_header_says_what_it_was_told) {
   EXPECT_EQ(read.placement.offset, info.placement.offset);
 }
 
-TEST(WriteBlob, a_listed_brick_of_one_constant_is_not_stored) {
+TEST(WriteBlob, AListedBrickOfOneConstantIsNotStored) {
   const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25));
   field::BandField more = field;
   ASSERT_NE(more.bricks.front().cell, Eigen::Vector3i::Zero());
@@ -88,14 +88,14 @@ TEST(WriteBlob, a_listed_brick_of_one_constant_is_not_stored) {
   EXPECT_TRUE(std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()));
 }
 
-TEST(WriteBlob, any_band_in_the_format_is_accepted) {
+TEST(WriteBlob, AnyBandInTheFormatIsAccepted) {
   for (const double band : {1.0, 1.7001, 2.50012207, 4.00012207, 7.99}) {
     const blob::Image image = write_blob(test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), band), {});
     EXPECT_TRUE(BlobView::parse(image.bytes()).has_value()) << band;
   }
 }
 
-TEST(WriteBlob, a_stiffness_of_each_brick_becomes_a_table_of_parts_of_the_largest) {
+TEST(WriteBlob, AStiffnessOfEachBrickBecomesATableOfPartsOfTheLargest) {
   field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
   const blob::Image without = write_blob(field, {});
   for (const field::Brick& brick : field.bricks) field.stiffness.push_back(brick.cell.x() < 6 ? 0.001 : brick.cell.x() < 7 ? 0.6 : 1.2);
@@ -130,7 +130,7 @@ std::string refusal(const field::BandField& field, const BlobInfo& info = {}) {
   return "accepted";
 }
 
-TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
+TEST(WriteBlob, WhatDoesNotFitTheFormatIsRefusedWithItsName) {
   const field::BandField good = test::field_of(test::ball(9), {9, 9, 9});
   field::BandField bad = good;
   bad.grid.edge = 0.01;
@@ -150,7 +150,7 @@ TEST(WriteBlob, what_does_not_fit_the_format_is_refused_with_its_name) {
   EXPECT_EQ(refusal(good), "accepted");
 }
 
-TEST(WriteBlob, a_body_that_reaches_the_border_is_refused) {
+TEST(WriteBlob, ABodyThatReachesTheBorderIsRefused) {
   const field::Grid grid = field::make_grid({-9, -9, -9}, {9, 9, 9}, 1.0, 2.0);
   EXPECT_THAT(refusal(field::sample_distance(test::ball(9), grid, 4.0)), HasSubstr("border"));
 }

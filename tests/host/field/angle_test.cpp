@@ -8,7 +8,7 @@
 namespace isotouch::field {
 namespace {
 
-TEST(Angle, is_that_of_the_maths_library_all_round_and_at_every_size) {
+TEST(Angle, IsThatOfTheMathsLibraryAllRoundAndAtEverySize) {
   double worst = 0;
   for (const double size : {1e-150, 1e-3, 1.0, 1e150}) {
     for (int n = -18000; n <= 18000; ++n) {
@@ -22,7 +22,7 @@ TEST(Angle, is_that_of_the_maths_library_all_round_and_at_every_size) {
   EXPECT_GT(worst, 0);
 }
 
-TEST(Angle, is_exact_on_the_axes_and_zero_without_a_direction) {
+TEST(Angle, IsExactOnTheAxesAndZeroWithoutADirection) {
   EXPECT_EQ(angle_of(0, 0), 0);
   EXPECT_EQ(angle_of(0, 2), 0);
   EXPECT_EQ(angle_of(0, -2), std::numbers::pi);

@@ -30,7 +30,7 @@ std::string refusal(const cloud::TriangleMesh& mesh) {
   return "no refusal";
 }
 
-TEST(ClosedMesh, a_body_and_one_with_a_hollow_stay_as_they_are) {
+TEST(ClosedMesh, ABodyAndOneWithAHollowStayAsTheyAre) {
   MeshRepair repair;
   EXPECT_EQ(closed_mesh(cube(), "a.stl", repair).faces, cube().faces);
   EXPECT_THAT(repair.warnings(), IsEmpty());
@@ -39,7 +39,7 @@ TEST(ClosedMesh, a_body_and_one_with_a_hollow_stay_as_they_are) {
   EXPECT_THAT(repair.warnings(), IsEmpty());
 }
 
-TEST(ClosedMesh, holes_are_closed_and_their_rims_measured) {
+TEST(ClosedMesh, HolesAreClosedAndTheirRimsMeasured) {
   auto open = cube();
   open.faces.erase(open.faces.begin(), open.faces.begin() + 2);  // the square at z = 0
   open.faces.pop_back();                                         // and half of that at x = 1
@@ -53,7 +53,7 @@ TEST(ClosedMesh, holes_are_closed_and_their_rims_measured) {
   EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("2 rims of 7.41421 units")));
 }
 
-TEST(ClosedMesh, rims_that_meet_at_a_corner_are_closed_one_by_one) {
+TEST(ClosedMesh, RimsThatMeetAtACornerAreClosedOneByOne) {
   auto open = cube();
   open.faces.erase(open.faces.begin() + 2);  // {4, 5, 7}
   open.faces.erase(open.faces.begin());      // {0, 2, 3}
@@ -67,13 +67,13 @@ TEST(ClosedMesh, rims_that_meet_at_a_corner_are_closed_one_by_one) {
   EXPECT_EQ(repair.holes, 3U);
 }
 
-TEST(ClosedMesh, one_that_is_inside_out_is_turned_round) {
+TEST(ClosedMesh, OneThatIsInsideOutIsTurnedRound) {
   MeshRepair repair;
   EXPECT_DOUBLE_EQ(cloud::signed_volume(closed_mesh(turned(cube()), "a.stl", repair)), 1);
   EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("turned inward")));
 }
 
-TEST(ClosedMesh, a_doubled_face_does_not_open_it) {
+TEST(ClosedMesh, ADoubledFaceDoesNotOpenIt) {
   auto mesh = cube();
   mesh.faces.push_back(mesh.faces[3]);
   MeshRepair repair;
@@ -81,7 +81,7 @@ TEST(ClosedMesh, a_doubled_face_does_not_open_it) {
   EXPECT_EQ(repair.branching, 3U);
 }
 
-TEST(ClosedMesh, what_bounds_no_body_is_refused_with_its_place) {
+TEST(ClosedMesh, WhatBoundsNoBodyIsRefusedWithItsPlace) {
   auto against = cube();
   std::swap(against.faces[0][0], against.faces[0][1]);
   EXPECT_THAT(refusal(against), StartsWith("a.stl: at 3 edges neighbouring faces turn against each other, first near ("));

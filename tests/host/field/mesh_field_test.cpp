@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 std::tuple<int, int, int> place(const Brick& brick) { return {brick.cell.z(), brick.cell.y(), brick.cell.x()}; }
 
-TEST(MeshField, the_walk_finds_every_brick_of_the_band_with_the_same_bits) {
+TEST(MeshField, TheWalkFindsEveryBrickOfTheBandWithTheSameBits) {
   const Vector3d half(10, 7, 2);
   // A second piece, that no seed of the first leads to, and a hollow.
   const MeshDistance distance(

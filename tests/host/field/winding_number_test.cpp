@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(WindingNumber, counts_how_often_boxes_enclose_a_point) {
+TEST(WindingNumber, CountsHowOftenBoxesEncloseAPoint) {
   const cloud::TriangleMesh mesh =
       together(together(box_mesh({-3, -3, -3}, {3, 3, 3}), box_mesh({-1, -2, -2}, {5, 2, 2})), turned(box_mesh({-2, -1, -1}, {2, 1, 1})));
   const FaceTree tree(mesh);
@@ -26,7 +26,7 @@ TEST(WindingNumber, counts_how_often_boxes_enclose_a_point) {
   EXPECT_NEAR(winding({-1.5, 0, 0}), 0, 0.1);  // inside the first alone, and in the hollow
 }
 
-TEST(WindingNumber, of_a_fine_sphere_is_whole_through_the_tree) {
+TEST(WindingNumber, OfAFineSphereIsWholeThroughTheTree) {
   constexpr std::uint32_t kRings = 60, kSides = 90;
   cloud::TriangleMesh mesh;
   for (std::uint32_t ring = 0; ring <= kRings; ++ring) {

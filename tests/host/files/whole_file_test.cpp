@@ -11,7 +11,7 @@
 namespace isotouch {
 namespace {
 
-TEST(Files, what_is_written_is_read_and_no_temporary_stays) {
+TEST(Files, WhatIsWrittenIsReadAndNoTemporaryStays) {
   const ScratchFolder folder;
   std::vector<std::uint8_t> bytes(200000);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 31);
@@ -23,7 +23,7 @@ TEST(Files, what_is_written_is_read_and_no_temporary_stays) {
   EXPECT_TRUE(read_file(file).empty());
 }
 
-TEST(Files, a_refusal_names_the_file_and_the_reason) {
+TEST(Files, ARefusalNamesTheFileAndTheReason) {
   const ScratchFolder folder;
   const std::string missing = (folder.path() / "missing").string();
   const std::string beneath = (folder.path() / "missing" / "file").string();
@@ -42,7 +42,7 @@ TEST(Files, a_refusal_names_the_file_and_the_reason) {
             folder.path().string() + ": cannot be written: it is a folder, name a file");
 }
 
-TEST(Files, a_failed_write_leaves_the_old_file) {
+TEST(Files, AFailedWriteLeavesTheOldFile) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const std::vector<std::uint8_t> bytes(100000);
   EXPECT_THROW(write_file("/dev/full", bytes.data(), bytes.size()), InputError);

@@ -27,7 +27,7 @@ TEST(FeltSurface, SamplesInMillimetres) {
     const FeltSample sample = surface.sample(kCentre + (kRadius + outside) * way);
     EXPECT_NEAR(sample.distance, outside, 0.002);
     EXPECT_LT((sample.gradient - way).norm(), 0.01);
-    EXPECT_NEAR(sample.bend, std::sqrt(2.0) / (20 + outside / kVoxel), 0.015);  // two curvatures of one over the radius
+    EXPECT_NEAR(sample.curvature, std::sqrt(2.0) / (20 + outside / kVoxel), 0.015);  // two curvatures of one over the radius
   }
 }
 

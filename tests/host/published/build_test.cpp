@@ -38,7 +38,7 @@ field::Grid unit_grid(int size) {
   return grid;
 }
 
-TEST(Published, radii_are_those_worked_by_hand) {
+TEST(Published, RadiiAreThoseWorkedByHand) {
   const std::array<double, 6> expected = {13.0 / 6, 13.0 / 6, 13.0 / 6, 13.0 / 6, 2.5, 2.5};
   const std::vector<double> radii = field::packing_radii_brute_force(flattened_octahedron());
   ASSERT_EQ(radii.size(), expected.size());
@@ -91,21 +91,21 @@ std::string drawn(const std::array<std::array<const char*, 7>, 7>& table) {
   return text;
 }
 
-TEST(Published, indicator_is_the_table_worked_by_hand) {
+TEST(Published, IndicatorIsTheTableWorkedByHand) {
   field::Progress progress;
   const auto points = flattened_octahedron();
   const Indicator inside = nodes_in_spheres(points, field::packing_radii_brute_force(points), unit_grid(7), progress);
   EXPECT_EQ(drawn(inside, [](int value) { return value != 0 ? '#' : '.'; }), drawn(kInside));
 }
 
-TEST(Published, levels_are_the_table_worked_by_hand) {
+TEST(Published, LevelsAreTheTableWorkedByHand) {
   field::Progress progress;
   const Built built = build(flattened_octahedron(), unit_grid(7), progress);
   EXPECT_EQ(drawn(built.levels, [](int level) { return level > 0 ? '.' : static_cast<char>('0' - level); }), drawn(kLevels));
   EXPECT_EQ(built.without_sphere, 0U);
 }
 
-TEST(Published, a_level_counts_steps_to_the_outside_and_ends_at_minus_seven) {
+TEST(Published, ALevelCountsStepsToTheOutsideAndEndsAtMinusSeven) {
   Indicator block(unit_grid(25), 0);
   const Eigen::Vector3i low(1, 2, 3);
   const Eigen::Vector3i high(23, 22, 20);
@@ -131,13 +131,13 @@ TEST(Published, a_level_counts_steps_to_the_outside_and_ends_at_minus_seven) {
   for (const int count : seen) EXPECT_GT(count, 0);
 }
 
-TEST(Published, beyond_the_grid_is_outside) {
+TEST(Published, BeyondTheGridIsOutside) {
   field::Progress progress;
   const LevelField levels = peel(Indicator(unit_grid(3), 1), progress);
   for (std::size_t n = 0; n < 27; ++n) EXPECT_EQ(levels.values[n], n == 13 ? -1 : 0);
 }
 
-TEST(Published, points_without_a_partner_below_give_no_sphere) {
+TEST(Published, PointsWithoutAPartnerBelowGiveNoSphere) {
   cloud::OrientedPoints flat;
   for (int i = 0; i < 9; ++i) {
     flat.positions.emplace_back(i % 3 - 1, i / 3 - 1, 0);
@@ -149,7 +149,7 @@ TEST(Published, points_without_a_partner_below_give_no_sphere) {
   EXPECT_EQ(built.inside_nodes, 0U);
 }
 
-TEST(Published, stages_are_timed_and_inside_nodes_counted_before_the_peeling) {
+TEST(Published, StagesAreTimedAndInsideNodesCountedBeforeThePeeling) {
   field::Progress progress;
   const Built built = build(flattened_octahedron(), unit_grid(7), progress);
   std::size_t drawn_inside = 0;
@@ -161,7 +161,7 @@ TEST(Published, stages_are_timed_and_inside_nodes_counted_before_the_peeling) {
   EXPECT_EQ(progress.seconds()[2].first, "levels");
 }
 
-TEST(Published, a_band_field_holds_every_level_within_a_far_border) {
+TEST(Published, ABandFieldHoldsEveryLevelWithinAFarBorder) {
   field::Progress progress;
   const Built built = build(flattened_octahedron(), unit_grid(14), progress);
   const field::BandField band = to_band_field(built.levels);
@@ -181,7 +181,7 @@ TEST(Published, a_band_field_holds_every_level_within_a_far_border) {
   }
 }
 
-TEST(Published, a_grid_too_large_to_be_kept_dense_is_refused) {
+TEST(Published, AGridTooLargeToBeKeptDenseIsRefused) {
   field::Progress progress;
   EXPECT_THROW(build(flattened_octahedron(), unit_grid(646), progress), InputError);
 }

@@ -26,7 +26,7 @@ LevelField floor_levels() {
   return levels;
 }
 
-TEST(FloatTick, level_and_gradient_are_those_of_the_nodes_at_the_nodes) {
+TEST(FloatTick, LevelAndGradientAreThoseOfTheNodesAtTheNodes) {
   const LevelField levels = floor_levels();
   for (int k = 1; k < 14; ++k) {
     const LevelSample sample = sample_levels(levels, {5, 6, static_cast<float>(k)});
@@ -36,7 +36,7 @@ TEST(FloatTick, level_and_gradient_are_those_of_the_nodes_at_the_nodes) {
   }
 }
 
-TEST(FloatTick, no_contact_gives_no_force_and_the_proxy_is_the_hand) {
+TEST(FloatTick, NoContactGivesNoForceAndTheProxyIsTheHand) {
   const LevelField levels = floor_levels();
   FloatTick tick(levels, 0.8F);
   const Eigen::Vector3f hand(0.1F, 0.2F, 0.3F);
@@ -44,14 +44,14 @@ TEST(FloatTick, no_contact_gives_no_force_and_the_proxy_is_the_hand) {
   EXPECT_TRUE(tick.proxy().isApprox(hand, 1e-5F));
 }
 
-TEST(FloatTick, beyond_the_grid_there_is_no_contact) {
+TEST(FloatTick, BeyondTheGridThereIsNoContact) {
   const LevelField levels = floor_levels();
   FloatTick tick(levels, 0.8F);
   EXPECT_EQ(tick.force({0, 0, -100}), Eigen::Vector3f::Zero());
   EXPECT_EQ(tick.force({std::numeric_limits<float>::quiet_NaN(), 0, 0}), Eigen::Vector3f::Zero());
 }
 
-TEST(FloatTick, on_a_plane_the_force_is_short_by_one_part_in_one_plus_lambda) {
+TEST(FloatTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
   const LevelField levels = floor_levels();
   FloatTick tick(levels, 0.8F);
   for (const float depth : {1.5F, 3.0F, 4.0F}) {  // voxels
@@ -62,7 +62,7 @@ TEST(FloatTick, on_a_plane_the_force_is_short_by_one_part_in_one_plus_lambda) {
   }
 }
 
-TEST(FloatTick, one_tick_takes_away_99_percent_of_a_sideways_move) {
+TEST(FloatTick, OneTickTakesAway99PercentOfASidewaysMove) {
   const LevelField levels = floor_levels();
   FloatTick tick(levels, 0.8F);
   tick.force({0, 0, 1});
@@ -72,7 +72,7 @@ TEST(FloatTick, one_tick_takes_away_99_percent_of_a_sideways_move) {
   EXPECT_NEAR(1 - tick.proxy().x() / moved, 0.0092F, 0.0005F);  // (30/31)^143
 }
 
-TEST(FloatTick, the_step_is_stable_where_a_level_counts_manhattan_distance) {
+TEST(FloatTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
   LevelField levels = floor_levels();  // now a slope along (1, 1, 1): every node a level below its upper neighbours
   for (int k = 0; k < 16; ++k) {
     for (int j = 0; j < 24; ++j) {

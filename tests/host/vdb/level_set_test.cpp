@@ -67,7 +67,7 @@ int expect_sphere(const field::BandField& field) {
   return compared;
 }
 
-TEST(LevelSet, samples_are_the_spheres_own_distances) {
+TEST(LevelSet, SamplesAreTheSpheresOwnDistances) {
   const ScratchFolder folder;
   const LevelSet set = LevelSet::read(save(folder, {sphere()}));
   EXPECT_DOUBLE_EQ(set.edge, 0.25);
@@ -84,7 +84,7 @@ TEST(LevelSet, samples_are_the_spheres_own_distances) {
   EXPECT_GT(farthest, 0.0005);
 }
 
-TEST(LevelSet, permuted_and_mirrored_axes_keep_the_samples) {
+TEST(LevelSet, PermutedAndMirroredAxesKeepTheSamples) {
   const ScratchFolder folder;
   const auto grid = sphere();
   const auto map = grid->transform().baseMap()->getAffineMap()->getMat4();
@@ -106,7 +106,7 @@ TEST(LevelSet, permuted_and_mirrored_axes_keep_the_samples) {
   EXPECT_EQ(compared, static_cast<int>(set.active_voxels));
 }
 
-TEST(LevelSet, on_another_grid_it_is_interpolated_to_a_thousandth_of_its_voxel) {
+TEST(LevelSet, OnAnotherGridItIsInterpolatedToAThousandthOfItsVoxel) {
   const ScratchFolder folder;
   const auto grid = sphere();
   auto map = grid->transform().baseMap()->getAffineMap()->getMat4();
@@ -149,7 +149,7 @@ TEST(LevelSet, on_another_grid_it_is_interpolated_to_a_thousandth_of_its_voxel) 
   EXPECT_GT(worst_far, 0.03);
 }
 
-TEST(LevelSet, the_first_name_of_several_is_taken_and_told) {
+TEST(LevelSet, TheFirstNameOfSeveralIsTakenAndTold) {
   const ScratchFolder folder;
   const auto other = sphere();
   other->setName("other");
@@ -165,7 +165,7 @@ TEST(LevelSet, the_first_name_of_several_is_taken_and_told) {
   EXPECT_THAT(refusal([&] { LevelSet::read(file, "cow"); }), HasSubstr("there is no grid 'cow' in it; there is 'ball', 'other', 'smoke'"));
 }
 
-TEST(LevelSet, what_is_none_is_refused_in_a_sentence) {
+TEST(LevelSet, WhatIsNoneIsRefusedInASentence) {
   const ScratchFolder folder;
   const auto why = [&](const openvdb::GridBase::Ptr& grid) { return refusal([&] { LevelSet::read(save(folder, {grid})); }); };
   openvdb::initialize();
@@ -193,7 +193,7 @@ TEST(LevelSet, what_is_none_is_refused_in_a_sentence) {
   EXPECT_THAT(refusal([&] { LevelSet::read(folder.write("b.vdb", "no volume")); }), HasSubstr("b.vdb: OpenVDB cannot read it: "));
 }
 
-TEST(LevelSet, half_floats_and_doubles_are_read) {
+TEST(LevelSet, HalfFloatsAndDoublesAreRead) {
   const ScratchFolder folder;
   const auto half = sphere();
   half->setSaveFloatAsHalf(true);
@@ -207,7 +207,7 @@ TEST(LevelSet, half_floats_and_doubles_are_read) {
   EXPECT_GT(expect_sphere(*exact_set.samples), 10'000);
 }
 
-TEST(LevelSet, a_file_that_was_cut_is_refused) {
+TEST(LevelSet, AFileThatWasCutIsRefused) {
   const ScratchFolder folder;
   const auto bytes = read_file(save(folder, {sphere()}));
   int refused = 0;
@@ -219,7 +219,7 @@ TEST(LevelSet, a_file_that_was_cut_is_refused) {
   EXPECT_GT(refused, 90);
 }
 
-TEST(LevelSet, what_is_written_comes_back_with_every_value) {
+TEST(LevelSet, WhatIsWrittenComesBackWithEveryValue) {
   const ScratchFolder folder;
   const LevelSet first = LevelSet::read(save(folder, {sphere()}));
   ASSERT_TRUE(first.samples);
@@ -238,7 +238,7 @@ TEST(LevelSet, what_is_written_comes_back_with_every_value) {
   EXPECT_EQ(grid->tree().getValue(openvdb::Coord(23, 23, 23)), -0.75F);  // the middle
 }
 
-TEST(LevelSet, a_file_is_known_by_its_first_bytes_or_its_name) {
+TEST(LevelSet, AFileIsKnownByItsFirstBytesOrItsName) {
   const ScratchFolder folder;
   fs::rename(save(folder, {sphere()}), folder.path() / "a.bin");
   EXPECT_TRUE(is_vdb_file(folder.path() / "a.bin"));

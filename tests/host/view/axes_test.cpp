@@ -5,7 +5,7 @@
 namespace isotouch::view {
 namespace {
 
-TEST(Ticks, are_round_few_and_inside) {
+TEST(Ticks, AreRoundFewAndInside) {
   EXPECT_EQ(ticks(0, 10, 6), (std::vector<double>{0, 2, 4, 6, 8, 10}));
   EXPECT_EQ(ticks(-4, 4, 9).size(), 9U);
   for (const double high : {0.003, 0.7, 1.0, 9.99, 123.0, 5e6}) {
@@ -19,7 +19,7 @@ TEST(Ticks, are_round_few_and_inside) {
   }
 }
 
-TEST(Ticks, texts_tell_neighbours_apart) {
+TEST(Ticks, TextsTellNeighboursApart) {
   EXPECT_EQ(tick_text(0.30000000000000004, 0.1), "0.3");
   EXPECT_EQ(tick_text(-2, 1), "−2");
   EXPECT_EQ(tick_text(0.0025, 0.0005), "0.0025");
@@ -27,7 +27,7 @@ TEST(Ticks, texts_tell_neighbours_apart) {
   EXPECT_EQ(tick_text(2000, 500), "2000");
 }
 
-TEST(Axes, map_values_to_pixels_and_back) {
+TEST(Axes, MapValuesToPixelsAndBack) {
   const Axes axes({100, 50, 500, 250}, {"x", -1, 3}, {"y", 0, 10});
   EXPECT_FLOAT_EQ(axes.at(-1, 0).x, 100);
   EXPECT_FLOAT_EQ(axes.at(-1, 0).y, 250);

@@ -14,7 +14,7 @@ std::vector<Eigen::Vector3d> corners() {
   return points;
 }
 
-TEST(Direction, zero_is_in_front_for_every_up_axis) {
+TEST(Direction, ZeroIsInFrontForEveryUpAxis) {
   EXPECT_TRUE((Direction{0, 0, 'y'}.towards_eye().isApprox(Eigen::Vector3d::UnitZ())));
   EXPECT_TRUE((Direction{0, 0, 'z'}.towards_eye().isApprox(Eigen::Vector3d(-Eigen::Vector3d::UnitY()))));
   EXPECT_TRUE((Direction{0, 0, 'x'}.towards_eye().isApprox(Eigen::Vector3d::UnitZ())));
@@ -22,7 +22,7 @@ TEST(Direction, zero_is_in_front_for_every_up_axis) {
   EXPECT_TRUE((Direction{17, 90, 'z'}.towards_eye().isApprox(Eigen::Vector3d::UnitZ())));
 }
 
-TEST(Camera, sees_all_points_as_large_as_they_fit) {
+TEST(Camera, SeesAllPointsAsLargeAsTheyFit) {
   const Rect area{40, 20, 600, 380};
   const auto points = corners();
   for (const Direction direction : {Direction{35, 20, 'y'}, Direction{-120, -40, 'z'}, Direction{0, 90, 'y'}}) {
@@ -51,7 +51,7 @@ TEST(Camera, sees_all_points_as_large_as_they_fit) {
   }
 }
 
-TEST(Camera, ray_goes_through_the_point_that_is_projected_there) {
+TEST(Camera, RayGoesThroughThePointThatIsProjectedThere) {
   const auto points = corners();
   const Camera camera(Direction{35, 20, 'y'}.towards_eye(), Eigen::Vector3d::UnitY(), points, {0, 0, 640, 480});
   for (const auto& p : points) {
@@ -62,7 +62,7 @@ TEST(Camera, ray_goes_through_the_point_that_is_projected_there) {
   }
 }
 
-TEST(Camera, up_is_up_and_right_is_right) {
+TEST(Camera, UpIsUpAndRightIsRight) {
   const std::vector<Eigen::Vector3d> points = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, 1, 0)};
   const Camera camera(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), points, {0, 0, 100, 100});
   EXPECT_LT(camera.project({-1, 0, 0}).x, camera.project({1, 0, 0}).x);

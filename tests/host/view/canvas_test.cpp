@@ -18,7 +18,7 @@ double ink(const Image& image) {
   return sum;
 }
 
-TEST(Canvas, disc_has_its_area_wherever_its_centre_is) {
+TEST(Canvas, DiscHasItsAreaWhereverItsCentreIs) {
   for (const Point centre : {Point{20, 20}, Point{20.5F, 20.25F}, Point{19.7F, 21.1F}}) {
     Image image(40, 40);
     Canvas(image).disc(centre, 9, kBlack);
@@ -26,19 +26,19 @@ TEST(Canvas, disc_has_its_area_wherever_its_centre_is) {
   }
 }
 
-TEST(Canvas, line_has_its_length_times_its_width) {
+TEST(Canvas, LineHasItsLengthTimesItsWidth) {
   Image image(60, 60);
   Canvas(image).line({10, 10}, {40, 50}, 3, kBlack);
   EXPECT_NEAR(ink(image), 50 * 3 + std::numbers::pi * 2.25, 4.0);
 }
 
-TEST(Canvas, thin_line_is_pale_not_wide) {
+TEST(Canvas, ThinLineIsPaleNotWide) {
   Image image(60, 60);
   Canvas(image).line({10, 30.5F}, {50, 30.5F}, 0.5F, kBlack);
   EXPECT_NEAR(ink(image), 40 * 0.5, 1.5);
 }
 
-TEST(Canvas, crossing_lines_of_one_stroke_are_laid_on_once) {
+TEST(Canvas, CrossingLinesOfOneStrokeAreLaidOnOnce) {
   Image image(40, 40);
   const std::vector<Polyline> cross = {{{5, 20.5F}, {35, 20.5F}}, {{20.5F, 5}, {20.5F, 35}}};
   Canvas(image).stroke(cross, 3, kBlack, 0.5F);
@@ -46,13 +46,13 @@ TEST(Canvas, crossing_lines_of_one_stroke_are_laid_on_once) {
   EXPECT_NEAR(image.at(10, 20).r, 0.5F, 1e-6F);
 }
 
-TEST(Canvas, fill_covers_parts_of_pixels) {
+TEST(Canvas, FillCoversPartsOfPixels) {
   Image image(10, 10);
   Canvas(image).fill({2.25F, 3, 5.5F, 4.5F}, kBlack);
   EXPECT_NEAR(ink(image), 3.25 * 1.5, 1e-5);
 }
 
-TEST(Canvas, nothing_is_drawn_beyond_the_clip_or_the_picture) {
+TEST(Canvas, NothingIsDrawnBeyondTheClipOrThePicture) {
   Image image(20, 20);
   Canvas whole(image);
   Canvas part = whole.within({5, 5, 10, 10});
@@ -64,7 +64,7 @@ TEST(Canvas, nothing_is_drawn_beyond_the_clip_or_the_picture) {
   EXPECT_NEAR(ink(image), 25, 1e-4);
 }
 
-TEST(Dashes, have_the_asked_lengths_across_corners) {
+TEST(Dashes, HaveTheAskedLengthsAcrossCorners) {
   const std::vector<Polyline> pieces = dashed({{0, 0}, {10, 0}, {10, 10}}, 6, 3);
   ASSERT_EQ(pieces.size(), 3U);
   EXPECT_FLOAT_EQ(pieces[0].back().x, 6);

@@ -9,7 +9,7 @@
 namespace isotouch::view {
 namespace {
 
-TEST(FieldRays, meet_the_sphere_where_it_is) {
+TEST(FieldRays, MeetTheSphereWhereItIs) {
   const SphereBlob blob;
   const FieldRays rays(blob.view);
   int met = 0;
@@ -28,7 +28,7 @@ TEST(FieldRays, meet_the_sphere_where_it_is) {
   EXPECT_EQ(met, 200);
 }
 
-TEST(FieldRays, pass_beside_the_sphere_without_a_hit) {
+TEST(FieldRays, PassBesideTheSphereWithoutAHit) {
   const SphereBlob blob;
   const FieldRays rays(blob.view);
   for (const double beside : {1.01, 1.1, 2.0, 50.0}) {
@@ -38,7 +38,7 @@ TEST(FieldRays, pass_beside_the_sphere_without_a_hit) {
   EXPECT_FALSE(rays.hit({Eigen::Vector3d(0, 0, 40), Eigen::Vector3d(0, 0, -1)}, 0, 31).has_value()) << "ends before it";
 }
 
-TEST(FieldRays, that_begin_inside_hit_at_once) {
+TEST(FieldRays, ThatBeginInsideHitAtOnce) {
   const SphereBlob blob;
   const FieldRays rays(blob.view);
   const auto t = rays.hit({Eigen::Vector3d(0, 0, 40), Eigen::Vector3d(0, 0, -1)}, 38, 1e4);
@@ -46,7 +46,7 @@ TEST(FieldRays, that_begin_inside_hit_at_once) {
   EXPECT_DOUBLE_EQ(*t, 38);
 }
 
-TEST(FieldRays, outline_surrounds_the_sphere_within_a_brick) {
+TEST(FieldRays, OutlineSurroundsTheSphereWithinABrick) {
   const SphereBlob blob;
   const FieldRays rays(blob.view);
   Box box;

@@ -5,7 +5,7 @@
 namespace isotouch::view {
 namespace {
 
-TEST(Font, every_printable_character_has_a_drawing_within_its_lattice) {
+TEST(Font, EveryPrintableCharacterHasADrawingWithinItsLattice) {
   std::u32string wanted = U"°±·−–×µ²φ";
   for (char32_t c = U' '; c <= U'~'; ++c) wanted += c;
   for (const char32_t c : wanted) {
@@ -24,16 +24,16 @@ TEST(Font, every_printable_character_has_a_drawing_within_its_lattice) {
   }
 }
 
-TEST(Font, digits_are_equally_wide_so_that_numbers_align) {
+TEST(Font, DigitsAreEquallyWideSoThatNumbersAlign) {
   for (char32_t c = U'0'; c <= U'9'; ++c) EXPECT_NEAR(glyph(c).width, 4.0F, 0.21F);
 }
 
-TEST(Font, unknown_characters_are_a_box_not_a_crash) {
+TEST(Font, UnknownCharactersAreABoxNotACrash) {
   EXPECT_FALSE(has_glyph(U'漢'));
   EXPECT_EQ(&glyph(U'漢'), &glyph(U'\uFFFD'));
 }
 
-TEST(Utf8, is_read_and_broken_bytes_are_replaced) {
+TEST(Utf8, IsReadAndBrokenBytesAreReplaced) {
   EXPECT_EQ(decode_utf8("a°−φ"), U"a°−φ");
   EXPECT_EQ(decode_utf8("\xF0\x9F\x99\x82"), U"\U0001F642");
   EXPECT_EQ(decode_utf8("a\xFFz"), U"a\uFFFDz");

@@ -28,7 +28,7 @@ int count(const Image& image, const Test& test) {
 const auto is_green = [](const Colour& c) { return c.g > 2.5F * c.r && c.g > 2 * c.b && c.g > 0.05F; };
 const auto is_red = [](const Colour& c) { return c.r > 2.5F * c.g && c.r > 2.5F * c.b && c.r > 0.05F; };
 
-TEST(SurfacePicture, shows_the_touch_wherever_it_is) {
+TEST(SurfacePicture, ShowsTheTouchWhereverItIs) {
   const SphereBlob blob;
   for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{-0.6, 0, -0.8}, {0, -1, 0}, {0, 1, 0}})) {
     SurfaceOptions options{
@@ -41,14 +41,14 @@ TEST(SurfacePicture, shows_the_touch_wherever_it_is) {
   }
 }
 
-TEST(SurfacePicture, without_a_touch_has_no_markers) {
+TEST(SurfacePicture, WithoutATouchHasNoMarkers) {
   const SphereBlob blob;
   const Image image = surface_picture(blob.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
   EXPECT_EQ(count(image, is_green), 0);
   EXPECT_EQ(count(image, is_red), 0);
 }
 
-TEST(SlicePicture, draws_the_surface_where_the_slice_meets_it) {
+TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {
   const SphereBlob blob;
   // Half the width of the dark line's circle, pixels, in the row through the middle.
   const auto radius = [&](char axis, double at) {
@@ -71,13 +71,13 @@ TEST(SlicePicture, draws_the_surface_where_the_slice_meets_it) {
   }
 }
 
-TEST(SlicePicture, beside_the_object_is_empty_but_drawn) {
+TEST(SlicePicture, BesideTheObjectIsEmptyButDrawn) {
   const SphereBlob blob;
   const Image image = slice_picture(blob.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500});
   EXPECT_EQ(image.width(), 400);
 }
 
-TEST(DistanceColours, are_warm_inside_and_grow_darker_both_ways) {
+TEST(DistanceColours, AreWarmInsideAndGrowDarkerBothWays) {
   const auto sum = [](Colour c) { return c.r + c.g + c.b; };
   for (double v = 0.05; v < 1; v += 0.05) {
     EXPECT_GT(distance_colour(-v).r, distance_colour(-v).b);
@@ -88,7 +88,7 @@ TEST(DistanceColours, are_warm_inside_and_grow_darker_both_ways) {
   EXPECT_EQ(sum(distance_colour(7)), sum(distance_colour(1)));
 }
 
-TEST(PointsPicture, front_discs_are_blue_and_those_from_behind_pale) {
+TEST(PointsPicture, FrontDiscsAreBlueAndThoseFromBehindPale) {
   cloud::OrientedPoints points;
   for (int i = 0; i < 25; ++i) {
     points.positions.emplace_back(i % 5, i / 5, 0);
@@ -103,7 +103,7 @@ TEST(PointsPicture, front_discs_are_blue_and_those_from_behind_pale) {
   EXPECT_LT(blue(), 200);
 }
 
-TEST(ForcePicture, with_and_without_an_exact_answer) {
+TEST(ForcePicture, WithAndWithoutAnExactAnswer) {
   ForceCurve curve;
   for (int i = 0; i < 1000; ++i) {
     curve.time_s.push_back(i * 0.001);
@@ -114,7 +114,7 @@ TEST(ForcePicture, with_and_without_an_exact_answer) {
   EXPECT_EQ(force_picture(curve, {}).height(), 720);
 }
 
-TEST(Numbers, are_short_and_have_no_negative_zero) {
+TEST(Numbers, AreShortAndHaveNoNegativeZero) {
   EXPECT_EQ(number(12.5, 3), "12.5");
   EXPECT_EQ(number(12, 0), "12");
   EXPECT_EQ(number(120, 2), "120");

@@ -29,7 +29,7 @@ bool red_near(const Image& image, Point p) {
   return false;
 }
 
-TEST(Plot, line_runs_through_its_values) {
+TEST(Plot, LineRunsThroughItsValues) {
   Series series{"a", {}, {}, kRed, 2};
   for (int i = 0; i <= 100; ++i) {
     series.x.push_back(i);
@@ -44,7 +44,7 @@ TEST(Plot, line_runs_through_its_values) {
   EXPECT_FALSE(red_near(image, axes.at(50, 0.5)));
 }
 
-TEST(Plot, one_high_value_among_many_in_a_column_is_still_seen) {
+TEST(Plot, OneHighValueAmongManyInAColumnIsStillSeen) {
   Series series{"", {}, {}, kRed, 2};
   for (int i = 0; i < 200'000; ++i) {
     series.x.push_back(i);
@@ -57,7 +57,7 @@ TEST(Plot, one_high_value_among_many_in_a_column_is_still_seen) {
   EXPECT_TRUE(red_near(image, plot.axes(kPlace, 1).at(123'457, 0.9)));
 }
 
-TEST(Plot, missing_values_interrupt_the_line) {
+TEST(Plot, MissingValuesInterruptTheLine) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const Plot plot = plot_of({"", {0, 1, 2, 3, 4, 5}, {1, 1, none, none, 1, 2}, kRed, 2});
   Image image(960, 720);
@@ -69,7 +69,7 @@ TEST(Plot, missing_values_interrupt_the_line) {
   EXPECT_TRUE(red_near(image, axes.at(4.5, 1.5)));
 }
 
-TEST(Plot, stays_within_its_frame_whatever_the_range) {
+TEST(Plot, StaysWithinItsFrameWhateverTheRange) {
   Plot plot = plot_of({"", {0, 1, 2}, {-50, 0.5, 50}, kRed, 4});
   plot.y_range = {0.0, 1.0};
   Image image(960, 720);
@@ -84,7 +84,7 @@ TEST(Plot, stays_within_its_frame_whatever_the_range) {
   }
 }
 
-TEST(Plot, empty_and_constant_series_are_drawn_too) {
+TEST(Plot, EmptyAndConstantSeriesAreDrawnToo) {
   Image image(960, 720);
   Canvas canvas(image);
   plot_of({"", {}, {}, kRed}).draw(canvas, kPlace);

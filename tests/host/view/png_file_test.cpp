@@ -10,7 +10,7 @@
 namespace isotouch::view {
 namespace {
 
-TEST(PngFile, holds_the_pixels_that_were_given) {
+TEST(PngFile, HoldsThePixelsThatWereGiven) {
   Image image(5, 3, srgb(0x102030));
   image.at(4, 0) = srgb(0xFF8001);
   image.at(0, 2) = {2.0F, -1.0F, 0.0F};  // too bright and darker than black: cut off
@@ -35,11 +35,11 @@ TEST(PngFile, holds_the_pixels_that_were_given) {
   std::filesystem::remove(file);
 }
 
-TEST(PngFile, every_byte_survives_the_way_through_light) {
+TEST(PngFile, EveryByteSurvivesTheWayThroughLight) {
   for (std::uint32_t byte = 0; byte < 256; ++byte) EXPECT_EQ(to_byte(srgb(byte).b), byte);
 }
 
-TEST(PngFile, a_place_that_cannot_be_written_is_named_in_one_sentence) {
+TEST(PngFile, APlaceThatCannotBeWrittenIsNamedInOneSentence) {
   const std::string file = testing::TempDir() + "no_such_folder/picture.png";
   try {
     write_png(file, Image(2, 2));

@@ -32,7 +32,7 @@ struct SphereScene {
 
 float brightness(const Colour& c) { return c.r + c.g + c.b; }
 
-TEST(Scene, silhouette_of_the_sphere_has_its_area) {
+TEST(Scene, SilhouetteOfTheSphereHasItsArea) {
   SphereScene scene;
   scene.draw();
   double covered = 0;
@@ -49,7 +49,7 @@ TEST(Scene, silhouette_of_the_sphere_has_its_area) {
   EXPECT_NEAR(std::sqrt(covered / std::numbers::pi), radius, 0.6);  // pixels on the rim count whole
 }
 
-TEST(Scene, the_lamp_is_above_on_the_left) {
+TEST(Scene, TheLampIsAboveOnTheLeft) {
   SphereScene scene;
   scene.draw();
   const double r = kTestRadius * 0.7;
@@ -58,7 +58,7 @@ TEST(Scene, the_lamp_is_above_on_the_left) {
   EXPECT_GT(lower_right, 0.1F);
 }
 
-TEST(Scene, markers_are_seen_in_front_and_through_the_surface) {
+TEST(Scene, MarkersAreSeenInFrontAndThroughTheSurface) {
   SphereScene scene;
   const Touch touch{.proxy = {0, 0, kTestRadius}, .hip = {3, 0, kTestRadius - 3}};
   scene.draw(Markers(touch, 0.8));
@@ -69,7 +69,7 @@ TEST(Scene, markers_are_seen_in_front_and_through_the_surface) {
   EXPECT_LT(std::fabs(plain.r - plain.g), 0.2F * plain.g);
 }
 
-TEST(Scene, cut_shows_the_inside_with_lines_a_voxel_apart) {
+TEST(Scene, CutShowsTheInsideWithLinesAVoxelApart) {
   SphereScene scene;
   scene.draw({}, CutPlane{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
   const Colour face = scene.at({0, 0, 0});

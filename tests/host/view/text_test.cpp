@@ -28,13 +28,13 @@ Rect drawn(std::string_view text, const TextStyle& style) {
   return inked(image);
 }
 
-TEST(Text, capitals_have_the_asked_height_above_the_base_line) {
+TEST(Text, CapitalsHaveTheAskedHeightAboveTheBaseLine) {
   const Rect box = drawn("HIE", {.capital = 28});
   EXPECT_NEAR(box.bottom, 100, 3);
   EXPECT_NEAR(box.top, 72, 3);
 }
 
-TEST(Text, stands_where_its_anchor_says) {
+TEST(Text, StandsWhereItsAnchorSays) {
   const TextStyle style{.capital = 14};
   const float width = text_width("HEMH", style);
   TextStyle middle = style, end = style;
@@ -46,7 +46,7 @@ TEST(Text, stands_where_its_anchor_says) {
   EXPECT_NEAR(drawn("HEMH", end).right, 100, 2);
 }
 
-TEST(Text, upward_text_is_the_same_turned_by_a_quarter) {
+TEST(Text, UpwardTextIsTheSameTurnedByAQuarter) {
   const TextStyle style{.capital = 14};
   TextStyle upward = style;
   upward.upward = true;
@@ -56,7 +56,7 @@ TEST(Text, upward_text_is_the_same_turned_by_a_quarter) {
   EXPECT_NEAR(turned.bottom, 100, 2);
 }
 
-TEST(Text, letters_are_told_apart) {
+TEST(Text, LettersAreToldApart) {
   Image l(60, 60), i(60, 60);
   Canvas on_l(l), on_i(i);
   draw_text(on_l, {10, 40}, "l1I", {.capital = 20});

@@ -14,6 +14,6 @@ namespace isotouch::field {
 /// scan      most normals outward
 /// returns   how many were turned; each was judged by the normals as they came
 /// source    the energy of two dipoles: m·n/r³ - 3 (m·r)(n·r)/r⁵
-std::size_t turn_contradicted(Scan& scan);
+std::size_t turn_outvoted(Scan& scan);
 
 }  // namespace isotouch::field

@@ -10,7 +10,7 @@
 namespace isotouch::encoding {
 
 /// Coefficients of one sign that hang together face to face, and are so few, are no part of a body but roughness: two voxels a side.
-inline constexpr int kSpeck = 8;
+inline constexpr int kSmallComponent = 8;
 
 /// Turns the sign of every such set that coefficients of the other sign enclose, unless it touches the tip of something larger at an edge or a corner. A
 /// spline whose coefficients have one sign has no zero among them, so no
@@ -19,6 +19,6 @@ inline constexpr int kSpeck = 8;
 /// around    `neighbours` of the field that the coefficients are of
 /// returns   how many sets
 /// fails     never
-std::size_t drop_specks(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around);
+std::size_t drop_small_components(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around);
 
 }  // namespace isotouch::encoding

@@ -7,7 +7,7 @@
 
 namespace isotouch::cloud {
 
-struct Trial {
+struct ForkedCall {
   bool crashed = false;          ///< the process did not come to the end of the call
   std::string thrown;            ///< what() of what the call threw; empty when it returned
   std::string answer;            ///< what the call returned
@@ -20,6 +20,6 @@ struct Trial {
 ///
 /// call      must not need this process's other threads: the copy has none of them
 /// returns   how it ended; as if it had returned nothing where no process can be started
-Trial try_out(const std::function<std::string()>& call);
+ForkedCall call_in_fork(const std::function<std::string()>& call);
 
 }  // namespace isotouch::cloud

@@ -1,5 +1,5 @@
 /// The test plays the kernel: it has the other end of the pair.
-#include "hil/falcon_sim/usbip_face.h"
+#include "hil/falcon_sim/usbip_frontend.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -31,7 +31,7 @@ struct Answer {
   Bytes data;
 };
 
-class UsbipFaceTest : public testing::Test {
+class UsbipFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings) {
     device_ = std::make_unique<PacedDevice>(driver::running(std::move(settings)), Pace::kReal);
@@ -96,7 +96,7 @@ class UsbipFaceTest : public testing::Test {
   bool inbound_ = false;  ///< the answer that is waited for brings data
 };
 
-TEST_F(UsbipFaceTest, AnswersControlRequestsBothWays) {
+TEST_F(UsbipFrontendTest, AnswersControlRequestsBothWays) {
   begin({});
   EXPECT_EQ(plugs_, 1);
   inbound_ = true;
@@ -118,7 +118,7 @@ TEST_F(UsbipFaceTest, AnswersControlRequestsBothWays) {
   EXPECT_EQ(said->status, -EPIPE);
 }
 
-TEST_F(UsbipFaceTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
+TEST_F(UsbipFrontendTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
   begin({});
   const std::uint32_t read = send(kSubmit, kIn, 1, 64);
   EXPECT_FALSE(answer());
@@ -137,7 +137,7 @@ TEST_F(UsbipFaceTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
   EXPECT_TRUE(driver::decode(driver::data_of(said->data)).has_value());
 }
 
-TEST_F(UsbipFaceTest, ARequestInPiecesIsOneRequest) {
+TEST_F(UsbipFrontendTest, ARequestInPiecesIsOneRequest) {
   begin({});
   Bytes whole;
   for (const std::uint32_t word : {kSubmit, 1U, 0x10001U, kOut, 2U, 0U, 16U, 0U, 0U, 0U, 0U, 0U}) put(whole, word);
@@ -153,7 +153,7 @@ TEST_F(UsbipFaceTest, ARequestInPiecesIsOneRequest) {
   EXPECT_EQ(said->length, 16U);
 }
 
-TEST_F(UsbipFaceTest, AReadThatIsTakenBackIsNotAnswered) {
+TEST_F(UsbipFrontendTest, AReadThatIsTakenBackIsNotAnswered) {
   begin({});
   const std::uint32_t read = send(kSubmit, kIn, 1, 64);
   const std::uint32_t taking = send(kUnlink, kOut, 0, read);
@@ -171,7 +171,7 @@ TEST_F(UsbipFaceTest, AReadThatIsTakenBackIsNotAnswered) {
   EXPECT_EQ(said->status, 0);
 }
 
-TEST_F(UsbipFaceTest, GoesWhenUnpluggedAndComesBackOnceThePortIsFree) {
+TEST_F(UsbipFrontendTest, GoesWhenUnpluggedAndComesBackOnceThePortIsFree) {
   Settings settings;
   settings.faults = {{1, FaultKind::kUnplug, {0, 0}}};
   begin(settings);
@@ -192,7 +192,7 @@ TEST_F(UsbipFaceTest, GoesWhenUnpluggedAndComesBackOnceThePortIsFree) {
   EXPECT_EQ(said->data, device_descriptor());
 }
 
-TEST_F(UsbipFaceTest, WhatIsNoRequestStartsThePortAnew) {
+TEST_F(UsbipFrontendTest, WhatIsNoRequestStartsThePortAnew) {
   for (const Bytes& nonsense : {Bytes(48, 0xEE), [] {
                                   Bytes huge;
                                   for (const std::uint32_t word : {kSubmit, 1U, 0U, kOut, 2U, 0U, 0xFFFFFFFFU, 0U, 0U, 0U, 0U, 0U})

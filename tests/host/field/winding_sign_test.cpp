@@ -1,4 +1,4 @@
-#include "host/field/enclosure.h"
+#include "host/field/winding_sign.h"
 
 #include <gtest/gtest.h>
 
@@ -38,11 +38,11 @@ TEST(SampleAreas, GrowWhereSamplesAreFartherApart) {
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / (4.0 * std::numbers::pi * 80.0 * 80.0), 1.0, 0.05);
 }
 
-TEST(Enclosure, IsOneInTheBodyAndZeroOutside) {
+TEST(WindingSign, IsOneInTheBodyAndZeroOutside) {
   for (const char* name : {"sphere", "torus", "box", "capsules"}) {
     const cloud::Shape shape = cloud::shape(name);
     const Scan scan(cloud::sample_shape(shape, 2500));
-    const Enclosure enclosure(scan);
+    const WindingSign enclosure(scan);
     cloud::Random random(7);
     std::size_t inside = 0;
     for (int n = 0; n < 2000; ++n) {
@@ -56,7 +56,7 @@ TEST(Enclosure, IsOneInTheBodyAndZeroOutside) {
   }
 }
 
-TEST(Enclosure, ChangesByHalfAcrossAHole) {
+TEST(WindingSign, ChangesByHalfAcrossAHole) {
   // Of a sphere the cap above z = 64 is missing: a hole of radius 48.
   const auto whole = cloud::sample_shape(cloud::shape("sphere"), 3000);
   cloud::OrientedPoints points;
@@ -66,17 +66,17 @@ TEST(Enclosure, ChangesByHalfAcrossAHole) {
     points.normals.push_back(whole.normals[i]);
   }
   const Scan scan(points);
-  const Enclosure enclosure(scan);
+  const WindingSign enclosure(scan);
   EXPECT_NEAR(enclosure({0, 0, 64}), 0.5, 0.05);
   EXPECT_GT(enclosure({0, 0, 30}), 0.7);
   EXPECT_LT(enclosure({0, 0, 100}), 0.3);
 }
 
-TEST(Enclosure, HardlyHearsTurnedNormals) {
+TEST(WindingSign, HardlyHearsTurnedNormals) {
   auto points = cloud::sample_shape(cloud::shape("sphere"), 2500);
   for (std::size_t i = 0; i < points.size(); i += 17) points.normals[i] = -points.normals[i];  // 6 %
   const Scan scan(points);
-  const Enclosure enclosure(scan);
+  const WindingSign enclosure(scan);
   EXPECT_GT(enclosure({0, 0, 0}), 0.8);
   EXPECT_GT(enclosure({0, 40, 40}), 0.8);
   EXPECT_NEAR(enclosure({0, 0, 100}), 0.0, 0.08);
@@ -85,12 +85,12 @@ TEST(Enclosure, HardlyHearsTurnedNormals) {
 class HeldByEnclosure : public ::testing::Test {
  protected:
   const Scan scan{cloud::sample_shape(cloud::shape("sphere"), 2500)};
-  const Enclosure enclosure{scan};
+  const WindingSign enclosure{scan};
 
   double held(double distance, const Vector3d& place) const {
     std::vector<Neighbour> found;
     scan.tree().nearest(place, 9, found);
-    return held_by_enclosure(distance, place, found.front().squared_distance, found.back().squared_distance, enclosure);
+    return signed_by_winding(distance, place, found.front().squared_distance, found.back().squared_distance, enclosure);
   }
 };
 

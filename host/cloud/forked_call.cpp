@@ -1,4 +1,4 @@
-#include "host/cloud/trial.h"
+#include "host/cloud/forked_call.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -42,7 +42,7 @@ double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 
 
 }  // namespace
 
-Trial try_out(const std::function<std::string()>& call) {
+ForkedCall call_in_fork(const std::function<std::string()>& call) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
   std::fflush(nullptr);  // or the copy would hold the same unwritten text
@@ -55,7 +55,7 @@ Trial try_out(const std::function<std::string()>& call) {
     if (size > 0) text.append(part.data(), static_cast<std::size_t>(size));
   }
   close(ends[0]);
-  Trial trial;
+  ForkedCall trial;
   if (child < 0) return trial;
   int status = 0;
   rusage usage{};

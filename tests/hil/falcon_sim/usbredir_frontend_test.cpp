@@ -1,5 +1,5 @@
 /// The library's other half plays the virtual machine.
-#include "hil/falcon_sim/usbredir_face.h"
+#include "hil/falcon_sim/usbredir_frontend.h"
 
 #include <gtest/gtest.h>
 #include <usbredirparser.h>
@@ -16,7 +16,7 @@ namespace {
 using namespace falcon_model;
 using namespace std::chrono_literals;
 
-class UsbredirFaceTest : public testing::Test {
+class UsbredirFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings) {
     device_ = std::make_unique<PacedDevice>(driver::running(std::move(settings)), Pace::kReal);
@@ -56,7 +56,7 @@ class UsbredirFaceTest : public testing::Test {
     pass();
   }
 
-  static UsbredirFaceTest& self(void* test) { return *static_cast<UsbredirFaceTest*>(test); }
+  static UsbredirFrontendTest& self(void* test) { return *static_cast<UsbredirFrontendTest*>(test); }
 
   void take(std::uint8_t status, std::uint8_t* data, int size) {
     ++answers_;
@@ -98,7 +98,7 @@ class UsbredirFaceTest : public testing::Test {
   Bytes data_;
 };
 
-TEST_F(UsbredirFaceTest, ShowsTheDeviceAsItIs) {
+TEST_F(UsbredirFrontendTest, ShowsTheDeviceAsItIs) {
   begin({});
   EXPECT_EQ(connects_, 1);
   EXPECT_EQ(interfaces_, 1U);
@@ -112,7 +112,7 @@ TEST_F(UsbredirFaceTest, ShowsTheDeviceAsItIs) {
   EXPECT_EQ(endpoints_.type[18], usb_redir_type_invalid);
 }
 
-TEST_F(UsbredirFaceTest, AnswersControlRequests) {
+TEST_F(UsbredirFrontendTest, AnswersControlRequests) {
   begin({});
   usb_redir_control_packet_header header{0x80, 6, 0x80, 0, 0x0100, 0, 18};
   usbredirparser_send_control_packet(parser_.get(), ++id_, &header, nullptr, 0);
@@ -125,7 +125,7 @@ TEST_F(UsbredirFaceTest, AnswersControlRequests) {
   EXPECT_EQ(status_, usb_redir_stall);
 }
 
-TEST_F(UsbredirFaceTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
+TEST_F(UsbredirFrontendTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
   begin({});
   bulk(0x81, {}, 64);
   EXPECT_EQ(answers_, 0);
@@ -138,7 +138,7 @@ TEST_F(UsbredirFaceTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
   EXPECT_TRUE(driver::decode(driver::data_of(data_)).has_value());
 }
 
-TEST_F(UsbredirFaceTest, AReadIsCancelledOnRequest) {
+TEST_F(UsbredirFrontendTest, AReadIsCancelledOnRequest) {
   begin({});
   bulk(0x81, {}, 512);
   usbredirparser_send_cancel_data_packet(parser_.get(), id_);
@@ -147,7 +147,7 @@ TEST_F(UsbredirFaceTest, AReadIsCancelledOnRequest) {
   EXPECT_EQ(status_, usb_redir_cancelled);
 }
 
-TEST_F(UsbredirFaceTest, IsUnpluggedAndPluggedInAgain) {
+TEST_F(UsbredirFrontendTest, IsUnpluggedAndPluggedInAgain) {
   Settings settings;
   settings.faults = {{1, FaultKind::kUnplug, {2, 0}}};
   begin(settings);

@@ -1,4 +1,4 @@
-#include "host/cloud/elimination.h"
+#include "host/cloud/poisson_disk.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "host/field/isolated.h"
+#include "host/field/outliers.h"
 
 #include <algorithm>
 #include <cstddef>

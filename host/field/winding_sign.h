@@ -18,10 +18,10 @@ namespace isotouch::field {
 /// The area that each sample stands for: its cell among its neighbours on its tangent plane, as far as the neighbours' spacing reaches.
 std::vector<double> sample_areas(const Scan& scan);
 
-class Enclosure {
+class WindingSign {
  public:
   /// scan      at least 1 sample; normals outward
-  explicit Enclosure(const Scan& scan);
+  explicit WindingSign(const Scan& scan);
 
   /// The winding number, to a tenth at one spacing from the samples or more; nearer it is smoothed.
   double operator()(const Eigen::Vector3d& place) const;
@@ -56,6 +56,6 @@ template <class Number>
 bool in_doubt(Number nearest, Number ninth) {
   return nearest > static_cast<Number>(kDoubt) * (ninth - nearest);
 }
-double held_by_enclosure(double distance, const Eigen::Vector3d& place, double nearest, double ninth, const Enclosure& enclosure);
+double signed_by_winding(double distance, const Eigen::Vector3d& place, double nearest, double ninth, const WindingSign& enclosure);
 
 }  // namespace isotouch::field

@@ -7,10 +7,10 @@
 
 namespace isotouch::falcon_sim {
 
-class SocketFace final : public Face {
+class SocketFrontend final : public Face {
  public:
   /// fails     std::runtime_error as Listener
-  SocketFace(const std::filesystem::path& path, PacedDevice& device);
+  SocketFrontend(const std::filesystem::path& path, PacedDevice& device);
 
   void wait_for(std::vector<pollfd>& wanted) const override;
   std::optional<Time> due() const override;

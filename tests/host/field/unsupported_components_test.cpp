@@ -1,4 +1,4 @@
-#include "host/field/debris.h"
+#include "host/field/unsupported_components.h"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ bool everywhere(const Vector3d&) { return true; }
 TEST(DropDebris, DropsWhatNoPointStandsForAndLeavesTheBody) {
   const BandField before = field();
   BandField after = before;
-  const Debris dropped = drop_debris(after, points(0), in_ball);
+  const UnsupportedComponents dropped = drop_unsupported(after, points(0), in_ball);
   EXPECT_EQ(dropped.pieces, 1U);
   EXPECT_EQ(dropped.cavities, 1U);
   EXPECT_GT(inside(before, kShard, 2.0), 5U);
@@ -69,21 +69,21 @@ TEST(DropDebris, DropsWhatNoPointStandsForAndLeavesTheBody) {
 TEST(DropDebris, KeepsASmallPieceThatPointsStandFor) {
   BandField after = field();
   const std::size_t before = inside(after, kShard, 2.0);
-  const Debris dropped = drop_debris(after, points(12), everywhere);
+  const UnsupportedComponents dropped = drop_unsupported(after, points(12), everywhere);
   EXPECT_EQ(dropped.pieces, 0U);
   EXPECT_EQ(inside(after, kShard, 2.0), before);
 }
 
 TEST(DropDebris, DropsAPieceOfFewPointsThatTheWholeScanContradicts) {
   BandField after = field();
-  EXPECT_EQ(drop_debris(after, points(12), in_ball).pieces, 1U);
+  EXPECT_EQ(drop_unsupported(after, points(12), in_ball).pieces, 1U);
   EXPECT_EQ(inside(after, kShard, 2.0), 0U);
 }
 
 TEST(DropDebris, KeepsAPieceOfManyPointsWhateverTheOthersSay) {
   BandField after = field();
   const std::size_t before = inside(after, kShard, 2.0);
-  EXPECT_EQ(drop_debris(after, points(80), in_ball).pieces, 0U);
+  EXPECT_EQ(drop_unsupported(after, points(80), in_ball).pieces, 0U);
   EXPECT_EQ(inside(after, kShard, 2.0), before);
 }
 

@@ -1,4 +1,4 @@
-#include "host/field/debris.h"
+#include "host/field/unsupported_components.h"
 
 #include <algorithm>
 #include <array>
@@ -183,9 +183,9 @@ void for_each_sample(BrickMask samples, std::array<float, 64>& distances, const 
 
 }  // namespace
 
-Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points,
-                   const std::function<bool(const Eigen::Vector3d&)>& enclosed) {
-  Debris dropped;
+UnsupportedComponents drop_unsupported(BandField& field, const std::vector<Eigen::Vector3d>& points,
+                                       const std::function<bool(const Eigen::Vector3d&)>& enclosed) {
+  UnsupportedComponents dropped;
   const Following next = following(field.bricks);
   Pieces pieces(field.bricks, next);
   std::vector<std::uint32_t> voices = support(field.bricks, pieces, points);

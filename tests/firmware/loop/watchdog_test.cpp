@@ -1,4 +1,4 @@
-#include "firmware/loop/watch.h"
+#include "firmware/loop/watchdog.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct Bench {
   test::FakeLines lines{clock};
   LineState state;
   Counter ticks;
-  Watch watch{{}, lines, clock, state, ticks};
+  Watchdog watch{{}, lines, clock, state, ticks};
 
   /// So many milliseconds, with or without ticks.
   void run(int ms, bool ticking = true) {
@@ -28,7 +28,7 @@ struct Bench {
   void in(S s) { state.tell(static_cast<std::uint16_t>(s)); }
 };
 
-TEST(Watch, PowerIsThereInReadyActiveAndHoldAlone) {
+TEST(Watchdog, PowerIsThereInReadyActiveAndHoldAlone) {
   for (const S s : {S::kBoot, S::kHoming, S::kIdle, S::kReady, S::kActive, S::kHold, S::kFault}) {
     Bench bench;
     bench.in(s);
@@ -38,7 +38,7 @@ TEST(Watch, PowerIsThereInReadyActiveAndHoldAlone) {
   }
 }
 
-TEST(Watch, WhenTicksStopPowerAndHeartbeatGo) {
+TEST(Watchdog, WhenTicksStopPowerAndHeartbeatGo) {
   Bench bench;
   bench.in(S::kActive);
   bench.run(100);
@@ -56,7 +56,7 @@ TEST(Watch, WhenTicksStopPowerAndHeartbeatGo) {
   EXPECT_TRUE(bench.lines.out.enable);
 }
 
-TEST(Watch, TheHeartbeatChangesAtEveryStepWhileTicksCome) {
+TEST(Watchdog, TheHeartbeatChangesAtEveryStepWhileTicksCome) {
   Bench bench;
   bench.run(1);
   for (int t = 0; t < 100; ++t) {
@@ -66,7 +66,7 @@ TEST(Watch, TheHeartbeatChangesAtEveryStepWhileTicksCome) {
   }
 }
 
-TEST(Watch, BeforeTheFirstTickThereIsNeither) {
+TEST(Watchdog, BeforeTheFirstTickThereIsNeither) {
   Bench bench;
   bench.in(S::kActive);
   bench.run(5, false);
@@ -74,7 +74,7 @@ TEST(Watch, BeforeTheFirstTickThereIsNeither) {
   EXPECT_EQ(bench.lines.out.heartbeat, false);
 }
 
-TEST(Watch, TheStopTakesThePowerInItsOwnStepAndIsTold) {
+TEST(Watchdog, TheStopTakesThePowerInItsOwnStepAndIsTold) {
   Bench bench;
   bench.in(S::kActive);
   bench.run(10);
@@ -92,7 +92,7 @@ TEST(Watch, TheStopTakesThePowerInItsOwnStepAndIsTold) {
   EXPECT_EQ(bench.state.get(), 0);
 }
 
-TEST(Watch, APressThatIsOverBeforeTheNextLookIsOneAllTheSame) {
+TEST(Watchdog, APressThatIsOverBeforeTheNextLookIsOneAllTheSame) {
   Bench bench;
   bench.in(S::kActive);
   bench.run(10);
@@ -101,7 +101,7 @@ TEST(Watch, APressThatIsOverBeforeTheNextLookIsOneAllTheSame) {
   EXPECT_EQ(bench.state.get(), kLineStop);
 }
 
-TEST(Watch, AnEnableThatReadsBackWrongIsToldWhenItHadTimeToSettle) {
+TEST(Watchdog, AnEnableThatReadsBackWrongIsToldWhenItHadTimeToSettle) {
   for (const bool on : {false, true}) {
     Bench bench;
     bench.in(on ? S::kIdle : S::kActive);
@@ -123,7 +123,7 @@ TEST(Watch, AnEnableThatReadsBackWrongIsToldWhenItHadTimeToSettle) {
   }
 }
 
-TEST(Watch, TheLightIsOnWithForcesAndBlinksInFault) {
+TEST(Watchdog, TheLightIsOnWithForcesAndBlinksInFault) {
   Bench bench;
   bench.in(S::kActive);
   bench.run(3);
@@ -140,7 +140,7 @@ TEST(Watch, TheLightIsOnWithForcesAndBlinksInFault) {
   EXPECT_FALSE(bench.lines.out.light);
 }
 
-TEST(Watch, OneThatSaysNothingMoreIsAStop) {
+TEST(Watchdog, OneThatSaysNothingMoreIsAStop) {
   Bench bench;
   bench.state.set_patience(100);
   for (int t = 0; t < 1000; ++t) {
@@ -153,21 +153,21 @@ TEST(Watch, OneThatSaysNothingMoreIsAStop) {
   EXPECT_EQ(bench.state.get(), 0);
 }
 
-TEST(Watch, OneThatNeverBeganIsAStopToo) {
+TEST(Watchdog, OneThatNeverBeganIsAStopToo) {
   LineState state;
   for (int t = 0; t < 1000; ++t) ASSERT_EQ(state.get(), 0) << "without lines nobody watches";
   state.set_patience(100);
   EXPECT_EQ(state.get(), kLineStop);
 }
 
-TEST(Watch, LeavesEverythingOffAndAllocatesNothing) {
+TEST(Watchdog, LeavesEverythingOffAndAllocatesNothing) {
   VirtualClock clock;
   test::FakeLines lines{clock};
   LineState state;
   Counter ticks;
   state.tell(static_cast<std::uint16_t>(S::kActive));
   {
-    Watch watch{{}, lines, clock, state, ticks};
+    Watchdog watch{{}, lines, clock, state, ticks};
     const test::AllocGuard guard;
     for (int t = 0; t < 10; ++t) {
       ticks.add();

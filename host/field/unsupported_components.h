@@ -10,7 +10,7 @@
 
 namespace isotouch::field {
 
-struct Debris {
+struct UnsupportedComponents {
   std::size_t pieces = 0;    ///< of the body, made outside
   std::size_t cavities = 0;  ///< in the body, filled
 };
@@ -23,7 +23,7 @@ struct Debris {
 /// enclosed   of a place, index coordinates: does the scan as a whole hold it for inside?
 /// returns    what was dropped
 /// source     connected components by union and find: Tarjan, Efficiency of a good but not linear set union algorithm, 1975
-Debris drop_debris(BandField& field, const std::vector<Eigen::Vector3d>& points,
-                   const std::function<bool(const Eigen::Vector3d&)>& enclosed);
+UnsupportedComponents drop_unsupported(BandField& field, const std::vector<Eigen::Vector3d>& points,
+                                       const std::function<bool(const Eigen::Vector3d&)>& enclosed);
 
 }  // namespace isotouch::field

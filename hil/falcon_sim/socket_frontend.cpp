@@ -1,4 +1,4 @@
-#include "hil/falcon_sim/socket_face.h"
+#include "hil/falcon_sim/socket_frontend.h"
 
 #include <sys/socket.h>
 
@@ -8,10 +8,10 @@
 
 namespace isotouch::falcon_sim {
 
-SocketFace::SocketFace(const std::filesystem::path& path, PacedDevice& device)
-    : listener_(path, SOCK_SEQPACKET), device_(device), buffer_(kLargestMessage + 1) {}
+SocketFrontend::SocketFrontend(const std::filesystem::path& path, PacedDevice& device)
+    : listener_(path, SOCK_SEQPACKET), device_(device), buffer_(kMaxMessage + 1) {}
 
-void SocketFace::wait_for(std::vector<pollfd>& wanted) const {
+void SocketFrontend::wait_for(std::vector<pollfd>& wanted) const {
   if (!client_) {
     wanted.push_back({listener_.get(), POLLIN, 0});
   } else {
@@ -19,18 +19,18 @@ void SocketFace::wait_for(std::vector<pollfd>& wanted) const {
   }
 }
 
-std::optional<Time> SocketFace::due() const {
+std::optional<Time> SocketFrontend::due() const {
   if (!client_ || !pending_) return std::nullopt;
   return deadline(*pending_);
 }
 
-Time SocketFace::deadline(const Pending& pending) const {
+Time SocketFrontend::deadline(const Pending& pending) const {
   const Time ready = device_.ready(pending.asked);
   if (pending.request.timeout_ms == 0) return ready;
   return std::min(ready, pending.asked + std::chrono::milliseconds(pending.request.timeout_ms));
 }
 
-void SocketFace::serve(Time now) {
+void SocketFrontend::serve(Time now) {
   if (!client_) welcome();
   while (client_) {
     if (pending_) {
@@ -47,13 +47,13 @@ void SocketFace::serve(Time now) {
 }
 
 /// Lets the next client in, unless the device is unplugged: then the door closes again at once.
-void SocketFace::welcome() {
+void SocketFrontend::welcome() {
   client_ = listener_.accept();
   pending_.reset();
   if (client_ && !device_.falcon().open()) client_.close();
 }
 
-void SocketFace::finish_read(Time now) {
+void SocketFrontend::finish_read(Time now) {
   const Pending pending = *pending_;
   pending_.reset();
   if (!device_.falcon().present()) {
@@ -66,7 +66,7 @@ void SocketFace::finish_read(Time now) {
 }
 
 /// One request, if one is there.
-bool SocketFace::serve_one(Time now) {
+bool SocketFrontend::serve_one(Time now) {
   const ssize_t size = ::recv(client_.get(), buffer_.data(), buffer_.size(), MSG_DONTWAIT);
   if (size < 0 && (errno == EAGAIN || errno == EINTR)) return false;
   if (size <= 0) {
@@ -89,7 +89,7 @@ bool SocketFace::serve_one(Time now) {
   return true;
 }
 
-void SocketFace::send(const Bytes& reply) {
+void SocketFrontend::send(const Bytes& reply) {
   const bool sent = ::send(client_.get(), reply.data(), reply.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(reply.size());
   if (!sent || says_gone(reply)) client_.close();
 }

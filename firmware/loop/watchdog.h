@@ -15,20 +15,20 @@
 
 namespace isotouch::loop {
 
-struct WatchSettings {
+struct WatchdogSettings {
   std::int64_t step_ns = 1'000'000;     ///< between two looks; an edge of the stop ends it early
   std::int64_t silent_ns = 20'000'000;  ///< without a tick until that is one too many
   std::int64_t settle_ns = 50'000'000;  ///< how long the enable may read back otherwise than it was set
 };
 
-class Watch {
+class Watchdog {
  public:
   /// All of them live longer. ticks: counts the ticks
-  Watch(const WatchSettings& settings, SafetyLines& lines, Clock& clock, LineState& state, const Counter& ticks);
+  Watchdog(const WatchdogSettings& settings, SafetyLines& lines, Clock& clock, LineState& state, const Counter& ticks);
   /// As `leave`.
-  ~Watch() { leave(); }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
+  ~Watchdog() { leave(); }
+  Watchdog(const Watchdog&) = delete;
+  Watchdog& operator=(const Watchdog&) = delete;
 
   /// One look: waits for its time or an edge, reads, judges, tells, sets. Does not allocate.
   void step();
@@ -43,7 +43,7 @@ class Watch {
  private:
   bool reads_wrong(bool enabled, std::int64_t now);
 
-  WatchSettings settings_;
+  WatchdogSettings settings_;
   SafetyLines& lines_;
   Clock& clock_;
   LineState& state_;

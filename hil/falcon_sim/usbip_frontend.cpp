@@ -1,4 +1,4 @@
-#include "hil/falcon_sim/usbip_face.h"
+#include "hil/falcon_sim/usbip_frontend.h"
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 constexpr auto kPlugInterval = 200ms;  // an unplugged device asks so often whether it is plugged in again
 constexpr std::size_t kHeaderBytes = 48;
 constexpr std::uint32_t kSubmit = 1, kUnlink = 2, kSubmitted = 3, kUnlinked = 4;
-constexpr std::uint32_t kLargestTransfer = 1U << 20;
+constexpr std::uint32_t kMaxTransfer = 1U << 20;
 constexpr int kDone = 0, kBroken = -EPIPE, kCancelled = -ECONNRESET;
 
 std::uint32_t word_at(const std::uint8_t* at) {
@@ -52,9 +52,9 @@ struct Request {
   std::size_t following() const { return command == kSubmit && !towards_host() ? length : 0; }
 };
 
-class UsbipFace final : public Face {
+class UsbipFrontend final : public Face {
  public:
-  UsbipFace(AttachPort attach, PacedDevice& device) : attach_(std::move(attach)), device_(device) { plug_in(); }
+  UsbipFrontend(AttachPort attach, PacedDevice& device) : attach_(std::move(attach)), device_(device) { plug_in(); }
 
   void wait_for(std::vector<pollfd>& wanted) const override {
     if (kernel_) wanted.push_back({kernel_.get(), POLLIN, 0});
@@ -118,7 +118,7 @@ class UsbipFace final : public Face {
     if (lost_ || received_.size() < kHeaderBytes) return false;
     const Request request = Request::from(received_.data());
     const bool known = request.command == kSubmit || request.command == kUnlink;
-    if (!known || request.following() > kLargestTransfer) {
+    if (!known || request.following() > kMaxTransfer) {
       lost_ = true;  // out of step: the port starts anew
       return false;
     }
@@ -210,7 +210,7 @@ AttachPort vhci_port(std::filesystem::path controller) {
 }
 
 std::unique_ptr<Face> make_usbip_face(AttachPort attach, PacedDevice& device) {
-  return std::make_unique<UsbipFace>(std::move(attach), device);
+  return std::make_unique<UsbipFrontend>(std::move(attach), device);
 }
 
 }  // namespace isotouch::falcon_sim

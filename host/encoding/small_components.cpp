@@ -1,4 +1,4 @@
-#include "host/encoding/specks.h"
+#include "host/encoding/small_components.h"
 
 #include <algorithm>
 #include <bit>
@@ -36,7 +36,7 @@ class Signs {
   BrickMask of(std::uint32_t brick, bool inside) const { return inside ? inside_[brick] : ~inside_[brick]; }
   void turn(const Share& share) { inside_[share.brick] ^= share.samples; }
 
-  /// All that hangs together with `start` and has its sign; nothing when that is more than kSpeck samples, or goes on beyond the listed bricks.
+  /// All that hangs together with `start` and has its sign; nothing when that is more than kSmallComponent samples, or goes on beyond the listed bricks.
   std::vector<Share> speck(const Share& start, bool inside) const {
     std::vector<Share> all = {start};
     for (std::size_t next = 0; next < all.size(); ++next) {
@@ -49,7 +49,7 @@ class Signs {
           if (beside == kAbsent) return {};
           const BrickMask met = (end == 0 ? leaving << field::kAcross[axis] : leaving) & of(beside, inside);
           if (met != 0) add({beside, met}, inside, all);
-          if (samples_of(all) > kSpeck) return {};
+          if (samples_of(all) > kSmallComponent) return {};
         }
       }
     }
@@ -112,7 +112,7 @@ void turn(Coefficients& brick, BrickMask samples) {
 
 }  // namespace
 
-std::size_t drop_specks(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around) {
+std::size_t drop_small_components(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around) {
   Signs signs(coefficients, around);
   std::size_t dropped = 0;
   for (std::uint32_t b = 0; b < coefficients.size(); ++b) {
@@ -122,7 +122,7 @@ std::size_t drop_specks(std::vector<Coefficients>& coefficients, const std::vect
       while (rest != 0) {
         const BrickMask part = field::first_piece(rest);
         rest &= ~part;
-        if (std::popcount(part) > kSpeck) continue;
+        if (std::popcount(part) > kSmallComponent) continue;
         const std::vector<Share> speck = signs.speck({b, part}, inside);
         if (speck.empty() || is_tip(coefficients, around, speck, inside)) continue;
         for (const Share& share : speck) {

@@ -1,4 +1,4 @@
-#include "host/encoding/specks.h"
+#include "host/encoding/small_components.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(Specks, ATinySetIsTurnedAlsoAcrossBricks) {
     for (const std::int16_t value : {std::int16_t{-100}, std::int16_t{-5000}}) {
       Space space;
       space.fill(corner, {{2, 2, 2}}, value);
-      EXPECT_EQ(drop_specks(space.coefficients, space.around), 1U);
+      EXPECT_EQ(drop_small_components(space.coefficients, space.around), 1U);
       for (const Coefficients& brick : space.coefficients) {
         for (const std::int16_t coefficient : brick) EXPECT_GE(coefficient, 1 << 9);
       }
@@ -55,7 +55,7 @@ TEST(Specks, SoIsATinyHollow) {
   Space space;
   for (Coefficients& brick : space.coefficients) brick.fill(-kFar);
   space.at(4, 3, 6) = 7;
-  EXPECT_EQ(drop_specks(space.coefficients, space.around), 1U);
+  EXPECT_EQ(drop_small_components(space.coefficients, space.around), 1U);
   EXPECT_LE(space.at(4, 3, 6), -(1 << 9));
 }
 
@@ -63,14 +63,14 @@ TEST(Specks, WhatIsLargerStays) {
   Space space;
   space.fill({{3, 3, 3}}, {{3, 3, 1}}, -200);
   const std::vector<Coefficients> before = space.coefficients;
-  EXPECT_EQ(drop_specks(space.coefficients, space.around), 0U);
+  EXPECT_EQ(drop_small_components(space.coefficients, space.around), 0U);
   EXPECT_EQ(space.coefficients, before);
 }
 
 TEST(Specks, WhatGoesOnBeyondTheListedBricksStays) {
   Space space;
   space.at(0, 5, 5) = -300;
-  EXPECT_EQ(drop_specks(space.coefficients, space.around), 0U);
+  EXPECT_EQ(drop_small_components(space.coefficients, space.around), 0U);
   EXPECT_EQ(space.at(0, 5, 5), -300);
 }
 
@@ -78,10 +78,10 @@ TEST(Specks, ATipAtTheCornerOfABodyStays) {
   Space space;
   space.fill({{4, 4, 4}}, {{3, 3, 3}}, -kFar);
   space.at(3, 3, 3) = -300;
-  EXPECT_EQ(drop_specks(space.coefficients, space.around), 0U);
+  EXPECT_EQ(drop_small_components(space.coefficients, space.around), 0U);
   EXPECT_EQ(space.at(3, 3, 3), -300);
   space.at(4, 4, 4) = -300;  // now the body's corner is as unclear as the speck
-  EXPECT_EQ(drop_specks(space.coefficients, space.around), 1U);
+  EXPECT_EQ(drop_small_components(space.coefficients, space.around), 1U);
   EXPECT_GT(space.at(3, 3, 3), 0);
 }
 

@@ -1,4 +1,4 @@
-#include "firmware/loop/watch.h"
+#include "firmware/loop/watchdog.h"
 
 #include <algorithm>
 
@@ -14,13 +14,13 @@ bool may_have_power(SupervisorState state) {
 
 }  // namespace
 
-Watch::Watch(const WatchSettings& settings, SafetyLines& lines, Clock& clock, LineState& state, const Counter& ticks)
+Watchdog::Watchdog(const WatchdogSettings& settings, SafetyLines& lines, Clock& clock, LineState& state, const Counter& ticks)
     : settings_(settings), lines_(lines), clock_(clock), state_(state), ticks_(ticks) {
   next_ns_ = ticked_ns_ = agreed_ns_ = clock.now_ns();
   seen_ = ticks.value();
 }
 
-void Watch::step() {
+void Watchdog::step() {
   next_ns_ = std::max(next_ns_ + settings_.step_ns, clock_.now_ns());
   lines_.wait(next_ns_);
   const std::int64_t now = clock_.now_ns();
@@ -45,9 +45,9 @@ void Watch::step() {
   lines_.set(set_ = out);
 }
 
-void Watch::leave() { lines_.set(set_ = {}); }
+void Watchdog::leave() { lines_.set(set_ = {}); }
 
-bool Watch::reads_wrong(bool enabled, std::int64_t now) {
+bool Watchdog::reads_wrong(bool enabled, std::int64_t now) {
   if (enabled == set_.enable) agreed_ns_ = now;
   return now - agreed_ns_ > settings_.settle_ns;
 }

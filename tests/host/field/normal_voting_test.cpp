@@ -1,4 +1,4 @@
-#include "host/field/agreement.h"
+#include "host/field/normal_voting.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST(TurnContradicted, LeavesSoundCloudsAlone) {
     for (const std::size_t count : {400U, 1500U, 3700U}) {
       const auto points = cloud::sample_shape(cloud::shape(name), count);
       Scan scan(points);
-      EXPECT_EQ(turn_contradicted(scan), 0U) << name << ' ' << count;
+      EXPECT_EQ(turn_outvoted(scan), 0U) << name << ' ' << count;
       EXPECT_EQ(scan.normals(), points.normals) << name << ' ' << count;
     }
   }
@@ -41,7 +41,7 @@ TEST(TurnContradicted, TurnsStrayNormalsBackAlsoOnThinParts) {
     const std::size_t strays = damage(points, 0.06);
     ASSERT_GT(strays, 60U);
     Scan scan(points);
-    turn_contradicted(scan);
+    turn_outvoted(scan);
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < sound.size(); ++i) wrong += scan.normals()[i] != sound[i] ? 1U : 0U;
     EXPECT_LE(wrong, name == std::string("plate") ? 2U : 0U) << name;  // the plate's rim is narrower than the spacing
@@ -61,7 +61,7 @@ TEST(TurnContradicted, LeavesThePartsOfAPairBackToBack) {
       }
     }
     Scan scan(points);
-    EXPECT_EQ(turn_contradicted(scan), 0U) << thickness;
+    EXPECT_EQ(turn_outvoted(scan), 0U) << thickness;
   }
 }
 

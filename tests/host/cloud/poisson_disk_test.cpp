@@ -1,4 +1,4 @@
-#include "host/cloud/elimination.h"
+#include "host/cloud/poisson_disk.h"
 
 #include <gtest/gtest.h>
 
@@ -23,16 +23,16 @@ OrientedPoints square(std::size_t count) {
   return points;
 }
 
-TEST(Elimination, keeps_exactly_as_many_as_asked_in_ascending_order) {
+TEST(Elimination, KeepsExactlyAsManyAsAskedInAscendingOrder) {
   const auto kept = spread_out(square(1000), 1.0, 200);
   EXPECT_EQ(kept.size(), 200U);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
   EXPECT_EQ(std::adjacent_find(kept.begin(), kept.end()), kept.end());
 }
 
-TEST(Elimination, keeps_all_where_there_are_too_few) { EXPECT_EQ(spread_out(square(5), 1.0, 8).size(), 5U); }
+TEST(Elimination, KeepsAllWhereThereAreTooFew) { EXPECT_EQ(spread_out(square(5), 1.0, 8).size(), 5U); }
 
-TEST(Elimination, removes_the_point_that_is_most_crowded) {
+TEST(Elimination, RemovesThePointThatIsMostCrowded) {
   OrientedPoints points;
   for (const double x : {0.0, 1.0, 1.2, 1.4, 3.0}) {
     points.positions.emplace_back(x, 0.0, 0.0);
@@ -42,7 +42,7 @@ TEST(Elimination, removes_the_point_that_is_most_crowded) {
   EXPECT_EQ(spread_out(points, 8.0, 4), expected);
 }
 
-TEST(Elimination, opposite_sides_do_not_crowd_each_other) {
+TEST(Elimination, OppositeSidesDoNotCrowdEachOther) {
   OrientedPoints points = square(400);
   const OrientedPoints other = square(400);
   for (std::size_t i = 0; i < other.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "host/field/enclosure.h"
+#include "host/field/winding_sign.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -41,7 +41,7 @@ class Cell {
   /// Takes away what is nearer to q than to the origin.
   void cut(const Vector2d& q) {
     const double limit = 0.5 * q.squaredNorm();
-    std::array<Vector2d, kMost> kept;
+    std::array<Vector2d, kMax> kept;
     std::size_t count = 0;
     for (std::size_t n = 0; n < count_; ++n) {
       const Vector2d &a = corners_[n], &b = corners_[n + 1 == count_ ? 0 : n + 1];
@@ -63,8 +63,8 @@ class Cell {
   }
 
  private:
-  static constexpr std::size_t kMost = 4 + Scan::kListed + 2;  // each cut adds one corner at most
-  std::array<Vector2d, kMost> corners_;
+  static constexpr std::size_t kMax = 4 + Scan::kListed + 2;  // each cut adds one corner at most
+  std::array<Vector2d, kMax> corners_;
   std::size_t count_;
 };
 
@@ -108,7 +108,7 @@ std::vector<double> sample_areas(const Scan& scan) {
   return areas;
 }
 
-Enclosure::Enclosure(const Scan& scan) {
+WindingSign::WindingSign(const Scan& scan) {
   const std::vector<double> areas = sample_areas(scan);
   samples_.reserve(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) samples_.push_back({scan.positions()[i], areas[i] * scan.normals()[i]});
@@ -118,7 +118,7 @@ Enclosure::Enclosure(const Scan& scan) {
   for (const Dipole& sample : samples_) softening_.push_back(0.125 * sample.area.norm());
 }
 
-void Enclosure::add_node(std::uint32_t first, std::uint32_t count) {
+void WindingSign::add_node(std::uint32_t first, std::uint32_t count) {
   const std::span<Dipole> samples = std::span(samples_).subspan(first, count);
   Dipole whole{Vector3d::Zero(), Vector3d::Zero()};
   Vector3d low = samples[0].centre, high = low;
@@ -153,7 +153,7 @@ void Enclosure::add_node(std::uint32_t first, std::uint32_t count) {
   nodes_[self].next = static_cast<std::uint32_t>(nodes_.size());
 }
 
-double Enclosure::operator()(const Vector3d& place) const {
+double WindingSign::operator()(const Vector3d& place) const {
   double sum = 0.0;
   for (std::uint32_t n = 0; n < nodes_.size();) {
     const Node& node = nodes_[n];
@@ -174,7 +174,7 @@ double Enclosure::operator()(const Vector3d& place) const {
   return sum / (4.0 * std::numbers::pi);
 }
 
-double held_by_enclosure(double distance, const Vector3d& place, double nearest, double ninth, const Enclosure& enclosure) {
+double signed_by_winding(double distance, const Vector3d& place, double nearest, double ninth, const WindingSign& enclosure) {
   if (!in_doubt(nearest, ninth)) return distance;
   const double way = std::sqrt(nearest);
   const double guess = way * (1.0 - 2.0 * enclosure(place));

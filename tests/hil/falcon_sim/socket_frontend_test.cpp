@@ -1,4 +1,4 @@
-#include "hil/falcon_sim/socket_face.h"
+#include "hil/falcon_sim/socket_frontend.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 constexpr Time kNoon{std::chrono::hours(12)};
 
 /// A device behind a socket with one client, in one thread: the test says when the face serves and what time it is.
-class SocketFaceTest : public testing::Test {
+class SocketFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings, Pace pace) {
     device_.emplace(driver::running(std::move(settings)), pace);
@@ -47,12 +47,12 @@ class SocketFaceTest : public testing::Test {
 
   const std::filesystem::path path_ = socket_path("socket-face");
   std::optional<PacedDevice> device_;
-  std::optional<SocketFace> face_;
+  std::optional<SocketFrontend> face_;
   Descriptor client_;
   bool hung_up_ = false;
 };
 
-TEST_F(SocketFaceTest, AskedInLockstepItAnswersWhatTheDeviceAnswers) {
+TEST_F(SocketFrontendTest, AskedInLockstepItAnswersWhatTheDeviceAnswers) {
   begin({}, Pace::kLockstep);
   SimulatedFalcon twin = driver::running({});
   for (int i = 0; i < 100; ++i) {
@@ -65,7 +65,7 @@ TEST_F(SocketFaceTest, AskedInLockstepItAnswersWhatTheDeviceAnswers) {
   EXPECT_EQ(device_->falcon().packets(), 100U);
 }
 
-TEST_F(SocketFaceTest, RequestsSentAheadAreAnsweredInTheirOrder) {
+TEST_F(SocketFrontendTest, RequestsSentAheadAreAnsweredInTheirOrder) {
   begin({}, Pace::kLockstep);
   say(out(driver::command({})));
   say(in(100));
@@ -76,7 +76,7 @@ TEST_F(SocketFaceTest, RequestsSentAheadAreAnsweredInTheirOrder) {
   EXPECT_EQ(hear()[0], 'd');
 }
 
-TEST_F(SocketFaceTest, InRealPaceAReadWaitsForItsFrame) {
+TEST_F(SocketFrontendTest, InRealPaceAReadWaitsForItsFrame) {
   begin({}, Pace::kReal);
   ask(out(driver::command({})), kNoon + 100us);
   EXPECT_TRUE(ask(in(100), kNoon + 200us).empty());
@@ -88,7 +88,7 @@ TEST_F(SocketFaceTest, InRealPaceAReadWaitsForItsFrame) {
   EXPECT_EQ(face_->due(), std::nullopt);
 }
 
-TEST_F(SocketFaceTest, AReadThatIsTiredOfWaitingIsTold) {
+TEST_F(SocketFrontendTest, AReadThatIsTiredOfWaitingIsTold) {
   begin({}, Pace::kReal);
   device_->falcon().control(driver::kLatency16);
   EXPECT_TRUE(ask(in(5), kNoon).empty());
@@ -99,7 +99,7 @@ TEST_F(SocketFaceTest, AReadThatIsTiredOfWaitingIsTold) {
   EXPECT_EQ(hear(), (Bytes{'i', 0, 0x01, 0x60}));
 }
 
-TEST_F(SocketFaceTest, AnUnpluggedDeviceClosesTheDoorUntilItIsBack) {
+TEST_F(SocketFrontendTest, AnUnpluggedDeviceClosesTheDoorUntilItIsBack) {
   Settings settings;
   settings.faults = {{2, FaultKind::kUnplug, {1, 0}}};
   begin(settings, Pace::kLockstep);
@@ -115,7 +115,7 @@ TEST_F(SocketFaceTest, AnUnpluggedDeviceClosesTheDoorUntilItIsBack) {
   EXPECT_EQ(ask({'D'})[0], 'd');
 }
 
-TEST_F(SocketFaceTest, WhoTalksNonsenseIsDroppedAndTheNextIsLetIn) {
+TEST_F(SocketFrontendTest, WhoTalksNonsenseIsDroppedAndTheNextIsLetIn) {
   begin({}, Pace::kLockstep);
   EXPECT_TRUE(ask({'X', 1, 2}).empty());
   EXPECT_TRUE(hung_up_);
@@ -123,7 +123,7 @@ TEST_F(SocketFaceTest, WhoTalksNonsenseIsDroppedAndTheNextIsLetIn) {
   EXPECT_EQ(ask({'D'})[0], 'd');
 }
 
-TEST_F(SocketFaceTest, AClientThatLeavesWhileItWaitsMakesRoom) {
+TEST_F(SocketFrontendTest, AClientThatLeavesWhileItWaitsMakesRoom) {
   begin({}, Pace::kReal);
   EXPECT_TRUE(ask(in(0), kNoon).empty());
   client_ = connect_to(path_, SOCK_SEQPACKET);

@@ -1,4 +1,4 @@
-#include "hil/falcon_sim/usbredir_face.h"
+#include "hil/falcon_sim/usbredir_frontend.h"
 
 #include <sys/socket.h>
 #include <usbredirparser.h>
@@ -20,9 +20,9 @@ using namespace std::chrono_literals;
 
 constexpr auto kPlugInterval = 200ms;  // an unplugged device asks so often whether it is plugged in again
 
-class UsbredirFace final : public Face {
+class UsbredirFrontend final : public Face {
  public:
-  UsbredirFace(const std::filesystem::path& path, PacedDevice& device) : listener_(path, SOCK_STREAM), device_(device) {}
+  UsbredirFrontend(const std::filesystem::path& path, PacedDevice& device) : listener_(path, SOCK_STREAM), device_(device) {}
 
   void wait_for(std::vector<pollfd>& wanted) const override {
     const bool writes = parser_ && usbredirparser_has_data_to_write(parser_.get()) > 0;
@@ -58,7 +58,7 @@ class UsbredirFace final : public Face {
     void operator()(usbredirparser* parser) const { usbredirparser_destroy(parser); }
   };
 
-  static UsbredirFace& self(void* face) { return *static_cast<UsbredirFace*>(face); }
+  static UsbredirFrontend& self(void* face) { return *static_cast<UsbredirFrontend*>(face); }
 
   void welcome() {
     peer_ = listener_.accept();
@@ -219,7 +219,7 @@ class UsbredirFace final : public Face {
 }  // namespace
 
 std::unique_ptr<Face> make_usbredir_face(const std::filesystem::path& path, PacedDevice& device) {
-  return std::make_unique<UsbredirFace>(path, device);
+  return std::make_unique<UsbredirFrontend>(path, device);
 }
 
 }  // namespace isotouch::falcon_sim

@@ -1,4 +1,4 @@
-#include "host/field/agreement.h"
+#include "host/field/normal_voting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ bool contradicted(const Scan& scan, std::size_t i) {
 
 }  // namespace
 
-std::size_t turn_contradicted(Scan& scan) {
+std::size_t turn_outvoted(Scan& scan) {
   std::vector<std::uint8_t> wrong(scan.size(), 0), turned(scan.size(), 0);
   for (std::size_t pass = 0; pass < kPasses; ++pass) {
     in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {

@@ -1,0 +1,52 @@
+#include "host/cloud/forked_call.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace isotouch::cloud {
+namespace {
+
+TEST(ForkedCall, ACallThatReturnsChangesNothingHere) {
+  int calls = 0;
+  const ForkedCall trial = call_in_fork([&] {
+    ++calls;
+    return std::string("done");
+  });
+  EXPECT_FALSE(trial.crashed);
+  EXPECT_EQ(trial.thrown, "");
+  EXPECT_EQ(trial.answer, "done");
+  EXPECT_EQ(calls, 0);
+}
+
+TEST(ForkedCall, WhatACallThrowsIsTold) {
+  const ForkedCall trial = call_in_fork([]() -> std::string { throw std::runtime_error(std::string(5000, 'n')); });
+  EXPECT_FALSE(trial.crashed);
+  EXPECT_EQ(trial.thrown, std::string(5000, 'n'));
+}
+
+TEST(ForkedCall, ACallThatEndsTheProcessCrashes) {
+  EXPECT_TRUE(call_in_fork([] { return std::to_string(std::raise(SIGKILL)); }).crashed);
+  EXPECT_TRUE(call_in_fork([]() -> std::string { std::_Exit(0); }).crashed) << "even with success";
+  EXPECT_TRUE(call_in_fork([]() -> std::string { std::_Exit(1); }).crashed);
+}
+
+TEST(ForkedCall, TheMemoryThatACallNeededIsTold) {
+  const auto with = [](std::size_t bytes) {
+    return call_in_fork([bytes] { return std::to_string(std::vector<char>(bytes, 'x').back()); });
+  };
+  const std::uint64_t little = with(1).peak_bytes;
+  const std::uint64_t much = with(std::size_t{64} << 20).peak_bytes;
+  EXPECT_GT(little, 0U);
+  EXPECT_GT(much, little + (std::uint64_t{60} << 20));
+  EXPECT_LT(much, little + (std::uint64_t{90} << 20));
+}
+
+}  // namespace
+}  // namespace isotouch::cloud
