@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What hil/soak promises."""
 
+import subprocess
 import unittest
 
 import fakes
@@ -15,6 +16,7 @@ class SoakTest(unittest.TestCase):
         code, said = soak()
         self.assertEqual(code, 0, said)
         self.assertIn("followed      10000 of 10000 a second, with 0 gaps", said)
+        self.assertIn("felt          10000 ticks; resumed 0 times", said)
         self.assertRegex(said, r"recordings +[1-9]\d* whole ones of 200 ms, 0 that another field ended; [1-9]\d* ticks replayed to the bit")
         self.assertIn("      1 futex FUTEX_WAKE_PRIVATE", said)
         self.assertNotIn("LEFT BEHIND", said)
@@ -30,7 +32,8 @@ class SoakTest(unittest.TestCase):
 
     def test_what_the_tick_must_not_do_fails_the_script(self) -> None:
         for what, environment in (("allocated", {"FAKE_STATUS": '{"allocations": 1}'}), ("page faults", {"FAKE_STATUS": '{"page_faults": 1}'}),
-                                  ("ticks did not reach", {"FAKE_GAP": "1"}), ("does not name: write 3", {"FAKE_CALLS": fakes.CALLS + "write(3, 0) = 1\n"}),
+                                  ("ticks did not reach", {"FAKE_GAP": "1"}),
+                                  ("no tick was felt", {"FAKE_TICKS": "hold"}), ("does not name: write 3", {"FAKE_CALLS": fakes.CALLS + "write(3, 0) = 1\n"}),
                                   ("neither waited nor woke", {"FAKE_CALLS": "getrusage(RUSAGE_THREAD, 0) = 0\n"})):
             with self.subTest(what):
                 code, said = soak(**environment)
@@ -46,10 +49,20 @@ class SoakTest(unittest.TestCase):
         for arguments in (("0",), ("1", "x"), ("1", "2", "3"), ("1234567",)):
             self.assertEqual(soak(*arguments)[0], 2)
 
+    def test_late_ticks_of_a_busy_machine_are_resumed_and_no_other_fault(self) -> None:
+        desk = fakes.load("soak").Desk("BIN")
+        for simulated, fault, resumed in ((True, "late", 1), (True, "stopped", 1), (True, "penetration", 0), (False, "late", 0)):
+            with self.subTest(fault, simulated=simulated), desk:
+                desk.simulated, desk.resumed = simulated, 0
+                desk.status = lambda: {"state": "fault", "faults": [fault]}
+                desk.ask = lambda *_: subprocess.CompletedProcess([], 0)
+                self.assertFalse(desk.is_felt())
+                self.assertEqual(desk.resumed, resumed)
+
     def test_gaps_are_counted_between_ticks_alone(self) -> None:
-        count = fakes.load("soak").count_gaps
-        self.assertEqual(count(["tick,state\n"]), (0, 0))
-        self.assertEqual(count(["tick,state\n", "7,a\n", "8,a\n", "10,a\n"]), (3, 1))
+        count = fakes.load("soak").count_ticks
+        self.assertEqual(count(["tick,state\n"]), (0, 0, 0))
+        self.assertEqual(count(["tick,state\n", "7,hold\n", "8,active\n", "10,active\n"]), (3, 1, 2))
 
     def test_the_calls_at_both_ends_of_strace_are_not_counted(self) -> None:
         calls = fakes.load("soak").calls_in
