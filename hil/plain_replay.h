@@ -6,7 +6,7 @@
 #include <span>
 
 #include "firmware/core/tick.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/trace.h"
 
 namespace isotouch::replay {
@@ -19,15 +19,15 @@ struct Report {
 };
 
 /// A recording of packets that ended before a field was loaded names none.
-inline bool may_be_of(const TraceHeader& header, const TraceRecord& first, const BlobView& field) {
+inline bool may_be_of(const TraceHeader& header, const TraceRecord& first, const FieldView& field) {
   return header.field_hash == field.hash() || (header.field_hash == 0 && first.input.kind == InputKind::kPacket);
 }
 
 /// Runs a trace's inputs and compares with its outputs.
 ///
 /// trace     a whole file
-/// fails     as the decoders of shared/trace.h; kNoOutputs, kWrongBlob
-inline Result<Report> run(const BlobView& field, std::span<const std::uint8_t> trace) {
+/// fails     as the decoders of shared/trace.h; kNoOutputs, kWrongField
+inline Result<Report> run(const FieldView& field, std::span<const std::uint8_t> trace) {
   using trace_layout::kHeaderBytes, trace_layout::kRecordBytes;
   const Result<TraceHeader> header = decode_header(trace, trace.size());
   if (!header) return header.error();
@@ -43,7 +43,7 @@ inline Result<Report> run(const BlobView& field, std::span<const std::uint8_t> t
     const Result<TraceRecord> record = decode_record(std::span<const std::uint8_t, kRecordBytes>(at, kRecordBytes));
     if (!record) return record.error();
     const Input& in = record->input;
-    if (report.ticks == 0 && !may_be_of(*header, *record, field)) return Error::kWrongBlob;
+    if (report.ticks == 0 && !may_be_of(*header, *record, field)) return Error::kWrongField;
     const Output output = in.kind == InputKind::kPosition
                               ? core::render_position(in, field, position_model, position_state)
                               : core::tick(in, in.field_generation == 0 ? nullptr : &field, tick_model, tick_state);

@@ -9,7 +9,7 @@ namespace isotouch {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 /// The header's numbers, in its formats.
 struct Stored {
@@ -38,7 +38,7 @@ bool stiffness_follows(const Stored& stored) {
 }
 
 /// The largest difference of two neighbouring coefficients within one of the stored bricks, 12 fraction bits: the slope is no smaller.
-std::int32_t largest_difference(const BlobView& field) {
+std::int32_t largest_difference(const FieldView& field) {
   std::int32_t most = 0;
   const std::int16_t* end = field.bricks + std::size_t{field.brick_count} * kSamplesPerBrick;
   for (const std::int16_t* brick = field.bricks + 2 * kSamplesPerBrick; brick != end; brick += kSamplesPerBrick) {
@@ -54,7 +54,7 @@ std::int32_t largest_difference(const BlobView& field) {
   return most;
 }
 
-bool agrees_with_itself(const BlobView& field) {
+bool agrees_with_itself(const FieldView& field) {
   const Stored stored(field.image.data());
   if (stored.slope == 0) return true;  // no certificate
   constexpr int kGained = kSlopeBits - Distance::kFractionBits;
@@ -64,7 +64,7 @@ bool agrees_with_itself(const BlobView& field) {
 
 }  // namespace
 
-Loop assumed_loop(const BlobView& field) { return Stored(field.image.data()).loop; }
+Loop assumed_loop(const FieldView& field) { return Stored(field.image.data()).loop; }
 
 Stiffness largest_stiffness(const Loop& loop) {
   if (loop.damping <= Damping{} || loop.period_ns == 0) return {};
@@ -75,7 +75,7 @@ Stiffness largest_stiffness(const Loop& loop) {
   return Stiffness::from_raw(saturate32(static_cast<std::int64_t>((twice / time) >> kSpare)));
 }
 
-CertificateCheck check_certificate(const BlobView& field, const Loop& loop, Stiffness wanted) {
+CertificateCheck check_certificate(const FieldView& field, const Loop& loop, Stiffness wanted) {
   if (!agrees_with_itself(field)) return {false, Error::kBadCertificate, {}};
   if (Stored(field.image.data()).slope == 0 && largest_difference(field) > kSteepest) return {false, Error::kTooSteep, {}};
   const Stiffness largest = largest_stiffness(loop);

@@ -1,9 +1,9 @@
-/// May this blob be rendered by this device? What a controller asks before it lets a hand touch an uploaded blob.
+/// May this field be rendered by this device? What a controller asks before it lets a hand touch an uploaded field.
 #pragma once
 
 #include <cstdint>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/result.h"
 #include "shared/units.h"
 
@@ -16,10 +16,10 @@ struct Loop {
   std::uint32_t delay_ticks = 1;  ///< whole ticks from encoder to motor word
 };
 
-/// The loop that a blob's certificate speaks of; without damping where it has none.
+/// The loop that a field's certificate speaks of; without damping where it has none.
 ///
 /// tick      yes
-Loop assumed_loop(const BlobView& field);
+Loop assumed_loop(const FieldView& field);
 
 /// K = 2b / ((2d + 1) T), rounded down: above it a sampled wall feeds energy into the hand. 0 for a loop without damping or period.
 ///
@@ -30,7 +30,7 @@ Stiffness largest_stiffness(const Loop& loop);
 struct CertificateCheck {
   bool accepted = false;
   Error error{};        ///< where not accepted
-  Stiffness stiffness;  ///< what would be accepted at most; 0 where the blob is not
+  Stiffness stiffness;  ///< what would be accepted at most; 0 where the field is not
 };
 
 /// Checks the wanted stiffness against the loop, and the certificate against all that can be derived again cheaply: its stiffness from its own
@@ -39,9 +39,9 @@ struct CertificateCheck {
 /// field     a checked view; one without a certificate (version 1.0) has nothing that could contradict, its stiffness counts all the same, and
 ///           from one coefficient to the next it may rise by 2 voxels: with a certificate the proxy's steps are bounded by its slope, whatever that is
 /// loop      of this device
-/// wanted    the settings' stiffness; 0 = the blob's. With a stiffness table, the largest
+/// wanted    the settings' stiffness; 0 = the field's. With a stiffness table, the largest
 /// returns   accepted, or the reason: kTooStiff with the stiffness to set instead, kBadCertificate, kTooSteep
 /// tick      no: reads every brick once
-CertificateCheck check_certificate(const BlobView& field, const Loop& loop, Stiffness wanted);
+CertificateCheck check_certificate(const FieldView& field, const Loop& loop, Stiffness wanted);
 
 }  // namespace isotouch

@@ -1,4 +1,4 @@
-/// CRC-32 of IEEE 802.3 (polynomial 0xEDB88320 reflected, as zlib and PNG): the blob's checksum.
+/// CRC-32 of IEEE 802.3 (polynomial 0xEDB88320 reflected, as zlib and PNG): the field's checksum.
 ///
 /// tick      no: its time grows with the data
 #pragma once

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "shared/blob.h"
 #include "shared/bytes.h"
+#include "shared/field_view.h"
 
 namespace isotouch {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 Result<ImageParts> ImageParts::of(std::span<const std::uint8_t> header, std::uint64_t image_bytes) {
   const std::uint8_t* at = header.data();

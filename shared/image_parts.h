@@ -1,4 +1,4 @@
-/// Where tables and bricks lie in a blob's image, for who works on an image that is not complete yet; a complete one has its BlobView.
+/// Where tables and bricks lie in a field's image, for who works on an image that is not complete yet; a complete one has its FieldView.
 ///
 /// tick      no
 #pragma once

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/image_parts.h"
 
 namespace isotouch {
@@ -129,7 +129,7 @@ class PredictedSamples {
   template <class Visit>
   void visit_node(std::uint32_t node, int x, int y, int z, Visit&& visit) {
     for (int slot = 0; slot < 64; ++slot) {
-      if (nodes_[std::size_t{node} * blob_layout::kBricksPerNode + static_cast<std::size_t>(slot)] != next_ || next_ >= parts_.brick_count)
+      if (nodes_[std::size_t{node} * image_layout::kBricksPerNode + static_cast<std::size_t>(slot)] != next_ || next_ >= parts_.brick_count)
         continue;
       window_.gather(bricks_before(x + (slot & 3), y + ((slot >> 2) & 3), z + (slot >> 4)));
       visit_brick(visit);
@@ -151,7 +151,7 @@ class PredictedSamples {
     }
   }
 
-  Sample* brick(std::uint32_t number) const { return bricks_ + std::size_t{number} * blob_layout::kSamplesPerBrick; }
+  Sample* brick(std::uint32_t number) const { return bricks_ + std::size_t{number} * image_layout::kSamplesPerBrick; }
 
   std::array<const std::int16_t*, 8> bricks_before(int x, int y, int z) const {
     std::array<const std::int16_t*, 8> before{};
@@ -163,12 +163,12 @@ class PredictedSamples {
 
   /// The number of the brick in a cell; brick 0 when it is outside the grid or not visited yet.
   std::uint32_t earlier(int x, int y, int z) const {
-    if ((x | y | z) < 0) return blob_layout::kOutside;
+    if ((x | y | z) < 0) return image_layout::kOutside;
     const auto [nx, ny, nz] = signed_root_size();
     const std::uint32_t node = root_[((z >> 2) * ny + (y >> 2)) * nx + (x >> 2)];
     const std::uint32_t number =
-        nodes_[std::size_t{node} * blob_layout::kBricksPerNode + static_cast<std::size_t>(((z & 3) << 4) | ((y & 3) << 2) | (x & 3))];
-    return number < next_ ? number : blob_layout::kOutside;
+        nodes_[std::size_t{node} * image_layout::kBricksPerNode + static_cast<std::size_t>(((z & 3) << 4) | ((y & 3) << 2) | (x & 3))];
+    return number < next_ ? number : image_layout::kOutside;
   }
 
   ImageParts parts_;

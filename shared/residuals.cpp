@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cassert>
 
-#include "shared/blob.h"
 #include "shared/bytes.h"
+#include "shared/field_view.h"
 #include "shared/predicted_samples.h"
 
 namespace isotouch {
 
-using blob_layout::kHeaderBytes;
+using image_layout::kHeaderBytes;
 
 namespace {
 

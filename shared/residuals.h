@@ -16,7 +16,7 @@ using StreamSizes = std::array<std::uint32_t, 4>;
 
 /// Image → residuals.
 ///
-/// image     8-byte aligned, accepted by BlobView::parse
+/// image     8-byte aligned, accepted by FieldView::parse
 /// codes     room to work in, one a sample: 64 times the brick count
 /// residuals as many bytes as the image has behind its header
 /// returns   the lengths of the four streams in place of the bricks
@@ -26,7 +26,7 @@ StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t
 ///
 /// sizes     what `predict` returned
 /// image     8-byte aligned; its header is there, the rest is written
-/// returns   the image. It is restored, not checked: BlobView::parse does that
+/// returns   the image. It is restored, not checked: FieldView::parse does that
 /// fails     kMisaligned, and for bytes that `predict` did not make: those of ImageParts::of, kBadIndex (a table entry outside its table), kBadSize
 ///           (a stream ends too early)
 Result<std::span<const std::uint8_t>> restore(std::span<const std::uint8_t> residuals, const StreamSizes& sizes,

@@ -18,12 +18,12 @@ enum class Error : std::uint8_t {
   kBadIndex,        ///< a table entry points outside its table
   kMisaligned,      ///< the memory image does not start on an 8-byte boundary
   kBadRecord,       ///< a trace record with an undefined bit or value
-  kWrongBlob,       ///< the trace was recorded on another blob
+  kWrongField,      ///< the trace was recorded on another field
   kNoOutputs,       ///< the trace holds inputs only
-  kBadFrame,        ///< the compressed part of a packed blob does not hold what its header promises
+  kBadFrame,        ///< the compressed part of a packed field does not hold what its header promises
   kTooStiff,        ///< stiffer than the device can render without feeding energy into the hand
   kTooSteep,        ///< gradients above 2 that no certificate tells of
-  kBadCertificate,  ///< a certificate that contradicts itself or the blob
+  kBadCertificate,  ///< a certificate that contradicts itself or the field
   kTimedOut,        ///< a device did not answer in time
   kGone,            ///< a device was unplugged, or the other end of a connection went away
   kStalled,         ///< a device refused a request
@@ -33,7 +33,7 @@ enum class Error : std::uint8_t {
   kUnsuitable,      ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
   kNoUsb,           ///< this machine offers no USB to programs
   kBadPacket,       ///< a device packet that lost or changed bytes on its way
-  kBadMessage,      ///< a message of the wire that is not as agreed
+  kBadMessage,      ///< a message that breaks the protocol
   kNoSpace,         ///< a file does not fit any more
   kStorage,         ///< a file or folder could not be read or written
   kBadModel,        ///< a device model with a number outside its range
@@ -50,7 +50,7 @@ constexpr const char* describe(Error error) {
     case Error::kBadIndex: return "a table entry points outside its table";
     case Error::kMisaligned: return "the memory image is not aligned to 8 bytes";
     case Error::kBadRecord: return "a record holds an undefined value";
-    case Error::kWrongBlob: return "the trace was recorded on another blob";
+    case Error::kWrongField: return "the trace was recorded on another field";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
     case Error::kBadFrame: return "its compressed part does not hold what its header promises";
     case Error::kTooStiff: return "its stiffness would feed energy into the hand";

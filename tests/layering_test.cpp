@@ -46,15 +46,16 @@ const std::map<std::string, Rule> kRules = {
      {{"firmware/control", "firmware/store", "firmware/recording", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
     {"firmware", {{"firmware", "shared"}}},
     {"host/files", {{"host/error.h"}}},
-    {"host/blob", {{"host/files", "host/error.h", "shared"}}},
-    {"host/trace", {{"host/blob", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
+    {"host/field_file", {{"host/files", "host/error.h", "shared"}}},
+    {"host/trace", {{"host/field_file", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
     {"host/link", {{"host/error.h", "shared"}}},
-    {"host/board_commands", {{"host/trace", "host/blob", "host/link", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
+    {"host/board_commands",
+     {{"host/trace", "host/field_file", "host/link", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
     {"host/cloud", {{"host/files", "host/error.h", "shared"}}},
     {"host/field", {{"host/cloud", "host/files", "host/error.h", "shared"}}},
     {"host/vdb", {{"host/field", "host/cloud", "host/files", "host/error.h", "shared"}}},
     {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
-    {"host/encoding", {{"host/blob", "host/field", "host/cloud", "host/error.h", "shared"}}},
+    {"host/encoding", {{"host/field_file", "host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/qualify", {{"host/link", "host/error.h", "shared"}}},
     {"host/motion",
      {{"host/trace", "host/cloud", "host/field/angle.h", "host/files", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
@@ -73,9 +74,10 @@ const std::map<std::string, Rule> kRules = {
     {"hil/instructions", {{}}},
     {"hil/outside", {{}}},
     {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
-    {"tests/host/blob", {{"host/blob", "host/encoding", "host/files", "host/error.h", "shared", "tests/support", "tests/host/encoding"}}},
+    {"tests/host/field_file",
+     {{"host/field_file", "host/encoding", "host/files", "host/error.h", "shared", "tests/support", "tests/host/encoding"}}},
     {"tests/host/trace",
-     {{"host/trace", "host/motion", "host/blob", "host/error.h", "host/to_double.h", "firmware/core", "shared", "tests/support"}}},
+     {{"host/trace", "host/motion", "host/field_file", "host/error.h", "host/to_double.h", "firmware/core", "shared", "tests/support"}}},
     {"tests/integration",
      {{"host", "firmware/core", "hil/plain_replay.h", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
@@ -247,7 +249,7 @@ TEST(Layering, TheControllerParsesAnImageInOnePlace) {
   for (const fs::path& path : sources()) {
     if (fs::relative(path, kRoot).string().rfind("firmware/", 0) != 0) continue;
     for (const Line& line : read_lines(path)) {
-      if (line.code.find("BlobView::parse") != std::string::npos) places.push_back(line.place);
+      if (line.code.find("FieldView::parse") != std::string::npos) places.push_back(line.place);
     }
   }
   ASSERT_EQ(places.size(), 1U) << "an image that is parsed twice is checked twice: " << (places.empty() ? "" : places.back());

@@ -28,24 +28,24 @@ bool Calibration::waits() const {
   return waits_;
 }
 
-wire::DeviceReport Calibration::report() const {
-  wire::DeviceReport report;
+protocol::DeviceReport Calibration::report() const {
+  protocol::DeviceReport report;
   for (std::size_t i = 0; i < report.at_zero.size(); ++i) report.at_zero[i] = in_use_.model.legs[i].at_zero.raw();
   report.from = static_cast<std::uint8_t>(in_use_.source);
   const std::lock_guard<std::mutex> lock(mutex_);
   report.waits = waits_ ? 1 : 0;
-  report.serial = wire::Text::of(serial_);
+  report.serial = protocol::Text::of(serial_);
   return report;
 }
 
-Refusal Calibration::keep(const wire::Calibrate& measured) {
+Refusal Calibration::keep(const protocol::Calibrate& measured) {
   const std::string serial(measured.serial.view());
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (serial_.empty() || serial != serial_) return "another device than the measured one is plugged in; calibrate again";
   }
   if (store_ == nullptr) return "this controller keeps nothing; start it with a state folder, [files] state";
-  if (by_settings_(serial).source == wire::AnglesFrom::kSettings) {
+  if (by_settings_(serial).source == protocol::AnglesFrom::kSettings) {
     return "the controller's settings name a calibration for this device, and that outweighs a measured one; take [calibration." + serial +
            "] out of them";
   }
@@ -59,11 +59,11 @@ Refusal Calibration::keep(const wire::Calibrate& measured) {
 
 Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trouble) const {
   Choice choice = by_settings_(serial);
-  if (store_ == nullptr || choice.source == wire::AnglesFrom::kSettings) return choice;
+  if (store_ == nullptr || choice.source == protocol::AnglesFrom::kSettings) return choice;
   const Result<store::AnglesAtZero> kept = store_->read(serial);
   if (kept) {
     take(*kept, choice.model);
-    choice.source = wire::AnglesFrom::kMeasured;
+    choice.source = protocol::AnglesFrom::kMeasured;
   } else if (kept.error() != Error::kNotFound) {
     trouble = "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again";
   }

@@ -9,7 +9,7 @@
 #include "firmware/store/calibration_store.h"
 #include "shared/device_model.h"
 #include "shared/files/refusal.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::control {
 
@@ -17,7 +17,7 @@ class Calibration {
  public:
   struct Choice {
     DeviceModel model;
-    wire::AnglesFrom source = wire::AnglesFrom::kGeometry;
+    protocol::AnglesFrom source = protocol::AnglesFrom::kGeometry;
   };
   /// The model by the settings alone for a serial; kSettings when they name a calibration for it, which then outweighs one that is kept.
   using BySettings = std::function<Choice(const std::string& serial)>;
@@ -37,12 +37,12 @@ class Calibration {
   /// For the device that answers there are other angles than those in use: they hold from the next start on.
   bool waits() const;
 
-  wire::DeviceReport report() const;
+  protocol::DeviceReport report() const;
 
   /// Keeps angles for the device that answers. Waits for the disk.
   ///
   /// returns   why they are not kept
-  Refusal keep(const wire::Calibrate& measured);
+  Refusal keep(const protocol::Calibrate& measured);
 
  private:
   Choice choose(const std::string& serial, Refusal& trouble) const;

@@ -38,10 +38,10 @@ void ControlClient::drop(std::size_t bytes) {
   in_size_ -= bytes;
 }
 
-void ControlClient::refuse(wire::Kind request, std::string_view sentence) {
-  sentence = sentence.substr(0, wire::kMaxSentence);
-  say(wire::Kind::kRefused,
-      wire::Refusal{static_cast<std::uint8_t>(request), {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
+void ControlClient::refuse(protocol::Kind request, std::string_view sentence) {
+  sentence = sentence.substr(0, protocol::kMaxSentence);
+  say(protocol::Kind::kRefused,
+      protocol::Refusal{static_cast<std::uint8_t>(request), {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
 }
 
 bool ControlClient::send(std::int64_t now_ns) {
@@ -57,12 +57,12 @@ bool ControlClient::send(std::int64_t now_ns) {
 }
 
 std::span<std::uint8_t> ControlClient::room() {
-  if (out_.size() - out_end_ < wire::kMaxFrame) {
+  if (out_.size() - out_end_ < protocol::kMaxFrame) {
     std::copy(out_.begin() + static_cast<std::ptrdiff_t>(out_begin_), out_.begin() + static_cast<std::ptrdiff_t>(out_end_), out_.begin());
     out_end_ -= out_begin_;
     out_begin_ = 0;
   }
-  assert(out_.size() - out_end_ >= wire::kMaxFrame);
+  assert(out_.size() - out_end_ >= protocol::kMaxFrame);
   return std::span(out_).subspan(out_end_);
 }
 

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "firmware/control/peer.h"
-#include "shared/wire.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::control {
 
 class ControlClient {
  public:
-  ControlClient() : in_(wire::kMaxFrame), out_(kOut) {}
+  ControlClient() : in_(protocol::kMaxFrame), out_(kOut) {}
   ~ControlClient() { close(); }
   ControlClient(const ControlClient&) = delete;
   ControlClient& operator=(const ControlClient&) = delete;
@@ -29,20 +29,20 @@ class ControlClient {
   /// Reads what is there and fits. returns false: the other side has closed, or broke
   bool receive(std::int64_t now_ns);
   /// The first frame of what has come; size 0 when there is none yet.
-  Result<wire::Frame> frame() const { return wire::read_frame(std::span(in_).first(in_size_)); }
+  Result<protocol::Frame> frame() const { return protocol::read_frame(std::span(in_).first(in_size_)); }
   /// Forgets the first frame.
   void drop(std::size_t bytes);
 
   /// True when any frame would fit and leave room for a refusal.
-  bool has_room() const { return out_.size() - (out_end_ - out_begin_) >= 2 * wire::kMaxFrame; }
+  bool has_room() const { return out_.size() - (out_end_ - out_begin_) >= 2 * protocol::kMaxFrame; }
   /// Only with room.
   template <class Message>
-  void say(wire::Kind kind, const Message& message) {
-    out_end_ += wire::encode(kind, message, room());
+  void say(protocol::Kind kind, const Message& message) {
+    out_end_ += protocol::encode(kind, message, room());
   }
-  void say(wire::Kind kind) { out_end_ += wire::seal_frame(kind, 0, room()); }
+  void say(protocol::Kind kind) { out_end_ += protocol::seal_frame(kind, 0, room()); }
   /// What was asked for is not done, or no longer, and why. Needs no room after what was said with room.
-  void refuse(wire::Kind request, std::string_view sentence);
+  void refuse(protocol::Kind request, std::string_view sentence);
   /// Hands over as much as the other side takes. returns false: it broke
   bool send(std::int64_t now_ns);
   bool has_unsent() const { return out_begin_ != out_end_; }
@@ -59,7 +59,7 @@ class ControlClient {
   std::uint32_t ring_lost = 0;  ///< what the ring had lost then
 
  private:
-  static constexpr std::size_t kOut = 5 * wire::kMaxFrame;
+  static constexpr std::size_t kOut = 5 * protocol::kMaxFrame;
   std::span<std::uint8_t> room();
 
   int socket_ = -1;

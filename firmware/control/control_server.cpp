@@ -14,7 +14,7 @@ namespace isotouch::control {
 
 namespace {
 
-using wire::Kind;
+using protocol::Kind;
 
 constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
@@ -34,7 +34,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
       clients_(settings_.clients),
       feed_(neighbours.ring, settings_.recordings, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
-      scratch_(std::max(kHistogramScratch, wire::kMaxBody)),
+      scratch_(std::max(kHistogramScratch, protocol::kMaxBody)),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 ControlServer::~ControlServer() {
@@ -115,7 +115,7 @@ void ControlServer::admit() {
 /// Answers every frame that is complete, as long as its answers fit.
 void ControlServer::serve(ControlClient& client) {
   while (client.has_unread() && !client.waiting && !client.leaving && client.has_room()) {
-    const Result<wire::Frame> frame = client.frame();
+    const Result<protocol::Frame> frame = client.frame();
     if (!frame) {
       client.refuse(Kind::kHello,
                     std::string("this connection cannot be understood: ") + describe(frame.error()) + "; connect anew with isotouch");
@@ -129,13 +129,13 @@ void ControlServer::serve(ControlClient& client) {
 }
 
 /// What the field worker would do, or what touches its memory, comes after what it does now.
-bool ControlServer::must_wait(const wire::Frame& frame) const {
+bool ControlServer::must_wait(const protocol::Frame& frame) const {
   const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields ||
                             frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
   return needs_worker && !worker_.is_idle();
 }
 
-void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
+void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) {
   const auto malformed = [&] {
     client.refuse(frame.kind, "the request is shorter than its kind demands; install the same release on both sides");
   };
@@ -150,11 +150,11 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
   if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   switch (frame.kind) {
     case Kind::kBegin: {
-      const auto promised = wire::decode<wire::Begin>(frame.body);
+      const auto promised = protocol::decode<protocol::Begin>(frame.body);
       return promised ? begin(client, *promised) : malformed();
     }
     case Kind::kChunk: {
-      const auto piece = wire::decode<wire::Chunk>(frame.body);
+      const auto piece = protocol::decode<protocol::Chunk>(frame.body);
       return piece ? chunk(client, *piece) : malformed();
     }
     case Kind::kCommit: return commit(client);
@@ -164,11 +164,11 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
     case Kind::kStatus:
       return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.hash()));
     case Kind::kHistogram: {
-      const auto wanted = wire::decode<wire::HistogramRequest>(frame.body);
+      const auto wanted = protocol::decode<protocol::HistogramRequest>(frame.body);
       return wanted ? histogram(client, wanted->measure) : malformed();
     }
     case Kind::kSubscribe: {
-      const auto wanted = wire::decode<wire::Subscribe>(frame.body);
+      const auto wanted = protocol::decode<protocol::Subscribe>(frame.body);
       if (!wanted) return malformed();
       if (!feed_.is_there()) return client.refuse(frame.kind, "this controller shows no ticks; start it with its trace ring");
       if (client.records) return client.refuse(frame.kind, "this connection records; watch on another one");
@@ -183,9 +183,9 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
     case Kind::kResume: neighbours_.requests.ask(kRequestResume); return client.say(Kind::kDone);
     case Kind::kFields: return start_work(client, FieldWork::Kind::kList, {});
     case Kind::kSelect: {
-      const auto wanted = wire::decode<wire::Select>(frame.body);
+      const auto wanted = protocol::decode<protocol::Select>(frame.body);
       if (!wanted) return malformed();
-      wire::Begin field;
+      protocol::Begin field;
       field.image_hash = wanted->image_hash;
       return start_work(client, FieldWork::Kind::kSelect, field);
     }
@@ -194,39 +194,39 @@ void ControlServer::answer(ControlClient& client, const wire::Frame& frame) {
       return client.say(Kind::kDeviceReport, neighbours_.calibration->report());
     case Kind::kPosture: return measure(client);
     case Kind::kCalibrate: {
-      const auto measured = wire::decode<wire::Calibrate>(frame.body);
+      const auto measured = protocol::decode<protocol::Calibrate>(frame.body);
       return measured ? calibrate(client, *measured) : malformed();
     }
     case Kind::kSet: {
-      const auto wanted = wire::decode<wire::Set>(frame.body);
+      const auto wanted = protocol::decode<protocol::Set>(frame.body);
       return wanted ? set(client, *wanted) : malformed();
     }
     case Kind::kWorst: {
-      const auto wanted = wire::decode<wire::WorstRequest>(frame.body);
+      const auto wanted = protocol::decode<protocol::WorstRequest>(frame.body);
       return wanted ? worst(client, wanted->anew != 0) : malformed();
     }
     default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
   }
 }
 
-void ControlServer::hello(ControlClient& client, const wire::Frame& frame) const {
-  const auto greeting = wire::decode<wire::Hello>(frame.body);
-  if (!greeting || greeting->major != wire::kMajor) {
+void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) const {
+  const auto greeting = protocol::decode<protocol::Hello>(frame.body);
+  if (!greeting || greeting->major != protocol::kMajor) {
     const std::string theirs = greeting ? std::to_string(greeting->major) : "an unknown version";
-    client.refuse(frame.kind, "the controller speaks version " + std::to_string(wire::kMajor) + " of the wire and the tool " + theirs +
-                                  "; install the same release on both sides");
+    client.refuse(frame.kind, "the controller speaks version " + std::to_string(protocol::kMajor) + " of the protocol and the tool " +
+                                  theirs + "; install the same release on both sides");
     client.leaving = true;
     return;
   }
   client.greeted = true;
-  wire::Welcome welcome;
+  protocol::Welcome welcome;
   welcome.period_ns = settings_.recordings.period_ns;
   welcome.image_limit = neighbours_.fields.image_limit();
-  welcome.program = wire::Text::of(settings_.program);
+  welcome.program = protocol::Text::of(settings_.program);
   client.say(Kind::kWelcome, welcome);
 }
 
-void ControlServer::begin(ControlClient& client, const wire::Begin& promised) {
+void ControlServer::begin(ControlClient& client, const protocol::Begin& promised) {
   if (upload_.sender == &client) upload_ = {};  // from the beginning
   if (upload_.sender != nullptr) return client.refuse(Kind::kBegin, kBusy);
   if (promised.image_bytes > neighbours_.fields.image_limit() || promised.packed_bytes > neighbours_.fields.upload().size()) {
@@ -238,7 +238,7 @@ void ControlServer::begin(ControlClient& client, const wire::Begin& promised) {
   client.say(Kind::kDone);
 }
 
-void ControlServer::chunk(ControlClient& client, const wire::Chunk& chunk) {
+void ControlServer::chunk(ControlClient& client, const protocol::Chunk& chunk) {
   if (upload_.sender != &client) return client.refuse(Kind::kChunk, "no upload is under way on this connection; begin one");
   const std::uint64_t missing = upload_.promised.packed_bytes - upload_.received;
   if (chunk.offset != upload_.received || chunk.bytes.size() > missing) {
@@ -260,7 +260,7 @@ void ControlServer::commit(ControlClient& client) {
   start_work(client, FieldWork::Kind::kAccept, ended.promised);
 }
 
-void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field) {
+void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
   // A stored field is read to where an upload is put together.
   if (kind == FieldWork::Kind::kSelect && upload_.sender != nullptr) return client.refuse(Kind::kSelect, kBusy);
   worker_.begin({kind, field, {}});
@@ -281,12 +281,12 @@ void ControlServer::finish_work() {
     if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.accepted);
     return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal.sentence());
   }
-  wire::BodyWriter entries(scratch_);
-  wire::FieldList list;
+  protocol::BodyWriter entries(scratch_);
+  protocol::FieldList list;
   for (const store::StoredField& stored : done->stored) {
-    if (entries.used() + 128 > wire::kMaxBody) break;
-    const wire::FieldEntry entry{stored.hash, stored.bytes, stored.hash == neighbours_.fields.hash(), wire::Text::of(stored.name)};
-    wire::FieldEntry::fields(entry, entries);
+    if (entries.used() + 128 > protocol::kMaxBody) break;
+    const protocol::FieldEntry entry{stored.hash, stored.bytes, stored.hash == neighbours_.fields.hash(), protocol::Text::of(stored.name)};
+    protocol::FieldEntry::fields(entry, entries);
     ++list.count;
   }
   list.entries = std::span(scratch_).first(entries.used());
@@ -294,9 +294,9 @@ void ControlServer::finish_work() {
 }
 
 void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
-  if (measure >= wire::kMeasures)
+  if (measure >= protocol::kMeasures)
     return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
-  client.say(Kind::kHistogramReport, histogram_report(static_cast<wire::Measure>(measure), neighbours_.stats, scratch_));
+  client.say(Kind::kHistogramReport, histogram_report(static_cast<protocol::Measure>(measure), neighbours_.stats, scratch_));
 }
 
 void ControlServer::worst(ControlClient& client, bool anew) {
@@ -305,7 +305,7 @@ void ControlServer::worst(ControlClient& client, bool anew) {
   if (anew) worst_.begin_anew();
 }
 
-void ControlServer::set(ControlClient& client, const wire::Set& wanted) const {
+void ControlServer::set(ControlClient& client, const protocol::Set& wanted) const {
   const Refusal refusal =
       neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
   refusal ? client.refuse(Kind::kSet, refusal.sentence()) : client.say(Kind::kDone);
@@ -341,10 +341,10 @@ void ControlServer::finish_measuring() {
   if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; restart the controller");
   if (posture_.refusal()) return client.refuse(Kind::kPosture, posture_.refusal().sentence());
   const DeviceModelBytes device = encode(settings_.recordings.device);
-  client.say(Kind::kPostureReport, wire::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
+  client.say(Kind::kPostureReport, protocol::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
 }
 
-void ControlServer::calibrate(ControlClient& client, const wire::Calibrate& measured) {
+void ControlServer::calibrate(ControlClient& client, const protocol::Calibrate& measured) {
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kCalibrate, kNothingToCalibrate);
   FieldWork work;
   work.kind = FieldWork::Kind::kCalibrate;

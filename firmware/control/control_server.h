@@ -75,7 +75,7 @@ class ControlServer {
  private:
   struct Upload {
     ControlClient* sender = nullptr;  ///< nullptr: none is under way
-    wire::Begin promised;
+    protocol::Begin promised;
     std::uint64_t received = 0;
   };
 
@@ -83,21 +83,21 @@ class ControlServer {
   bool wait(bool busy);
   void admit();
   void serve(ControlClient& client);
-  bool must_wait(const wire::Frame& frame) const;
-  void answer(ControlClient& client, const wire::Frame& frame);
-  void hello(ControlClient& client, const wire::Frame& frame) const;
-  void begin(ControlClient& client, const wire::Begin& promised);
-  void chunk(ControlClient& client, const wire::Chunk& chunk);
+  bool must_wait(const protocol::Frame& frame) const;
+  void answer(ControlClient& client, const protocol::Frame& frame);
+  void hello(ControlClient& client, const protocol::Frame& frame) const;
+  void begin(ControlClient& client, const protocol::Begin& promised);
+  void chunk(ControlClient& client, const protocol::Chunk& chunk);
   void commit(ControlClient& client);
-  void start_work(ControlClient& client, FieldWork::Kind kind, const wire::Begin& field);
+  void start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field);
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
   void worst(ControlClient& client, bool anew);
-  void set(ControlClient& client, const wire::Set& wanted) const;
+  void set(ControlClient& client, const protocol::Set& wanted) const;
   void begin_recording(ControlClient& client);
   void measure(ControlClient& client);
   void finish_measuring();
-  void calibrate(ControlClient& client, const wire::Calibrate& measured);
+  void calibrate(ControlClient& client, const protocol::Calibrate& measured);
   void forget(ControlClient& client);
   void dismiss_the_idle();
 

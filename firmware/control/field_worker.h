@@ -11,15 +11,15 @@
 
 #include "firmware/control/calibration.h"
 #include "firmware/store/field_intake.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::control {
 
 struct FieldWork {
   enum class Kind : std::uint8_t { kAccept, kSelect, kList, kCalibrate };
   Kind kind{};
-  wire::Begin field;         ///< kSelect: its hash alone
-  wire::Calibrate measured;  ///< kCalibrate
+  protocol::Begin field;         ///< kSelect: its hash alone
+  protocol::Calibrate measured;  ///< kCalibrate
 };
 
 struct FieldDone {

@@ -7,11 +7,11 @@ namespace isotouch::control {
 
 namespace {
 
+using protocol::Kind;
 using trace_layout::kRecordBytes;
-using wire::Kind;
 
 /// Beside the records a frame holds where they begin.
-constexpr std::size_t kRecordRoom = wire::kMaxBody - 32;
+constexpr std::size_t kRecordRoom = protocol::kMaxBody - 32;
 
 constexpr const char* kTooSlow =
     "the recording ended: the connection was too slow for this tick rate; use a faster connection or a lower tick rate";
@@ -33,7 +33,7 @@ void TickFeed::record(ControlClient& client, std::uint64_t field_hash, std::uint
   header_.field_hash = field_hash;
   records_ = recording::RecordMaker(header_);
   const TraceHeaderBytes header = encode(header_);
-  client.say(Kind::kRecording, wire::Recording{header});
+  client.say(Kind::kRecording, protocol::Recording{header});
   client.records = true;
   client.every = 0;
   begun_ = false;
@@ -121,8 +121,8 @@ bool TickFeed::flush(ControlClient& client, std::uint64_t first, std::uint32_t e
     client.lost += records.size() / kRecordBytes;
     return false;
   }
-  client.say(Kind::kRecords, wire::Records{first, every, static_cast<std::uint32_t>(kRecordBytes),
-                                           client.lost + (ring_->lost() - client.ring_lost), records});
+  client.say(Kind::kRecords, protocol::Records{first, every, static_cast<std::uint32_t>(kRecordBytes),
+                                               client.lost + (ring_->lost() - client.ring_lost), records});
   return true;
 }
 

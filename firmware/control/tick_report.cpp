@@ -6,19 +6,19 @@ namespace isotouch::control {
 
 namespace {
 
-const loop::Histogram& histogram(wire::Measure measure, const loop::TickStats& stats) {
+const loop::Histogram& histogram(protocol::Measure measure, const loop::TickStats& stats) {
   switch (measure) {
-    case wire::Measure::kWakeup: return stats.wake_delay;
-    case wire::Measure::kTick: return stats.tick_time;
-    case wire::Measure::kRoundTrip: return stats.round_trip;
+    case protocol::Measure::kWakeup: return stats.wake_delay;
+    case protocol::Measure::kTick: return stats.tick_time;
+    case protocol::Measure::kRoundTrip: return stats.round_trip;
     default: return stats.word_delay;
   }
 }
 
 }  // namespace
 
-wire::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, std::uint64_t field_hash) {
-  wire::StatusReport report;
+protocol::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, std::uint64_t field_hash) {
+  protocol::StatusReport report;
   report.state = newest.out.state;
   report.faults = newest.out.faults;
   report.generation = newest.in.field_generation;
@@ -27,27 +27,27 @@ wire::StatusReport status_report(const loop::TickRecord& newest, const loop::Tic
   report.field_hash = field_hash;
   report.allocations = stats.allocations.value();
   report.page_faults = stats.page_faults.value();
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
-    const loop::Distribution seen = histogram(static_cast<wire::Measure>(i), stats).read();
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
+    const loop::Distribution seen = histogram(static_cast<protocol::Measure>(i), stats).read();
     report.measures[i] = {seen.quantile_ns(500'000), seen.quantile_ns(999'000), seen.largest_ns};
   }
   return report;
 }
 
-wire::HistogramReport histogram_report(wire::Measure measure, const loop::TickStats& stats, std::span<std::uint8_t> scratch) {
+protocol::HistogramReport histogram_report(protocol::Measure measure, const loop::TickStats& stats, std::span<std::uint8_t> scratch) {
   const loop::Distribution seen = histogram(measure, stats).read();
-  wire::BodyWriter bins(scratch);
+  protocol::BodyWriter bins(scratch);
   for (std::size_t i = 0; i < seen.counts.size(); ++i) {
     if (seen.counts[i] == 0) continue;
-    const wire::Bin bin{std::min(loop::histogram_layout::upper_ns(i), seen.largest_ns), seen.counts[i]};
-    wire::Bin::fields(bin, bins);
+    const protocol::Bin bin{std::min(loop::histogram_layout::upper_ns(i), seen.largest_ns), seen.counts[i]};
+    protocol::Bin::fields(bin, bins);
   }
   return {static_cast<std::uint8_t>(measure), seen.total, scratch.first(bins.used())};
 }
 
-wire::WorstTicks worst_report(const WorstTicks& worst, std::span<std::uint8_t> scratch) {
-  wire::BodyWriter ticks(scratch);
-  for (const wire::WorstTick& tick : worst.ticks()) wire::WorstTick::fields(tick, ticks);
+protocol::WorstTicks worst_report(const WorstTicks& worst, std::span<std::uint8_t> scratch) {
+  protocol::BodyWriter ticks(scratch);
+  for (const protocol::WorstTick& tick : worst.ticks()) protocol::WorstTick::fields(tick, ticks);
   return {worst.seen(), scratch.first(ticks.used())};
 }
 

@@ -6,13 +6,13 @@ namespace isotouch::control {
 
 namespace {
 
-std::uint64_t lateness_ns(const wire::WorstTick& tick) { return std::uint64_t{tick.wake_ns} + tick.tick_ns; }
+std::uint64_t lateness_ns(const protocol::WorstTick& tick) { return std::uint64_t{tick.wake_ns} + tick.tick_ns; }
 
 }  // namespace
 
 void WorstTicks::take(const loop::TickRecord& tick) {
   ++seen_;
-  const wire::WorstTick late{tick.number, tick.start_ns, tick.wake_ns, tick.tick_ns};
+  const protocol::WorstTick late{tick.number, tick.start_ns, tick.wake_ns, tick.tick_ns};
   if (count_ == kMax && lateness_ns(ticks_[kMax - 1]) >= lateness_ns(late)) return;
   std::size_t at = count_ < kMax ? count_++ : kMax - 1;
   ticks_[at] = late;

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "firmware/loop/tick_record.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::control {
 
@@ -23,12 +23,12 @@ class WorstTicks {
 
   std::uint64_t seen() const { return seen_; }
   /// The latest words first.
-  std::span<const wire::WorstTick> ticks() const { return std::span(ticks_).first(count_); }
+  std::span<const protocol::WorstTick> ticks() const { return std::span(ticks_).first(count_); }
 
  private:
   std::uint64_t seen_ = 0;
   std::size_t count_ = 0;
-  std::array<wire::WorstTick, kMax> ticks_;
+  std::array<protocol::WorstTick, kMax> ticks_;
 };
 
 }  // namespace isotouch::control

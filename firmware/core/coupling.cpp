@@ -26,7 +26,7 @@ Limited limited_length(const Vec3<Newton>& force, Newton limit) {
 
 }  // namespace
 
-Coupling for_field(const Coupling& prepared, const BlobView& field) {
+Coupling for_field(const Coupling& prepared, const FieldView& field) {
   Coupling coupling = prepared;
   coupling.edge = field.edge;
   if (coupling.stiffness <= Stiffness{}) coupling.stiffness = field.stiffness;

@@ -27,7 +27,7 @@ using RampPart = Fixed<Unit<0, 0, 0, 0>, 30>;
 /// Prepared constants, see `make_coupling`.
 struct Coupling {
   MmPerVoxel edge;
-  Stiffness stiffness;  ///< the largest, where the blob has a table of it
+  Stiffness stiffness;  ///< the largest, where the field has a table of it
   DampingPerTick damping;
   Newton force_limit;
   std::uint32_t ramp_ticks = 0;
@@ -58,12 +58,12 @@ Coupling make_coupling(const TickSettings& settings, PerSecond rate);
 ///
 /// prepared     by the function above
 /// tick         yes
-Coupling for_field(const Coupling& prepared, const BlobView& field);
+Coupling for_field(const Coupling& prepared, const FieldView& field);
 
 /// Contact → force on the hand. Without contact the force is zero in the same tick; the ramp starts again where the proxy was held inside
 /// or had not arrived.
 ///
-/// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the blob's table says there
+/// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the field's table says there
 /// damping   a force against the hand's speed, added in contact
 /// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and stretches below 2047 mm, beyond which they saturate
 /// tick      yes: constant cost, no division

@@ -7,7 +7,7 @@ namespace isotouch::core {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 // Inside the sampler numbers carry 20 fraction bits. Coefficients are within ±8, so a second difference is within ±32: 2^25.
 constexpr int kInnerBits = 20;
@@ -55,7 +55,7 @@ using Row = std::array<const std::int16_t*, 3>;
 using Rows = std::array<Row, 2>;
 
 /// Those of the bricks before the point along z, and of those after it.
-std::array<Rows, 2> rows_around(const BlobView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
+std::array<Rows, 2> rows_around(const FieldView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
   const std::int32_t x1 = x.in_brick(1), x2 = x.in_brick(2);
   const auto row = [&](std::int32_t brick_y, std::int32_t brick_z) -> Row {
     const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
@@ -92,7 +92,7 @@ constexpr std::int32_t outer(std::int32_t inner) { return (inner + (1 << (kOuter
 
 }  // namespace
 
-void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& sample) {
+void sample_field(const FieldView& field, const Vec3<Voxel>& point, FieldSample& sample) {
   bool outside = false;
   const AxisPlace x = place(point.x.raw(), field.size[0], outside);
   const AxisPlace y = place(point.y.raw(), field.size[1], outside);

@@ -1,9 +1,9 @@
-/// The field at a point: value, gradient and second derivatives of the blob's quadratic B-spline (SPEC.md 2.1).
+/// The field at a point: value, gradient and second derivatives of the field's quadratic B-spline (SPEC.md 2.1).
 ///
 /// All three are those of one function, so they agree with each other; value and gradient are continuous across cells.
 #pragma once
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
 
@@ -25,8 +25,8 @@ struct FieldSample {
 /// fails     never
 /// tick      yes: 27 coefficients, constant cost, no division
 /// source    quadratic B-spline: de Boor, A Practical Guide to Splines, 1978, chapter IX
-void sample_field(const BlobView& field, const Vec3<Voxel>& point, FieldSample& sample);
-inline FieldSample sample_field(const BlobView& field, const Vec3<Voxel>& point) {
+void sample_field(const FieldView& field, const Vec3<Voxel>& point, FieldSample& sample);
+inline FieldSample sample_field(const FieldView& field, const Vec3<Voxel>& point) {
   FieldSample sample;
   sample_field(field, point, sample);
   return sample;

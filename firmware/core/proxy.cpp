@@ -14,7 +14,7 @@ bool is_short(const Vec3<Voxel>& step) {
 }
 
 /// Begins, or goes on, without a surface to hold: the proxy is the HIP, and contact is possible once the HIP is outside.
-Contact rest_at(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state) {
+Contact rest_at(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state) {
   state.hip = state.point = hip;
   state.sample = sample_field(field, hip);
   state.mode = state.sample.distance < Voxel{} ? ProxyMode::kHeldInside : ProxyMode::kFree;
@@ -27,7 +27,7 @@ Contact rest_at(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state
 
 }  // namespace
 
-Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state) {
+Contact step_proxy(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state) {
   if (state.mode == ProxyMode::kUnplaced || state.mode == ProxyMode::kHeldInside) return rest_at(hip, field, state);
 
   renew_trust_radius(hip - state.hip, state.steps);

@@ -11,7 +11,7 @@
 
 #include "firmware/core/field_sampler.h"
 #include "firmware/core/surface_step.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
 
@@ -52,6 +52,6 @@ struct Contact {
 /// returns   contact; φ(proxy) >= -0.05 voxel in contact, as sampled
 /// fails     never; a HIP that begins inside the object gives no contact until it has left
 /// tick      yes: kProxySteps samples, constant cost, no division
-Contact step_proxy(const Vec3<Voxel>& hip, const BlobView& field, ProxyState& state);
+Contact step_proxy(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state);
 
 }  // namespace isotouch::core

@@ -8,11 +8,11 @@ namespace {
 
 constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
 
-Vec3<Voxel> to_index(const Vec3<Mm>& point, const BlobView& field) {
+Vec3<Voxel> to_index(const Vec3<Mm>& point, const FieldView& field) {
   return within(mul<Voxel>(point - field.origin, field.inverse_edge), kIndexReach);
 }
 
-Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const BlobView& field) { return mul<Mm>(index, field.edge) + field.origin; }
+Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const FieldView& field) { return mul<Mm>(index, field.edge) + field.origin; }
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
@@ -60,13 +60,13 @@ void retune(const TickSettings& settings, RenderModel& model) {
   model.passivity.most = settings.passivity;
 }
 
-RenderModel for_field(const RenderModel& any_field, const BlobView& field) {
+RenderModel for_field(const RenderModel& any_field, const FieldView& field) {
   RenderModel model = any_field;
   model.coupling = for_field(any_field.coupling, field);
   return model;
 }
 
-Rendering render(const Motion& motion, const BlobView& field, const RenderModel& model, RenderState& state) {
+Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
   Contact contact = step_proxy(to_index(motion.hip, field), field, state.proxy);
   const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
   add_friction(stiffness, model.friction, state.friction, contact);
@@ -82,12 +82,13 @@ Rendering render(const Motion& motion, const BlobView& field, const RenderModel&
   return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
 }
 
-PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const BlobView& field) {
+PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns,
+                                  const FieldView& field) {
   const MotionModel motion = make_motion_model(device, period_ns);
   return {motion, for_field(make_render_model(settings, motion.rate), field)};
 }
 
-Output render_position(const Input& in, const BlobView& field, const PositionModel& model, PositionState& state) {
+Output render_position(const Input& in, const FieldView& field, const PositionModel& model, PositionState& state) {
   const Vec3<Mm> hip = within(in.hip, kReach);
   const Motion motion = track_motion(hip, in.fresh, model.render.damps(), model.motion, state.motion);
   const Rendering felt = render(motion, field, model.render, state.render);

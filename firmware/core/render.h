@@ -6,7 +6,7 @@
 #include "firmware/core/motion.h"
 #include "firmware/core/passivity.h"
 #include "firmware/core/proxy.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::core {
@@ -36,7 +36,7 @@ RenderModel make_render_model(const TickSettings& settings, PerSecond rate);
 /// The same for a field, which gives the largest stiffness where the settings name none.
 ///
 /// tick         yes
-RenderModel for_field(const RenderModel& any_field, const BlobView& field);
+RenderModel for_field(const RenderModel& any_field, const FieldView& field);
 
 /// Takes over the settings that may change while they are felt; a stiffness of 0 leaves the one that is felt.
 ///
@@ -66,7 +66,7 @@ struct Rendering {
 /// returns   proxy, force and status; the force is zero in every tick without contact
 /// fails     never
 /// tick      yes: constant loop counts, no division, no allocation
-Rendering render(const Motion& motion, const BlobView& field, const RenderModel& model, RenderState& state);
+Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state);
 
 /// A tick of a hand without a device: its position goes in, what it would feel comes out.
 struct PositionModel {
@@ -80,10 +80,10 @@ struct PositionState {
 
 /// device       its play counts
 /// tick         no: divides
-PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const BlobView& field);
+PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const FieldView& field);
 
 /// in        a position; beyond kReach it is clamped and kInputClamped is set
 /// tick      yes
-Output render_position(const Input& in, const BlobView& field, const PositionModel& model, PositionState& state);
+Output render_position(const Input& in, const FieldView& field, const PositionModel& model, PositionState& state);
 
 }  // namespace isotouch::core

@@ -18,7 +18,7 @@ struct ReplyState {
   bool homed = false;          ///< latched: two packets in a row called all legs homed
 };
 
-/// What a tick knows from the wire.
+/// What a tick knows from the device.
 struct Reading {
   bool fresh = false;      ///< a new valid packet
   bool jumped = false;     ///< the counts took another reference, or no hand moved them: what was computed from the old ones is void

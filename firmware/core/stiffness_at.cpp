@@ -10,7 +10,7 @@ namespace isotouch::core {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 constexpr int kPlaceBits = Voxel::kFractionBits + kBrickShift;          // of a place in units of bricks
 constexpr int kWeightBits = 14;                                         // a place to 1/4096 voxel; three weights fit 42 bits
@@ -31,7 +31,7 @@ AxisPlace place(Voxel coordinate, std::int32_t size) {
 
 }  // namespace
 
-Stiffness interpolated_stiffness(const Vec3<Voxel>& point, const BlobView& field, Stiffness largest) {
+Stiffness interpolated_stiffness(const Vec3<Voxel>& point, const FieldView& field, Stiffness largest) {
   const AxisPlace x = place(point.x, field.size[0]), y = place(point.y, field.size[1]), z = place(point.z, field.size[2]);
   // Contracted along x, then y, then z; `known` the same for what has a value. Exact, so the order is free.
   const auto contracted = [&](std::int32_t k, std::int32_t& known) {

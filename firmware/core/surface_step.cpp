@@ -10,7 +10,7 @@ namespace isotouch::core {
 
 namespace {
 
-// Raw numbers of 16 fraction bits, Narrow where they are known to fit 32 bits. A checked blob may hold any coefficients within ±8 voxels, so |g| <= 16 a
+// Raw numbers of 16 fraction bits, Narrow where they are known to fit 32 bits. A checked field may hold any coefficients within ±8 voxels, so |g| <= 16 a
 // component (2^20) and |H| <= 32 an entry (2^21) are the worst a sample can be; real fields stay below 2^17. Places are within ±8191 voxels (2^29).
 constexpr Narrow kOne = 1 << 16;
 constexpr Narrow kMaxTangentStep = kOne * 5 / 4;  // a step along the surface: the spline bends over about one voxel

@@ -33,7 +33,7 @@ void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory);
 /// with the field's second derivatives. Never longer than is safe, the surely free way to the surface and 1.25 voxels more; the part along the surface
 /// gets shorter the deeper the point is inside, so that steps in an acute crease cannot add up to a passage, and it is halved where it turns back.
 ///
-/// inverse_slope     how much of a distance outside is surely free way, BlobView::inverse_slope
+/// inverse_slope     how much of a distance outside is surely free way, FieldView::inverse_slope
 void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio inverse_slope, StepMemory& memory, Vec3<Voxel>& point);
 
 }  // namespace isotouch::core

@@ -29,7 +29,7 @@ void take_settings(const SettingChange& change, const TickModel& model, TickStat
 }
 
 /// Another field: nothing that was felt before holds, and the proxy begins at the HIP. returns whether there is one
-bool take_field(const BlobView* field, std::uint32_t generation, const TickModel& model, TickState& state) {
+bool take_field(const FieldView* field, std::uint32_t generation, const TickModel& model, TickState& state) {
   if (generation == state.field_generation) return false;
   state.field_generation = generation;
   state.render = {};
@@ -56,7 +56,7 @@ Motion find_motion(const Pose& pose, bool fresh, const TickModel& model, TickSta
   return track_motion(within(pose.hip - model.device.workspace_origin, kReach), fresh, state.felt.damps(), model.motion, state.motion);
 }
 
-Rendering render_contact(const Pose& pose, const Motion& motion, const BlobView* field, TickState& state) {
+Rendering render_contact(const Pose& pose, const Motion& motion, const FieldView* field, TickState& state) {
   if (pose.settled && field != nullptr) return render(motion, *field, state.felt, state.render);
   Rendering nothing;
   nothing.proxy = motion.hip;
@@ -130,7 +130,7 @@ TickModel make_tick_model(const DeviceModel& device, const TickSettings& setting
   return model;
 }
 
-Output tick(const Input& in, const BlobView* field, const TickModel& model, TickState& state) {
+Output tick(const Input& in, const FieldView* field, const TickModel& model, TickState& state) {
   if ((in.requests & kRequestRestart) != 0) state = {};
   take_settings(in.change, model, state);
   const bool new_field = take_field(field, in.field_generation, model, state);

@@ -11,8 +11,8 @@
 #include "firmware/core/reply_reader.h"
 #include "firmware/core/settings_ramp.h"
 #include "firmware/core/supervisor.h"
-#include "shared/blob.h"
 #include "shared/device_model.h"
+#include "shared/field_view.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::core {
@@ -57,6 +57,6 @@ struct TickState {
 /// returns   motor commands and flags for the next command packet, and everything that a trace records. Commands are zero in every state but kActive
 /// fails     never: the resting output needs no permission
 /// tick      yes: constant loop counts, no division, no allocation
-Output tick(const Input& in, const BlobView* field, const TickModel& model, TickState& state);
+Output tick(const Input& in, const FieldView* field, const TickModel& model, TickState& state);
 
 }  // namespace isotouch::core

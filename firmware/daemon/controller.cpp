@@ -29,7 +29,7 @@ void say(const std::string& line) {
 Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
-  if (bytes.empty()) return path + ": it cannot be read; give a blob that 'isotouch build' made";
+  if (bytes.empty()) return path + ": it cannot be read; give a field that 'isotouch build' made";
   if (const Refusal refusal = intake.begin_with(bytes)) return path + ": " + refusal.sentence();
   return {};
 }
@@ -71,7 +71,7 @@ void Controller::choose_calibration() {
   const auto by_settings = [this](const std::string& serial) {
     const bool named = settings_.calibrations.count(serial) > 0;
     return control::Calibration::Choice{*settings::device_model(settings_, serial),
-                                        named ? wire::AnglesFrom::kSettings : wire::AnglesFrom::kGeometry};
+                                        named ? protocol::AnglesFrom::kSettings : protocol::AnglesFrom::kGeometry};
   };
   calibration_.emplace(measured_ ? &*measured_ : nullptr, by_settings, serial_of(options_, hardware_));
   if (calibration_->trouble()) say(calibration_->trouble().sentence());
@@ -94,7 +94,7 @@ Refusal Controller::connect_device() {
 }
 
 Refusal Controller::load_field(bool again) {
-  const auto check = [this](const BlobView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
+  const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
   const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
   Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
@@ -162,7 +162,7 @@ void Controller::start() {
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
   if (exchange_) exchanges_ = begin_thread("exchange", settings_.exchange_priority, -1, [this] { exchange_->serve(stop_exchange_); });
   if (lines_.watchdog) {
-    watchdogs_ = begin_thread("watchdog", settings_.watch_priority, -1, [this] {
+    watchdogs_ = begin_thread("watchdog", settings_.watchdog_priority, -1, [this] {
       while (!stop_exchange_) lines_.watchdog->step();
       lines_.watchdog->leave();
     });

@@ -22,7 +22,7 @@ Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const
   lines.chip = lines::open_gpio(settings.line_chip);
   if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
   if (Refusal refusal = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings))) return refusal;
-  lines.watchdog.emplace(settings::watch_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
+  lines.watchdog.emplace(settings::watchdog_settings(settings), *lines.wires, clock, lines.state, stats.ticks);
   lines.state.set_patience(static_cast<std::uint32_t>(settings.tick_hz / 10));  // 100 ms: the watchdog looks every millisecond
   return {};
 }

@@ -1,4 +1,4 @@
-/// A recording at the wire in the place of a device: the packets that came, and silence where none came. What it is commanded changes nothing.
+/// A recording of packets in the place of a device: the packets that came, and silence where none came. What it is commanded changes nothing.
 #pragma once
 
 #include <cstddef>

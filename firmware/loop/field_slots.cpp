@@ -22,10 +22,10 @@ std::span<std::uint8_t> FieldSlots::begin(std::size_t bytes) {
   return {places_[receiving_slot()], bytes};
 }
 
-Result<const BlobView*> FieldSlots::verify() {
+Result<const FieldView*> FieldSlots::verify() {
   if (receiving_ == 0) return Error::kTruncated;
   const std::uint32_t slot = receiving_slot();
-  const auto view = BlobView::parse({places_[slot], receiving_});
+  const auto view = FieldView::parse({places_[slot], receiving_});
   if (!view) {
     abandon();
     return view.error();

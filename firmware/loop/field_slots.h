@@ -1,7 +1,7 @@
 /// Two places for a field: the tick feels one while the other is filled. Two atomic words, no lock.
 ///
 ///   empty      upload: `begin` with a size that fits        → receiving
-///   receiving  upload: `verify`, BlobView::parse succeeded  → verified
+///   receiving  upload: `verify`, FieldView::parse succeeded  → verified
 ///   verified   upload: `commit`                             → published by a generation
 ///   published  tick: `field` at the start of a tick         → active; the other one retires
 ///   retiring   upload: has seen the tick's acknowledgement  → empty
@@ -17,15 +17,15 @@
 #include <span>
 #include <vector>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/result.h"
 
 namespace isotouch::loop {
 
 /// The field of one tick.
 struct ActiveField {
-  const BlobView* view = nullptr;  ///< nullptr: none
-  std::uint32_t generation = 0;    ///< 0 = none; another number = another field
+  const FieldView* view = nullptr;  ///< nullptr: none
+  std::uint32_t generation = 0;     ///< 0 = none; another number = another field
 };
 
 class FieldSlots {
@@ -49,8 +49,8 @@ class FieldSlots {
   /// Checks what was received: the only place where an image is parsed.
   ///
   /// returns   the field, for whoever else judges it; valid until the next `begin`
-  /// fails     as BlobView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
-  Result<const BlobView*> verify();
+  /// fails     as FieldView::parse; kTruncated: nothing was begun. The place is receiving no longer, the tick keeps its field
+  Result<const FieldView*> verify();
 
   /// Hands what was verified to the tick.
   ///
@@ -93,7 +93,7 @@ class FieldSlots {
   std::size_t capacity_;
   std::vector<std::uint64_t> memory_;
   std::array<std::uint8_t*, 2> places_{};
-  std::array<BlobView, 2> views_{};
+  std::array<FieldView, 2> views_{};
   std::size_t receiving_ = 0;  ///< bytes; 0 = nothing was begun
   bool verified_ = false;      ///< what was received is a field
   std::uint32_t generation_ = 0;

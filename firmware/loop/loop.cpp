@@ -84,7 +84,7 @@ std::uint8_t Loop::requests() {
   return in_fault && (asked & kRequestRestart) != 0 ? static_cast<std::uint8_t>(asked | kRequestStop) : asked;
 }
 
-/// What the wire holds for this tick, and how old it is.
+/// What the device has sent for this tick, and how old it is.
 Input Loop::look(const Sample& sample, std::uint32_t missed) {
   TickStats& stats = neighbours_.stats;
   Input in;

@@ -33,7 +33,7 @@ class Recorder {
  public:
   /// ring          its reader is this recorder
   /// passed_on     gets every tick, too; nullptr: nobody else does
-  /// hash_of       the blob's hash of a field's generation, 0 = not known (yet)
+  /// hash_of       the field's hash of a field's generation, 0 = not known (yet)
   /// tell          gets one sentence whenever a recording ends or fails, or something was saved
   Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
            std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell);
@@ -80,7 +80,7 @@ class Recorder {
   std::vector<loop::TickRecord> memory_;  ///< a circle
   std::size_t end_ = 0, remembered_ = 0;
   std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
-  std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the blob that it was felt on
+  std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
   std::atomic<std::uint16_t> state_{0}, faults_{0};
 };

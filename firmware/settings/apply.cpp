@@ -99,7 +99,7 @@ TickSettings tick_settings(const Settings& settings) {
 
 std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint32_t>(std::llround(1e9 / settings.tick_hz)); }
 
-Refusal refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay) {
+Refusal refusal_of(const FieldView& field, const Settings& settings, std::uint32_t measured_delay) {
   const CertificateCheck check = check_certificate(field, loop_of(settings, measured_delay), tick_settings(settings).stiffness);
   if (check.accepted) return {};
   if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
@@ -138,7 +138,7 @@ lines::GpioSettings gpio_settings(const Settings& settings) {
   return {settings.line_stop, settings.line_enable, settings.line_enable_back, settings.line_heartbeat, settings.line_light};
 }
 
-loop::WatchdogSettings watch_settings(const Settings& settings) {
+loop::WatchdogSettings watchdog_settings(const Settings& settings) {
   loop::WatchdogSettings watchdog;
   watchdog.settle_ns = ns_of_ms(settings.line_settle_ms);
   return watchdog;

@@ -10,7 +10,7 @@
 #include "firmware/loop/loop.h"
 #include "firmware/loop/watchdog.h"
 #include "firmware/settings/settings.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/files/refusal.h"
 
 namespace isotouch::settings {
@@ -28,9 +28,9 @@ std::uint32_t period_ns(const Settings& settings);
 ///
 /// measured_delay  ticks, see `loop::measured_delay_ticks`; the settings' delay counts where it is larger
 /// returns   why not, with what to do
-Refusal refusal_of(const BlobView& field, const Settings& settings, std::uint32_t measured_delay = 0);
+Refusal refusal_of(const FieldView& field, const Settings& settings, std::uint32_t measured_delay = 0);
 
-/// Whether this device may render anything with these settings' stiffness; 0, the blob's, is judged with the blob.
+/// Whether this device may render anything with these settings' stiffness; 0, the field's, is judged with the field.
 ///
 /// measured_delay  as above
 /// returns   why not
@@ -48,7 +48,7 @@ falcon::SessionSettings session_settings(const Settings& settings);
 
 /// Numbers of the safety lines.
 lines::GpioSettings gpio_settings(const Settings& settings);
-loop::WatchdogSettings watch_settings(const Settings& settings);
+loop::WatchdogSettings watchdog_settings(const Settings& settings);
 
 /// Largest unpacked field.
 std::size_t field_bytes(const Settings& settings);

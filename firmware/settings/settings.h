@@ -17,7 +17,7 @@ struct Calibration {
   bool operator==(const Calibration&) const = default;
 };
 
-/// Values as a person writes them; empty ones are the geometry set's or the blob's.
+/// Values as a person writes them; empty ones are the geometry set's or the field's.
 struct Settings {
   // [loop]
   double tick_hz = 1e9 / rows::kPeriod.standard;
@@ -85,7 +85,7 @@ struct Settings {
   int line_heartbeat = -1;
   int line_light = -1;
   double line_settle_ms = 50;
-  int watch_priority = 90;
+  int watchdog_priority = 90;
 
   // [files]
   std::string field;

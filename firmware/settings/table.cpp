@@ -134,7 +134,7 @@ constexpr Setting kTable[] = {
     {"lines", "heartbeat", &S::line_heartbeat, {}, -1, 1023, {}, "changes every millisecond for a watchdog relay, out; -1 = none", {}},
     {"lines", "light", &S::line_light, {}, -1, 1023, {}, "light, out: on with forces, blinks in fault; -1 = none", {}},
     {"lines", "settle_ms", &S::line_settle_ms, "ms", 1, 1000, {}, "how long the enable may read back other than it was set", {}},
-    {"lines", "priority", &S::watch_priority, {}, 0, 99, {}, "SCHED_FIFO priority of the watchdog's thread", {}},
+    {"lines", "priority", &S::watchdog_priority, {}, 0, 99, {}, "SCHED_FIFO priority of the watchdog's thread", {}},
 
     {"files", "field", &S::field, {}, 0, 0, {}, "field to begin with; \"\" = none", {}},
     {"files", "record", &S::record, {}, 0, 0, {}, "file for a recording from the first tick on; \"\" = none", {}},

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <utility>
 
-#include "shared/packed_blob.h"
+#include "shared/packed_field.h"
 
 namespace isotouch::store {
 
@@ -37,7 +37,7 @@ FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock
 
 FieldIntake::~FieldIntake() { ZSTD_freeDCtx(context_); }
 
-IntakeOutcome FieldIntake::accept(const wire::Begin& promised) {
+IntakeOutcome FieldIntake::accept(const protocol::Begin& promised) {
   const std::lock_guard guard(exchanging_);
   const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
   const Before before = store_before(promised.image_hash);
@@ -76,8 +76,8 @@ Refusal FieldIntake::begin_with_active() {
 Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
   std::uint64_t hash = 0;
   Refusal refusal;
-  if (PackedBlob::has_magic(field)) {
-    const Result<PackedBlob> packed = PackedBlob::parse(field);
+  if (PackedField::has_magic(field)) {
+    const Result<PackedField> packed = PackedField::parse(field);
     if (!packed) return unusable(packed.error());
     hash = packed->image_hash;
     refusal = unpack(*packed);
@@ -85,7 +85,7 @@ Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
     const std::span<std::uint8_t> image = slots_.begin(field.size());
     if (image.empty()) return unusable(Error::kBadSize);
     std::copy(field.begin(), field.end(), image.begin());
-    const Result<const BlobView*> view = slots_.verify();
+    const Result<const FieldView*> view = slots_.verify();
     if (!view) return unusable(view.error());
     hash = (*view)->hash();
     refusal = judge(**view);
@@ -114,18 +114,18 @@ FieldIntake::Before FieldIntake::store_before(std::uint64_t hash) {
   return {store_->active(), store_->holds(hash)};
 }
 
-Refusal FieldIntake::judge(const BlobView& field) const { return check_ ? check_(field) : std::string(); }
+Refusal FieldIntake::judge(const FieldView& field) const { return check_ ? check_(field) : std::string(); }
 
 /// A packed field that was promised by its hash.
 Refusal FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash) {
-  const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+  const Result<PackedField> packed = PackedField::parse(bytes);
   if (!packed) return unusable(packed.error());
   if (packed->image_hash != hash) return unusable(Error::kBadChecksum);
   return unpack(*packed);
 }
 
 /// Into the slot that the tick does not use.
-Refusal FieldIntake::unpack(const PackedBlob& packed) {
+Refusal FieldIntake::unpack(const PackedField& packed) {
   if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
   const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
   if (!slots_.free()) return "the controller's loop has not taken over the field before this one; try again in a moment";
@@ -135,12 +135,12 @@ Refusal FieldIntake::unpack(const PackedBlob& packed) {
     return ZSTD_decompressDCtx(context_, out.data(), out.size(), frame.data(), frame.size());
   });
   if (!unpacked) return unusable(unpacked.error());
-  const Result<const BlobView*> view = slots_.verify();
+  const Result<const FieldView*> view = slots_.verify();
   return view ? judge(**view) : unusable(view.error());
 }
 
 /// Stored and chosen for the next start; when that fails the choice before stays.
-Refusal FieldIntake::keep(const wire::Begin& field, std::span<const std::uint8_t> packed) {
+Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uint8_t> packed) {
   const std::optional<std::uint64_t> before = store_->active();
   Result<void> stored = store_->put(field.image_hash, field.name.view(), packed);
   if (stored) stored = store_->set_active(field.image_hash);

@@ -15,21 +15,21 @@
 #include "firmware/loop/clock.h"
 #include "firmware/loop/field_slots.h"
 #include "firmware/store/field_store.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/files/refusal.h"
-#include "shared/packed_blob.h"
-#include "shared/wire_messages.h"
+#include "shared/packed_field.h"
+#include "shared/protocol_messages.h"
 
 struct ZSTD_DCtx_s;
 
 namespace isotouch::store {
 
 /// Says whether this device may render a field: or why not.
-using FieldCheck = std::function<Refusal(const BlobView&)>;
+using FieldCheck = std::function<Refusal(const FieldView&)>;
 
 struct IntakeOutcome {
   Refusal refusal;  ///< none: the field is active
-  wire::Accepted accepted;
+  protocol::Accepted accepted;
 };
 
 /// Used by one thread, except where it says otherwise. All its memory is taken when it is made.
@@ -37,7 +37,7 @@ class FieldIntake {
  public:
   /// slots     their capacity is the largest image
   /// store     nullptr: fields do not outlive the program
-  /// check     beyond BlobView::parse; may be empty
+  /// check     beyond FieldView::parse; may be empty
   FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock& clock, FieldCheck check);
   ~FieldIntake();
   FieldIntake(const FieldIntake&) = delete;
@@ -51,7 +51,7 @@ class FieldIntake {
   /// neither felt later nor there at the next start.
   ///
   /// promised  what was said before the bytes came: they must keep it
-  IntakeOutcome accept(const wire::Begin& promised);
+  IntakeOutcome accept(const protocol::Begin& promised);
 
   /// The same for a stored field.
   IntakeOutcome select(std::uint64_t wanted);
@@ -89,9 +89,9 @@ class FieldIntake {
 
   Before store_before(std::uint64_t hash);
   Refusal unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
-  Refusal unpack(const PackedBlob& packed);
-  Refusal judge(const BlobView& field) const;
-  Refusal keep(const wire::Begin& field, std::span<const std::uint8_t> packed);
+  Refusal unpack(const PackedField& packed);
+  Refusal judge(const FieldView& field) const;
+  Refusal keep(const protocol::Begin& field, std::span<const std::uint8_t> packed);
   IntakeOutcome activate(std::uint64_t hash, Refusal refusal, const Before& before);
   Refusal publish(std::uint64_t hash);
   void show_published(std::uint64_t hash);

@@ -1,6 +1,6 @@
 /// The fields that a controller keeps, and which of them it begins with: files in one folder.
 ///
-///   NUMBER-HASH-NAME.itf   a packed blob as it was uploaded; NUMBER counts up, so that the oldest is known without a clock; HASH names the image
+///   NUMBER-HASH-NAME.itf   a packed field as it was uploaded; NUMBER counts up, so that the oldest is known without a clock; HASH names the image
 ///   active                 the hash of one of them, 16 hexadecimal digits
 ///
 /// Each file is written beside its place, synced, renamed, and the folder synced: a power cut at any moment leaves the old field active or the new
@@ -41,7 +41,7 @@ class FieldStore {
   /// The hash of the field to begin with; nothing when there is none, or when the file that tells it is not as above.
   std::optional<std::uint64_t> active();
 
-  /// The packed blob of that hash. fails kNotFound and as Folder::read. What it holds is for the reader to check
+  /// The packed field of that hash. fails kNotFound and as Folder::read. What it holds is for the reader to check
   Result<std::size_t> read(std::uint64_t hash, std::span<std::uint8_t> out);
 
   /// Stores a field; it survives a power cut from here on. One of the same hash is replaced.

@@ -1,4 +1,4 @@
-/// The core on a bare processor: hil/plain_replay.h on a blob and a trace that stand in memory before the machine starts (`boot`).
+/// The core on a bare processor: hil/plain_replay.h on a field and a trace that stand in memory before the machine starts (`boot`).
 ///
 /// Prints {"ticks", "hash", "first_difference"} as replay_plain does. Ends with 0 equal to what was recorded, 1 bad input, 3 different.
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 #include "hil/bare_metal/semihosting.h"
 #include "hil/plain_replay.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 extern "C" {
-// Places that board.ld names: the blob stands first, then, at the next multiple of 64, the trace.
+// Places that board.ld names: the field stands first, then, at the next multiple of 64, the trace.
 extern const std::uint8_t files[];
-extern const std::uint32_t file_sizes[];  // blob and trace, bytes
+extern const std::uint32_t file_sizes[];  // field and trace, bytes
 }
 
 namespace {
@@ -39,10 +39,10 @@ int refuse(const char* file, Error why) {
 }  // namespace
 
 int main() {
-  const std::span<const std::uint8_t> blob(files, file_sizes[0]);
-  const std::span<const std::uint8_t> trace(files + blob_layout::align64(std::size_t{file_sizes[0]}), file_sizes[1]);
-  const Result<BlobView> field = BlobView::parse(blob);
-  if (!field) return refuse("blob", field.error());
+  const std::span<const std::uint8_t> image(files, file_sizes[0]);
+  const std::span<const std::uint8_t> trace(files + image_layout::align64(std::size_t{file_sizes[0]}), file_sizes[1]);
+  const Result<FieldView> field = FieldView::parse(image);
+  if (!field) return refuse("field", field.error());
   const Result<replay::Report> report = replay::run(*field, trace);
   if (!report) return refuse("trace", report.error());
   write("{\"ticks\": ");

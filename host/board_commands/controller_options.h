@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::commands {
 
@@ -18,13 +18,13 @@ inline void add_address(CLI::App& command, std::string& address) {
       ->required();
 }
 
-/// What a controller measures, in the order of wire::Measure: names, and what a unit is for people.
+/// What a controller measures, in the order of protocol::Measure: names, and what a unit is for people.
 struct MeasureName {
   const char* key;
   const char* text;
   bool in_ticks;  ///< else in microseconds
 };
-inline constexpr std::array<MeasureName, wire::kMeasures> kMeasureNames = {{
+inline constexpr std::array<MeasureName, protocol::kMeasures> kMeasureNames = {{
     {"wakeup_us", "wake-up", false},
     {"tick_us", "tick", false},
     {"round_trip_us", "round trip", false},

@@ -30,9 +30,9 @@ std::uint64_t read_hash(const std::string& text) {
   return hash;
 }
 
-void print(const std::vector<wire::FieldEntry>& fields, bool as_json) {
+void print(const std::vector<protocol::FieldEntry>& fields, bool as_json) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const wire::FieldEntry& field : fields) {
+  for (const protocol::FieldEntry& field : fields) {
     const std::string hash = trace::hash_text(field.image_hash), name(field.name.view());
     if (as_json) {
       json.push_back({{"field_hash", hash}, {"name", name}, {"bytes", field.packed_bytes}, {"active", field.active != 0}});

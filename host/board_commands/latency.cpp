@@ -39,15 +39,15 @@ void run(const Options& options) {
   link::Controller controller(options.to);
   const std::uint32_t period_ns = controller.welcome().period_ns;
   nlohmann::ordered_json json;
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
     const MeasureName& name = kMeasureNames[i];
-    const link::Histogram histogram = controller.histogram(static_cast<wire::Measure>(i));
+    const link::Histogram histogram = controller.histogram(static_cast<protocol::Measure>(i));
     if (!options.json) {
       print_text(name, histogram, period_ns);
       continue;
     }
     nlohmann::ordered_json bins = nlohmann::ordered_json::array();
-    for (const wire::Bin& bin : histogram.bins) bins.push_back({{"up_to", in_unit(name, bin.upper, period_ns)}, {"count", bin.count}});
+    for (const protocol::Bin& bin : histogram.bins) bins.push_back({{"up_to", in_unit(name, bin.upper, period_ns)}, {"count", bin.count}});
     json[name.key] = {{"count", histogram.count}, {"bins", bins}};
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());

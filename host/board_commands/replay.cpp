@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "host/blob/open_blob.h"
 #include "host/board_commands/commands.h"
 #include "host/board_commands/print_field.h"
+#include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/replay.h"
@@ -21,12 +21,12 @@ namespace isotouch::commands {
 namespace {
 
 struct Options {
-  std::filesystem::path blob;
+  std::filesystem::path field;
   std::filesystem::path trace;
   std::filesystem::path out;
   bool check = false;
   bool json = false;
-  std::string field;  ///< only this value of the JSON object
+  std::string key;  ///< only this value of the JSON object
 };
 
 nlohmann::ordered_json to_json(const trace::ReplayReport& report) {
@@ -45,14 +45,14 @@ void print_text(const trace::ReplayReport& report, bool checked) {
   if (checked && !report.first_difference) std::printf("check        equal to the recorded outputs, every bit\n");
 }
 
-/// Says so where this blob with these settings would feed energy into the hand, on the device that its certificate assumes.
-void warn(const Options& options, const BlobView& field, const TraceHeader& run) {
+/// Says so where this field with these settings would feed energy into the hand, on the device that its certificate assumes.
+void warn(const Options& options, const FieldView& field, const TraceHeader& run) {
   Loop loop = assumed_loop(field);
   if (loop.damping == Damping{}) return;
   loop.period_ns = run.period_ns;
   const CertificateCheck check = check_certificate(field, loop, run.settings.stiffness);
   if (check.accepted) return;
-  std::fprintf(stderr, "isotouch: %s: %s", options.blob.string().c_str(), describe(check.error));
+  std::fprintf(stderr, "isotouch: %s: %s", options.field.string().c_str(), describe(check.error));
   if (check.error == Error::kTooStiff) {
     std::fprintf(stderr, "; with this trace's period up to %.3g N/mm is safe on the device that `info` assumes",
                  to_double(check.stiffness));
@@ -61,15 +61,15 @@ void warn(const Options& options, const BlobView& field, const TraceHeader& run)
 }
 
 void run(const Options& options) {
-  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const field_file::OpenField field = field_file::open_field(options.field);
   const trace::Trace trace = trace::read_trace(options.trace);
-  warn(options, blob.view, trace.header());
+  warn(options, field.view, trace.header());
   std::optional<trace::TraceWriter> writer;
-  if (!options.out.empty()) writer.emplace(options.out, trace::replay_header(blob.view, trace.header()));
-  const trace::ReplayReport report = trace::replay(blob.view, trace, options.check, writer ? &*writer : nullptr);
+  if (!options.out.empty()) writer.emplace(options.out, trace::replay_header(field.view, trace.header()));
+  const trace::ReplayReport report = trace::replay(field.view, trace, options.check, writer ? &*writer : nullptr);
   if (writer) writer->finish();
-  if (!options.field.empty()) {
-    print_field(to_json(report), options.field);
+  if (!options.key.empty()) {
+    print_field(to_json(report), options.key);
   } else if (options.json) {
     std::printf("%s\n", to_json(report).dump(2).c_str());
   } else {
@@ -87,12 +87,12 @@ void add_replay(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("replay", "Compute a trace's outputs again; the same field and inputs give the same hash on every machine");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
   command->add_option("-o,--out", options->out, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as hash");
+  command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] { run(*options); });
 }
 

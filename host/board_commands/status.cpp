@@ -37,13 +37,14 @@ std::vector<std::string> fault_names(std::uint16_t faults) {
   return names;
 }
 
-constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< wire::AnglesFrom in words
+constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< protocol::AnglesFrom in words
 
-std::string angles_from(const wire::DeviceReport& device) {
+std::string angles_from(const protocol::DeviceReport& device) {
   return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
 }
 
-nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
+nlohmann::ordered_json to_json(const protocol::StatusReport& status, const protocol::DeviceReport& device,
+                               const protocol::Welcome& welcome) {
   nlohmann::ordered_json json{{"program", welcome.program.view()},
                               {"state", state_name(status.state)},
                               {"ticks", status.ticks},
@@ -51,9 +52,9 @@ nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::Dev
                               {"faults", fault_names(status.faults)},
                               {"field_hash", nullptr}};
   if (status.field_hash != 0) json["field_hash"] = trace::hash_text(status.field_hash);
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
     const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
-    const wire::Quantiles& q = status.measures[i];
+    const protocol::Quantiles& q = status.measures[i];
     json[kMeasureNames[i].key] = {{"p50", in(q.p50)}, {"p999", in(q.p999)}, {"max", in(q.max)}};
   }
   json["allocations"] = status.allocations;
@@ -65,16 +66,16 @@ nlohmann::ordered_json to_json(const wire::StatusReport& status, const wire::Dev
   return json;
 }
 
-void print_text(const wire::StatusReport& status, const wire::DeviceReport& device, const wire::Welcome& welcome) {
+void print_text(const protocol::StatusReport& status, const protocol::DeviceReport& device, const protocol::Welcome& welcome) {
   std::string state = state_name(status.state);
   for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
   std::printf("%-17s%s\n", "state", state.c_str());
   std::printf("%-17s%s\n", "field", status.field_hash == 0 ? "none" : trace::hash_text(status.field_hash).c_str());
   std::printf("%-17s%llu, of which late %llu\n", "ticks", static_cast<unsigned long long>(status.ticks),
               static_cast<unsigned long long>(status.late));
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
     const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, welcome.period_ns); };
-    const wire::Quantiles& q = status.measures[i];
+    const protocol::Quantiles& q = status.measures[i];
     std::printf("%-17smedian %.1f, 99.9 %% %.1f, largest %.1f %s\n", kMeasureNames[i].text, in(q.p50), in(q.p999), in(q.max),
                 kMeasureNames[i].in_ticks ? "ticks" : "us");
   }
@@ -88,8 +89,8 @@ void print_text(const wire::StatusReport& status, const wire::DeviceReport& devi
 
 void run(const Options& options) {
   link::Controller controller(options.to);
-  const wire::StatusReport status = controller.status();
-  const wire::DeviceReport device = controller.welcome().minor >= 1 ? controller.device() : wire::DeviceReport{};
+  const protocol::StatusReport status = controller.status();
+  const protocol::DeviceReport device = controller.welcome().minor >= 1 ? controller.device() : protocol::DeviceReport{};
   if (!options.field.empty()) return print_field(to_json(status, device, controller.welcome()), options.field);
   if (!options.json) return print_text(status, device, controller.welcome());
   std::printf("%s\n", to_json(status, device, controller.welcome()).dump(2).c_str());

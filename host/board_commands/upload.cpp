@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
-#include "host/blob/packed.h"
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
 #include "host/error.h"
+#include "host/field_file/open_field.h"
+#include "host/field_file/packed.h"
 #include "host/link/controller.h"
 #include "host/trace/hash_text.h"
 
@@ -22,18 +22,18 @@ namespace isotouch::commands {
 namespace {
 
 struct Options {
-  std::filesystem::path blob;
+  std::filesystem::path field;
   std::string to, name;
   bool json = false;
 };
 
 void run(const Options& options) {
-  const blob::OpenBlob blob = blob::open_blob(options.blob);
-  const std::vector<std::uint8_t> packed = blob::pack(blob.view);
-  const std::string name = options.name.empty() ? options.blob.stem().string() : options.name;
-  const std::uint64_t hash = blob.view.hash();
+  const field_file::OpenField field = field_file::open_field(options.field);
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const std::string name = options.name.empty() ? options.field.stem().string() : options.name;
+  const std::uint64_t hash = field.view.hash();
   link::Controller controller(options.to);
-  const wire::Accepted accepted = controller.upload({packed.size(), blob.view.image.size(), hash, wire::Text::of(name)}, packed);
+  const protocol::Accepted accepted = controller.upload({packed.size(), field.view.image.size(), hash, protocol::Text::of(name)}, packed);
   if (accepted.image_hash != hash) throw InputError(options.to + ": another field was taken over meanwhile; upload again");
   if (options.json) {
     const nlohmann::ordered_json json{
@@ -50,7 +50,7 @@ void add_upload(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("upload", "Send a field to a running controller; if anything fails, the previous field stays active");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   add_address(*command, options->to);
   command->add_option("--name", options->name, "name that the controller stores it under; by default the file's name");
   command->add_flag("--json", options->json, "print one JSON object");

@@ -22,7 +22,7 @@ constexpr double kMaxNormal = 2.0;
 constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
 constexpr double kDoubtful = 0.3;
-constexpr double kStiffest = 100.0;  // N/mm, what a blob holds
+constexpr double kStiffest = 100.0;  // N/mm, what a field holds
 
 /// Brings the normals to unit length in their places.
 void make_unit_normals(const std::string& name, Model& model, CloudReport& report) {

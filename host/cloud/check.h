@@ -15,7 +15,7 @@ namespace isotouch::cloud {
 /// What was found in a file and what was done to it.
 struct CloudReport {
   std::string format;             ///< "PLY, binary little-endian"
-  std::uint64_t source_hash = 0;  ///< of the file's bytes, as a blob stores it
+  std::uint64_t source_hash = 0;  ///< of the file's bytes, as an image stores it
   std::size_t points_read = 0;
   std::size_t points = 0;                         ///< after merging
   std::size_t renormalised = 0;                   ///< normals whose length was more than 1 % off

@@ -1,4 +1,4 @@
-/// Triangle meshes: true surfaces, to build blobs from and to compare them with.
+/// Triangle meshes: true surfaces, to build fields from and to compare them with.
 #pragma once
 
 #include <Eigen/Core>

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSmallestMm = 1.0;
-constexpr double kMaxMm = 1000.0;  // a blob's origin lies within 512 mm
+constexpr double kMaxMm = 1000.0;  // a field's origin lies within 512 mm
 
 std::string text(double value) {
   std::ostringstream stream;

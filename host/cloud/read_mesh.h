@@ -13,7 +13,7 @@ namespace isotouch::cloud {
 /// What stands in a mesh's file.
 struct MeshReport {
   std::string format;             ///< "STL, binary"
-  std::uint64_t source_hash = 0;  ///< of the file's bytes, as a blob stores it
+  std::uint64_t source_hash = 0;  ///< of the file's bytes, as an image stores it
 };
 
 /// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into fans, faces that name one

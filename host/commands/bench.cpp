@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
 #include "host/commands/growth_bench.h"
 #include "host/commands/tick_bench.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/evaluate/force_error.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/motion.h"
 #include "host/published/levels.h"
 #include "host/to_double.h"
@@ -37,14 +37,14 @@ struct Sphere {
     grid = field::make_grid(Eigen::Vector3d::Constant(-radius), Eigen::Vector3d::Constant(radius), kEdge, field::kBand + kMargin);
   }
   /// varied    with a stiffness for each brick
-  blob::OpenBlob blob(bool varied = false) const {
+  field_file::OpenField field(bool varied = false) const {
     const auto distance = [this](const Eigen::Vector3d& p) { return p.norm() - radius; };
-    field::BandField field = field::sample_distance(distance, grid, field::kBand);
+    field::BandField sampled = field::sample_distance(distance, grid, field::kBand);
     if (varied) {
-      for (std::size_t brick = 0; brick < field.bricks.size(); ++brick)
-        field.stiffness.push_back(0.5 + 0.001 * static_cast<double>(brick % 300));
+      for (std::size_t brick = 0; brick < sampled.bricks.size(); ++brick)
+        sampled.stiffness.push_back(0.5 + 0.001 * static_cast<double>(brick % 300));
     }
-    return blob::open_blob(encoding::write_blob(std::move(field), {}), "sphere");
+    return field_file::open_field(encoding::write_image(std::move(sampled), {}), "sphere");
   }
   published::LevelField levels() const {
     published::Indicator inside(grid, 0);
@@ -73,7 +73,7 @@ struct Sphere {
 };
 
 /// The same hand that `isotouch trace make slide` writes.
-Motion slide_on(const BlobView& field) {
+Motion slide_on(const FieldView& field) {
   Motion motion;
   motion::MotionOptions options;
   options.kind = "slide";
@@ -87,18 +87,18 @@ void print(const std::string& what, const TickTimes& times) {
               times.p999_ns, times.ticks);
 }
 
-void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
+void bench_tick(const std::vector<std::filesystem::path>& fields, bool as_json) {
   const Sphere small(186);
   const Sphere large(1024);
   const Motion motion = small.slide();
-  const blob::OpenBlob blob = small.blob();
-  const blob::OpenBlob varied = small.blob(true);
-  const TickTimes core = time_core(blob.view, motion);
+  const field_file::OpenField field = small.field();
+  const field_file::OpenField varied = small.field(true);
+  const TickTimes core = time_core(field.view, motion);
   const TickTimes felt = time_core(varied.view, motion, every_feature());
-  const TickTimes device = time_device(blob.view, motion);
+  const TickTimes device = time_device(field.view, motion);
   const TickTimes device_felt = time_device(varied.view, motion, every_feature());
-  const TickTimes published = time_published(small.levels(), to_double(blob.view.stiffness), motion);
-  const TickTimes wide = time_core(large.blob().view, large.slide());
+  const TickTimes published = time_published(small.levels(), to_double(field.view.stiffness), motion);
+  const TickTimes wide = time_core(large.field().view, large.slide());
 
   nlohmann::ordered_json json = {{"median_ns", core.median_ns},
                                  {"p99_ns", core.p99_ns},
@@ -119,8 +119,8 @@ void bench_tick(const std::vector<std::filesystem::path>& blobs, bool as_json) {
     std::printf("published / core             %.1f\n1024 / 186 grid              %.2f\n", published.median_ns / core.median_ns,
                 wide.median_ns / core.median_ns);
   }
-  for (const std::filesystem::path& file : blobs) {
-    const blob::OpenBlob given = blob::open_blob(file);
+  for (const std::filesystem::path& file : fields) {
+    const field_file::OpenField given = field_file::open_field(file);
     const TickTimes times = time_core(given.view, slide_on(given.view));
     json["blobs"].push_back(
         {{"file", file.string()}, {"median_ns", times.median_ns}, {"p99_ns", times.p99_ns}, {"p999_ns", times.p999_ns}});
@@ -190,7 +190,7 @@ void bench_growth(bool as_json) {
 
 void add_bench(CLI::App& app) {
   struct Options {
-    std::vector<std::filesystem::path> blobs;
+    std::vector<std::filesystem::path> fields;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -199,9 +199,9 @@ void add_bench(CLI::App& app) {
   CLI::App* tick = command->add_subcommand("tick",
                                            "Time of one tick, from HIP to force and from counts to motor commands, with warm caches, "
                                            "sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
-  tick->add_option("BLOB", options->blobs, "time these fields too, sliding on each");
+  tick->add_option("FIELD", options->fields, "time these fields too, sliding on each");
   tick->add_flag("--json", options->json, "print one JSON object");
-  tick->callback([options] { bench_tick(options->blobs, options->json); });
+  tick->callback([options] { bench_tick(options->fields, options->json); });
   CLI::App* field = command->add_subcommand("field", "Time from a file of points to a verified field file, beside the published method");
   field->add_flag("--json", options->json, "print one JSON object");
   field->callback([options] { bench_field(options->json); });

@@ -1,4 +1,4 @@
-/// isotouch build: oriented points, a mesh or a level set → field → blob.
+/// isotouch build: oriented points, a mesh or a level set → field → file.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
@@ -9,7 +9,7 @@
 #include <string>
 
 #include "host/board_commands/choice.h"
-#include "host/commands/build_blob.h"
+#include "host/commands/built_field.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
 #include "host/encoding/dense_bytes.h"
@@ -33,7 +33,7 @@ KindNames names_of(InputKind kind) {
   return {"level_set", "voxels"};
 }
 
-void print_json(const BuildReport& report, const BlobView& view) {
+void print_json(const BuildReport& report, const FieldView& view) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
   const nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
@@ -42,14 +42,14 @@ void print_json(const BuildReport& report, const BlobView& view) {
                                        {"seconds", report.seconds},
                                        {"stages", stages},
                                        {"bytes", view.image.size()},
-                                       {"wire_bytes", report.wire_bytes},
+                                       {"wire_bytes", report.packed_bytes},
                                        {"dense_float_bytes", encoding::dense_float_bytes(view)},
                                        {"hash", trace::hash_text(view.hash())},
                                        {"warnings", report.warnings}};
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void print_text(const BuildReport& report, const BlobView& view, const std::filesystem::path& out) {
+void print_text(const BuildReport& report, const FieldView& view, const std::filesystem::path& out) {
   const auto& [scale, offset] = report.placement;
   const double edge = static_cast<double>(view.edge.raw()) / (1 << MmPerVoxel::kFractionBits);
   std::printf("%-13s %zu (%s)\n", names_of(report.kind).items, report.points, report.format.c_str());
@@ -58,9 +58,9 @@ void print_text(const BuildReport& report, const BlobView& view, const std::file
   std::printf("inside nodes  %zu\n", report.inside_nodes);
   std::printf("seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
-  std::printf("\nblob          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
-  std::printf("bytes         %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
-              report.wire_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::printf("\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
+  std::printf("bytes         %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", view.image.size(),
+              report.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
 }
 
 }  // namespace
@@ -111,11 +111,11 @@ void add_build(CLI::App& app) {
     if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
-    const BuiltBlob built = build_blob(*options);
+    const BuiltField built = built_field(*options);
     if (*json) {
-      print_json(built.report, built.blob.view);
+      print_json(built.report, built.field.view);
     } else {
-      print_text(built.report, built.blob.view, options->out);
+      print_text(built.report, built.field.view, options->out);
     }
   });
 }

@@ -30,21 +30,22 @@ struct Options {
 };
 
 /// Asks for a posture, waits for Enter (or for the end of the input), and lets the controller measure.
-evaluate::Posture hold(link::Controller& controller, const Options& options, std::size_t number, DeviceModel& model, wire::Text& serial) {
+evaluate::Posture hold(link::Controller& controller, const Options& options, std::size_t number, DeviceModel& model,
+                       protocol::Text& serial) {
   const auto [x, y, z] = options.at[number];
   std::fprintf(stderr, "%zu of %zu: hold the middle of the grip still at x %.2f, y %.2f, z %.2f mm, then press Enter ", number + 1,
                options.at.size(), x, y, z);
   std::string line;
   std::getline(std::cin, line);
   std::fprintf(stderr, "\nhold still ...\n");
-  const wire::PostureReport measured = controller.posture(model);
+  const protocol::PostureReport measured = controller.posture(model);
   serial = measured.serial;
   evaluate::Posture posture{{x, y, z}, {}};
   for (std::size_t i = 0; i < 3; ++i) posture.counts[i] = std::ldexp(measured.counts[i], -8);
   return posture;
 }
 
-void print(const Options& options, const wire::Calibrate& calibration, const evaluate::AngleCalibration& found) {
+void print(const Options& options, const protocol::Calibrate& calibration, const evaluate::AngleCalibration& found) {
   const std::string serial(calibration.serial.view());
   std::array<double, 3> degrees{};
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = degrees_of(calibration.at_zero[i]);
@@ -64,7 +65,7 @@ void run(Options options) {
   link::Controller controller(options.to);
   if (options.at.empty()) options.at = {{0, 0, 125}};
   DeviceModel model;
-  wire::Calibrate calibration;
+  protocol::Calibrate calibration;
   std::vector<evaluate::Posture> postures;
   for (std::size_t i = 0; i < options.at.size(); ++i) postures.push_back(hold(controller, options, i, model, calibration.serial));
   const auto found = evaluate::calibrate(model, postures);

@@ -1,17 +1,17 @@
-/// isotouch compare: a blob against the closed mesh of its object.
+/// isotouch compare: a field against the closed mesh of its object.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host/blob/open_blob.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/field_file/open_field.h"
 #include "host/view/png_file.h"
 #include "host/view/worst_picture.h"
 
@@ -23,21 +23,21 @@ using evaluate::SurfaceError;
 using evaluate::TruthComparison;
 
 struct Options {
-  std::filesystem::path blob;
+  std::filesystem::path field;
   std::filesystem::path mesh;
   std::filesystem::path worst;  ///< the picture to write; empty: none
   bool floor = false;
   bool json = false;
 };
 
-/// A blob measured at points along their normals, and as a whole.
+/// A field measured at points along their normals, and as a whole.
 struct Measured {
   SurfaceError at_points;
   cloud::TriangleMesh surface;
   TruthComparison whole;
 };
 
-Measured measure(const BlobView& field, const cloud::TriangleMesh& mesh) {
+Measured measure(const FieldView& field, const cloud::TriangleMesh& mesh) {
   Measured measured{evaluate::compare_with_mesh(field, mesh), evaluate::zero_surface(field), {}};
   measured.whole = evaluate::compare_surfaces(field, measured.surface, mesh);
   return measured;
@@ -53,7 +53,7 @@ nlohmann::ordered_json to_json(const Measured& measured) {
           {"lost", error.lost},
           {"hausdorff_voxel", whole.hausdorff_voxel()},
           {"hausdorff_from_mesh_voxel", whole.from_mesh_voxel()},
-          {"hausdorff_from_blob_voxel", whole.from_blob_voxel()},
+          {"hausdorff_from_blob_voxel", whole.from_field_voxel()},
           {"wrong_side_volume_pct", whole.wrong_side_pct},
           {"components", whole.pieces.size()},
           {"volume_ratio", whole.volume_ratio}};
@@ -69,34 +69,34 @@ void print(const char* name, const Measured& measured) {
   const auto& [error, surface, whole] = measured;
   std::printf("%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
               error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
-  std::printf("       Hausdorff %.3f voxel: mesh to blob %.3f at %s mm, blob to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
-              whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_blob_voxel(), text(whole.from_blob.place).c_str());
+  std::printf("       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
+              whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(), text(whole.from_field.place).c_str());
   std::printf("       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
               whole.wrong_side_pct, whole.too_much_pct, whole.wrong_side_pct - whole.too_much_pct, whole.volume_ratio, whole.pieces.size(),
               whole.pieces.size() == 1 ? "" : "s");
 }
 
 void run(const Options& options) {
-  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const field_file::OpenField field = field_file::open_field(options.field);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
-  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(blob.view));
-  const Measured measured = measure(blob.view, mesh);
+  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
+  const Measured measured = measure(field.view, mesh);
 
   nlohmann::ordered_json json = to_json(measured);
-  if (!options.json) print("blob", measured);
+  if (!options.json) print("field", measured);
   if (options.floor) {
-    const blob::OpenBlob exact = evaluate::floor_of_mesh(blob.view, mesh);
+    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
     const Measured floor = measure(exact.view, mesh);
     json["floor"] = to_json(floor);
     if (!options.json) print("floor", floor);
   }
   if (!options.worst.empty()) {
-    const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_blob.distance;
+    const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
     const evaluate::Farthest& worst = measured.whole.worst();
-    view::write_png(options.worst,
-                    view::worst_picture(blob.view, measured.surface, mesh, {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
-                                        {.title = options.blob.stem().string()}));
+    view::write_png(options.worst, view::worst_picture(field.view, measured.surface, mesh,
+                                                       {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
+                                                       {.title = options.field.stem().string()}));
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());
 }
@@ -108,9 +108,9 @@ void add_compare(CLI::App& app) {
   CLI::App* command = app.add_subcommand("compare",
                                          "Compare a field with the closed mesh of its object: offsets at 20,000 points along the mesh's "
                                          "normals, the worst place of both surfaces, the volume on the wrong side");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
-  command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the blob's grid");
+  command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the field's grid");
   command->add_option("--worst", options->worst, "draw the worst place of the field (.png)");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

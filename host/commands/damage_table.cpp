@@ -14,9 +14,10 @@ std::vector<DamageRow> damage_rows(const evaluate::ShapeTrial& trial) {
     DamageRow row;
     row.shape = trial.shape.name;
     row.damage = damage.name;
-    const blob::OpenBlob blob = evaluate::trial_blob(evaluate::damaged_trial(trial, damage), encoding::Method::kDefault, &row.repair);
-    row.error = evaluate::surface_error(blob.view, trial.truth);
-    row.components = evaluate::pieces(evaluate::zero_surface(blob.view)).size();
+    const field_file::OpenField field =
+        evaluate::trial_field(evaluate::damaged_trial(trial, damage), encoding::Method::kDefault, &row.repair);
+    row.error = evaluate::surface_error(field.view, trial.truth);
+    row.components = evaluate::pieces(evaluate::zero_surface(field.view)).size();
     rows.push_back(std::move(row));
   }
   return rows;

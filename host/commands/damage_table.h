@@ -16,7 +16,7 @@ struct DamageRow {
   std::string shape;
   std::string damage;  ///< one of `evaluate::kDamages`
   evaluate::SurfaceError error;
-  std::size_t components = 0;  ///< pieces and cavities of the blob's surface; 1 is sound
+  std::size_t components = 0;  ///< pieces and cavities of the field's surface; 1 is sound
   field::Repair repair;
 };
 

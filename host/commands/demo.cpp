@@ -13,7 +13,7 @@
 #include "host/cloud/check.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/commands/build_blob.h"
+#include "host/commands/built_field.h"
 #include "host/commands/commands.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
@@ -65,7 +65,7 @@ fs::path hydrant(const fs::path& folder) {
 }
 
 /// All gestures over the object, recorded, and replayed against the recording.
-Tour feel(const BlobView& field, const fs::path& folder) {
+Tour feel(const FieldView& field, const fs::path& folder) {
   const TraceHeader header;
   const fs::path inputs = folder / "tour.inputs.trace", recorded = folder / "tour.trace";
   trace::TraceWriter writer(inputs, header);
@@ -88,21 +88,21 @@ Tour feel(const BlobView& field, const fs::path& folder) {
 /// The paper's Fig. 9: sliding 4 voxels deep, by numbers at 100 and 300 mm/s; for the picture a hand that comes, slides and leaves.
 SphereForce sphere_force() {
   const evaluate::ShapeTrial trial = evaluate::shape_trial("sphere");
-  const blob::OpenBlob blob = evaluate::trial_blob(trial, encoding::Method::kDefault);
+  const field_file::OpenField field = evaluate::trial_field(trial, encoding::Method::kDefault);
   SphereForce result;
   evaluate::SphereSlide slide;
   for (const double speed : {100.0, 300.0}) {
-    slide = evaluate::trial_slide(blob.view, speed);
+    slide = evaluate::trial_slide(field.view, speed);
     const evaluate::ForceError error =
-        evaluate::force_error(evaluate::slide_on_sphere(slide, evaluate::core_force(blob.view, slide.period_s)));
+        evaluate::force_error(evaluate::slide_on_sphere(slide, evaluate::core_force(field.view, slide.period_s)));
     result.worst.ticks += error.ticks;
     result.worst.magnitude_rms_pct = std::max(result.worst.magnitude_rms_pct, error.magnitude_rms_pct);
     result.worst.direction_max_deg = std::max(result.worst.direction_max_deg, error.direction_max_deg);
   }
-  const evaluate::ForceTick tick = evaluate::core_force(blob.view, slide.period_s);
+  const evaluate::ForceTick tick = evaluate::core_force(field.view, slide.period_s);
   motion::MotionOptions motion;
   motion.kind = "slide";
-  motion::make_motion(&blob.view, motion, [&](const Input& input) {
+  motion::make_motion(&field.view, motion, [&](const Input& input) {
     const Eigen::Vector3d hip = to_double(input.hip);
     result.curve.time_s.push_back(static_cast<double>(result.curve.time_s.size()) * slide.period_s);
     result.curve.felt_n.push_back(tick(hip).norm());
@@ -111,7 +111,7 @@ SphereForce sphere_force() {
   return result;
 }
 
-std::vector<fs::path> draw(const DemoOptions& options, const std::string& title, const BuiltBlob& built, const Tour& tour,
+std::vector<fs::path> draw(const DemoOptions& options, const std::string& title, const BuiltField& built, const Tour& tour,
                            const SphereForce& force) {
   const std::vector<fs::path> files = {options.folder / "points.png", options.folder / "surface.png", options.folder / "slice.png",
                                        options.folder / "force.png"};
@@ -119,13 +119,13 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                                                                 .title = title,
                                                                 .spacing = cloud::median_spacing(built.points.positions),
                                                                 .mm_per_unit = 1}));
-  view::write_png(files[1], view::surface_picture(built.blob.view, {.up = options.up, .touch = tour.deepest, .title = title}));
-  view::write_png(files[2], view::slice_picture(built.blob.view, {.title = title}));
+  view::write_png(files[1], view::surface_picture(built.field.view, {.up = options.up, .touch = tour.deepest, .title = title}));
+  view::write_png(files[2], view::slice_picture(built.field.view, {.title = title}));
   view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
   return files;
 }
 
-void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& force, const std::vector<fs::path>& pictures) {
+void print_json(const BuiltField& built, const Tour& tour, const SphereForce& force, const std::vector<fs::path>& pictures) {
   nlohmann::ordered_json stages = nlohmann::ordered_json::object();
   for (const auto& [stage, seconds] : built.report.stages) stages[stage] = seconds;
   nlohmann::ordered_json json = {
@@ -133,8 +133,8 @@ void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& for
       {"inside_nodes", built.report.inside_nodes},
       {"seconds", built.report.seconds},
       {"stages", stages},
-      {"bytes", built.blob.image.size()},
-      {"hash", trace::hash_text(built.blob.view.hash())},
+      {"bytes", built.field.image.size()},
+      {"hash", trace::hash_text(built.field.view.hash())},
       {"ticks", tour.first.ticks},
       {"ticks_per_second", static_cast<double>(tour.first.ticks) / tour.first.seconds},
       {"replay_hash", trace::hash_text(tour.first.hash)},
@@ -144,18 +144,18 @@ void print_json(const BuiltBlob& built, const Tour& tour, const SphereForce& for
   std::printf("%s\n", json.dump(2).c_str());
 }
 
-void print_text(const std::string& title, const BuiltBlob& built, const Tour& tour, const SphereForce& force,
+void print_text(const std::string& title, const BuiltField& built, const Tour& tour, const SphereForce& force,
                 const std::vector<fs::path>& pictures) {
   const BuildReport& report = built.report;
-  const auto& size = built.blob.view.size;
+  const auto& size = built.field.view.size;
   std::printf("object          %s\n", title.c_str());
   std::printf("points          %zu\n", report.points);
-  std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], to_double(built.blob.view.edge));
+  std::printf("grid            %d × %d × %d samples, voxel %.3f mm\n", size[0], size[1], size[2], to_double(built.field.view.edge));
   std::printf("inside nodes    %zu\n", report.inside_nodes);
   std::printf("build           %.2f s:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.2f", stage.c_str(), seconds);
-  std::printf("\nblob            %.2f MB, hash %s\n", static_cast<double>(built.blob.image.size()) * 1e-6,
-              trace::hash_text(built.blob.view.hash()).c_str());
+  std::printf("\nfield            %.2f MB, hash %s\n", static_cast<double>(built.field.image.size()) * 1e-6,
+              trace::hash_text(built.field.view.hash()).c_str());
   std::printf("tour            %llu ticks, %.0f ticks a second with their hash chain\n", static_cast<unsigned long long>(tour.first.ticks),
               static_cast<double>(tour.first.ticks) / tour.first.seconds);
   std::printf("replay          hash %s, repeated: equal, every bit\n", trace::hash_text(tour.first.hash).c_str());
@@ -179,9 +179,9 @@ void run(const DemoOptions& options) {
   build.input = cloud;
   build.as = InputKind::kCloud;
   build.out = options.folder / (title + ".itf");
-  const BuiltBlob built = build_blob(build);
+  const BuiltField built = built_field(build);
   say("feeling it along a tour");
-  const Tour tour = feel(built.blob.view, options.folder);
+  const Tour tour = feel(built.field.view, options.folder);
   if (!tour.repeated) throw ComparisonFailed("the tour's replay is not equal to its recording");
   say("comparing the force with a sphere's");
   const SphereForce force = sphere_force();

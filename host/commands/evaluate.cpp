@@ -46,8 +46,8 @@ MethodResult measure(encoding::Method method) {
   for (const char* name : kShapes) {
     std::fprintf(stderr, "%s %s\n", method == encoding::Method::kPublished ? "published" : "default", name);
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
-    const blob::OpenBlob built = evaluate::trial_blob(trial, method);
-    const blob::OpenBlob floor = evaluate::floor_blob(trial);
+    const field_file::OpenField built = evaluate::trial_field(trial, method);
+    const field_file::OpenField floor = evaluate::floor_field(trial);
     result.shapes.push_back({name, evaluate::surface_error(built.view, trial.truth), evaluate::surface_error(floor.view, trial.truth)});
     if (method == encoding::Method::kDefault) {
       for (DamageRow& row : damage_rows(trial)) result.damage.push_back(std::move(row));

@@ -1,4 +1,4 @@
-/// isotouch export: a blob in the forms that others read.
+/// isotouch export: a field in the forms that others read.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "host/blob/open_blob.h"
-#include "host/blob/packed.h"
 #include "host/commands/commands.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/evaluate/node_distances.h"
+#include "host/field_file/open_field.h"
+#include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/trace/hash_text.h"
 #include "host/vdb/level_set.h"
@@ -23,27 +23,27 @@ namespace isotouch::commands {
 
 namespace {
 
-using blob::OpenBlob;
+using field_file::OpenField;
 
-void export_image(const OpenBlob& blob, const std::filesystem::path& out) {
-  write_file(out, blob.view.image.data(), blob.view.image.size());
+void export_image(const OpenField& field, const std::filesystem::path& out) {
+  write_file(out, field.view.image.data(), field.view.image.size());
 }
 
-void export_packed(const OpenBlob& blob, const std::filesystem::path& out) {
-  const std::vector<std::uint8_t> bytes = blob::pack(blob.view);
+void export_packed(const OpenField& field, const std::filesystem::path& out) {
+  const std::vector<std::uint8_t> bytes = field_file::pack(field.view);
   write_file(out, bytes.data(), bytes.size());
 }
 
-void export_level_set(const OpenBlob& blob, const std::filesystem::path& out) {
-  const encoding::BlobInfo info = encoding::info_of(blob.view);
+void export_level_set(const OpenField& field, const std::filesystem::path& out) {
+  const encoding::FieldInfo info = encoding::info_of(field.view);
   const auto number = [](double value) { return nlohmann::json(value).dump(); };
   const vdb::Notes notes = {{"isotouch_unit", "mm"},
-                            {"isotouch_blob", trace::hash_text(blob.view.hash())},
+                            {"isotouch_field", trace::hash_text(field.view.hash())},
                             {"isotouch_source", trace::hash_text(info.source_hash)},
                             {"isotouch_scale", number(info.placement.scale)},  // workspace = scale * input + offset
                             {"isotouch_offset", number(info.placement.offset.x()) + " " + number(info.placement.offset.y()) + " " +
                                                     number(info.placement.offset.z())}};
-  const std::vector<std::uint8_t> bytes = vdb::write_level_set(evaluate::node_distances(blob.view), out.stem().string(), notes);
+  const std::vector<std::uint8_t> bytes = vdb::write_level_set(evaluate::node_distances(field.view), out.stem().string(), notes);
   write_file(out, bytes.data(), bytes.size());
 }
 
@@ -51,7 +51,7 @@ void export_level_set(const OpenBlob& blob, const std::filesystem::path& out) {
 struct Form {
   std::string_view extension;
   const char* what;
-  void (*write)(const OpenBlob& blob, const std::filesystem::path& out);
+  void (*write)(const OpenField& field, const std::filesystem::path& out);
 };
 
 constexpr std::array kForms = {
@@ -79,16 +79,16 @@ const Form& form_of(const std::filesystem::path& out) {
 
 void add_export(CLI::App& app) {
   struct Options {
-    std::filesystem::path blob;
+    std::filesystem::path field;
     std::filesystem::path out;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a field in another file format");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("-o,--out", options->out, "the file to write; its extension chooses the format: " + known_forms())->required();
   command->callback([options] {
     const Form& form = form_of(options->out);  // before the work
-    form.write(blob::open_blob(options->blob), options->out);
+    form.write(field_file::open_field(options->field), options->out);
   });
 }
 

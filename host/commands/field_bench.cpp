@@ -5,7 +5,7 @@
 
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/commands/build_blob.h"
+#include "host/commands/built_field.h"
 #include "host/commands/temporary_folder.h"
 
 namespace isotouch::commands {
@@ -14,7 +14,7 @@ namespace {
 
 double seconds_of(BuildOptions options, encoding::Method method) {
   options.method = method;
-  return build_blob(options).report.seconds;
+  return built_field(options).report.seconds;
 }
 
 }  // namespace

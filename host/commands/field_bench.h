@@ -1,4 +1,4 @@
-/// How long it takes from a cloud's file to a verified blob's file, by both methods.
+/// How long it takes from a cloud's file to a verified field's file, by both methods.
 #pragma once
 
 #include <string>

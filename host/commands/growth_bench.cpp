@@ -7,7 +7,7 @@
 #include "host/cloud/forked_call.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
-#include "host/commands/build_blob.h"
+#include "host/commands/built_field.h"
 #include "host/commands/temporary_folder.h"
 #include "host/error.h"
 #include "host/field/build_field.h"
@@ -44,13 +44,13 @@ void write_sphere(const std::filesystem::path& file, std::size_t points) {
 GrowthRow one_run(const BuildOptions& options) {
   cloud::ForkedCall trial;
   const auto build = [&] {
-    const BuiltBlob built = build_blob(options);
-    const BlobView& view = built.blob.view;
+    const BuiltField built = built_field(options);
+    const FieldView& view = built.field.view;
     return Json{{"points", built.report.points},
                 {"grid", view.size[0]},
                 {"seconds", built.report.seconds},
                 {"image_bytes", view.image.size()},
-                {"stored_samples", blob_layout::kSamplesPerBrick * view.brick_count},
+                {"stored_samples", image_layout::kSamplesPerBrick * view.brick_count},
                 {"stages", built.report.stages}}
         .dump();
   };

@@ -30,7 +30,7 @@ struct Growth {
 
 inline constexpr int kGrowthRuns = 3;
 
-/// Points on a sphere, which has the most surface in its cube, from a cloud's file to a blob's.
+/// Points on a sphere, which has the most surface in its cube, from a cloud's file to a field's.
 ///
 /// fails     InputError when the temporary folder cannot be written or a build does not end
 Growth measure_growth();

@@ -1,4 +1,4 @@
-/// isotouch info: what a blob says of itself.
+/// isotouch info: what a field says of itself.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,46 +11,46 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
-#include "host/blob/packed.h"
 #include "host/board_commands/print_field.h"
 #include "host/commands/commands.h"
 #include "host/encoding/certificate.h"
 #include "host/encoding/dense_bytes.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/field_file/open_field.h"
+#include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "shared/bytes.h"
 #include "shared/certificate.h"
-#include "shared/packed_blob.h"
+#include "shared/packed_field.h"
 
 namespace isotouch::commands {
 
 namespace {
 
-std::string version(const BlobView& view) {
+std::string version(const FieldView& view) {
   const std::uint8_t* at = view.image.data();
-  return std::to_string(load_le<std::uint16_t>(at + blob_layout::kMajorAt)) + "." +
-         std::to_string(load_le<std::uint16_t>(at + blob_layout::kMinorAt));
+  return std::to_string(load_le<std::uint16_t>(at + image_layout::kMajorAt)) + "." +
+         std::to_string(load_le<std::uint16_t>(at + image_layout::kMinorAt));
 }
 
 /// The size of the file where it is packed, and what it would be where it is the image.
-std::size_t wire_bytes(const std::filesystem::path& file, const BlobView& view) {
+std::size_t packed_bytes(const std::filesystem::path& file, const FieldView& view) {
   const std::vector<std::uint8_t> bytes = read_file(file);
-  return PackedBlob::has_magic(bytes) ? bytes.size() : blob::pack(view).size();
+  return PackedField::has_magic(bytes) ? bytes.size() : field_file::pack(view).size();
 }
 
 /// What --surface adds.
-void add_surface(const BlobView& view, nlohmann::ordered_json& json) {
+void add_surface(const FieldView& view, nlohmann::ordered_json& json) {
   const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
   json["components"] = pieces.size();
   json["volume_mm3"] = evaluate::volume(pieces);
   json["area_mm2"] = evaluate::area(pieces);
 }
 
-void print_surface(const BlobView& view) {
+void print_surface(const FieldView& view) {
   const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
   std::printf("surface      %zu component%s, %.6g mm³ inside, %.6g mm²\n", pieces.size(), pieces.size() == 1 ? "" : "s",
               evaluate::volume(pieces), evaluate::area(pieces));
@@ -67,14 +67,14 @@ void print_surface(const BlobView& view) {
 struct StiffnessRange {
   double least, largest;
 
-  explicit StiffnessRange(const BlobView& view) : least(to_double(view.stiffness)), largest(least) {
+  explicit StiffnessRange(const FieldView& view) : least(to_double(view.stiffness)), largest(least) {
     if (view.stiffness_parts == nullptr || view.brick_count == 2) return;
     const std::uint8_t* parts = view.stiffness_parts;
-    least *= static_cast<double>(*std::min_element(parts + 2, parts + view.brick_count)) / blob_layout::kFullStiffness;
+    least *= static_cast<double>(*std::min_element(parts + 2, parts + view.brick_count)) / image_layout::kFullStiffness;
   }
 };
 
-nlohmann::ordered_json to_json(const BlobView& view, std::size_t wire_bytes, bool with_surface) {
+nlohmann::ordered_json to_json(const FieldView& view, std::size_t packed_bytes, bool with_surface) {
   const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
@@ -90,7 +90,7 @@ nlohmann::ordered_json to_json(const BlobView& view, std::size_t wire_bytes, boo
                                  {"bricks", view.brick_count},
                                  {"hash", trace::hash_text(view.hash())},
                                  {"version", version(view)},
-                                 {"wire_bytes", wire_bytes},
+                                 {"wire_bytes", packed_bytes},
                                  {"dense_float_bytes", encoding::dense_float_bytes(view)},
                                  {"certificate", certificate}};
   const StiffnessRange stiffness(view);
@@ -99,15 +99,15 @@ nlohmann::ordered_json to_json(const BlobView& view, std::size_t wire_bytes, boo
   return json;
 }
 
-void print_text(const BlobView& view, std::size_t wire_bytes) {
-  const encoding::BlobInfo info = encoding::info_of(view);
+void print_text(const FieldView& view, std::size_t packed_bytes) {
+  const encoding::FieldInfo info = encoding::info_of(view);
   const Eigen::Vector3d origin = to_double(view.origin);
   const Eigen::Vector3d far =
       origin + to_double(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
-  std::printf("bytes        %zu in memory, %zu packed on the wire and in the file, for %ju of a dense grid of floats\n", view.image.size(),
-              wire_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::printf("bytes        %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", view.image.size(),
+              packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
   std::printf("hash         %s\n", trace::hash_text(view.hash()).c_str());
   std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == encoding::Method::kPublished ? "published" : "default", info.point_count);
@@ -145,27 +145,27 @@ void print_text(const BlobView& view, std::size_t wire_bytes) {
 
 void add_info(CLI::App& app) {
   struct Options {
-    std::filesystem::path blob;
+    std::filesystem::path field;
     bool surface = false;
     bool json = false;
-    std::string field;  ///< only this value of the JSON object
+    std::string key;  ///< only this value of the JSON object
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Print what a field file holds");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_flag("--surface", options->surface, "also measure the whole surface: number of pieces, volume inside, area");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as hash");
+  command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
-    const blob::OpenBlob blob = blob::open_blob(options->blob);
-    const std::size_t wire = wire_bytes(options->blob, blob.view);
-    if (!options->field.empty()) return print_field(to_json(blob.view, wire, options->surface), options->field);
+    const field_file::OpenField field = field_file::open_field(options->field);
+    const std::size_t packed = packed_bytes(options->field, field.view);
+    if (!options->key.empty()) return print_field(to_json(field.view, packed, options->surface), options->key);
     if (options->json) {
-      std::printf("%s\n", to_json(blob.view, wire, options->surface).dump(2).c_str());
+      std::printf("%s\n", to_json(field.view, packed, options->surface).dump(2).c_str());
       return;
     }
-    print_text(blob.view, wire);
-    if (options->surface) print_surface(blob.view);
+    print_text(field.view, packed);
+    if (options->surface) print_surface(field.view);
   });
 }
 

@@ -21,10 +21,10 @@ view::Touch touch_of(const trace::Trace& trace, std::size_t tick, const TraceRec
 
 }  // namespace
 
-void for_each_tick(const trace::Trace& trace, const BlobView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
+void for_each_tick(const trace::Trace& trace, const FieldView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
   std::optional<trace::Run> run;
   if (!trace.header().has_outputs) {
-    if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only, name the field that they touch with --blob");
+    if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only; name the field that they touch with --field");
     run.emplace(*field, trace.header());
   }
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
@@ -33,7 +33,7 @@ void for_each_tick(const trace::Trace& trace, const BlobView* field, const std::
   }
 }
 
-view::Touch touch_at(const trace::Trace& trace, const BlobView& field, std::size_t tick) {
+view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick) {
   std::optional<view::Touch> touch;
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if (number == tick && (record.output.status & kContact) != 0) touch = touch_of(trace, number, record);
@@ -43,7 +43,7 @@ view::Touch touch_at(const trace::Trace& trace, const BlobView& field, std::size
   return *touch;
 }
 
-view::Touch deepest_touch(const trace::Trace& trace, const BlobView& field) {
+view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field) {
   std::optional<view::Touch> deepest;
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if ((record.output.status & kContact) == 0) return;

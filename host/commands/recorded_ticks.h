@@ -6,20 +6,20 @@
 
 #include "host/trace/trace_file.h"
 #include "host/view/markers.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::commands {
 
 /// field     nullptr: the outputs must be in the trace
 /// fails     InputError: no outputs and no field; inputs are encoder counts
-void for_each_tick(const trace::Trace& trace, const BlobView* field, const std::function<void(std::size_t, const TraceRecord&)>& use);
+void for_each_tick(const trace::Trace& trace, const FieldView* field, const std::function<void(std::size_t, const TraceRecord&)>& use);
 
 /// fails     InputError as above, and when there is no contact at that tick
-view::Touch touch_at(const trace::Trace& trace, const BlobView& field, std::size_t tick);
+view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick);
 
 /// The tick in contact whose HIP is furthest from its proxy; the first of equals.
 ///
 /// fails     InputError as above, and when the object is never touched
-view::Touch deepest_touch(const trace::Trace& trace, const BlobView& field);
+view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field);
 
 }  // namespace isotouch::commands

@@ -8,7 +8,6 @@
 #include <system_error>
 #include <utility>
 
-#include "host/blob/open_blob.h"
 #include "host/board_commands/choice.h"
 #include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
@@ -16,6 +15,7 @@
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
+#include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
 #include "host/view/caption.h"
@@ -49,18 +49,18 @@ struct PointsRun {
 
 struct SurfaceRun {
   PictureOptions picture;
-  fs::path blob;
+  fs::path field;
   fs::path trace;
   std::string tick = "deepest";
 
   void operator()() const {
-    const blob::OpenBlob open = blob::open_blob(blob);
+    const field_file::OpenField open = field_file::open_field(field);
     view::SurfaceOptions options{.width = picture.size[0],
                                  .height = picture.size[1],
                                  .direction = picture.direction(),
                                  .up = picture.up,
                                  .touch = std::nullopt,
-                                 .title = blob.stem().string()};
+                                 .title = field.stem().string()};
     if (!trace.empty()) {
       const trace::Trace recorded = trace::read_trace(trace);
       options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
@@ -79,29 +79,29 @@ struct SurfaceRun {
 
 struct SliceRun {
   PictureOptions picture;
-  fs::path blob;
+  fs::path field;
   char axis = 'z';
   std::optional<double> at;
 
   void operator()() const {
-    const blob::OpenBlob open = blob::open_blob(blob);
+    const field_file::OpenField open = field_file::open_field(field);
     view::write_png(
         picture.out,
         view::slice_picture(
-            open.view, {.width = picture.size[0], .height = picture.size[1], .axis = axis, .at_mm = at, .title = blob.stem().string()}));
+            open.view, {.width = picture.size[0], .height = picture.size[1], .axis = axis, .at_mm = at, .title = field.stem().string()}));
   }
 };
 
 struct ForceRun {
   PictureOptions picture;
   fs::path trace;
-  fs::path blob;
+  fs::path field;
   double sphere_mm = 0;
 
   void operator()() const {
     const trace::Trace recorded = trace::read_trace(trace);
-    std::optional<blob::OpenBlob> open;
-    if (!blob.empty()) open.emplace(blob::open_blob(blob));
+    std::optional<field_file::OpenField> open;
+    if (!field.empty()) open.emplace(field_file::open_field(field));
     const double limit = to_double(recorded.header().settings.force_limit);
     const double stiffness = sphere_mm > 0 ? stiffness_of(recorded, open ? &open->view : nullptr) : 0;
     view::ForceCurve curve;
@@ -118,11 +118,11 @@ struct ForceRun {
                                                              .exact_label = "exact, sphere of " + view::number(sphere_mm, 3) + " mm"}));
   }
 
-  double stiffness_of(const trace::Trace& recorded, const BlobView* field) const {
+  double stiffness_of(const trace::Trace& recorded, const FieldView* touched) const {
     const Stiffness set = recorded.header().settings.stiffness;
     if (set.raw() != 0) return to_double(set);
-    if (field == nullptr) throw InputError(trace.string() + ": its stiffness is that of the blob, name it with --blob");
-    return to_double(field->stiffness);
+    if (touched == nullptr) throw InputError(trace.string() + ": its stiffness is that of the field; name the field with --field");
+    return to_double(touched->stiffness);
   }
 };
 
@@ -147,19 +147,19 @@ void add_render(CLI::App& app) {
   points_run->picture.add_view_to(*points);
 
   const auto [surface, surface_run] = add<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
-  surface->add_option("BLOB", surface_run->blob, "the field (.itf)")->required();
+  surface->add_option("FIELD", surface_run->field, "the field (.itf)")->required();
   CLI::Option* trace = surface->add_option("--trace", surface_run->trace, "show the touch of a recorded hand");
   surface->add_option("--tick", surface_run->tick, "which tick of it: a number, or deepest")->needs(trace)->capture_default_str();
   surface_run->picture.add_view_to(*surface);
 
   const auto [slice, slice_run] = add<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
-  slice->add_option("BLOB", slice_run->blob, "the field (.itf)")->required();
+  slice->add_option("FIELD", slice_run->field, "the field (.itf)")->required();
   slice->add_option("--axis", slice_run->axis, "across the slice")->check(one_of({"x", "y", "z"}))->capture_default_str();
   slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
 
   const auto [force, force_run] = add<ForceRun>(*render, "force", "Force over time of a recorded hand");
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
-  force->add_option("--blob", force_run->blob, "for a trace that holds inputs only, or takes its stiffness from the blob");
+  force->add_option("--field,--blob", force_run->field, "for a trace that holds inputs only, or takes its stiffness from the field");
   force->add_option("--exact-sphere", force_run->sphere_mm, "beside it the exact answer of a sphere of this radius (mm) round the origin")
       ->check(CLI::PositiveNumber);
 }

@@ -40,7 +40,7 @@ struct Options {
   bool json = false;
 };
 
-/// The trace's header when a simulated hand feels a mesh: of no blob, a bare spring.
+/// The trace's header when a simulated hand feels a mesh: of no field, a bare spring.
 TraceHeader scan_header(double stiffness) {
   TraceHeader header;
   header.period_ns = evaluate::kScanPeriodNs;

@@ -63,7 +63,7 @@ TickSettings every_feature() {
   return settings;
 }
 
-TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings) {
+TickTimes time_core(const FieldView& field, const Motion& motion, const TickSettings& settings) {
   std::vector<Input> inputs(motion.size());
   std::transform(motion.begin(), motion.end(), inputs.begin(),
                  [](const Eigen::Vector3d& hip) { return position_input(to_fixed<Mm>(hip)); });
@@ -78,7 +78,7 @@ TickTimes time_core(const BlobView& field, const Motion& motion, const TickSetti
   });
 }
 
-TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings) {
+TickTimes time_device(const FieldView& field, const Motion& motion, const TickSettings& settings) {
   DeviceModel device = libnifalcon_model();
   device.speed_limit = MmPerS::of(10'000);  // a motion's start is a leap
   motion::DeviceInHand hand(device);

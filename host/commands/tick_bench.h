@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "host/published/level_field.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::commands {
@@ -28,15 +28,15 @@ using Motion = std::vector<Eigen::Vector3d>;
 /// Everything on that there is to feel: friction, dampings, passivity, weight.
 TickSettings every_feature();
 
-/// The core's tick on a blob, HIP to force.
+/// The core's tick on a field, HIP to force.
 ///
 /// fails     InputError when the motion never touches the object
-TickTimes time_core(const BlobView& field, const Motion& motion, const TickSettings& settings = {});
+TickTimes time_core(const FieldView& field, const Motion& motion, const TickSettings& settings = {});
 
 /// The device's tick, from its packet's counts to motor words.
 ///
 /// fails     InputError when the motion never touches the object within the device's reach
-TickTimes time_device(const BlobView& field, const Motion& motion, const TickSettings& settings = {});
+TickTimes time_device(const FieldView& field, const Motion& motion, const TickSettings& settings = {});
 
 /// The published single-precision tick on its levels.
 ///

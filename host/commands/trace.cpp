@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
 #include "host/board_commands/choice.h"
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
@@ -18,6 +17,7 @@
 #include "host/commands/quantities.h"
 #include "host/commands/trace_mutate.h"
 #include "host/error.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/device_in_hand.h"
 #include "host/motion/felt_surface.h"
 #include "host/motion/motion.h"
@@ -110,17 +110,17 @@ struct MakeOptions {
   NewTrace trace;
   motion::MotionOptions motion;
   double lost_percent = 0.0;
-  fs::path blob;
+  fs::path field;
 };
 
 void make_trace(const MakeOptions& options) {
-  std::optional<blob::OpenBlob> blob;
-  if (!options.blob.empty()) blob.emplace(blob::open_blob(options.blob));
+  std::optional<field_file::OpenField> field;
+  if (!options.field.empty()) field.emplace(field_file::open_field(options.field));
   motion::MotionOptions motion = options.motion;
   motion.period_ns = options.trace.header().period_ns;
   motion.lost_share = options.lost_percent / 100;
   TickWriter writer(options.trace, false);
-  const std::uint64_t ticks = motion::make_motion(blob ? &blob->view : nullptr, motion, [&](const Input& input) { writer(input); });
+  const std::uint64_t ticks = motion::make_motion(field ? &field->view : nullptr, motion, [&](const Input& input) { writer(input); });
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
 }
@@ -149,11 +149,11 @@ void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
   const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
   Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
   if (!options.into.empty()) {
-    const blob::OpenBlob blob = blob::open_blob(options.into);
-    const motion::FeltSurface object(blob.view);
+    const field_file::OpenField field = field_file::open_field(options.into);
+    const motion::FeltSurface object(field.view);
     const double widest = (high - low).maxCoeff();
     if (!(widest > 0)) throw InputError(options.csv.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
-    options.scale = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1) / widest;
+    options.scale = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1) / widest;
     offset = object.centre();
   }
   for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
@@ -195,7 +195,7 @@ void import_table(const ImportOptions& options) {
 }
 
 struct ToPacketsOptions {
-  fs::path blob;
+  fs::path field;
   fs::path hand;
   fs::path out;
   std::string device = "libnifalcon";
@@ -203,11 +203,11 @@ struct ToPacketsOptions {
 
 /// What a device would have sent, and what its tick answers.
 void make_packets(const ToPacketsOptions& options) {
-  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const field_file::OpenField field = field_file::open_field(options.field);
   const trace::Trace hand = trace::read_trace(options.hand, InputKind::kPosition);
   TraceHeader header = hand.header();
   header.device = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
-  trace::Run run(blob.view, header);
+  trace::Run run(field.view, header);
   trace::TraceWriter writer(options.out, run.header());
   motion::DeviceInHand device(header.device);
   for (std::size_t tick = 0; tick < hand.size(); ++tick) {
@@ -252,7 +252,7 @@ void add_make(CLI::App& trace) {
   CLI::App* command =
       trace.add_subcommand("make", "Make the motion of a hand: press slide tap corner graze stab leave, or tour (all of them)");
   command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(motion::motion_kinds()));
-  command->add_option("BLOB", options->blob, "the field that the hand follows; without one it moves through the whole workspace");
+  command->add_option("FIELD", options->field, "the field that the hand follows; without one it moves through the whole workspace");
   command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")->capture_default_str();
   command->add_option("--seed", options->motion.seed, "seed of the places and speeds")->capture_default_str();
   command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
@@ -291,7 +291,7 @@ void add_to_packets(CLI::App& trace) {
   CLI::App* command = trace.add_subcommand(
       "to-packets", "Turn the positions of a hand into the packets of a device that the hand moves, with the tick's answers");
   command->alias("wire");
-  command->add_option("BLOB", options->blob, "the field (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();
   command->add_option("--device", options->device, "the published numbers of the device")

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
 #include "host/board_commands/choice.h"
 #include "host/error.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/mutate.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string name;
-  fs::path blob;
+  fs::path field;
   fs::path trace;
   fs::path out;
   std::uint64_t seed = 1;
@@ -57,7 +57,7 @@ void write_positions(const fs::path& out, const motion::Recording& recording) {
 }
 
 /// Packets with what the tick of that device answers, as `trace to-packets` writes them.
-void write_packets(const fs::path& out, const motion::Recording& recording, const BlobView& field) {
+void write_packets(const fs::path& out, const motion::Recording& recording, const FieldView& field) {
   trace::Run run(field, recording.header);
   trace::TraceWriter writer(out, run.header());
   std::uint64_t tick = 0;
@@ -70,15 +70,15 @@ void write_packets(const fs::path& out, const motion::Recording& recording, cons
 }
 
 void run(const Options& options) {
-  const blob::OpenBlob blob = blob::open_blob(options.blob);
+  const field_file::OpenField field = field_file::open_field(options.field);
   const motion::Recording recording = read_inputs(options);
   motion::Recording mutated;
   try {
-    mutated = motion::mutate(recording, options.name, blob.view, options.seed);
+    mutated = motion::mutate(recording, options.name, field.view, options.seed);
   } catch (const InputError& e) {
     throw InputError(options.trace.string() + ": " + e.what());
   }
-  motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, blob.view)
+  motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, field.view)
                                                                 : write_positions(options.out, mutated);
   std::fprintf(stderr, "%s: %zu ticks\n", options.out.string().c_str(), mutated.inputs.size());
 }
@@ -103,7 +103,7 @@ void add_mutate(CLI::App& trace) {
   std::vector<std::string> names;
   for (const motion::Mutation& mutation : motion::mutations()) names.emplace_back(mutation.name);
   command->add_option("MUTATION", options->name, "what to do with it")->required()->check(one_of(names));
-  command->add_option("BLOB", options->blob, "the field that was or will be touched (.itf)")->required();
+  command->add_option("FIELD", options->field, "the field that was or will be touched (.itf)")->required();
   command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();
   command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();

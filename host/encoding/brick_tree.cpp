@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <array>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::encoding {
 
 namespace {
 
-using blob_layout::kBricksPerNode;
-using blob_layout::kInside;
-using blob_layout::kOutside;
+using image_layout::kBricksPerNode;
+using image_layout::kInside;
+using image_layout::kOutside;
 
 /// One layer of nodes: a number for every cell in it, 4 cells high, padded to whole nodes along x and y.
 struct Slab {

@@ -1,4 +1,4 @@
-/// The blob's look-up tree (SPEC.md 2.2): every cell of the grid, stored or not, leads to a brick number.
+/// The field's look-up tree (SPEC.md 2.2): every cell of the grid, stored or not, leads to a brick number.
 #pragma once
 
 #include <cstddef>

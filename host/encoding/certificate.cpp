@@ -14,7 +14,7 @@ namespace isotouch::encoding {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 using namespace field;  // numbers by four
 
 constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
@@ -191,7 +191,7 @@ Certificate certify(const field::BandField& field, const std::vector<Neighbours>
   return certificate;
 }
 
-Certificate certificate_of(const BlobView& view) {
+Certificate certificate_of(const FieldView& view) {
   const std::uint8_t* at = view.image.data();
   const auto scaled = [at](std::size_t offset, int bits) {
     return std::ldexp(static_cast<double>(load_le<std::uint32_t>(at + offset)), -bits);

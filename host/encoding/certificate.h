@@ -1,4 +1,4 @@
-/// What a blob promises of itself, measured while it is written, so that a controller can refuse what it cannot hold.
+/// What a field promises of itself, measured while it is written, so that a controller can refuse what it cannot hold.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 #include "host/encoding/apron.h"
 #include "host/encoding/spline.h"
 #include "host/field/band_field.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::encoding {
 
 struct Certificate {
-  double largest_slope = 0.0;        ///< a bound of |∇φ| over all stored bricks, voxels a voxel; 0 = the blob has no certificate
+  double largest_slope = 0.0;        ///< a bound of |∇φ| over all stored bricks, voxels a voxel; 0 = the field has no certificate
   double quantisation_voxel = 0.0;   ///< how far rounding the coefficients moves the distance at most, voxels
   double thinnest_wall_voxel = 0.0;  ///< between two sides that face away from each other; 0 = none that both bands see
   double stiffness_n_per_mm = 0.0;   ///< the largest advisable one for the three numbers below
@@ -35,6 +35,6 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
 
 /// What a checked image says; all zero where it says nothing (version 1.0).
-Certificate certificate_of(const BlobView& view);
+Certificate certificate_of(const FieldView& view);
 
 }  // namespace isotouch::encoding

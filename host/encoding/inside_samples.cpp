@@ -5,9 +5,9 @@
 
 namespace isotouch::encoding {
 
-using namespace blob_layout;
+using namespace image_layout;
 
-std::size_t inside_samples(const BlobView& view) {
+std::size_t inside_samples(const FieldView& view) {
   const auto inside_brick = [&](std::uint32_t number) -> std::size_t {
     if (number <= kInside) return number == kInside ? kSamplesPerBrick : 0;
     const std::int16_t* brick = view.bricks + number * kSamplesPerBrick;

@@ -40,7 +40,7 @@ std::int16_t rounded_coefficient(float value) {
   return static_cast<std::int16_t>(static_cast<int>(static_cast<double>(value) * kScale + (0.5 + kBelow)) - kBelow);
 }
 
-/// The band as the blob will hold it: exact in a float, so that what is clamped to it is it.
+/// The band as the field will hold it: exact in a float, so that what is clamped to it is it.
 float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
 
 /// What is left of each brick's set where both neighbours along an axis must belong to the set, too.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
@@ -16,25 +16,26 @@ constexpr std::uint64_t kSeed = 20'000;
 
 }  // namespace
 
-cloud::Placement placement_of(const BlobView& field) {
+cloud::Placement placement_of(const FieldView& field) {
   const cloud::Placement placement = encoding::info_of(field).placement;
   if (!(placement.scale > 0) || !std::isfinite(placement.scale) || !placement.offset.allFinite()) {
-    throw InputError("the blob does not say how its cloud was placed in the workspace; build it again");
+    throw InputError("the field does not say how its cloud was placed in the workspace; build it again");
   }
   return placement;
 }
 
-SurfaceError compare_with_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
+SurfaceError compare_with_mesh(const FieldView& field, const cloud::TriangleMesh& mesh) {
   return surface_error(field, cloud::scatter_on_mesh(mesh, kComparePoints, kSeed));
 }
 
-blob::OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh) {
+field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::TriangleMesh& mesh) {
   field::Grid grid;
   grid.origin = to_double(field.origin);
   grid.edge = to_double(field.edge);
   grid.size = Eigen::Vector3i(field.size[0], field.size[1], field.size[2]);
   const field::MeshDistance distance(mesh);
-  return blob::open_blob(encoding::write_blob(field::mesh_field(distance, grid, to_double(field.band)), {}), "the mesh's exact distances");
+  return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, to_double(field.band)), {}),
+                                "the mesh's exact distances");
 }
 
 }  // namespace isotouch::evaluate

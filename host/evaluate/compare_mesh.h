@@ -1,30 +1,30 @@
-/// A blob against the true surface of its object.
+/// A field against the true surface of its object.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include "host/blob/open_blob.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/oriented_points.h"
 #include "host/evaluate/surface_error.h"
+#include "host/field_file/open_field.h"
 
 namespace isotouch::evaluate {
 
 inline constexpr std::size_t kComparePoints = 20'000;
 
-/// How the blob's cloud was placed in the workspace.
+/// How the field's cloud was placed in the workspace.
 ///
 /// fails     InputError when the header's numbers are not finite or the scale is not positive
-cloud::Placement placement_of(const BlobView& field);
+cloud::Placement placement_of(const FieldView& field);
 
 /// The error at kComparePoints area-uniform points of the mesh.
 ///
 /// mesh      closed, workspace, mm
 /// fails     InputError when not one point has a crossing
-SurfaceError compare_with_mesh(const BlobView& field, const cloud::TriangleMesh& mesh);
+SurfaceError compare_with_mesh(const FieldView& field, const cloud::TriangleMesh& mesh);
 
 /// The mesh's own exact distances on the field's grid and band: what no method can go below.
-blob::OpenBlob floor_of_mesh(const BlobView& field, const cloud::TriangleMesh& mesh);
+field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::TriangleMesh& mesh);
 
 }  // namespace isotouch::evaluate

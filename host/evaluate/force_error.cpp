@@ -63,7 +63,7 @@ ForceError force_error(const std::vector<ForceSample>& samples) {
   return error;
 }
 
-ForceTick core_force(const BlobView& field, double period_s) {
+ForceTick core_force(const FieldView& field, double period_s) {
   TickSettings settings;
   settings.force_limit = Newton::of(100);
   const auto period_ns = static_cast<std::uint32_t>(period_s * 1e9 + 0.5);

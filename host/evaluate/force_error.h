@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::evaluate {
 
@@ -43,9 +43,9 @@ std::vector<ForceSample> slide_on_sphere(const SphereSlide& slide, const ForceTi
 /// fails     InputError when there are no samples
 ForceError force_error(const std::vector<ForceSample>& samples);
 
-/// The core's tick on a blob, as a ForceTick; pure spring, no force limit below 100 N.
+/// The core's tick on a field, as a ForceTick; pure spring, no force limit below 100 N.
 ///
 /// field     stays alive as long as the result
-ForceTick core_force(const BlobView& field, double period_s = 0.001);
+ForceTick core_force(const FieldView& field, double period_s = 0.001);
 
 }  // namespace isotouch::evaluate

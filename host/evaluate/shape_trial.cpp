@@ -21,12 +21,12 @@ cloud::OrientedPoints in_workspace(cloud::OrientedPoints points) {
   return points;
 }
 
-blob::OpenBlob as_blob(const field::BandField& field, const ShapeTrial& trial, encoding::Method method) {
-  encoding::BlobInfo info;
+field_file::OpenField as_field(const field::BandField& field, const ShapeTrial& trial, encoding::Method method) {
+  encoding::FieldInfo info;
   info.method = method;
   info.point_count = static_cast<std::uint32_t>(trial.points.size());
   info.placement.scale = kTrialVoxel;
-  return blob::open_blob(encoding::write_blob(field, info), trial.shape.name);
+  return field_file::open_field(encoding::write_image(field, info), trial.shape.name);
 }
 
 }  // namespace
@@ -51,20 +51,20 @@ ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uin
   return result;
 }
 
-blob::OpenBlob trial_blob(const ShapeTrial& trial, encoding::Method method, field::Repair* repair) {
+field_file::OpenField trial_field(const ShapeTrial& trial, encoding::Method method, field::Repair* repair) {
   field::Progress progress;
   if (method == encoding::Method::kPublished) {
-    return as_blob(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
+    return as_field(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
   }
-  return as_blob(field::build_field(trial.points, trial.grid, kTrialBand, progress, repair), trial, method);
+  return as_field(field::build_field(trial.points, trial.grid, kTrialBand, progress, repair), trial, method);
 }
 
-blob::OpenBlob floor_blob(const ShapeTrial& trial) {
+field_file::OpenField floor_field(const ShapeTrial& trial) {
   const auto distance = [&](const Eigen::Vector3d& point) { return trial.distance(point); };
-  return as_blob(field::sample_distance(distance, trial.grid, kTrialBand), trial, encoding::Method::kDefault);
+  return as_field(field::sample_distance(distance, trial.grid, kTrialBand), trial, encoding::Method::kDefault);
 }
 
-SphereSlide trial_slide(const BlobView& field, double speed) {
+SphereSlide trial_slide(const FieldView& field, double speed) {
   SphereSlide slide;
   slide.radius = kSphereRadius * kTrialVoxel;
   slide.depth = kSlideDepth * kTrialVoxel;

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
 #include "host/cloud/shapes.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/evaluate/damage.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/surface_error.h"
 #include "host/field/band_field.h"
 #include "host/field/build_field.h"
+#include "host/field_file/open_field.h"
 
 namespace isotouch::evaluate {
 
@@ -38,15 +38,15 @@ ShapeTrial shape_trial(const std::string& name, std::uint64_t seed = 1);
 /// The same trial with a damaged scan, on a grid wider by as many voxels as strays need.
 ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uint64_t seed = 1);
 
-/// The blob that a method makes of the trial's points. kDefault is the analytic field, kPublished the paper's levels.
+/// The field that a method makes of the trial's points: kDefault the analytic one, kPublished the paper's levels.
 ///
 /// repair    where given, is told what the default method mended
-blob::OpenBlob trial_blob(const ShapeTrial& trial, encoding::Method method, field::Repair* repair = nullptr);
+field_file::OpenField trial_field(const ShapeTrial& trial, encoding::Method method, field::Repair* repair = nullptr);
 
-/// The blob of the exact distances, on the same grid.
-blob::OpenBlob floor_blob(const ShapeTrial& trial);
+/// The field of the exact distances, on the same grid.
+field_file::OpenField floor_field(const ShapeTrial& trial);
 
 /// Fig. 9: 4 voxels deep over the sphere's trial. `speed` in mm/s.
-SphereSlide trial_slide(const BlobView& field, double speed);
+SphereSlide trial_slide(const FieldView& field, double speed);
 
 }  // namespace isotouch::evaluate

@@ -52,7 +52,7 @@ double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-SurfaceError surface_error(const BlobView& field, const cloud::OrientedPoints& truth) {
+SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& truth) {
   const motion::FeltSurface surface(field);
   std::vector<double> offsets;
   offsets.reserve(truth.size());
@@ -73,7 +73,7 @@ SurfaceError surface_error(const BlobView& field, const cloud::OrientedPoints& t
   }
   if (offsets.empty()) {
     throw InputError("not one of " + std::to_string(truth.size()) +
-                     " true points has the blob's surface within 2 voxels: nothing was compared; is the blob of this object?");
+                     " true points has the field's surface within 2 voxels: nothing was compared; is the field of this object?");
   }
   const auto count = static_cast<double>(offsets.size());
   error.points = offsets.size();

@@ -1,10 +1,10 @@
-/// How far a blob's surface, as the core samples it, lies from the true one.
+/// How far a field's surface, as the core samples it, lies from the true one.
 #pragma once
 
 #include <cstddef>
 
 #include "host/cloud/oriented_points.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::evaluate {
 
@@ -25,6 +25,6 @@ inline constexpr double kSearchVoxels = 2.0;
 ///
 /// truth     points on the true surface with its outward unit normals, workspace, mm
 /// fails     InputError when not one point has a crossing: nothing was compared
-SurfaceError surface_error(const BlobView& field, const cloud::OrientedPoints& truth);
+SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& truth);
 
 }  // namespace isotouch::evaluate

@@ -7,14 +7,14 @@
 
 namespace isotouch::evaluate {
 
-TruthComparison compare_surfaces(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh) {
-  if (surface.faces.empty()) throw InputError("the blob has no surface: nothing in it is inside; build it again");
+TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh) {
+  if (surface.faces.empty()) throw InputError("the field has no surface: nothing in it is inside; build it again");
   TruthComparison found;
   found.voxel_mm = to_double(field.edge);
   const field::TriangleTree ours(surface);
   const field::TriangleTree truth(mesh);
   found.from_mesh = farthest(truth, ours, kFineness * found.voxel_mm);
-  found.from_blob = farthest(ours, truth, kFineness * found.voxel_mm);
+  found.from_field = farthest(ours, truth, kFineness * found.voxel_mm);
 
   const double mesh_volume = cloud::signed_volume(mesh);
   const WrongSide wrong = wrong_side(ours, truth, found.voxel_mm * found.voxel_mm / kLinesPerVoxel);

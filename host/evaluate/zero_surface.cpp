@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3i;
-using namespace blob_layout;
+using namespace image_layout;
 
 constexpr int kSide = 8;                        // half voxels along a brick
 constexpr int kNodes = kSide + 1;               // lattice points along it
@@ -44,7 +44,7 @@ struct Part {
 /// Numbers for the points of the whole lattice.
 class Lattice {
  public:
-  explicit Lattice(const BlobView& field) {
+  explicit Lattice(const FieldView& field) {
     for (std::size_t a = 0; a < 3; ++a) size_[a] = 2 * (static_cast<std::uint64_t>(field.size[a]) + 8);
   }
   std::uint64_t number(const Vector3i& p) const {
@@ -65,7 +65,7 @@ Vector3i axes(std::uint64_t along) {
 }
 
 /// The core's distance `steps` of 2^-16 voxel from a lattice point along an edge; 2^-16 voxel.
-std::int32_t core_distance(const BlobView& field, const Vector3i& point, const Vector3i& along, std::int32_t steps) {
+std::int32_t core_distance(const FieldView& field, const Vector3i& point, const Vector3i& along, std::int32_t steps) {
   const auto at = [&](int a) { return Voxel::from_raw(point[a] * kEdgeSteps + along[a] * steps); };
   return core::sample_field(field, {at(0), at(1), at(2)}).distance.raw();
 }
@@ -74,7 +74,7 @@ std::int32_t core_distance(const BlobView& field, const Vector3i& point, const V
 class BrickValues {
  public:
   /// False when the coefficients that reach into the brick have one sign, so that the spline has it too.
-  bool load(const BlobView& field, const Vector3i& cell) {
+  bool load(const FieldView& field, const Vector3i& cell) {
     std::array<std::int32_t, kReach * kReach * kReach> block;
     std::int32_t low = 0, high = 0;
     for (int n = 0; n < kReach * kReach * kReach; ++n) {
@@ -219,7 +219,7 @@ class BrickSurface {
 };
 
 /// Bricks, in the order z, y, x, around which coefficients of both signs can be.
-std::vector<Vector3i> candidate_bricks(const BlobView& field) {
+std::vector<Vector3i> candidate_bricks(const FieldView& field) {
   enum Sign : std::uint8_t { kNone = 0, kNegative = 1, kPositive = 2 };
   std::vector<std::uint8_t> signs(field.brick_count, kNone);
   for (std::size_t brick = 0; brick < signs.size(); ++brick) {
@@ -263,7 +263,7 @@ std::vector<Vector3i> candidate_bricks(const BlobView& field) {
 }
 
 /// Where the core finds zero along the edge, in 2^-16 voxel from its lower end: false position that counts an end which stays twice half.
-std::int32_t zero_along(const BlobView& field, const Vector3i& point, const Vector3i& along, const Crossing& crossing) {
+std::int32_t zero_along(const FieldView& field, const Vector3i& point, const Vector3i& along, const Crossing& crossing) {
   constexpr std::int32_t kNear = 2;  // 2^-15 voxel
   struct End {
     std::int32_t at;
@@ -293,7 +293,7 @@ std::int32_t zero_along(const BlobView& field, const Vector3i& point, const Vect
 
 }  // namespace
 
-cloud::TriangleMesh zero_surface(const BlobView& field) {
+cloud::TriangleMesh zero_surface(const FieldView& field) {
   const std::vector<Vector3i> bricks = candidate_bricks(field);
   const Lattice lattice(field);
   std::vector<Part> parts(bricks.size());

@@ -1,4 +1,4 @@
-/// The whole zero surface of a blob as triangles: all of it, also what no ray from outside and no point of a mesh would find.
+/// The whole zero surface of a field as triangles: all of it, also what no ray from outside and no point of a mesh would find.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/cloud/mesh.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::evaluate {
 
@@ -20,7 +20,7 @@ namespace isotouch::evaluate {
 /// returns   closed, faces counter-clockwise seen from outside, workspace, mm; no vertices when nothing is inside. Vertices may lie at one place
 ///           where a lattice point is exactly on the surface
 /// source    marching tetrahedra on Kuhn's subdivision: A. Doi and A. Koide, IEICE Transactions E74(1), 1991
-cloud::TriangleMesh zero_surface(const BlobView& field);
+cloud::TriangleMesh zero_surface(const FieldView& field);
 
 /// One connected piece of a surface.
 struct Piece {

@@ -1,4 +1,4 @@
-/// A signed distance, sampled on a regular grid in a band on both sides of the surface: what every method makes and the blob is written from.
+/// A signed distance, sampled on a regular grid in a band on both sides of the surface: what every method makes and the field is written from.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct Grid {
   Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin) / edge; }
 };
 
-/// 4x4x4 samples, stored together (blob_layout::kBrickShift).
+/// 4x4x4 samples, stored together (image_layout::kBrickShift).
 struct Brick {
   Eigen::Vector3i cell;            ///< brick coordinates: its first sample is 4 * cell
   std::array<float, 64> distance;  ///< voxels, negative inside, x fastest; beyond +-band the value only needs the right sign

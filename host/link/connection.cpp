@@ -35,7 +35,7 @@ int connect_to(const Address& address) {
 
 }  // namespace
 
-Connection::Connection(const Address& address) : address_(address), frame_(wire::kMaxFrame), in_(2 * wire::kMaxFrame) {
+Connection::Connection(const Address& address) : address_(address), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
   stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
                                 : connect_to(address);
 }
@@ -56,9 +56,9 @@ void Connection::send_frame(std::size_t bytes) {
   }
 }
 
-wire::Frame Connection::receive(int patience_ms) {
+protocol::Frame Connection::receive(int patience_ms) {
   for (;;) {
-    const auto frame = wire::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
+    const auto frame = protocol::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
     if (!frame) {
       throw InputError(address_.text + ": what answers is no controller of this release (" + describe(frame.error()) +
                        "); check the address, and that nothing else is printed there at login");
@@ -72,7 +72,7 @@ wire::Frame Connection::receive(int patience_ms) {
 }
 
 bool Connection::has_input(int patience_ms) {
-  const auto frame = wire::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
+  const auto frame = protocol::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
   if (!frame || frame->size > 0) return true;
   pollfd one{stream_, POLLIN, 0};
   return ::poll(&one, 1, patience_ms) > 0;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "host/link/address.h"
-#include "shared/wire.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::link {
 
@@ -27,15 +27,15 @@ class Connection {
   const Address& address() const { return address_; }
 
   template <class Message>
-  void send(wire::Kind kind, const Message& message) {
-    send_frame(wire::encode(kind, message, frame_));
+  void send(protocol::Kind kind, const Message& message) {
+    send_frame(protocol::encode(kind, message, frame_));
   }
-  void send(wire::Kind kind) { send_frame(wire::seal_frame(kind, 0, frame_)); }
+  void send(protocol::Kind kind) { send_frame(protocol::seal_frame(kind, 0, frame_)); }
 
   /// The next frame; valid until the next call.
   ///
-  /// fails     InputError: the controller is gone, says nothing for so long, or what comes is not of the wire
-  wire::Frame receive(int patience_ms);
+  /// fails     InputError: the controller is gone, says nothing for so long, or what comes breaks the protocol
+  protocol::Frame receive(int patience_ms);
 
   /// True when `receive` would not wait, at the latest after so long.
   bool has_input(int patience_ms = 0);

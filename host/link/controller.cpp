@@ -8,7 +8,7 @@ namespace isotouch::link {
 
 namespace {
 
-using wire::Kind;
+using protocol::Kind;
 
 constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
@@ -27,62 +27,62 @@ std::string for_people(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Controller::Controller(const std::string& address) : connection_(read_address(address)) {
-  connection_.send(Kind::kHello, wire::Hello{});
-  welcome_ = read<wire::Welcome>(expect(Kind::kWelcome, kGreeting));
+  connection_.send(Kind::kHello, protocol::Hello{});
+  welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreeting));
 }
 
-wire::StatusReport Controller::status() {
+protocol::StatusReport Controller::status() {
   connection_.send(Kind::kStatus);
-  return read<wire::StatusReport>(expect(Kind::kStatusReport, kAnswer));
+  return read<protocol::StatusReport>(expect(Kind::kStatusReport, kAnswer));
 }
 
-Histogram Controller::histogram(wire::Measure measure) {
-  connection_.send(Kind::kHistogram, wire::HistogramRequest{static_cast<std::uint8_t>(measure)});
-  const auto report = read<wire::HistogramReport>(expect(Kind::kHistogramReport, kAnswer));
+Histogram Controller::histogram(protocol::Measure measure) {
+  connection_.send(Kind::kHistogram, protocol::HistogramRequest{static_cast<std::uint8_t>(measure)});
+  const auto report = read<protocol::HistogramReport>(expect(Kind::kHistogramReport, kAnswer));
   Histogram histogram{report.count, {}};
-  for (std::size_t at = 0; at + wire::kBinBytes <= report.bins.size(); at += wire::kBinBytes) {
-    histogram.bins.push_back(*wire::decode<wire::Bin>(report.bins.subspan(at, wire::kBinBytes)));
+  for (std::size_t at = 0; at + protocol::kBinBytes <= report.bins.size(); at += protocol::kBinBytes) {
+    histogram.bins.push_back(*protocol::decode<protocol::Bin>(report.bins.subspan(at, protocol::kBinBytes)));
   }
   return histogram;
 }
 
-wire::Accepted Controller::upload(const wire::Begin& field, std::span<const std::uint8_t> packed) {
+protocol::Accepted Controller::upload(const protocol::Begin& field, std::span<const std::uint8_t> packed) {
   connection_.send(Kind::kBegin, field);
   (void)expect(Kind::kDone, kAnswer);
   std::size_t unanswered = 0;
-  for (std::size_t at = 0; at < packed.size(); at += wire::kMaxChunk) {
-    connection_.send(Kind::kChunk, wire::Chunk{at, packed.subspan(at, std::min(wire::kMaxChunk, packed.size() - at))});
+  for (std::size_t at = 0; at < packed.size(); at += protocol::kMaxChunk) {
+    connection_.send(Kind::kChunk, protocol::Chunk{at, packed.subspan(at, std::min(protocol::kMaxChunk, packed.size() - at))});
     for (++unanswered; unanswered == kSentAhead || (unanswered > 0 && connection_.has_input()); --unanswered)
       (void)expect(Kind::kDone, kAnswer);
   }
   for (; unanswered > 0; --unanswered) (void)expect(Kind::kDone, kAnswer);
   connection_.send(Kind::kCommit);
-  return read<wire::Accepted>(expect(Kind::kAccepted, kChecking));
+  return read<protocol::Accepted>(expect(Kind::kAccepted, kChecking));
 }
 
-std::vector<wire::FieldEntry> Controller::fields() {
+std::vector<protocol::FieldEntry> Controller::fields() {
   connection_.send(Kind::kFields);
-  const auto list = read<wire::FieldList>(expect(Kind::kFieldList, kAnswer));
-  std::vector<wire::FieldEntry> fields(list.count);
-  wire::BodyReader entries(list.entries);
-  for (wire::FieldEntry& entry : fields) wire::FieldEntry::fields(entry, entries);
+  const auto list = read<protocol::FieldList>(expect(Kind::kFieldList, kAnswer));
+  std::vector<protocol::FieldEntry> fields(list.count);
+  protocol::BodyReader entries(list.entries);
+  for (protocol::FieldEntry& entry : fields) protocol::FieldEntry::fields(entry, entries);
   if (!entries.is_good()) complain("a list of fields is shorter than it says; install the same release on both sides");
   return fields;
 }
 
-wire::Accepted Controller::select(std::uint64_t image_hash) {
-  connection_.send(Kind::kSelect, wire::Select{image_hash});
-  return read<wire::Accepted>(expect(Kind::kAccepted, kChecking));
+protocol::Accepted Controller::select(std::uint64_t image_hash) {
+  connection_.send(Kind::kSelect, protocol::Select{image_hash});
+  return read<protocol::Accepted>(expect(Kind::kAccepted, kChecking));
 }
 
-wire::DeviceReport Controller::device() {
+protocol::DeviceReport Controller::device() {
   connection_.send(Kind::kDevice);
-  return read<wire::DeviceReport>(expect(Kind::kDeviceReport, kAnswer));
+  return read<protocol::DeviceReport>(expect(Kind::kDeviceReport, kAnswer));
 }
 
-wire::PostureReport Controller::posture(DeviceModel& model) {
+protocol::PostureReport Controller::posture(DeviceModel& model) {
   connection_.send(Kind::kPosture);
-  auto posture = read<wire::PostureReport>(expect(Kind::kPostureReport, kAnswer));
+  auto posture = read<protocol::PostureReport>(expect(Kind::kPostureReport, kAnswer));
   DeviceModelBytes bytes{};
   const bool whole = posture.device.size() == bytes.size();
   if (whole) std::copy(posture.device.begin(), posture.device.end(), bytes.begin());
@@ -93,18 +93,18 @@ wire::PostureReport Controller::posture(DeviceModel& model) {
   return posture;
 }
 
-void Controller::calibrate(const wire::Calibrate& measured) {
+void Controller::calibrate(const protocol::Calibrate& measured) {
   connection_.send(Kind::kCalibrate, measured);
   (void)expect(Kind::kDone, kAnswer);
 }
 
-std::vector<wire::WorstTick> Controller::worst_ticks(bool anew) {
+std::vector<protocol::WorstTick> Controller::worst_ticks(bool anew) {
   if (welcome_.minor < 2) return {};
-  connection_.send(Kind::kWorst, wire::WorstRequest{static_cast<std::uint8_t>(anew ? 1 : 0)});
-  const auto report = read<wire::WorstTicks>(expect(Kind::kWorstTicks, kAnswer));
-  std::vector<wire::WorstTick> worst;
-  for (std::size_t at = 0; at + wire::kWorstTickBytes <= report.ticks.size(); at += wire::kWorstTickBytes) {
-    worst.push_back(*wire::decode<wire::WorstTick>(report.ticks.subspan(at, wire::kWorstTickBytes)));
+  connection_.send(Kind::kWorst, protocol::WorstRequest{static_cast<std::uint8_t>(anew ? 1 : 0)});
+  const auto report = read<protocol::WorstTicks>(expect(Kind::kWorstTicks, kAnswer));
+  std::vector<protocol::WorstTick> worst;
+  for (std::size_t at = 0; at + protocol::kWorstTickBytes <= report.ticks.size(); at += protocol::kWorstTickBytes) {
+    worst.push_back(*protocol::decode<protocol::WorstTick>(report.ticks.subspan(at, protocol::kWorstTickBytes)));
   }
   return worst;
 }
@@ -115,7 +115,7 @@ void Controller::stop() {
 }
 
 void Controller::set(const std::string& name, const std::string& value) {
-  connection_.send(Kind::kSet, wire::Set{wire::Text::of(name), wire::Text::of(value)});
+  connection_.send(Kind::kSet, protocol::Set{protocol::Text::of(name), protocol::Text::of(value)});
   (void)expect(Kind::kDone, kAnswer);
 }
 
@@ -129,13 +129,13 @@ void Controller::resume() {
 /// taken     so many have come before: as long as there are none, what goes wrong is thrown
 /// ended     why there are no more
 /// returns   nothing: no more are wanted, or will come
-std::optional<wire::Records> Controller::more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
-                                                      std::string& ended) {
+std::optional<protocol::Records> Controller::more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
+                                                          std::string& ended) {
   try {
     bool there = false;
     for (int waited = 0; !there && waited < patience_ms && !enough(); waited += kAsksEnough) there = connection_.has_input(kAsksEnough);
     if (enough()) return std::nullopt;
-    const auto records = read<wire::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
+    const auto records = read<protocol::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
     if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0)
       complain("records of the ticks are cut; install the same release on both sides");
     return records;
@@ -150,7 +150,7 @@ std::optional<wire::Records> Controller::more_records(std::uint64_t taken, int p
 std::string Controller::record(std::uint64_t ticks, const std::function<void(std::span<const std::uint8_t>)>& header,
                                const std::function<void(std::span<const std::uint8_t>)>& record, const std::function<bool()>& enough) {
   connection_.send(Kind::kRecord);
-  header(read<wire::Recording>(expect(Kind::kRecording, kAnswer)).header);
+  header(read<protocol::Recording>(expect(Kind::kRecording, kAnswer)).header);
   std::string ended;
   std::uint64_t next = 0;
   for (std::uint64_t taken = 0; taken < ticks;) {
@@ -168,7 +168,7 @@ std::string Controller::record(std::uint64_t ticks, const std::function<void(std
 Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records,
                                       const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record,
                                       const std::function<bool()>& enough) {
-  connection_.send(Kind::kSubscribe, wire::Subscribe{every});
+  connection_.send(Kind::kSubscribe, protocol::Subscribe{every});
   (void)expect(Kind::kDone, kAnswer);
   const int patience_ms = kAnswer + static_cast<int>(std::min(1e8, every * (welcome_.period_ns / 1e6)));  // they may be far apart
   Watched watched;
@@ -185,16 +185,16 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
 }
 
 /// The answer of that kind. Whatever else comes ends the conversation.
-wire::Frame Controller::expect(Kind kind, int patience_ms) {
-  const wire::Frame frame = connection_.receive(patience_ms);
+protocol::Frame Controller::expect(Kind kind, int patience_ms) {
+  const protocol::Frame frame = connection_.receive(patience_ms);
   if (frame.kind == kind) return frame;
-  if (frame.kind == Kind::kRefused) complain(for_people(read<wire::Refusal>(frame).sentence));
+  if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));
   complain("the controller answered something else than was asked; install the same release on both sides");
 }
 
 template <class Message>
-Message Controller::read(const wire::Frame& frame) {
-  const Result<Message> message = wire::decode<Message>(frame.body);
+Message Controller::read(const protocol::Frame& frame) {
+  const Result<Message> message = protocol::decode<Message>(frame.body);
   if (!message) complain("an answer is shorter than its kind demands; install the same release on both sides");
   return *message;
 }

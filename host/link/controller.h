@@ -1,4 +1,4 @@
-/// A running controller, as the host tool speaks with it: each request of the wire is one function.
+/// A running controller, as the host tool speaks with it: each request of the protocol is one function.
 ///
 /// fails     every function: InputError with the address and one sentence, the controller's own where it refuses
 #pragma once
@@ -12,14 +12,14 @@
 
 #include "host/link/connection.h"
 #include "shared/device_model.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::link {
 
 /// How many values were at most `upper`, and above the class before; ns.
 struct Histogram {
   std::uint64_t count = 0;
-  std::vector<wire::Bin> bins;
+  std::vector<protocol::Bin> bins;
 };
 
 class Controller {
@@ -27,30 +27,30 @@ class Controller {
   /// Connects and greets.
   explicit Controller(const std::string& address);
 
-  const wire::Welcome& welcome() const { return welcome_; }
+  const protocol::Welcome& welcome() const { return welcome_; }
 
-  wire::StatusReport status();
-  Histogram histogram(wire::Measure measure);
+  protocol::StatusReport status();
+  Histogram histogram(protocol::Measure measure);
 
-  /// Sends a packed blob. It is felt when this returns; when it throws the controller keeps the field before.
+  /// Sends a packed field. It is felt when this returns; when it throws the controller keeps the field before.
   ///
   /// packed    as `field` promises
-  wire::Accepted upload(const wire::Begin& field, std::span<const std::uint8_t> packed);
+  protocol::Accepted upload(const protocol::Begin& field, std::span<const std::uint8_t> packed);
 
-  std::vector<wire::FieldEntry> fields();
-  wire::Accepted select(std::uint64_t image_hash);
+  std::vector<protocol::FieldEntry> fields();
+  protocol::Accepted select(std::uint64_t image_hash);
   /// The next three are of minor version 1: older controllers refuse them.
-  wire::DeviceReport device();
+  protocol::DeviceReport device();
   /// Where the arms stand, measured over a second in which the hand must hold still.
   ///
   /// model     gets the device model in use
-  wire::PostureReport posture(DeviceModel& model);
+  protocol::PostureReport posture(DeviceModel& model);
   /// The controller keeps these angles.
-  void calibrate(const wire::Calibrate& measured);
+  void calibrate(const protocol::Calibrate& measured);
   /// The ticks whose words came latest since they were last forgotten; of minor version 2. None where an older controller answers.
   ///
   /// anew      those until now are forgotten after this
-  std::vector<wire::WorstTick> worst_ticks(bool anew);
+  std::vector<protocol::WorstTick> worst_ticks(bool anew);
   void stop();
   void resume();
   /// A setting that may change while it is felt, and its value as in the settings' file; at most 63 characters each.
@@ -83,14 +83,15 @@ class Controller {
                 const std::function<bool()>& enough);
 
  private:
-  wire::Frame expect(wire::Kind kind, int patience_ms);
-  std::optional<wire::Records> more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough, std::string& ended);
+  protocol::Frame expect(protocol::Kind kind, int patience_ms);
+  std::optional<protocol::Records> more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
+                                                std::string& ended);
   template <class Message>
-  Message read(const wire::Frame& frame);
+  Message read(const protocol::Frame& frame);
   [[noreturn]] void complain(const std::string& sentence);
 
   Connection connection_;
-  wire::Welcome welcome_;
+  protocol::Welcome welcome_;
 };
 
 }  // namespace isotouch::link

@@ -10,14 +10,14 @@ namespace isotouch::motion {
 
 namespace {
 
-constexpr double kMarchStep = 0.25;  // voxels: thinner things than this are not met, and no blob holds them
+constexpr double kMarchStep = 0.25;  // voxels: thinner things than this are not met, and no field holds them
 constexpr int kHalvings = 20;
 constexpr int kNewtonSteps = 12;
 constexpr double kSamplerReach = 8191.0;  // voxels, see sample_field
 
 }  // namespace
 
-FeltSurface::FeltSurface(const BlobView& field) : field_(field), origin_(to_double(field.origin)), edge_(to_double(field.edge)) {
+FeltSurface::FeltSurface(const FieldView& field) : field_(field), origin_(to_double(field.origin)), edge_(to_double(field.edge)) {
   const Eigen::Vector3d extent = edge_ * Eigen::Vector3d(field.size[0] - 1, field.size[1] - 1, field.size[2] - 1);
   centre_ = origin_ + extent / 2;
   radius_ = extent.norm() / 2;

@@ -1,4 +1,4 @@
-/// A blob's surface as the core samples it, in millimetres of the workspace: for whoever wants to touch it or measure it.
+/// A field's surface as the core samples it, in millimetres of the workspace: for whoever wants to touch it or measure it.
 ///
 /// Only + − × ÷ and square roots stand between the core's integers and these numbers, so they are the same on every machine.
 #pragma once
@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::motion {
 
@@ -24,7 +24,7 @@ struct SurfacePoint {
 class FeltSurface {
  public:
   /// field     stays alive as long as this
-  explicit FeltSurface(const BlobView& field);
+  explicit FeltSurface(const FieldView& field);
 
   double voxel_mm() const { return edge_; }
   /// A ball that contains the whole grid.
@@ -46,7 +46,7 @@ class FeltSurface {
   std::optional<SurfacePoint> project(const Eigen::Vector3d& point) const;
 
  private:
-  const BlobView& field_;
+  const FieldView& field_;
   Eigen::Vector3d origin_;
   double edge_;
   Eigen::Vector3d centre_;

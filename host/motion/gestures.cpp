@@ -35,7 +35,7 @@ Gestures::Gestures(const FeltSurface& surface, Hand& hand, cloud::Random random)
     if (const auto place = look()) places.push_back(*place);
   }
   if (places.empty())
-    throw InputError("the blob holds no surface that a hand could reach from outside; build it again from a closed cloud");
+    throw InputError("the field holds no surface that a hand could reach from outside; build it again from a closed cloud");
 
   std::vector<double> curvature(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) curvature[i] = surface_.sample(places[i].at.position).curvature;

@@ -1,4 +1,4 @@
-/// The motions of `isotouch trace make`: the same positions for the same blob and seed on every machine.
+/// The motions of `isotouch trace make`: the same positions for the same field and seed on every machine.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/motion/hand.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::motion {
 
@@ -28,6 +28,6 @@ const std::vector<std::string>& motion_kinds();
 /// emit      takes the ticks in their order
 /// returns   how many
 /// fails     InputError: an unknown kind; an object that cannot be reached from outside
-std::uint64_t make_motion(const BlobView* field, const MotionOptions& options, Hand::Emit emit);
+std::uint64_t make_motion(const FieldView* field, const MotionOptions& options, Hand::Emit emit);
 
 }  // namespace isotouch::motion

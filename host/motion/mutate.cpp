@@ -39,7 +39,7 @@ const Mutation* find_mutation(std::string_view name) {
   return nullptr;
 }
 
-Recording mutate(const Recording& recording, std::string_view name, const BlobView& field, std::uint64_t seed) {
+Recording mutate(const Recording& recording, std::string_view name, const FieldView& field, std::uint64_t seed) {
   const Mutation* mutation = find_mutation(name);
   if (mutation == nullptr) throw InputError("there is no mutation '" + std::string(name) + "'");
   if (mutation->of == kDevice) return mutate_packets(recording, name, seed);

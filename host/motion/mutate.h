@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/trace.h"
 
 namespace isotouch::motion {
@@ -33,6 +33,6 @@ const Mutation* find_mutation(std::string_view name);
 ///
 /// recording in the workspace of `field`, with inputs of the mutation's kind
 /// fails     InputError: an unknown name; a hand that never moves (fast), or never comes near the surface (dwell, medial, graze, leave)
-Recording mutate(const Recording& recording, std::string_view name, const BlobView& field, std::uint64_t seed);
+Recording mutate(const Recording& recording, std::string_view name, const FieldView& field, std::uint64_t seed);
 
 }  // namespace isotouch::motion

@@ -36,7 +36,7 @@ struct Touch {
 
 /// A hand, an object, and what is drawn.
 struct HandMutator {
-  HandMutator(const std::vector<Input>& recorded, const BlobView& field, const MutationOptions& options, Hand::Emit emit)
+  HandMutator(const std::vector<Input>& recorded, const FieldView& field, const MutationOptions& options, Hand::Emit emit)
       : ticks(recorded),
         surface(field),
         random(options.seed),
@@ -213,7 +213,7 @@ constexpr Kind kKinds[] = {{"fast", fast},     {"mirror", mirror}, {"jitter", ji
 
 }  // namespace
 
-std::uint64_t mutate_hand(const std::vector<Input>& hand, const BlobView& field, const MutationOptions& options, Hand::Emit emit) {
+std::uint64_t mutate_hand(const std::vector<Input>& hand, const FieldView& field, const MutationOptions& options, Hand::Emit emit) {
   for (const Kind& kind : kKinds) {
     if (options.kind != kind.name) continue;
     HandMutator miner(hand, field, options, std::move(emit));

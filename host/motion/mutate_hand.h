@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host/motion/hand.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::motion {
@@ -17,12 +17,12 @@ struct MutationOptions {
   std::uint32_t period_ns = 1'000'000;
 };
 
-/// The same ticks for the same hand, blob and seed on every machine.
+/// The same ticks for the same hand, field and seed on every machine.
 ///
 /// hand      in the workspace of `field`
 /// emit      takes the ticks in their order
 /// returns   how many
 /// fails     InputError: an unknown kind; a hand that never moves (fast), or never comes near the surface (dwell, medial, graze, leave)
-std::uint64_t mutate_hand(const std::vector<Input>& hand, const BlobView& field, const MutationOptions& options, Hand::Emit emit);
+std::uint64_t mutate_hand(const std::vector<Input>& hand, const FieldView& field, const MutationOptions& options, Hand::Emit emit);
 
 }  // namespace isotouch::motion

@@ -19,7 +19,7 @@ struct Built {
   std::size_t without_sphere = 0;  ///< points with no partner below their tangent plane
 };
 
-/// The voxels that the grid has beside the cloud's box: spheres may leak out of it by a little, and a blob's border is outside.
+/// The voxels that the grid has beside the cloud's box: spheres may leak out of it by a little, and a field's border is outside.
 inline constexpr double kMargin = 4;
 
 /// points    workspace, mm; unit outward normals
@@ -27,9 +27,9 @@ inline constexpr double kMargin = 4;
 /// fails     InputError when the grid has more than 2^28 nodes: it is kept dense
 Built build(const cloud::OrientedPoints& points, const field::Grid& grid, field::Progress& progress);
 
-/// Levels as distances in voxels, so that a blob can be written from them: band 7, one level is one voxel. The blob's spline takes the
+/// Levels as distances in voxels, so that a field can be written from them: band 7, one level is one voxel. The field's spline takes the
 /// level at every node, as the paper's trilinear field does, and differs between the nodes. Outside stays at level 1 up to the two
-/// outermost layers, which a blob wants far outside.
+/// outermost layers, which a field wants far outside.
 field::BandField to_band_field(const LevelField& levels);
 
 }  // namespace isotouch::published

@@ -15,7 +15,7 @@
 ///                     and no larger γ has that.
 ///   143 steps         Along the surface the error shrinks by 1 − γ a step, and (1 − γ)^143 = 0.01: a tick takes away 99 % of what the
 ///                     hand has moved.
-///   k                 the blob's stiffness; the K(x, y, z) of section 2.1 is a constant here.
+///   k                 the field's stiffness; the K(x, y, z) of section 2.1 is a constant here.
 #pragma once
 
 #include <Eigen/Core>

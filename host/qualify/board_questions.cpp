@@ -109,10 +109,10 @@ std::string begin_tracing_command() {
 
 std::string end_tracing_command() { return std::string(kFindTracer) + "[ ! -d $i ] || rmdir $i"; }
 
-std::string trace_command(std::span<const wire::WorstTick> ticks) {
+std::string trace_command(std::span<const protocol::WorstTick> ticks) {
   // A millisecond before, because the last switch tells who had the processor; the tracer's times are whole microseconds.
   std::string windows;
-  for (const wire::WorstTick& tick : ticks) {
+  for (const protocol::WorstTick& tick : ticks) {
     const double begun = static_cast<double>(tick.start_ns) / 1e9, due = begun - tick.wake_ns / 1e9;
     char window[80];
     std::snprintf(window, sizeof window, "%.6f %.6f %.6f ", due, due - 0.001, begun + 0.000002);

@@ -39,7 +39,7 @@ std::string begin_tracing_command();
 /// Takes it away; nothing when it is not there.
 std::string end_tracing_command();
 /// What it holds of the times from when each of these ticks should have begun to when it began; read once, because it is long.
-std::string trace_command(std::span<const wire::WorstTick> ticks);
+std::string trace_command(std::span<const protocol::WorstTick> ticks);
 /// Which threads and interrupts had each tick's processor, in that time.
 ///
 /// ticks     so many were asked for

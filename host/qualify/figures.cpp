@@ -9,7 +9,7 @@ namespace isotouch::qualify {
 link::Histogram between(const link::Histogram& before, const link::Histogram& after) {
   link::Histogram grown{after.count - std::min(after.count, before.count), {}};
   auto old = before.bins.begin();
-  for (const wire::Bin& bin : after.bins) {
+  for (const protocol::Bin& bin : after.bins) {
     // The last class is told with the largest value instead of its bound, so an old bound may lie below the new one's.
     std::uint64_t known = 0;
     for (; old != before.bins.end() && old->upper <= bin.upper; ++old) known += old->count;
@@ -21,7 +21,7 @@ link::Histogram between(const link::Histogram& before, const link::Histogram& af
 link::Histogram sum(const link::Histogram& one, const link::Histogram& other) {
   std::map<std::uint32_t, std::uint64_t> counts;
   for (const link::Histogram* part : {&one, &other}) {
-    for (const wire::Bin& bin : part->bins) counts[bin.upper] += bin.count;
+    for (const protocol::Bin& bin : part->bins) counts[bin.upper] += bin.count;
   }
   link::Histogram both{one.count + other.count, {}};
   for (const auto& [upper, count] : counts) both.bins.push_back({upper, count});
@@ -30,9 +30,9 @@ link::Histogram sum(const link::Histogram& one, const link::Histogram& other) {
 
 std::optional<std::uint32_t> quantile_ns(const link::Histogram& histogram, double share) {
   std::uint64_t all = 0, below = 0;
-  for (const wire::Bin& bin : histogram.bins) all += bin.count;
+  for (const protocol::Bin& bin : histogram.bins) all += bin.count;
   const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(all)));
-  for (const wire::Bin& bin : histogram.bins) {
+  for (const protocol::Bin& bin : histogram.bins) {
     below += bin.count;
     if (below >= wanted && bin.count > 0) return bin.upper;
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/link/controller.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::qualify {
 
@@ -22,7 +22,7 @@ struct Moment {
 };
 
 struct WorstTick {
-  wire::WorstTick tick;
+  protocol::WorstTick tick;
   std::string cause;  ///< what the processor did instead; empty: unknown
 };
 
@@ -34,7 +34,7 @@ struct Figures {
 
   // All of these belong to that time alone.
   std::uint64_t ticks = 0, late = 0, page_faults = 0, allocations = 0;
-  std::array<link::Histogram, wire::kMeasures> measures;
+  std::array<link::Histogram, protocol::kMeasures> measures;
   std::vector<Moment> moments;
   std::vector<WorstTick> worst;  ///< the latest words first
   std::string worst_unknown;     ///< one sentence why there are none

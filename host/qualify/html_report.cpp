@@ -85,24 +85,24 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
   html += "<h2>The board</h2>\n<table>" + row("controller", figures.program);
   for (const auto& [name, value] : figures.board) html += row(name, value);
   html += "</table>\n";
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
-    const auto measure = static_cast<wire::Measure>(i);
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
+    const auto measure = static_cast<protocol::Measure>(i);
     const MeasureText text = text_of(measure);
-    const double unit_ns = measure == wire::Measure::kDelay ? figures.period_ns : 1000.0;
+    const double unit_ns = measure == protocol::Measure::kDelay ? figures.period_ns : 1000.0;
     std::optional<double> limit;
     for (const Judgement& j : judgements) {
-      if (measure == wire::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
-      if (measure == wire::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
-      if (measure == wire::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
     }
     html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";
-    if (measure == wire::Measure::kWakeup) {
+    if (measure == protocol::Measure::kWakeup) {
       html += figures.timer.count > 0 ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " +
                                             std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
                                       : "<p>Not compared with cyclictest: " + escaped(figures.timer_unknown) + "</p>\n";
     }
     html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
-                          measure == wire::Measure::kWakeup ? figures.timer : link::Histogram{});
+                          measure == protocol::Measure::kWakeup ? figures.timer : link::Histogram{});
   }
   html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
   html += course(figures, "Temperature", "°C", &Moment::celsius) +

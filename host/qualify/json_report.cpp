@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const link::Histogram& histogram, double unit_ns) {
   Json bins = Json::array();
-  for (const wire::Bin& bin : histogram.bins) bins.push_back({{"up_to", bin.upper / unit_ns}, {"count", bin.count}});
+  for (const protocol::Bin& bin : histogram.bins) bins.push_back({{"up_to", bin.upper / unit_ns}, {"count", bin.count}});
   Json json{{"count", histogram.count}};
   for (const auto& [name, share] : {std::pair{"p50", 0.5}, std::pair{"p99", 0.99}, std::pair{"p999", 0.999}, std::pair{"max", 1.0}}) {
     const auto ns = quantile_ns(histogram, share);
@@ -22,12 +22,12 @@ Json json_of(const link::Histogram& histogram, double unit_ns) {
 
 }  // namespace
 
-MeasureText text_of(wire::Measure measure) {
+MeasureText text_of(protocol::Measure measure) {
   switch (measure) {
-    case wire::Measure::kWakeup: return {"wakeup_us", "Wake-up: how late a tick begins", "us"};
-    case wire::Measure::kTick: return {"tick_us", "Tick: from its begin to its words", "us"};
-    case wire::Measure::kRoundTrip: return {"round_trip_us", "USB round trip: from words handed over to the reply", "us"};
-    case wire::Measure::kDelay: break;
+    case protocol::Measure::kWakeup: return {"wakeup_us", "Wake-up: how late a tick begins", "us"};
+    case protocol::Measure::kTick: return {"tick_us", "Tick: from its begin to its words", "us"};
+    case protocol::Measure::kRoundTrip: return {"round_trip_us", "USB round trip: from words handed over to the reply", "us"};
+    case protocol::Measure::kDelay: break;
   }
   return {"delay_ticks", "Sensor to word: from a reply to the words made of it", "ticks"};
 }
@@ -48,9 +48,9 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   json["late"] = figures.late;
   json["page_faults"] = figures.page_faults;
   json["allocations"] = figures.allocations;
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) {
-    const MeasureText text = text_of(static_cast<wire::Measure>(i));
-    const bool in_ticks = static_cast<wire::Measure>(i) == wire::Measure::kDelay;
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
+    const MeasureText text = text_of(static_cast<protocol::Measure>(i));
+    const bool in_ticks = static_cast<protocol::Measure>(i) == protocol::Measure::kDelay;
     json[text.key] = json_of(figures.measures[i], in_ticks ? figures.period_ns : 1000.0);
   }
   json["cyclictest_priority"] = figures.timer_priority;

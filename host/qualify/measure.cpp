@@ -26,14 +26,14 @@ double seconds_since(Clock::time_point then) { return std::chrono::duration<doub
 
 /// What the controller has counted until now.
 struct Counts {
-  wire::StatusReport status;
-  std::array<link::Histogram, wire::kMeasures> measures;
+  protocol::StatusReport status;
+  std::array<link::Histogram, protocol::kMeasures> measures;
 };
 
 Counts counts(link::Controller& controller) {
   Counts now;
   now.status = controller.status();
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) now.measures[i] = controller.histogram(static_cast<wire::Measure>(i));
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) now.measures[i] = controller.histogram(static_cast<protocol::Measure>(i));
   return now;
 }
 
@@ -61,9 +61,9 @@ class Causes {
   Causes(const Causes&) = delete;
   Causes& operator=(const Causes&) = delete;
 
-  void look(const std::vector<wire::WorstTick>& worst) {
+  void look(const std::vector<protocol::WorstTick>& worst) {
     if (!why_.empty()) return;
-    std::vector<wire::WorstTick> fresh;
+    std::vector<protocol::WorstTick> fresh;
     std::copy_if(worst.begin(), worst.end(), std::back_inserter(fresh), [&](const auto& tick) { return known_.count(tick.number) == 0; });
     if (fresh.empty()) return;
     const link::BoardShell::Answer answer = shell_.run(trace_command(fresh), kPatience);
@@ -90,7 +90,7 @@ class Causes {
 Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
   Moment moment;
   moment.second = seconds_since(begun);
-  const wire::StatusReport status = controller.status();
+  const protocol::StatusReport status = controller.status();
   moment.late = status.late - late_before;
   moment.state = status.state;
   read_sensors(shell.run(sensors_command(), kPatience).text, moment);
@@ -133,7 +133,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
   const auto begun = Clock::now();
-  std::vector<wire::WorstTick> worst;
+  std::vector<protocol::WorstTick> worst;
   while (seconds_since(begun) < wish.seconds) {
     figures.moments.push_back(look(controller, shell, begun, before.status.late));
     causes.look(worst = controller.worst_ticks(false));
@@ -149,8 +149,8 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.late = after.status.late - before.status.late;
   figures.page_faults = after.status.page_faults - before.status.page_faults;
   figures.allocations = after.status.allocations - before.status.allocations;
-  for (std::size_t i = 0; i < wire::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
-  for (const wire::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
+  for (std::size_t i = 0; i < protocol::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
+  for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
   if (controller.welcome().minor < 2)
     figures.worst_unknown = "this controller does not tell its worst ticks; install the same release on both sides";
   figures.cause_unknown = causes.why();

@@ -16,7 +16,7 @@ struct MeasureText {
   const char* title;
   const char* unit;  ///< "us" or "ticks"
 };
-MeasureText text_of(wire::Measure measure);
+MeasureText text_of(protocol::Measure measure);
 
 nlohmann::ordered_json json_report(const Figures& figures, const std::vector<Judgement>& judgements);
 

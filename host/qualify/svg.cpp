@@ -39,7 +39,7 @@ constexpr double kColumnsAnOctave = 4;
 
 std::vector<Column> columns(const link::Histogram& histogram) {
   std::vector<Column> columns;
-  for (const wire::Bin& bin : histogram.bins) {
+  for (const protocol::Bin& bin : histogram.bins) {
     const double place = std::floor(std::log2(std::max(bin.upper, 1U)) * kColumnsAnOctave);
     const double from = std::exp2(place / kColumnsAnOctave);
     if (columns.empty() || columns.back().from_ns < from) columns.push_back({from, std::exp2((place + 1) / kColumnsAnOctave), 0});

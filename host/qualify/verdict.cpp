@@ -17,7 +17,7 @@ Judgement against(const char* key, const char* what, const char* unit, double li
   return {key, what, unit, limit, value.value_or(0), outcome};
 }
 
-std::optional<double> quantile(const Figures& figures, wire::Measure measure, double share, double unit_ns) {
+std::optional<double> quantile(const Figures& figures, protocol::Measure measure, double share, double unit_ns) {
   const auto ns = quantile_ns(figures.measures[static_cast<std::size_t>(measure)], share);
   return ns ? std::optional(*ns / unit_ns) : std::nullopt;
 }
@@ -28,7 +28,7 @@ constexpr double kSamplesPerSecond = 1000;  // at most, of a Falcon
 std::optional<double> lost_samples(const Figures& figures) {
   const double expected = std::min(static_cast<double>(figures.ticks), figures.seconds * kSamplesPerSecond);
   if (expected <= 0) return std::nullopt;
-  const auto seen = static_cast<double>(figures.measures[static_cast<std::size_t>(wire::Measure::kRoundTrip)].count);
+  const auto seen = static_cast<double>(figures.measures[static_cast<std::size_t>(protocol::Measure::kRoundTrip)].count);
   return std::max(0.0, 100 * (expected - seen) / expected);
 }
 
@@ -54,11 +54,11 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   return {
       against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
       against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late)),
-      against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, wire::Measure::kWakeup, 0.999, 1000)),
+      against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, protocol::Measure::kWakeup, 0.999, 1000)),
       against("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
-              quantile(figures, wire::Measure::kRoundTrip, 0.999, 1000)),
+              quantile(figures, protocol::Measure::kRoundTrip, 0.999, 1000)),
       against("word_max_ticks", "largest sensor to word", "ticks", limits.word_ticks,
-              quantile(figures, wire::Measure::kDelay, 1, figures.period_ns)),
+              quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
       against("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
       against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
       against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),

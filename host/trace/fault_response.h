@@ -1,4 +1,4 @@
-/// From a condition to no force: in a recording at the wire, how many ticks passed from the first one whose input shows that there should be no force
+/// From a condition to no force: in a recording of packets, how many ticks passed from the first one whose input shows that there should be no force
 /// to motor words of zero. What an input shows is judged from the input, not from what the core made of it.
 #pragma once
 

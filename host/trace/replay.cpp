@@ -29,14 +29,14 @@ bool may_be_of(const Trace& trace, std::uint64_t field) {
   return named == field || (named == 0 && trace.kind() == InputKind::kPacket);
 }
 
-void check_usable(const BlobView& field, const Trace& trace, bool check) {
+void check_usable(const FieldView& field, const Trace& trace, bool check) {
   const std::string name = trace.path() + ": ";
   check_inputs(trace);
   if (!check) return;
   if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
   if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
   if (!may_be_of(trace, field.hash())) {
-    throw InputError(name + describe(Error::kWrongBlob) + "; give the field it was recorded on, or replay without --check");
+    throw InputError(name + describe(Error::kWrongField) + "; give the field it was recorded on, or replay without --check");
   }
 }
 
@@ -53,14 +53,14 @@ std::optional<std::string> difference_at(const Trace& trace, std::size_t tick, c
 
 }  // namespace
 
-TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs) {
+TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   TraceHeader header = inputs;
   header.field_hash = field.hash();
   header.has_outputs = true;
   return header;
 }
 
-Run::Run(const BlobView& field, const TraceHeader& header)
+Run::Run(const FieldView& field, const TraceHeader& header)
     : field_(field),
       header_(replay_header(field, header)),
       tick_model_(core::make_tick_model(header.device, header.settings, header.period_ns)),
@@ -77,7 +77,7 @@ TraceRecord Run::step(const Input& input) {
   return record;
 }
 
-ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out) {
+ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out) {
   check_usable(field, trace, check);
   Run run(field, trace.header());
   ReplayReport report;

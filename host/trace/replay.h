@@ -7,7 +7,7 @@
 #include "firmware/core/tick.h"
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::trace {
 
@@ -16,7 +16,7 @@ class Run {
  public:
   /// field     stays alive as long as the run; loaded in the ticks whose input names a field
   /// header    device, period and settings of the run
-  Run(const BlobView& field, const TraceHeader& header);
+  Run(const FieldView& field, const TraceHeader& header);
 
   /// One tick: what a trace stores of it, arrival time apart.
   TraceRecord step(const Input& input);
@@ -27,7 +27,7 @@ class Run {
   const TraceHeader& header() const { return header_; }
 
  private:
-  const BlobView& field_;
+  const FieldView& field_;
   TraceHeader header_;
   core::TickModel tick_model_;
   core::PositionModel position_model_;
@@ -49,9 +49,9 @@ struct ReplayReport {
 ///           output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
 /// out       nullptr, or takes every record, with the input's arrival times
 /// fails     InputError: a second field where the trace names one; with `check`, no outputs or no records, or another field
-ReplayReport replay(const BlobView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
+ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
 
 /// The header that a trace of this replay has: for the writer.
-TraceHeader replay_header(const BlobView& field, const TraceHeader& inputs);
+TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs);
 
 }  // namespace isotouch::trace

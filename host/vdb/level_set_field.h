@@ -1,4 +1,4 @@
-/// A level set from another program → the field of a blob.
+/// A level set from another program → a band field.
 #pragma once
 
 #include "host/cloud/oriented_points.h"
@@ -10,7 +10,7 @@ namespace isotouch::vdb {
 /// The level set's own samples, values as they are.
 ///
 /// set       with `samples`
-/// placement from its world to the workspace; moved by less than 2^-20 mm so that a blob holds the grid exactly
+/// placement from its world to the workspace; moved by less than 2^-20 mm so that a field holds the grid exactly
 /// band      voxels, at most `set.half_width`
 /// fails     never
 field::BandField own_field(const LevelSet& set, cloud::Placement& placement, double band);

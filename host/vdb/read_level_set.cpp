@@ -172,7 +172,7 @@ class Samples {
     const openvdb::CoordBBox box = known();
     const Vector3i one = turn * Vector3i(box.min().x(), box.min().y(), box.min().z());
     const Vector3i two = turn * Vector3i(box.max().x(), box.max().y(), box.max().z());
-    constexpr int kMargin = 3;  // samples round the band; a blob's two outermost layers are far outside
+    constexpr int kMargin = 3;  // samples round the band; a field's two outermost layers are far outside
     const auto brick_of = [](int n) { return n >= 0 ? n / 4 : -((3 - n) / 4); };
     const Vector3i first = 4 * (one.cwiseMin(two) - Vector3i::Constant(kMargin)).unaryExpr(brick_of);
     field::BandField field;

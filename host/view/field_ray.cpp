@@ -44,13 +44,13 @@ Eigen::Vector3d inverse_of(const Eigen::Vector3d& direction) {
 
 /// Index coordinates of the middle of every brick that is not wholly outside. A sum of positive coefficients is positive, so the surface lies
 /// within 1 1/2 voxels of such a brick's samples.
-std::vector<Eigen::Vector3d> object_bricks(const BlobView& field) {
+std::vector<Eigen::Vector3d> object_bricks(const FieldView& field) {
   std::vector<Eigen::Vector3d> middles;
-  constexpr int kBrickSide = 1 << blob_layout::kBrickShift;
+  constexpr int kBrickSide = 1 << image_layout::kBrickShift;
   for (int k = 0; k < field.size[2]; k += kBrickSide) {
     for (int j = 0; j < field.size[1]; j += kBrickSide) {
       for (int i = 0; i < field.size[0]; i += kBrickSide) {
-        const std::span<const std::int16_t> brick(field.brick(i, j, k), blob_layout::kSamplesPerBrick);
+        const std::span<const std::int16_t> brick(field.brick(i, j, k), image_layout::kSamplesPerBrick);
         if (*std::min_element(brick.begin(), brick.end()) <= 0) middles.emplace_back(i + 1.5, j + 1.5, k + 1.5);
       }
     }
@@ -60,7 +60,7 @@ std::vector<Eigen::Vector3d> object_bricks(const BlobView& field) {
 
 }  // namespace
 
-FieldRays::FieldRays(const BlobView& field)
+FieldRays::FieldRays(const FieldView& field)
     : field_(field),
       origin_(to_double(field.origin.x), to_double(field.origin.y), to_double(field.origin.z)),
       edge_(to_double(field.edge)),
@@ -86,9 +86,9 @@ double FieldRays::empty_way(const Eigen::Vector3d& index, const Eigen::Vector3d&
   const Eigen::Array3i sample =
       (index.array() + 0.5).floor().cast<int>().max(0).min(Eigen::Array3i(field_.size[0] - 1, field_.size[1] - 1, field_.size[2] - 1));
   if (field_.brick(sample[0], sample[1], sample[2]) != field_.bricks) return 0;  // brick 0 is the one that is far outside
-  const Eigen::Array3i node = sample / (1 << blob_layout::kNodeShift);
-  const bool whole_node = field_.root[(node[2] * field_.root_size[1] + node[1]) * field_.root_size[0] + node[0]] == blob_layout::kOutside;
-  const int side = 1 << (whole_node ? blob_layout::kNodeShift : blob_layout::kBrickShift);
+  const Eigen::Array3i node = sample / (1 << image_layout::kNodeShift);
+  const bool whole_node = field_.root[(node[2] * field_.root_size[1] + node[1]) * field_.root_size[0] + node[0]] == image_layout::kOutside;
+  const int side = 1 << (whole_node ? image_layout::kNodeShift : image_layout::kBrickShift);
   double way = std::numeric_limits<double>::max();
   for (int a = 0; a < 3; ++a) {
     const double low = (sample[a] & -side) - 0.5;

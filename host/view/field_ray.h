@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "host/view/camera.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::view {
 
-/// A checked blob, seen in millimetres of the workspace.
+/// A checked field, seen in millimetres of the workspace.
 class FieldRays {
  public:
   /// field     stays alive as long as this
-  explicit FieldRays(const BlobView& field);
+  explicit FieldRays(const FieldView& field);
 
   struct Value {
     double distance = 0;                                 ///< voxels, clamped to the band, negative inside
@@ -31,7 +31,7 @@ class FieldRays {
   /// The object in dots, a brick apart: enough to place a camera by.
   const std::vector<Eigen::Vector3d>& outline() const { return outline_; }
   double edge() const { return edge_; }
-  const BlobView& field() const { return field_; }
+  const FieldView& field() const { return field_; }
 
  private:
   Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin_) / edge_; }
@@ -47,7 +47,7 @@ class FieldRays {
   };
   double crossing(const Ray& ray, Place outside, Place inside) const;
 
-  const BlobView& field_;
+  const FieldView& field_;
   Eigen::Vector3d origin_;
   double edge_;
   double band_;

@@ -91,7 +91,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
 
 }  // namespace
 
-Image slice_picture(const BlobView& field, const SliceOptions& options) {
+Image slice_picture(const FieldView& field, const SliceOptions& options) {
   Image image(options.width, options.height, srgb(0xFFFFFF));
   Canvas canvas(image);
   const float scale = drawing_scale(image);

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host/view/image.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::view {
 
@@ -16,6 +16,6 @@ struct SliceOptions {
   std::string title = {};
 };
 
-Image slice_picture(const BlobView& field, const SliceOptions& options);
+Image slice_picture(const FieldView& field, const SliceOptions& options);
 
 }  // namespace isotouch::view

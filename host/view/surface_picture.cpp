@@ -85,7 +85,7 @@ void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const
 
 }  // namespace
 
-Image surface_picture(const BlobView& field, const SurfaceOptions& options) {
+Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
   Image image(options.width, options.height);
   Canvas canvas(image);
   const float scale = drawing_scale(image);

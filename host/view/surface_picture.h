@@ -1,4 +1,4 @@
-/// The lit zero iso-surface of a blob as the core samples it, with the touch of one tick in it.
+/// The lit zero iso-surface of a field as the core samples it, with the touch of one tick in it.
 ///
 /// source    what the paper shows its user (its section 4): surface under a known light, green proxy, red HIP, red line for the penetration
 #pragma once
@@ -9,7 +9,7 @@
 #include "host/view/camera.h"
 #include "host/view/image.h"
 #include "host/view/markers.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::view {
 
@@ -21,6 +21,6 @@ struct SurfaceOptions {
   std::string title = {};
 };
 
-Image surface_picture(const BlobView& field, const SurfaceOptions& options);
+Image surface_picture(const FieldView& field, const SurfaceOptions& options);
 
 }  // namespace isotouch::view

@@ -39,7 +39,7 @@ struct Body {
   const FieldRays* field;  // nullptr: the truth
 
   bool is_truth() const { return field == nullptr; }
-  /// Signed, mm: positive where the blob stands out of the truth, on whichever of the two.
+  /// Signed, mm: positive where the field stands out of the truth, on whichever of the two.
   double error(const Vector3d& point) const {
     const double distance = other.nearest(point).distance;
     return field::is_inside(other, point) == is_truth() ? distance : -distance;
@@ -149,8 +149,8 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
   TextStyle head = label;
   head.along = Anchor::kStart;
   draw_text(canvas, {bar.left, bar.top - 54 * scale}, "distance between the surfaces", head);
-  draw_text(canvas, {bar.left, bar.top - 34 * scale}, "the blob stands out", head);
-  draw_text(canvas, {bar.left, bar.bottom + 18 * scale}, "the blob is missing", head);
+  draw_text(canvas, {bar.left, bar.top - 34 * scale}, "the field stands out", head);
+  draw_text(canvas, {bar.left, bar.bottom + 18 * scale}, "the field is missing", head);
   draw_text(canvas, {bar.right + 54 * scale, bar.top - 16 * scale}, "voxel", label);
   draw_text(canvas, {bar.right + 120 * scale, bar.top - 16 * scale}, "mm", pale);
   if (wider) draw_text(canvas, {bar.left, bar.bottom + 38 * scale}, "full colour: as much or more", head);
@@ -164,7 +164,7 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
 
 }  // namespace
 
-Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
                     const WorstOptions& options) {
   Image image(options.width, options.height);
   Canvas canvas(image);
@@ -175,8 +175,8 @@ Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, c
   }
   const TriangleTree ours(surface), theirs(truth);
   const FieldRays rays(field);
-  const Body blob{ours, theirs, &rays}, mesh{theirs, ours, nullptr};
-  const Body& owner = worst.on_truth ? mesh : blob;
+  const Body felt{ours, theirs, &rays}, mesh{theirs, ours, nullptr};
+  const Body& owner = worst.on_truth ? mesh : felt;
   const Vector3d foot = owner.other.nearest(worst.place).point;
   const Eye eye = eye_for(owner, worst.place, foot, worst.voxel_mm);
 
@@ -194,8 +194,8 @@ Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, c
     return Camera(eye.direction, Vector3d::UnitY(), shown, area);
   };
   const double full = std::min(worst.distance_mm / worst.voxel_mm, kWidestScale) * worst.voxel_mm;
-  const std::array<const Body*, 2> bodies = {&blob, &mesh};
-  const std::array<const char*, 2> names = {"the blob's surface, as the core samples it", "the true surface"};
+  const std::array<const Body*, 2> bodies = {&felt, &mesh};
+  const std::array<const char*, 2> names = {"the field's surface, as the core samples it", "the true surface"};
   for (std::size_t i = 0; i < 2; ++i) {
     const Camera camera = looking(reach, centre, panels[i]);
     const std::optional<double> begin =
@@ -222,8 +222,8 @@ Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, c
   std::snprintf(where, sizeof where, "(%.2f, %.2f, %.2f) mm", worst.place.x(), worst.place.y(), worst.place.z());
   const std::string figure = number(worst.distance_mm / worst.voxel_mm, 2) + " voxels = " + number(worst.distance_mm, 3) + " mm";
   draw_caption(canvas, options.title + ": worst place",
-               {figure + (worst.on_truth ? " from the true surface to the blob's" : " from the blob's surface to the true one") + ", at " +
-                where + (eye.free ? "" : "; cut open there")});
+               {figure + (worst.on_truth ? " from the true surface to the field's" : " from the field's surface to the true one") +
+                ", at " + where + (eye.free ? "" : "; cut open there")});
   return image;
 }
 

@@ -1,4 +1,4 @@
-/// The worst place of a blob: its surface and the true one side by side, through the same camera, with their distance in colours.
+/// The worst place of a field: its surface and the true one side by side, through the same camera, with their distance in colours.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 #include "host/cloud/mesh.h"
 #include "host/view/image.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace isotouch::view {
 
@@ -26,7 +26,7 @@ struct WorstOptions {
 ///
 /// field            lights its surface: normals are the gradient's as sampled
 /// surface, truth   the field's zero surface in triangles and the true one: closed, workspace, mm
-Image worst_picture(const BlobView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
                     const WorstOptions& options);
 
 }  // namespace isotouch::view

@@ -2,10 +2,10 @@
 
 #include <isotouch_version.h>
 
-#include "shared/blob.h"
-#include "shared/packed_blob.h"
+#include "shared/field_view.h"
+#include "shared/packed_field.h"
+#include "shared/protocol.h"
 #include "shared/trace.h"
-#include "shared/wire.h"
 
 namespace isotouch::files {
 
@@ -19,9 +19,9 @@ std::string format(const char* name, unsigned major, unsigned minor) {
 
 std::string version_text(const std::string& program) {
   return program + " " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT "; formats: " +
-         format("field", blob_layout::kMajor, blob_layout::kMinorWithTable) + ", " +
+         format("field", image_layout::kMajor, image_layout::kMinorWithTable) + ", " +
          format("packed field", packed_layout::kMajor, packed_layout::kMinor) + ", " +
-         format("trace", trace_layout::kMajor, trace_layout::kMinor) + ", " + format("protocol", wire::kMajor, wire::kMinor) +
+         format("trace", trace_layout::kMajor, trace_layout::kMinor) + ", " + format("protocol", protocol::kMajor, protocol::kMinor) +
          "; " ISOTOUCH_COMPILER;
 }
 

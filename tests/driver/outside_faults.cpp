@@ -53,15 +53,15 @@ bool presses_on(FaultBench& bench, int ticks) {
 std::string say_half(const std::string& socket_path) {
   const int socket = control::connect_to_socket(socket_path);
   if (socket < 0) return "no connection";
-  std::vector<std::uint8_t> frame(wire::kMaxFrame), heard(1 << 16);
+  std::vector<std::uint8_t> frame(protocol::kMaxFrame), heard(1 << 16);
   const std::vector<std::uint8_t> piece(10'000, 7);
   const auto exchange = [&](std::size_t size) {
     return ::send(socket, frame.data(), size, MSG_NOSIGNAL) == static_cast<ssize_t>(size) &&
            ::recv(socket, heard.data(), heard.size(), 0) > 0;
   };
-  bool said = exchange(wire::encode(wire::Kind::kHello, wire::Hello{}, frame)) &&
-              exchange(wire::encode(wire::Kind::kBegin, wire::Begin{40'000, 60'000, 1, wire::Text::of("half")}, frame)) &&
-              exchange(wire::encode(wire::Kind::kChunk, wire::Chunk{0, piece}, frame));
+  bool said = exchange(protocol::encode(protocol::Kind::kHello, protocol::Hello{}, frame)) &&
+              exchange(protocol::encode(protocol::Kind::kBegin, protocol::Begin{40'000, 60'000, 1, protocol::Text::of("half")}, frame)) &&
+              exchange(protocol::encode(protocol::Kind::kChunk, protocol::Chunk{0, piece}, frame));
   ::close(socket);
   return said ? "" : "the upload did not begin";
 }
@@ -90,7 +90,7 @@ FaultRow host_killed() {
 }
 
 /// returns   why a recording is not just so many ticks that come to the same bits again; empty: it is
-std::string why_not_replayed(const std::string& path, const BlobView& field, std::uint64_t ticks) {
+std::string why_not_replayed(const std::string& path, const FieldView& field, std::uint64_t ticks) {
   files::TraceFile trace;
   if (const Refusal refusal = files::read_trace(path, trace)) return refusal.sentence();
   const TraceHeader& header = trace.header();
@@ -98,7 +98,7 @@ std::string why_not_replayed(const std::string& path, const BlobView& field, std
   core::TickState state;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);
-    const BlobView* felt = record.input.field_generation == 0 ? nullptr : &field;
+    const FieldView* felt = record.input.field_generation == 0 ? nullptr : &field;
     if (core::tick(record.input, felt, model, state) != record.output) return "what was recorded does not replay";
   }
   if (header.field_hash != field.hash()) return "the recording names another field";
@@ -119,7 +119,7 @@ FaultRow disk_full() {
   header.period_ns = bench.settings.period_ns;
   header.settings = bench.settings.tick;
   const std::vector<std::uint8_t> image = ball_image(25);
-  const BlobView field = *BlobView::parse(image);
+  const FieldView field = *FieldView::parse(image);
   recording::Recorder recorder(
       {header, "", 10, 10}, bench.trace, nullptr, bench.commands, [&](std::uint32_t) { return field.hash(); },
       [&](const std::string& sentence) { row.sentence += sentence; });

@@ -8,7 +8,7 @@
 
 #include "firmware/core/tick.h"
 #include "firmware/loop/realtime.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/trace.h"
 #include "tests/driver/fault_bench.h"
 #include "tests/support/random.h"
@@ -24,10 +24,10 @@ constexpr int kMaxTicks = 3;
 struct Field {
   explicit Field(const std::vector<std::uint8_t>& bytes) : words((bytes.size() + 7) / 8) {
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::uint8_t*>(words.data()));
-    view = *BlobView::parse({reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size()});
+    view = *FieldView::parse({reinterpret_cast<const std::uint8_t*>(words.data()), bytes.size()});
   }
   std::vector<std::uint64_t> words;
-  BlobView view;
+  FieldView view;
 };
 
 std::uint64_t below(Random& random, std::uint64_t most) { return random.bits() % most; }
@@ -159,7 +159,7 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
       TraceRecord written{record.in, record.out, judge.chain_.extend(record.in, record.out), 0};
       const auto read = decode_record(encode(written));
       const bool has_field = read && read->input.field_generation != 0;
-      const BlobView* field = has_field ? &fields[field_of[read->input.field_generation]].view : nullptr;
+      const FieldView* field = has_field ? &fields[field_of[read->input.field_generation]].view : nullptr;
       const bool same = read && core::tick(read->input, field, model, replayed) == read->output;
       if (!same && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + " does not replay";
     }

@@ -1,4 +1,4 @@
-/// The core under anything that a wire may show: bounds hold, and the same inputs give the same words.
+/// The core under anything that a device may send: bounds hold, and the same inputs give the same words.
 #include <cstdlib>
 
 #include "firmware/core/tick.h"
@@ -9,7 +9,7 @@ using namespace isotouch;
 
 namespace {
 
-const BlobView& ball() {
+const FieldView& ball() {
   static const test::FieldImage image({64, 64, 64},
                                       [](const test::Point& p) {
                                         return length(p - test::Point{32, 32, 32}) - 20;
@@ -18,7 +18,7 @@ const BlobView& ball() {
   return image.view();
 }
 
-/// A hand that mostly moves as hands do, a wire that mostly works.
+/// A hand that mostly moves as hands do, a device that mostly answers.
 struct Wire {
   FalconReply reply{{0, 0, 0}, 0, 7};
   Input in;
@@ -87,7 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Wire wire;
   for (int tick = 0; tick < 1000 && !front.empty(); ++tick) {
     const Input& in = wire.next(front);
-    const BlobView* field = in.field_generation == 0 ? nullptr : &ball();
+    const FieldView* field = in.field_generation == 0 ? nullptr : &ball();
     const Output out = core::tick(in, field, model, state);
     fuzz::hold(out == core::tick(in, field, model, twin), "the same inputs give the same outputs");
     fuzz::hold(out.state <= static_cast<std::uint16_t>(SupervisorState::kFault), "the supervisor is in one of its states");

@@ -12,7 +12,7 @@ using namespace isotouch;
 
 namespace {
 
-const BlobView& ball() {
+const FieldView& ball() {
   static const test::FieldImage image({48, 48, 48}, [](const test::Point& p) { return length(p - test::Point{24, 24, 24}) - 15; });
   return image.view();
 }

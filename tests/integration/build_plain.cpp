@@ -1,8 +1,8 @@
-/// Builds fields of the project's own shapes with nothing but the field's and the blob's code, for processors that have no host tool.
+/// Builds fields of the project's own shapes with nothing but the code that makes and encodes a field, for processors that have no host tool.
 ///
 ///     build_plain GRID THREADS NAME...        GRID voxels along the longest side
 ///
-/// Prints one line a shape: its name and the hash of its blob, which is the same for any number of threads, compiler and processor.
+/// Prints one line a shape: its name and the hash of its field, which is the same for any number of threads, compiler and processor.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -11,11 +11,11 @@
 
 #include "host/cloud/placement.h"
 #include "host/cloud/shapes.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/field/build_field.h"
 #include "host/field/make_grid.h"
 #include "host/field/parallel.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace {
 
@@ -31,8 +31,8 @@ std::uint64_t hash_of(const cloud::Shape& shape, int voxels) {
   for (const Eigen::Vector3d& p : points.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
   const field::Grid grid = field::make_grid(low, high, (high - low).maxCoeff() / voxels, field::field_margin(field::kBand));
   field::Progress quiet;
-  const blob::Image image = encoding::write_blob(field::build_field(points, grid, field::kBand, quiet), {});
-  return BlobView::parse(image.bytes())->hash();
+  const field_file::Image image = encoding::write_image(field::build_field(points, grid, field::kBand, quiet), {});
+  return FieldView::parse(image.bytes())->hash();
 }
 
 }  // namespace

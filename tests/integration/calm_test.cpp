@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "firmware/core/render.h"
-#include "host/blob/open_blob.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/evaluate/god_object.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/motion_csv.h"
 #include "host/motion/resample.h"
 #include "host/published/float_tick.h"
@@ -101,7 +101,8 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
   if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA is not set";
 
   const field::Grid grid = field::make_grid(Vector3d::Constant(-kHalf), Vector3d::Constant(kHalf), kEdge, field::kBand + 4);
-  const blob::OpenBlob blob = blob::open_blob(encoding::write_blob(field::sample_distance(from_block, grid, field::kBand), {}), "block");
+  const field_file::OpenField field =
+      field_file::open_field(encoding::write_image(field::sample_distance(from_block, grid, field::kBand), {}), "block");
   published::Indicator inside(grid, 0);
   for (int k = 0; k < grid.size.z(); ++k) {
     for (int j = 0; j < grid.size.y(); ++j) {
@@ -124,7 +125,7 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
     for (const Place& place : kPlaces) {
       TickSettings settings;
       settings.stiffness = Stiffness::of(kStiffness);
-      const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, blob.view);
+      const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field.view);
       core::PositionState state;
       published::FloatTick published(levels, static_cast<float>(kStiffness));
       evaluate::GodObject exact(tree, place.surface + 3 * place.outward);
@@ -136,7 +137,7 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
         const Input in = position_input(to_fixed<Mm>(place.surface + height * place.outward + shake));
         const Vector3d hip = to_double(in.hip);
         const Vector3d force = kStiffness * (exact.follow(hip) - hip);
-        const Vector3d felt = to_double(core::render_position(in, blob.view, model, state).force);
+        const Vector3d felt = to_double(core::render_position(in, field.view, model, state).force);
         const Vector3d beside = published.force(hip.cast<float>()).cast<double>();
         if (t < kApproach + 50) continue;
         ours.add(felt - force);

@@ -11,7 +11,7 @@
 #include "firmware/core/render.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/shapes.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/field/build_field.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
@@ -21,8 +21,8 @@
 namespace isotouch {
 namespace {
 
-/// The blob of one of the project's objects as `build` makes it, at 186 voxels along its longest side.
-blob::Image object(const std::string& name) {
+/// The field of one of the project's objects as `build` makes it, at 186 voxels along its longest side.
+field_file::Image object(const std::string& name) {
   const cloud::OrientedPoints raw = cloud::sample_shape(cloud::shape(name), cloud::shape(name).default_points);
   const cloud::Placement placement = cloud::place(raw.positions);
   const cloud::OrientedPoints points = cloud::placed(raw, placement);
@@ -33,15 +33,15 @@ blob::Image object(const std::string& name) {
   }
   const field::Grid grid = field::make_grid(low, high, (high - low).maxCoeff() / 186, field::field_margin(4.0));
   field::Progress progress;
-  encoding::BlobInfo info;
+  encoding::FieldInfo info;
   info.placement = placement;
-  return encoding::write_blob(field::build_field(points, grid, 4.0, progress), info);
+  return encoding::write_image(field::build_field(points, grid, 4.0, progress), info);
 }
 
 TEST(ContactHeavy, TheProxyIsNeverBelowTheSurfaceOnATour) {
   for (const char* name : {"hydrant", "jaguar"}) {
-    const blob::Image image = object(name);
-    const BlobView field = *BlobView::parse(image.bytes());
+    const field_file::Image image = object(name);
+    const FieldView field = *FieldView::parse(image.bytes());
     motion::MotionOptions options;
     options.ticks = 60000;
     core::ProxyState state;
@@ -62,7 +62,7 @@ TEST(ContactHeavy, TheProxyIsNeverBelowTheSurfaceOnATour) {
 struct Crease {
   Eigen::Vector3d along, out, side;
   Eigen::Vector3d centre{0.11, -0.07, 0.05};  // mm
-  blob::Image image;
+  field_file::Image image;
 
   Crease(double degrees, test::Random& random) : image(0) {
     const auto vector = [](const test::Point& p) { return Eigen::Vector3d(p.x, p.y, p.z); };
@@ -77,7 +77,7 @@ struct Crease {
     const auto distance = [&](const Eigen::Vector3d& p) {
       return std::max(std::min(n1.dot(p - centre), n2.dot(p - centre)), (p - centre).norm() - radius);
     };
-    image = encoding::write_blob(field::sample_distance(distance, grid, 4.0), {});
+    image = encoding::write_image(field::sample_distance(distance, grid, 4.0), {});
   }
 };
 
@@ -86,7 +86,7 @@ TEST(ContactHeavy, SlidingAlongACreaseTheForceIsThatOfTheConvergedProxy) {
   for (const double degrees : {60.0, 90.0, 120.0}) {
     for (int body = 0; body < 4; ++body) {
       const Crease crease(degrees, random);
-      const BlobView field = *BlobView::parse(crease.image.bytes());
+      const FieldView field = *FieldView::parse(crease.image.bytes());
       const auto index = [&](double s, double deep) {
         const Eigen::Vector3d p = crease.centre + 0.34 * (s * crease.along - deep * crease.out + 0.5 * std::sin(s / 6) * crease.side);
         const auto voxels = [&](double mm, Mm origin) { return (mm - origin.raw() / 1048576.0) * (1048576.0 / field.edge.raw()); };

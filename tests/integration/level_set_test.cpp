@@ -1,4 +1,4 @@
-/// Level sets there and back: OpenVDB's own sphere, felt as the core samples it; a blob, exported and read again.
+/// Level sets there and back: OpenVDB's own sphere, felt as the core samples it; a field, exported and read again.
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -10,9 +10,9 @@
 #include <string>
 
 #include "firmware/core/field_sampler.h"
-#include "host/blob/open_blob.h"
 #include "host/cloud/random.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
+#include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/vdb/level_set.h"
 #include "tests/host/commands/run_command.h"
@@ -24,8 +24,8 @@ namespace {
 using commands::run_command;
 using Eigen::Vector3d;
 
-Vec3<Voxel> index_of(const blob::OpenBlob& blob, const Vector3d& place) {
-  return to_fixed<Voxel>(Vector3d((place - to_double(blob.view.origin)) / to_double(blob.view.edge)));
+Vec3<Voxel> index_of(const field_file::OpenField& field, const Vector3d& place) {
+  return to_fixed<Voxel>(Vector3d((place - to_double(field.view.origin)) / to_double(field.view.edge)));
 }
 
 struct Errors {
@@ -34,9 +34,9 @@ struct Errors {
 };
 
 /// The largest errors of the core's distance and gradient within half a voxel of a sphere round the origin.
-Errors against_sphere(const blob::OpenBlob& blob, double radius) {
+Errors against_sphere(const field_file::OpenField& field, double radius) {
   cloud::Random random(11);
-  const double edge = to_double(blob.view.edge);
+  const double edge = to_double(field.view.edge);
   Errors worst;
   for (int i = 0; i < 5000; ++i) {
     Vector3d way;
@@ -44,7 +44,7 @@ Errors against_sphere(const blob::OpenBlob& blob, double radius) {
       way = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
     } while (way.norm() > 1 || way.norm() < 0.1);
     const Vector3d place = (radius + random.uniform(-0.5, 0.5) * edge) * way.normalized();
-    const core::FieldSample sample = core::sample_field(blob.view, index_of(blob, place));
+    const core::FieldSample sample = core::sample_field(field.view, index_of(field, place));
     const double cosine = to_double(sample.gradient).normalized().dot(way.normalized());
     worst.distance_voxel = std::max(worst.distance_voxel, std::abs(to_double(sample.distance) - (place.norm() - radius) / edge));
     worst.normal_deg = std::max(worst.normal_deg, std::acos(std::min(1.0, cosine)) * 180 / M_PI);
@@ -71,10 +71,10 @@ class LevelSetAcross : public ::testing::Test {
 TEST_F(LevelSetAcross, ASphereOfOpenvdbIsFeltAsASphere) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm");
-  const auto blob = blob::open_blob(file("a.itf"));
-  EXPECT_NEAR(to_double(blob.view.edge), 0.2, 1e-6);
-  EXPECT_EQ(to_double(blob.view.band), 3);
-  const Errors errors = against_sphere(blob, 7);
+  const auto field = field_file::open_field(file("a.itf"));
+  EXPECT_NEAR(to_double(field.view.edge), 0.2, 1e-6);
+  EXPECT_EQ(to_double(field.view.band), 3);
+  const Errors errors = against_sphere(field, 7);
   EXPECT_LT(errors.distance_voxel, 0.003);
   EXPECT_GT(errors.distance_voxel, 0.0003);
   EXPECT_LT(errors.normal_deg, 0.1);
@@ -84,7 +84,7 @@ TEST_F(LevelSetAcross, ATurnedOrRefinedSphereIsStillFeltAsOne) {
   make_sphere("a.vdb", 0.4);
   for (const char* size : {"", " --voxel 0.13mm", " --grid 50"}) {
     run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --units mm" + size);
-    const Errors errors = against_sphere(blob::open_blob(file("a.itf")), 7);
+    const Errors errors = against_sphere(field_file::open_field(file("a.itf")), 7);
     EXPECT_LT(errors.distance_voxel, 0.02) << size;
     EXPECT_LT(errors.normal_deg, 0.5) << size;
   }
@@ -94,25 +94,25 @@ TEST_F(LevelSetAcross, AnExportHoldsWhatTheCoreSamplesAtEveryNode) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
   run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
-  const auto blob = blob::open_blob(file("a.itf"));
+  const auto field = field_file::open_field(file("a.itf"));
   openvdb::io::File reader(file("b.vdb"));
   reader.open(false);
   const auto grid = openvdb::gridPtrCast<openvdb::FloatGrid>(reader.readGrid("b"));
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->getGridClass(), openvdb::GRID_LEVEL_SET);
-  const double edge = to_double(blob.view.edge);
-  const double band_mm = to_double(blob.view.band) * edge;
+  const double edge = to_double(field.view.edge);
+  const double band_mm = to_double(field.view.band) * edge;
   EXPECT_EQ(grid->background(), static_cast<float>(band_mm));
   EXPECT_EQ(grid->metaValue<std::string>("isotouch_unit"), "mm");
   int active = 0;
   double worst_mm = 0;
-  for (std::int32_t k = 0; k < blob.view.size[2]; ++k) {
-    for (std::int32_t j = 0; j < blob.view.size[1]; ++j) {
-      for (std::int32_t i = 0; i < blob.view.size[0]; ++i) {
+  for (std::int32_t k = 0; k < field.view.size[2]; ++k) {
+    for (std::int32_t j = 0; j < field.view.size[1]; ++j) {
+      for (std::int32_t i = 0; i < field.view.size[0]; ++i) {
         const openvdb::Vec3d world = grid->indexToWorld(openvdb::Coord(i, j, k));
-        const Vector3d place = to_double(blob.view.origin) + edge * Vector3d(i, j, k);
+        const Vector3d place = to_double(field.view.origin) + edge * Vector3d(i, j, k);
         ASSERT_NEAR((Vector3d(world.x(), world.y(), world.z()) - place).norm(), 0, 1e-12);
-        const double felt = to_double(core::sample_field(blob.view, index_of(blob, place)).distance) * edge;
+        const double felt = to_double(core::sample_field(field.view, index_of(field, place)).distance) * edge;
         const double held = std::clamp(felt, -band_mm, band_mm);
         worst_mm = std::max(worst_mm, std::abs(static_cast<double>(grid->tree().getValue(openvdb::Coord(i, j, k))) - held));
         if (grid->tree().isValueOn(openvdb::Coord(i, j, k))) ++active;
@@ -123,13 +123,13 @@ TEST_F(LevelSetAcross, AnExportHoldsWhatTheCoreSamplesAtEveryNode) {
   EXPECT_LT(worst_mm, 1e-6 * band_mm);
 }
 
-TEST_F(LevelSetAcross, ABlobComesBackFromAnExportToAFiveHundredthOfAVoxel) {
+TEST_F(LevelSetAcross, AFieldComesBackFromAnExportToAFiveHundredthOfAVoxel) {
   make_sphere("a.vdb");
   run_command("build " + file("a.vdb") + " -o " + file("a.itf") + " --fit 40mm");
   run_command("export " + file("a.itf") + " -o " + file("b.vdb"));
   run_command("build " + file("b.vdb") + " -o " + file("b.itf") + " --units mm");
-  const auto first = blob::open_blob(file("a.itf"));
-  const auto second = blob::open_blob(file("b.itf"));
+  const auto first = field_file::open_field(file("a.itf"));
+  const auto second = field_file::open_field(file("b.itf"));
   EXPECT_EQ(second.view.edge.raw(), first.view.edge.raw());
   cloud::Random random(12);
   double worst = 0;

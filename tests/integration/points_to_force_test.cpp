@@ -1,4 +1,4 @@
-/// The whole walk: exact objects → oriented points → host → blob → core → force, against the exact answer.
+/// The whole walk: exact objects → oriented points → host → field → core → force, against the exact answer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 using evaluate::ForceError;
 using evaluate::SurfaceError;
 
-const blob::OpenBlob& sphere() {
-  static const blob::OpenBlob blob = evaluate::trial_blob(evaluate::shape_trial("sphere"), encoding::Method::kDefault);
-  return blob;
+const field_file::OpenField& sphere() {
+  static const field_file::OpenField field = evaluate::trial_field(evaluate::shape_trial("sphere"), encoding::Method::kDefault);
+  return field;
 }
 
 ForceError slide(double speed) {
@@ -30,7 +30,7 @@ TEST(PointsToForce, TheSphereIsFeltAsItIsAtHandSpeeds) {
     EXPECT_GT(error.ticks, 1000U);
     EXPECT_LE(error.magnitude_rms_pct, 0.1);
     EXPECT_LE(error.direction_max_deg, 0.1);
-    EXPECT_GT(error.magnitude_rms_pct, 0.0001) << "better than the blob can hold: what was measured?";
+    EXPECT_GT(error.magnitude_rms_pct, 0.0001) << "better than the field can hold: what was measured?";
     EXPECT_GT(error.direction_max_deg, 0.001);
   }
 }
@@ -49,8 +49,8 @@ TEST(PointsToForce, EverySurfaceIsNearerTheTruthThanTheBetterPeer) {
   for (const auto& [name, peer_rms] :
        test::examples<Peer>({{"capsules", 0.045}, {"sphere", 0.019}, {"torus", 0.017}, {"box", 0.140}, {"plate", 0.414}})) {
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
-    const SurfaceError error = evaluate::surface_error(evaluate::trial_blob(trial, encoding::Method::kDefault).view, trial.truth);
-    const SurfaceError floor = evaluate::surface_error(evaluate::floor_blob(trial).view, trial.truth);
+    const SurfaceError error = evaluate::surface_error(evaluate::trial_field(trial, encoding::Method::kDefault).view, trial.truth);
+    const SurfaceError floor = evaluate::surface_error(evaluate::floor_field(trial).view, trial.truth);
     EXPECT_LT(error.rms_voxel, peer_rms) << name;
     EXPECT_GT(error.rms_voxel, 0.8 * floor.rms_voxel) << name;
     EXPECT_EQ(error.lost, 0U) << name;

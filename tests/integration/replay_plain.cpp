@@ -1,6 +1,6 @@
 /// A replay for processors and compilers that have no host tool: hil/plain_replay.h on files.
 ///
-///     replay_plain BLOB TRACE
+///     replay_plain FIELD TRACE
 ///
 /// Prints {"ticks", "seconds", "hash", "first_difference"} as `isotouch replay --json` does, the difference as a tick number. Exit codes as the
 /// tool's: 0 equal to what was recorded, 1 bad input, 2 wrong usage, 3 different.
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "hil/plain_replay.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 namespace {
 
@@ -42,10 +42,10 @@ int refuse(const char* file, Error why) {
   return 1;
 }
 
-int replay_files(const char* blob_name, const char* trace_name) {
-  const Image blob(read_file(blob_name)), trace(read_file(trace_name));
-  const Result<BlobView> field = BlobView::parse(blob.span());
-  if (!field) return refuse(blob_name, field.error());
+int replay_files(const char* field_name, const char* trace_name) {
+  const Image image(read_file(field_name)), trace(read_file(trace_name));
+  const Result<FieldView> field = FieldView::parse(image.span());
+  if (!field) return refuse(field_name, field.error());
 
   const auto started = std::chrono::steady_clock::now();
   const Result<replay::Report> report = replay::run(*field, trace.span());
@@ -62,7 +62,7 @@ int replay_files(const char* blob_name, const char* trace_name) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fprintf(stderr, "usage: replay_plain BLOB TRACE\n");
+    std::fprintf(stderr, "usage: replay_plain FIELD TRACE\n");
     return 2;
   }
   return replay_files(argv[1], argv[2]);

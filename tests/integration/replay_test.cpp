@@ -1,4 +1,4 @@
-/// One hand on one object: recorded, replayed to the bit, and every changed bit found. A tour of all motions over a built blob.
+/// One hand on one object: recorded, replayed to the bit, and every changed bit found. A tour of all motions over a built field.
 #include "host/trace/replay.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/evaluate/shape_trial.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/motion.h"
 #include "host/trace/trace_file.h"
 #include "shared/bytes.h"
@@ -23,15 +23,15 @@
 namespace isotouch {
 namespace {
 
-using blob::OpenBlob;
+using field_file::OpenField;
 using trace::Trace;
 using trace::TraceWriter;
 
 constexpr std::uint64_t kTicks = 32'000;  // a whole round, whose last motion leaves the workspace
 
-const OpenBlob& capsules() {
-  static const OpenBlob blob = evaluate::trial_blob(evaluate::shape_trial("capsules"), encoding::Method::kDefault);
-  return blob;
+const OpenField& capsules() {
+  static const OpenField field = evaluate::trial_field(evaluate::shape_trial("capsules"), encoding::Method::kDefault);
+  return field;
 }
 
 const std::vector<Input>& tour() {
@@ -91,31 +91,31 @@ TEST(AcrossReplay, NothingIsAllocatedAfterTheStart) {
   EXPECT_NE(run.hash(), 0U);
 }
 
-/// A blob in which every distance within the band has its last bit turned, with a checksum that agrees.
-OpenBlob changed_blob() {
-  const OpenBlob& original = capsules();
-  blob::Image image(original.image.size());
+/// A field in which every distance within the band has its last bit turned, with a checksum that agrees.
+OpenField changed_field() {
+  const OpenField& original = capsules();
+  field_file::Image image(original.image.size());
   std::copy(original.image.data(), original.image.data() + original.image.size(), image.data());
   const std::size_t at = static_cast<std::size_t>(reinterpret_cast<const std::uint8_t*>(original.view.bricks) - original.image.data());
   const int band = original.view.band.raw();
-  for (std::size_t i = 0; i < blob_layout::kSamplesPerBrick * original.view.brick_count; ++i) {
+  for (std::size_t i = 0; i < image_layout::kSamplesPerBrick * original.view.brick_count; ++i) {
     if (std::abs(int{original.view.bricks[i]}) < band) image.data()[at + 2 * i] ^= 1;
   }
-  store_le(image.data() + blob_layout::kChecksumAt, crc32(image.data() + 16, image.size() - 16));
-  return blob::open_blob(std::move(image), "changed");
+  store_le(image.data() + image_layout::kChecksumAt, crc32(image.data() + 16, image.size() - 16));
+  return field_file::open_field(std::move(image), "changed");
 }
 
 TEST(AcrossReplay, TheLastBitOfTheFieldIsSeen) {
   const ScratchFolder folder;
   const Trace trace = recording(folder);
 
-  blob::Image torn(capsules().image.size());
+  field_file::Image torn(capsules().image.size());
   std::copy(capsules().image.data(), capsules().image.data() + torn.size(), torn.data());
   torn.data()[torn.size() / 2] ^= 16;
-  EXPECT_THROW(blob::open_blob(std::move(torn), "torn"), InputError) << "a bit that the checksum does not know";
+  EXPECT_THROW(field_file::open_field(std::move(torn), "torn"), InputError) << "a bit that the checksum does not know";
 
-  const OpenBlob other = changed_blob();
-  EXPECT_THROW(trace::replay(other.view, trace, true), InputError) << "another blob, whatever it holds";
+  const OpenField other = changed_field();
+  EXPECT_THROW(trace::replay(other.view, trace, true), InputError) << "another field, whatever it holds";
   EXPECT_NE(trace::replay(other.view, trace, false).hash, trace.chain(kTicks - 1));
 }
 

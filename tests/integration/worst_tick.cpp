@@ -1,6 +1,6 @@
 /// Searches for the tick with the most instructions: an evolution over hands, devices and settings whose fitness is what hil/instructions/count counts.
 ///
-///     worst_tick "hil/instructions/count REPLAY" BLOB OUT [SEED [GENERATIONS]]
+///     worst_tick "hil/instructions/count REPLAY" FIELD OUT [SEED [GENERATIONS]]
 ///
 /// A generation is one recording of a device that is restarted for each of its hands, so that every one begins from nothing. The best go on; others are
 /// crossed and changed, and so are device and settings. The same seed and the same programs give the same search. OUT becomes the recording of the worst.
@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/open_blob.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/device_in_hand.h"
 #include "host/to_double.h"
 #include "host/trace/replay.h"
@@ -82,7 +82,7 @@ Setup any_setup(Random& random) {
   return setup;
 }
 
-Hand any_hand(Random& random, const BlobView& field) {
+Hand any_hand(Random& random, const FieldView& field) {
   Hand hand;
   for (Point& knot : hand.knots) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -99,7 +99,7 @@ Hand any_hand(Random& random, const BlobView& field) {
 }
 
 /// The children of two, changed here and there: a knot to any place, or by a little.
-Hand child_of(const Hand& a, const Hand& b, Random& random, const BlobView& field) {
+Hand child_of(const Hand& a, const Hand& b, Random& random, const FieldView& field) {
   const Hand fresh = any_hand(random, field);
   Hand hand = a;
   for (std::size_t i = 0; i < hand.knots.size(); ++i) {
@@ -153,7 +153,7 @@ Worst worst_of(std::istream& rows) {
   return worst;
 }
 
-void record(const BlobView& field, const Setup& setup, const std::vector<Hand>& hands, const std::string& file) {
+void record(const FieldView& field, const Setup& setup, const std::vector<Hand>& hands, const std::string& file) {
   TraceHeader header;
   header.device = setup.device;
   header.settings = setup.settings;
@@ -170,8 +170,8 @@ struct Tried {
   Worst worst;
 };
 
-int search(const std::string& count, const std::string& blob, const std::string& out, std::uint64_t seed, int generations) {
-  const blob::OpenBlob open = blob::open_blob(blob);
+int search(const std::string& count, const std::string& field, const std::string& out, std::uint64_t seed, int generations) {
+  const field_file::OpenField open = field_file::open_field(field);
   Random random(seed);
   Setup best_setup = any_setup(random);
   std::vector<Tried> parents;
@@ -191,7 +191,7 @@ int search(const std::string& count, const std::string& blob, const std::string&
     }
     const std::string part = out + ".part", rows = out + ".rows";
     record(open.view, setup, hands, part);
-    if (std::system((count + " " + blob + " " + part + " " + rows + " >/dev/null").c_str()) != 0)
+    if (std::system((count + " " + field + " " + part + " " + rows + " >/dev/null").c_str()) != 0)
       throw std::runtime_error("the counter failed");
     std::ifstream counted(rows);
     std::vector<Tried> tried;
@@ -222,7 +222,7 @@ int search(const std::string& count, const std::string& blob, const std::string&
 
 int main(int argc, char** argv) try {
   if (argc < 4 || argc > 6) {
-    std::fprintf(stderr, "usage: worst_tick \"hil/instructions/count REPLAY\" BLOB OUT [SEED [GENERATIONS]]\n");
+    std::fprintf(stderr, "usage: worst_tick \"hil/instructions/count REPLAY\" FIELD OUT [SEED [GENERATIONS]]\n");
     return 2;
   }
   return search(argv[1], argv[2], argv[3], argc > 4 ? std::strtoull(argv[4], nullptr, 10) : 1, argc > 5 ? std::atoi(argv[5]) : 40);

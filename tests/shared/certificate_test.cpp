@@ -13,7 +13,7 @@
 namespace isotouch {
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 using test::Point;
 
 /// A ball with the certificate that a writer would give it: slope 1.25, no wall, 2 N/mm at 1 kHz, 3 N·s/m, a delay of one tick.
@@ -35,13 +35,13 @@ class Certified {
     fields.insert(fields.end(), changes.begin(), changes.end());
     for (const auto& [offset, value] : fields) store_le(at + offset, value);
     store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, bytes.size() - kTotalBytesAt));
-    view_ = *BlobView::parse({at, bytes.size()});
+    view_ = *FieldView::parse({at, bytes.size()});
   }
-  const BlobView& view() const { return view_; }
+  const FieldView& view() const { return view_; }
 
  private:
   std::vector<std::uint64_t> words_;
-  BlobView view_;
+  FieldView view_;
 };
 
 const Loop kFalcon = {1'000'000, Damping::of(0.003), 1};
@@ -61,23 +61,23 @@ TEST(Certificate, TheLargestStiffnessIsThatOfTheFormula) {
 }
 
 TEST(Certificate, AGoodOneIsAcceptedUpToTheLoopsStiffness) {
-  const Certified blob;
-  EXPECT_TRUE(check_certificate(blob.view(), kFalcon, {}).accepted);
+  const Certified field;
+  EXPECT_TRUE(check_certificate(field.view(), kFalcon, {}).accepted);
   const Stiffness largest = largest_stiffness(kFalcon);
-  EXPECT_TRUE(check_certificate(blob.view(), kFalcon, largest).accepted);
-  const CertificateCheck above = check_certificate(blob.view(), kFalcon, Stiffness::from_raw(largest.raw() + 1));
+  EXPECT_TRUE(check_certificate(field.view(), kFalcon, largest).accepted);
+  const CertificateCheck above = check_certificate(field.view(), kFalcon, Stiffness::from_raw(largest.raw() + 1));
   EXPECT_FALSE(above.accepted);
   EXPECT_EQ(above.error, Error::kTooStiff);
   EXPECT_EQ(above.stiffness, largest);
 }
 
-TEST(Certificate, TheBlobsOwnStiffnessCountsWhereNoneIsWanted) {
-  const Certified blob;
-  const CertificateCheck slow = check_certificate(blob.view(), {4'000'000, Damping::of(0.003), 1}, {});  // 0.5 N/mm, the blob has 0.8
+TEST(Certificate, TheFieldsOwnStiffnessCountsWhereNoneIsWanted) {
+  const Certified field;
+  const CertificateCheck slow = check_certificate(field.view(), {4'000'000, Damping::of(0.003), 1}, {});  // 0.5 N/mm, the field has 0.8
   EXPECT_FALSE(slow.accepted);
   EXPECT_EQ(slow.error, Error::kTooStiff);
   EXPECT_NEAR(slow.stiffness.raw() / 65536.0, 0.5, 0.0001);
-  EXPECT_TRUE(check_certificate(blob.view(), {4'000'000, Damping::of(0.003), 1}, slow.stiffness).accepted);
+  EXPECT_TRUE(check_certificate(field.view(), {4'000'000, Damping::of(0.003), 1}, slow.stiffness).accepted);
 }
 
 TEST(Certificate, TheLoopItSpeaksOfIsReadBack) {
@@ -128,7 +128,7 @@ TEST(Certificate, SteepGradientsNeedOneThatSaysSo) {
   }
 }
 
-TEST(Certificate, ABlobWithoutOneIsJudgedByItsStiffnessAlone) {
+TEST(Certificate, AFieldWithoutOneIsJudgedByItsStiffnessAlone) {
   const Certified none({{kMaxSlopeAt, 0}, {kAdvisedStiffnessAt, 0}, {kAdvisedPeriodAt, 0}, {kAdvisedDampingAt, 0}});
   EXPECT_TRUE(check_certificate(none.view(), kFalcon, {}).accepted);
   EXPECT_EQ(check_certificate(none.view(), kFalcon, Stiffness::of(2.1)).error, Error::kTooStiff);

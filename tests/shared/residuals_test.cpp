@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "shared/field_view.h"
 #include "shared/hash64.h"
 #include "tests/support/alloc_guard.h"
 #include "tests/support/field_image.h"
@@ -22,7 +22,7 @@
 namespace isotouch {
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 using Bytes = std::vector<std::uint8_t>;
 
 /// An image made of integers alone, the same on every machine.

@@ -15,7 +15,7 @@ namespace isotouch::test {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 std::int16_t coefficient(const DistanceFunction& distance, const Point& at, const FieldOptions& options) {
   double value = distance(at);
@@ -112,9 +112,9 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   }
   put(kChecksumAt, crc32(at + kTotalBytesAt, total - kTotalBytesAt));
 
-  const Result<BlobView> view = BlobView::parse({at, total});
+  const Result<FieldView> view = FieldView::parse({at, total});
   if (!view) {
-    std::fprintf(stderr, "the test's own field is not a valid blob: %s\n", describe(view.error()));
+    std::fprintf(stderr, "the test's own image is not a valid field: %s\n", describe(view.error()));
     std::abort();
   }
   view_ = *view;

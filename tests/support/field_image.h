@@ -1,4 +1,4 @@
-/// Ready blobs from a distance function, made without the host: what core tests feel.
+/// Ready images from a distance function, made without the host: what core tests feel.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "tests/support/random.h"
 
 namespace isotouch::test {
@@ -29,12 +29,12 @@ class FieldImage {
  public:
   /// size      samples along each axis; the body must stay away from the border by more than the band
   FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction& distance, const FieldOptions& options = {});
-  const BlobView& view() const { return view_; }
+  const FieldView& view() const { return view_; }
   std::vector<std::uint8_t> bytes() const;
 
  private:
   std::vector<std::uint64_t> words_;
-  BlobView view_;
+  FieldView view_;
 };
 
 }  // namespace isotouch::test

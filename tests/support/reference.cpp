@@ -16,7 +16,7 @@ std::array<double, 3> spline(double t) {
 
 }  // namespace
 
-ReferenceSample reference_sample(const BlobView& field, const Point& index) {
+ReferenceSample reference_sample(const FieldView& field, const Point& index) {
   ReferenceSample sample{};
   std::array<std::int32_t, 3> nearest{};
   for (std::size_t axis = 0; axis < 3; ++axis) nearest[axis] = static_cast<std::int32_t>(std::floor(index[axis] + 0.5));
@@ -36,7 +36,7 @@ ReferenceSample reference_sample(const BlobView& field, const Point& index) {
   return sample;
 }
 
-double reference_stiffness_part(const BlobView& field, const Point& index) {
+double reference_stiffness_part(const FieldView& field, const Point& index) {
   const Point place = (index - Point{1.5, 1.5, 1.5}) * 0.25;
   std::array<std::int32_t, 3> before{};
   for (std::size_t axis = 0; axis < 3; ++axis) before[axis] = static_cast<std::int32_t>(std::floor(place[axis]));

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "firmware/core/field_sampler.h"
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "tests/support/random.h"
 
 namespace isotouch::test {
 
-/// Value, gradient and second derivatives of the blob's spline.
+/// Value, gradient and second derivatives of the field's spline.
 struct ReferenceSample {
   double distance;
   Point gradient;
@@ -16,10 +16,10 @@ struct ReferenceSample {
 };
 
 /// The definition in SPEC.md 2.1 as a sum over 27 coefficients, at a point inside the grid.
-ReferenceSample reference_sample(const BlobView& field, const Point& index);
+ReferenceSample reference_sample(const FieldView& field, const Point& index);
 
 /// The stiffness at a point, as part of the largest: the definition in SPEC.md 2.4, at a point between the outermost bricks' centres.
-double reference_stiffness_part(const BlobView& field, const Point& index);
+double reference_stiffness_part(const FieldView& field, const Point& index);
 
 /// The step of a proxy as `core::step_towards` describes it, with eigenvectors instead of traces.
 Point reference_step(const Point& pull, const ReferenceSample& sample);

@@ -8,8 +8,8 @@
 namespace isotouch::control {
 namespace {
 
+using protocol::AnglesFrom;
 using testing::HasSubstr;
-using wire::AnglesFrom;
 
 /// A settings file that names a calibration for the serial SET.
 Calibration::Choice by_settings(const std::string& serial) {
@@ -19,7 +19,7 @@ Calibration::Choice by_settings(const std::string& serial) {
 AnglesFrom from(const Calibration& calibration) { return static_cast<AnglesFrom>(calibration.report().from); }
 
 struct CalibrationTest : testing::Test {
-  wire::Calibrate measured(const char* serial) { return {wire::Text::of(serial), {1, 2, 3}}; }
+  protocol::Calibrate measured(const char* serial) { return {protocol::Text::of(serial), {1, 2, 3}}; }
 
   store::CrashingFolder folder;
   store::CalibrationStore store{folder};

@@ -114,13 +114,13 @@ struct ControlRig {
 };
 
 struct Heard {
-  wire::Kind kind{};
+  protocol::Kind kind{};
   std::vector<std::uint8_t> body;
 
   /// The sentence of a refusal; empty for anything else.
   std::string refusal() const {
-    if (kind != wire::Kind::kRefused) return {};
-    const auto said = wire::decode<wire::Refusal>(body);
+    if (kind != protocol::Kind::kRefused) return {};
+    const auto said = protocol::decode<protocol::Refusal>(body);
     return said ? std::string(said->sentence.begin(), said->sentence.end()) : "a refusal that cannot be read";
   }
 };
@@ -147,20 +147,20 @@ class Speaker {
     return true;
   }
   template <class Message>
-  bool say(wire::Kind kind, const Message& message) {
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
-    frame.resize(wire::encode(kind, message, frame));
+  bool say(protocol::Kind kind, const Message& message) {
+    std::vector<std::uint8_t> frame(protocol::kMaxFrame);
+    frame.resize(protocol::encode(kind, message, frame));
     return send(frame);
   }
-  bool say(wire::Kind kind) {
-    std::vector<std::uint8_t> frame(wire::kHeaderBytes);
-    wire::seal_frame(kind, 0, frame);
+  bool say(protocol::Kind kind) {
+    std::vector<std::uint8_t> frame(protocol::kHeaderBytes);
+    protocol::seal_frame(kind, 0, frame);
     return send(frame);
   }
   /// The next frame; kind 0 when the other side has closed, or says nothing for five seconds.
   Heard hear() {
     for (;;) {
-      const auto frame = wire::read_frame(bytes_);
+      const auto frame = protocol::read_frame(bytes_);
       if (!frame) return {};
       if (frame->size > 0) {
         Heard heard{frame->kind, {frame->body.begin(), frame->body.end()}};
@@ -174,8 +174,8 @@ class Speaker {
       bytes_.insert(bytes_.end(), more.begin(), more.begin() + got);
     }
   }
-  Heard greet(std::uint16_t major = wire::kMajor) {
-    say(wire::Kind::kHello, wire::Hello{major, wire::kMinor});
+  Heard greet(std::uint16_t major = protocol::kMajor) {
+    say(protocol::Kind::kHello, protocol::Hello{major, protocol::kMinor});
     return hear();
   }
   int socket() const { return socket_; }
@@ -189,17 +189,17 @@ class Speaker {
 inline std::vector<std::vector<std::uint8_t>> frames_of(const store::PackedField& field, std::size_t chunk) {
   std::vector<std::vector<std::uint8_t>> frames;
   const auto add = [&](auto write) {
-    std::vector<std::uint8_t> frame(wire::kMaxFrame);
+    std::vector<std::uint8_t> frame(protocol::kMaxFrame);
     frame.resize(write(std::span(frame)));
     frames.push_back(frame);
   };
-  add([](auto out) { return wire::encode(wire::Kind::kHello, wire::Hello{}, out); });
-  add([&](auto out) { return wire::encode(wire::Kind::kBegin, field.promise, out); });
+  add([](auto out) { return protocol::encode(protocol::Kind::kHello, protocol::Hello{}, out); });
+  add([&](auto out) { return protocol::encode(protocol::Kind::kBegin, field.promise, out); });
   for (std::size_t at = 0; at < field.bytes.size(); at += chunk) {
-    const wire::Chunk piece{at, std::span(field.bytes).subspan(at, std::min(chunk, field.bytes.size() - at))};
-    add([&](auto out) { return wire::encode(wire::Kind::kChunk, piece, out); });
+    const protocol::Chunk piece{at, std::span(field.bytes).subspan(at, std::min(chunk, field.bytes.size() - at))};
+    add([&](auto out) { return protocol::encode(protocol::Kind::kChunk, piece, out); });
   }
-  add([](auto out) { return wire::seal_frame(wire::Kind::kCommit, 0, out); });
+  add([](auto out) { return protocol::seal_frame(protocol::Kind::kCommit, 0, out); });
   return frames;
 }
 
@@ -210,7 +210,7 @@ inline Heard upload(Speaker& speaker, const store::PackedField& field, std::size
   for (const auto& frame : frames) {
     speaker.send(frame);
     heard = speaker.hear();
-    if (heard.kind == wire::Kind::kRefused) break;
+    if (heard.kind == protocol::Kind::kRefused) break;
   }
   return heard;
 }

@@ -9,7 +9,7 @@
 namespace isotouch::control {
 namespace {
 
-using wire::Kind;
+using protocol::Kind;
 
 Heard ask(Speaker& speaker, Kind kind) {
   speaker.say(kind);
@@ -24,19 +24,19 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   speaker.greet();
   const Heard heard = ask(speaker, Kind::kPosture);
   ASSERT_EQ(heard.kind, Kind::kPostureReport) << heard.refusal();
-  const auto posture = *wire::decode<wire::PostureReport>(heard.body);
+  const auto posture = *protocol::decode<protocol::PostureReport>(heard.body);
   EXPECT_EQ(posture.serial.view(), "A1");
   EXPECT_EQ(posture.counts, (std::array<std::int32_t, 3>{-123 * 256, -123 * 256, -123 * 256}));
   const DeviceModelBytes model = encode(libnifalcon_model());
   EXPECT_THAT(posture.device, testing::ElementsAreArray(model));
 
-  speaker.say(Kind::kCalibrate, wire::Calibrate{wire::Text::of("A1"), {5, 6, 7}});
+  speaker.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {5, 6, 7}});
   const Heard kept = speaker.hear();
   EXPECT_EQ(kept.kind, Kind::kDone) << kept.refusal();
   EXPECT_EQ((*rig.measured.read("A1"))[1].raw(), 6U);
   const Heard device = ask(speaker, Kind::kDevice);
   ASSERT_EQ(device.kind, Kind::kDeviceReport);
-  const auto report = *wire::decode<wire::DeviceReport>(device.body);
+  const auto report = *protocol::decode<protocol::DeviceReport>(device.body);
   EXPECT_EQ(report.serial.view(), "A1");
   EXPECT_EQ(report.waits, 1);
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
@@ -48,7 +48,7 @@ TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {
   speaker.greet();
   expect_sentence(ask(speaker, Kind::kPosture), "no device");
   rig.calibration.answers("A1");
-  speaker.say(Kind::kCalibrate, wire::Calibrate{wire::Text::of("B2"), {}});
+  speaker.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("B2"), {}});
   expect_sentence(speaker.hear(), "another device");
   speaker.say(Kind::kCalibrate);
   expect_sentence(speaker.hear(), "shorter");

@@ -23,7 +23,7 @@ namespace {
 
 using testing::HasSubstr;
 
-using wire::Kind;
+using protocol::Kind;
 
 TEST(ControlServer, AUserWhoIsNotListedIsRefusedWithASentence) {
   Peer stranger{true, 4711, {4711, 4712}};
@@ -111,7 +111,7 @@ TEST(ControlServer, WhoDoesNotReadLosesRecordsAndDelaysNobody) {
   deaf.greet(), other.greet();
   const int small = 4096;
   ::setsockopt(deaf.socket(), SOL_SOCKET, SO_RCVBUF, &small, sizeof small);
-  for (int i = 0; i < 200; ++i) deaf.say(Kind::kSubscribe, wire::Subscribe{1});
+  for (int i = 0; i < 200; ++i) deaf.say(Kind::kSubscribe, protocol::Subscribe{1});
   const std::uint64_t before = rig.tick.stats.ticks.value();
   while (rig.tick.stats.ticks.value() < before + 10'000) {
     other.say(Kind::kStatus);
@@ -121,7 +121,7 @@ TEST(ControlServer, WhoDoesNotReadLosesRecordsAndDelaysNobody) {
   for (int frames = 0; lost == 0 && frames < 20'000; ++frames) {
     const Heard heard = deaf.hear();
     ASSERT_NE(heard.kind, Kind{});
-    if (heard.kind == Kind::kRecords) lost = wire::decode<wire::Records>(heard.body)->lost;
+    if (heard.kind == Kind::kRecords) lost = protocol::decode<protocol::Records>(heard.body)->lost;
   }
   EXPECT_GT(lost, 0U) << "and it is told so";
 }
@@ -140,8 +140,8 @@ TEST(ControlServer, TenThousandRandomConnectionsDisturbNobody) {
   auto frames = frames_of(other, 700);
   frames.pop_back();  // never a commit
   for (const Kind kind : {Kind::kStatus, Kind::kFields, Kind::kAbort, Kind::kStop, Kind::kRecord, Kind::kRecordEnd}) {
-    std::vector<std::uint8_t> frame(wire::kHeaderBytes);
-    wire::seal_frame(kind, 0, frame);
+    std::vector<std::uint8_t> frame(protocol::kHeaderBytes);
+    protocol::seal_frame(kind, 0, frame);
     frames.push_back(frame);
   }
   const std::ptrdiff_t files = open_files();

@@ -14,7 +14,7 @@
 namespace isotouch::control {
 namespace {
 
-using wire::Kind;
+using protocol::Kind;
 
 TEST(ControlServer, AnUploadIsFeltWhenItIsAccepted) {
   ControlRig rig;
@@ -22,9 +22,9 @@ TEST(ControlServer, AnUploadIsFeltWhenItIsAccepted) {
   Speaker speaker(rig.settings.path);
   const Heard heard = upload(speaker, ball);
   ASSERT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
-  EXPECT_EQ(wire::decode<wire::Accepted>(heard.body)->image_hash, ball.promise.image_hash);
+  EXPECT_EQ(protocol::decode<protocol::Accepted>(heard.body)->image_hash, ball.promise.image_hash);
   EXPECT_EQ(rig.tick.felt, ball.promise.image_hash);
-  EXPECT_EQ(rig.tick.generation, wire::decode<wire::Accepted>(heard.body)->generation);
+  EXPECT_EQ(rig.tick.generation, protocol::decode<protocol::Accepted>(heard.body)->generation);
 }
 
 TEST(ControlServer, RequestsMayBeSentAheadOfTheirAnswers) {
@@ -40,10 +40,10 @@ TEST(ControlServer, RequestsMayBeSentAheadOfTheirAnswers) {
   EXPECT_EQ(speaker.hear().kind, Kind::kAccepted);
   const Heard list = speaker.hear();
   ASSERT_EQ(list.kind, Kind::kFieldList);
-  EXPECT_EQ(wire::decode<wire::FieldList>(list.body)->count, 1U);
+  EXPECT_EQ(protocol::decode<protocol::FieldList>(list.body)->count, 1U);
   const Heard status = speaker.hear();
   ASSERT_EQ(status.kind, Kind::kStatusReport);
-  EXPECT_EQ(wire::decode<wire::StatusReport>(status.body)->field_hash, ball.promise.image_hash);
+  EXPECT_EQ(protocol::decode<protocol::StatusReport>(status.body)->field_hash, ball.promise.image_hash);
 }
 
 TEST(ControlServer, TheWorstTicksAreThoseSinceTheyWereForgotten) {
@@ -51,11 +51,11 @@ TEST(ControlServer, TheWorstTicksAreThoseSinceTheyWereForgotten) {
   Speaker speaker(rig.settings.path);
   speaker.greet();
   const auto ask = [&](std::uint8_t anew) {
-    speaker.say(Kind::kWorst, wire::WorstRequest{anew});
+    speaker.say(Kind::kWorst, protocol::WorstRequest{anew});
     const Heard heard = speaker.hear();
     EXPECT_EQ(heard.kind, Kind::kWorstTicks);
-    const auto report = wire::decode<wire::WorstTicks>(heard.body);
-    EXPECT_EQ(report->ticks.size(), std::min<std::uint64_t>(report->seen, 10) * wire::kWorstTickBytes);
+    const auto report = protocol::decode<protocol::WorstTicks>(heard.body);
+    EXPECT_EQ(report->ticks.size(), std::min<std::uint64_t>(report->seen, 10) * protocol::kWorstTickBytes);
     return report->seen;
   };
   for (int i = 0; i < 100 && ask(0) < 20; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -113,22 +113,22 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
     speaker.say(kind, message);
     return speaker.hear();
   };
-  wire::Begin large = ball.promise;
+  protocol::Begin large = ball.promise;
   large.image_bytes = rig.intake.image_limit() + 1;
   expect_sentence(ask(Kind::kBegin, large), "has room for 1048576");
   large = ball.promise;
   large.packed_bytes = UINT64_MAX;
   expect_sentence(ask(Kind::kBegin, large), "has room for");
-  expect_sentence(ask(Kind::kChunk, wire::Chunk{0, ball.bytes}), "no upload is under way");
+  expect_sentence(ask(Kind::kChunk, protocol::Chunk{0, ball.bytes}), "no upload is under way");
   speaker.say(Kind::kCommit);
   expect_sentence(speaker.hear(), "no upload is under way");
 
   ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
-  expect_sentence(ask(Kind::kChunk, wire::Chunk{1, ball.bytes}), "does not follow");
+  expect_sentence(ask(Kind::kChunk, protocol::Chunk{1, ball.bytes}), "does not follow");
   ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
   std::vector<std::uint8_t> longer = ball.bytes;
   longer.push_back(0);
-  expect_sentence(ask(Kind::kChunk, wire::Chunk{0, longer}), "does not follow");
+  expect_sentence(ask(Kind::kChunk, protocol::Chunk{0, longer}), "does not follow");
   ASSERT_EQ(ask(Kind::kBegin, ball.promise).kind, Kind::kDone);
   speaker.say(Kind::kCommit);
   expect_sentence(speaker.hear(), "ended after 0 of " + std::to_string(ball.bytes.size()));
@@ -154,7 +154,7 @@ TEST(ControlServer, TwoSendersDoNotMixTheirFields) {
   ASSERT_EQ(first.hear().kind, Kind::kDone);
   second.say(Kind::kBegin, two.promise);
   expect_sentence(second.hear(), "another client is sending");
-  second.say(Kind::kSelect, wire::Select{1});
+  second.say(Kind::kSelect, protocol::Select{1});
   expect_sentence(second.hear(), "another client is sending");
   first.hang_up();
   Heard heard;
@@ -165,10 +165,10 @@ TEST(ControlServer, TwoSendersDoNotMixTheirFields) {
 TEST(ControlServer, AnotherVersionIsToldWhatToDo) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);
-  expect_sentence(speaker.greet(2), "speaks version 1 of the wire and the tool 2; install the same release");
+  expect_sentence(speaker.greet(2), "speaks version 1 of the protocol and the tool 2; install the same release");
   EXPECT_EQ(speaker.hear().kind, Kind{}) << "and the connection ends";
   Speaker newer(rig.settings.path);
-  newer.say(Kind::kHello, wire::Hello{wire::kMajor, 99});
+  newer.say(Kind::kHello, protocol::Hello{protocol::kMajor, 99});
   EXPECT_EQ(newer.hear().kind, Kind::kWelcome) << "a newer minor version only adds";
   Speaker rude(rig.settings.path);
   rude.say(Kind::kStop);
@@ -200,10 +200,10 @@ TEST(ControlServer, ASettingIsSetOrRefusedInOneSentence) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);
   speaker.greet();
-  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("0.4")});
+  speaker.say(Kind::kSet, protocol::Set{protocol::Text::of("friction"), protocol::Text::of("0.4")});
   EXPECT_EQ(speaker.hear().kind, Kind::kDone);
   EXPECT_EQ(rig.set_to, "friction=0.4");
-  speaker.say(Kind::kSet, wire::Set{wire::Text::of("friction"), wire::Text::of("no")});
+  speaker.say(Kind::kSet, protocol::Set{protocol::Text::of("friction"), protocol::Text::of("no")});
   EXPECT_EQ(speaker.hear().refusal(), "that cannot be");
   speaker.say(Kind::kSet);
   EXPECT_NE(speaker.hear().refusal(), "");
@@ -214,37 +214,38 @@ TEST(ControlServer, StatusAndHistogramsAreTheTicks) {
   Speaker speaker(rig.settings.path);
   const Heard welcome = speaker.greet();
   ASSERT_EQ(welcome.kind, Kind::kWelcome);
-  EXPECT_EQ(wire::decode<wire::Welcome>(welcome.body)->program.view(), "a test");
-  EXPECT_EQ(wire::decode<wire::Welcome>(welcome.body)->image_limit, 1U << 20);
+  EXPECT_EQ(protocol::decode<protocol::Welcome>(welcome.body)->program.view(), "a test");
+  EXPECT_EQ(protocol::decode<protocol::Welcome>(welcome.body)->image_limit, 1U << 20);
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   speaker.say(Kind::kStatus);
   const Heard heard = speaker.hear();
-  const auto status = wire::decode<wire::StatusReport>(heard.body);
+  const auto status = protocol::decode<protocol::StatusReport>(heard.body);
   ASSERT_TRUE(status);
   EXPECT_EQ(status->state, static_cast<std::uint16_t>(SupervisorState::kIdle));
   EXPECT_GT(status->ticks, 0U);
-  const wire::Quantiles tick = status->measures[static_cast<std::size_t>(wire::Measure::kTick)];
+  const protocol::Quantiles tick = status->measures[static_cast<std::size_t>(protocol::Measure::kTick)];
   EXPECT_GE(tick.p999, tick.p50);
   EXPECT_GT(tick.max, 0U);
-  speaker.say(Kind::kHistogram, wire::HistogramRequest{static_cast<std::uint8_t>(wire::Measure::kTick)});
+  speaker.say(Kind::kHistogram, protocol::HistogramRequest{static_cast<std::uint8_t>(protocol::Measure::kTick)});
   const Heard answer = speaker.hear();
-  const auto histogram = wire::decode<wire::HistogramReport>(answer.body);
+  const auto histogram = protocol::decode<protocol::HistogramReport>(answer.body);
   ASSERT_TRUE(histogram);
   std::uint64_t sum = 0;
-  ASSERT_EQ(histogram->bins.size() % wire::kBinBytes, 0U);
-  for (std::size_t at = 0; at < histogram->bins.size(); at += wire::kBinBytes) {
-    sum += wire::decode<wire::Bin>(histogram->bins.subspan(at, wire::kBinBytes))->count;
+  ASSERT_EQ(histogram->bins.size() % protocol::kBinBytes, 0U);
+  for (std::size_t at = 0; at < histogram->bins.size(); at += protocol::kBinBytes) {
+    sum += protocol::decode<protocol::Bin>(histogram->bins.subspan(at, protocol::kBinBytes))->count;
   }
   EXPECT_EQ(sum, histogram->count);
   EXPECT_GE(sum, status->ticks - 1);
-  speaker.say(Kind::kHistogram, wire::HistogramRequest{4});
+  speaker.say(Kind::kHistogram, protocol::HistogramRequest{4});
   expect_sentence(speaker.hear(), "does not measure that");
 }
 
 /// The records of one frame, or none with what was said instead.
 std::vector<TraceRecord> records_of(const Heard& heard) {
   std::vector<TraceRecord> records;
-  const auto said = heard.kind == Kind::kRecords ? wire::decode<wire::Records>(heard.body) : Result<wire::Records>(Error::kBadMessage);
+  const auto said =
+      heard.kind == Kind::kRecords ? protocol::decode<protocol::Records>(heard.body) : Result<protocol::Records>(Error::kBadMessage);
   if (!said) return records;
   constexpr std::size_t kBytes = trace_layout::kRecordBytes;
   EXPECT_EQ(said->record_bytes, kBytes);
@@ -261,7 +262,7 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
   Speaker speaker(rig.settings.path);
   speaker.greet();
   for (const std::uint32_t every : {1U, 7U}) {
-    speaker.say(Kind::kSubscribe, wire::Subscribe{every});
+    speaker.say(Kind::kSubscribe, protocol::Subscribe{every});
     Heard heard = speaker.hear();
     while (heard.kind == Kind::kRecords) heard = speaker.hear();  // of the subscription before
     ASSERT_EQ(heard.kind, Kind::kDone);
@@ -269,7 +270,7 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
     for (int frames = 0; frames < 20; ++frames) {
       heard = speaker.hear();
       ASSERT_EQ(heard.kind, Kind::kRecords);
-      const auto said = wire::decode<wire::Records>(heard.body);
+      const auto said = protocol::decode<protocol::Records>(heard.body);
       ASSERT_TRUE(said);
       EXPECT_EQ(said->every, every);
       EXPECT_EQ(said->first_tick % every, 0U);
@@ -277,7 +278,7 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
     }
     EXPECT_GT(seen, 20U);
   }
-  speaker.say(Kind::kSubscribe, wire::Subscribe{0});
+  speaker.say(Kind::kSubscribe, protocol::Subscribe{0});
   Heard heard = speaker.hear();
   while (heard.kind == Kind::kRecords) heard = speaker.hear();
   EXPECT_EQ(heard.kind, Kind::kDone);
@@ -307,7 +308,7 @@ TEST(ControlServer, ARecordingBeginsAnewAndItsChainHolds) {
   speaker.say(Kind::kRecord);
   Heard heard = speaker.hear();
   ASSERT_EQ(heard.kind, Kind::kRecording);
-  const auto header = decode_header(wire::decode<wire::Recording>(heard.body)->header, trace_layout::kHeaderBytes);
+  const auto header = decode_header(protocol::decode<protocol::Recording>(heard.body)->header, trace_layout::kHeaderBytes);
   ASSERT_TRUE(header);
   EXPECT_EQ(header->device, rig.settings.recordings.device);
   other.say(Kind::kRecord);

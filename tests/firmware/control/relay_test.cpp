@@ -35,12 +35,12 @@ struct Relayed {
   /// A controller that refuses may have gone already.
   void say(std::span<const std::uint8_t> bytes) { (void)::send(ends[0], bytes.data(), bytes.size(), MSG_NOSIGNAL); }
   Heard hear() {
-    std::vector<std::uint8_t> bytes(wire::kMaxFrame);
+    std::vector<std::uint8_t> bytes(protocol::kMaxFrame);
     for (std::size_t size = 0;;) {
       const ssize_t got = ::read(ends[0], bytes.data() + size, bytes.size() - size);
       if (got <= 0) return {};
       size += static_cast<std::size_t>(got);
-      const auto frame = wire::read_frame(std::span(bytes).first(size));
+      const auto frame = protocol::read_frame(std::span(bytes).first(size));
       if (frame && frame->size > 0) return {frame->kind, {frame->body.begin(), frame->body.end()}};
     }
   }
@@ -51,8 +51,8 @@ struct Relayed {
 };
 
 std::vector<std::uint8_t> hello() {
-  std::vector<std::uint8_t> frame(wire::kMaxFrame);
-  frame.resize(wire::encode(wire::Kind::kHello, wire::Hello{}, frame));
+  std::vector<std::uint8_t> frame(protocol::kMaxFrame);
+  frame.resize(protocol::encode(protocol::Kind::kHello, protocol::Hello{}, frame));
   return frame;
 }
 
@@ -60,7 +60,7 @@ TEST(Relay, PassesOnBothWays) {
   ControlRig rig;
   Relayed relayed(rig.settings.path);
   relayed.say(hello());
-  EXPECT_EQ(relayed.hear().kind, wire::Kind::kWelcome);
+  EXPECT_EQ(relayed.hear().kind, protocol::Kind::kWelcome);
   relayed.join();
   EXPECT_EQ(relayed.complaint, "");
 }

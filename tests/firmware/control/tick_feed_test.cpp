@@ -47,10 +47,11 @@ TEST(TickFeed, ManyTicksAtOnceReachAClientThatReads) {
   for (const std::uint8_t byte : all_of(ends[1])) bytes.push_back(byte);
   std::size_t records = 0;
   for (std::span<const std::uint8_t> left(bytes); !left.empty();) {
-    const Result<wire::Frame> frame = wire::read_frame(left);
+    const Result<protocol::Frame> frame = protocol::read_frame(left);
     ASSERT_TRUE(frame && frame->size > 0);
-    EXPECT_NE(frame->kind, wire::Kind::kRefused);
-    if (frame->kind == wire::Kind::kRecords) records += wire::decode<wire::Records>(frame->body)->bytes.size() / trace_layout::kRecordBytes;
+    EXPECT_NE(frame->kind, protocol::Kind::kRefused);
+    if (frame->kind == protocol::Kind::kRecords)
+      records += protocol::decode<protocol::Records>(frame->body)->bytes.size() / trace_layout::kRecordBytes;
     left = left.subspan(frame->size);
   }
   EXPECT_EQ(records, kTicks);

@@ -21,7 +21,7 @@ loop::TickRecord tick(std::uint64_t number, std::uint32_t wake_ns, std::uint32_t
 
 std::vector<std::uint64_t> numbers(const WorstTicks& worst) {
   std::vector<std::uint64_t> numbers;
-  for (const wire::WorstTick& late : worst.ticks()) numbers.push_back(late.number);
+  for (const protocol::WorstTick& late : worst.ticks()) numbers.push_back(late.number);
   return numbers;
 }
 

@@ -15,8 +15,8 @@ using test::Random;
 constexpr PerSecond kRate = PerSecond::of(1000);
 
 /// Only the numbers that a coupling reads.
-BlobView view_with(double edge_mm, double stiffness) {
-  BlobView view;
+FieldView view_with(double edge_mm, double stiffness) {
+  FieldView view;
   view.edge = MmPerVoxel::from_raw(static_cast<std::int32_t>(std::lround(edge_mm * 1048576)));
   view.stiffness = Stiffness::from_raw(static_cast<std::int32_t>(std::lround(stiffness * 65536)));
   return view;
@@ -33,7 +33,7 @@ Point newton(const Force& force) {
   return {force.newton.x.raw() / 65536.0, force.newton.y.raw() / 65536.0, force.newton.z.raw() / 65536.0};
 }
 
-TEST(Coupling, IsASpringOfTheBlobsStiffness) {
+TEST(Coupling, IsASpringOfTheFieldsStiffness) {
   const Coupling coupling = for_field(make_coupling({}, kRate), view_with(0.34, 0.8));
   Random random(41);
   double worst = 0;
@@ -49,7 +49,7 @@ TEST(Coupling, IsASpringOfTheBlobsStiffness) {
   EXPECT_GT(worst, 0.00001);
 }
 
-TEST(Coupling, TheSettingsStiffnessComesBeforeTheBlobs) {
+TEST(Coupling, TheSettingsStiffnessComesBeforeTheFields) {
   TickSettings settings;
   settings.stiffness = Stiffness::of(2.0);
   const Coupling coupling = for_field(make_coupling(settings, kRate), view_with(0.5, 0.8));

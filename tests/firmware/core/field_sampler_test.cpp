@@ -18,7 +18,7 @@ FieldImage sphere_field() {
   return FieldImage({40, 36, 44}, [](const Point& p) { return test::length(p - Point{19.3, 17.8, 21.6}) - 10.0; });
 }
 
-/// The worst that a checked blob can hold: every coefficient anywhere in ±7.9 voxels.
+/// The worst that a checked field can hold: every coefficient anywhere in ±7.9 voxels.
 FieldImage wild_field() {
   Random random(5);
   return FieldImage({32, 32, 32}, [&random](const Point&) { return random.uniform(-7.9, 7.9); }, {.band = 7.9, .prefilter = false});
@@ -28,7 +28,7 @@ struct Worst {
   double distance = 0, gradient = 0, second = 0;
 };
 
-Worst compare_with_twin(const BlobView& field, int points, std::uint64_t seed) {
+Worst compare_with_twin(const FieldView& field, int points, std::uint64_t seed) {
   Random random(seed);
   Worst worst;
   for (int i = 0; i < points; ++i) {

@@ -20,7 +20,7 @@ constexpr double kMetreASecond = 1.0 / 0.34;  // voxels a tick at 1 kHz and 0.34
 /// A hand on a field: its proxy and what the properties below ask of it.
 class Hand {
  public:
-  explicit Hand(const BlobView& field) : field_(field) {}
+  explicit Hand(const FieldView& field) : field_(field) {}
   Contact move_to(const Point& hip) {
     const Contact contact = step_proxy(test::to_voxel(hip), field_, state_);
     if (contact.touching) deepest_ = std::min(deepest_, test::to_double(sample_field(field_, contact.proxy).distance));
@@ -45,7 +45,7 @@ class Hand {
   double deepest() const { return deepest_; }  // smallest φ(proxy) seen in contact
 
  private:
-  const BlobView& field_;
+  const FieldView& field_;
   ProxyState state_;
   double deepest_ = 1.0;
 };

@@ -56,7 +56,7 @@ TEST(SettingsRamp, WhereNothingIsFeltTheTargetHoldsAtOnce) {
   EXPECT_EQ(ramp.now[7], -5);
 }
 
-TEST(SettingsRamp, AStiffnessThatWasTheBlobsSetsOutFromThat) {
+TEST(SettingsRamp, AStiffnessThatWasTheFieldsSetsOutFromThat) {
   SettingsRamp ramp;
   begin_settings({}, ramp);
   EXPECT_EQ(ramp.now[0], 0);

@@ -35,7 +35,7 @@ Result<std::uint32_t> upload(FieldSlots& slots, const Bytes& bytes) {
   const auto place = slots.begin(bytes.size());
   if (place.empty()) return Error::kBadSize;
   std::copy(bytes.begin(), bytes.end(), place.begin());
-  const Result<const BlobView*> view = slots.verify();
+  const Result<const FieldView*> view = slots.verify();
   if (!view) return view.error();
   return slots.commit();
 }

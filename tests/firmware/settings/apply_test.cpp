@@ -152,7 +152,7 @@ TEST(ApplySettings, EachLineIsItsOwn) {
   EXPECT_EQ(lines.enable_back, 3);
   EXPECT_EQ(lines.heartbeat, 4);
   EXPECT_EQ(lines.light, 5);
-  EXPECT_EQ(watch_settings(settings).settle_ns, 7'000'000);
+  EXPECT_EQ(watchdog_settings(settings).settle_ns, 7'000'000);
 }
 
 TEST(ApplySettings, ACalibrationIsThatOfItsSerialOnly) {

@@ -41,7 +41,7 @@ TEST(SettingsTable, EverySettingIsNamedOnceAndExplained) {
 
 TEST(Settings, TheWatchGoesBeforeTheTickAndTheTickBeforeWhatTalksToTheDevice) {
   const Settings settings;
-  EXPECT_GT(settings.watch_priority, settings.priority);
+  EXPECT_GT(settings.watchdog_priority, settings.priority);
   EXPECT_GT(settings.priority, settings.exchange_priority);
 }
 

@@ -39,7 +39,7 @@ struct Rig {
   explicit Rig(FieldCheck check = {}, std::size_t limit = 1 << 18)
       : slots(limit), clock(slots), store(folder, 3), intake(slots, &store, clock, std::move(check)) {}
 
-  IntakeOutcome upload(const std::vector<std::uint8_t>& bytes, wire::Begin promise) {
+  IntakeOutcome upload(const std::vector<std::uint8_t>& bytes, protocol::Begin promise) {
     promise.packed_bytes = bytes.size();
     std::copy(bytes.begin(), bytes.end(), intake.upload().begin());
     return intake.accept(promise);
@@ -88,7 +88,7 @@ TEST(FieldIntake, AStoredFieldIsSelected) {
 
 TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   bool check_fails = false;
-  Rig rig([&](const BlobView&) { return std::string(check_fails ? "too steep for this device" : ""); });
+  Rig rig([&](const FieldView&) { return std::string(check_fails ? "too steep for this device" : ""); });
   const PackedField old = packed_ball(1), good = packed_ball(2);
   ASSERT_EQ(rig.upload(old).refusal.sentence(), "");
   const auto expect_refused = [&](const IntakeOutcome& outcome, const std::string& why) {
@@ -97,7 +97,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
     EXPECT_EQ(rig.store.active(), old.promise.image_hash) << why;
     EXPECT_EQ(rig.intake.hash(), old.promise.image_hash) << why;
   };
-  wire::Begin other = good.promise;
+  protocol::Begin other = good.promise;
   other.image_hash ^= 1;
   expect_refused(rig.upload(good.bytes, other), "checksum");
   expect_refused(rig.upload({}, good.promise), "not a file of this kind");
@@ -113,7 +113,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
 
 TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
   std::string verdict;
-  Rig rig([&](const BlobView&) { return verdict; });
+  Rig rig([&](const FieldView&) { return verdict; });
   Refusal said;
   EXPECT_TRUE(rig.intake.check_again(said)) << "there is none";
   const PackedField ball = packed_ball(1);

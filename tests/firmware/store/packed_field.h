@@ -7,17 +7,17 @@
 #include <span>
 #include <vector>
 
-#include "shared/blob.h"
-#include "shared/packed_blob.h"
+#include "shared/field_view.h"
+#include "shared/packed_field.h"
+#include "shared/protocol_messages.h"
 #include "shared/residuals.h"
-#include "shared/wire_messages.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch::store {
 
 struct PackedField {
   std::vector<std::uint8_t> bytes;
-  wire::Begin promise;
+  protocol::Begin promise;
 };
 
 /// Balls in a box of so many samples a side; each `which` is another one.
@@ -28,9 +28,9 @@ inline PackedField packed_ball(int which, std::uint32_t side = 16) {
                                  return test::length(p - test::Point{middle, middle, middle}) - radius;
                                },
                                {.band = 2.0});
-  const BlobView& view = image.view();
-  std::vector<std::uint8_t> residuals(view.image.size() - blob_layout::kHeaderBytes);
-  std::vector<std::uint32_t> codes(blob_layout::kSamplesPerBrick * std::size_t{view.brick_count});
+  const FieldView& view = image.view();
+  std::vector<std::uint8_t> residuals(view.image.size() - image_layout::kHeaderBytes);
+  std::vector<std::uint32_t> codes(image_layout::kSamplesPerBrick * std::size_t{view.brick_count});
   const StreamSizes sizes = predict(view.image, codes, residuals);
   PackedField field;
   field.bytes.resize(packed_layout::kHeaderBytes + ZSTD_compressBound(residuals.size()));
@@ -40,7 +40,7 @@ inline PackedField packed_ball(int which, std::uint32_t side = 16) {
   field.bytes.resize(packed_layout::kHeaderBytes + ZSTD_compress2(context, frame.data(), frame.size(), residuals.data(), residuals.size()));
   ZSTD_freeCCtx(context);
   seal_packed(view, sizes, field.bytes);
-  field.promise = {field.bytes.size(), view.image.size(), view.hash(), wire::Text::of("ball")};
+  field.promise = {field.bytes.size(), view.image.size(), view.hash(), protocol::Text::of("ball")};
   return field;
 }
 

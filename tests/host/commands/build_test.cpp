@@ -75,7 +75,7 @@ TEST_F(Build, TheReportHasTheKeysThatScriptsRelyOn) {
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
 }
 
-TEST_F(Build, TheExportedImageIsTheSameBlob) {
+TEST_F(Build, TheExportedImageIsTheSameField) {
   const auto json = nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 30 --json"));
   run("export " + file("t.itf") + " -o " + file("t.itfi"));
   EXPECT_EQ(json["bytes"], fs::file_size(file("t.itfi")));
@@ -85,7 +85,7 @@ TEST_F(Build, TheExportedImageIsTheSameBlob) {
   EXPECT_EQ(json["hash"], nlohmann::json::parse(run("info " + file("t.itfi") + " --json"))["hash"]);
 }
 
-TEST_F(Build, AnExportWithoutAKnownExtensionIsRefusedBeforeTheBlobIsRead) {
+TEST_F(Build, AnExportWithoutAKnownExtensionIsRefusedBeforeTheFieldIsRead) {
   for (const char* name : {"t", "t.itfx", "t.obj"}) {
     try {
       run("export " + file("missing.itf") + " -o " + file(name));
@@ -106,7 +106,7 @@ TEST_F(Build, TheSameCloudGivesTheSameHash) {
   EXPECT_NE(first["hash"], other["hash"]);
 }
 
-TEST_F(Build, ThePublishedMethodMakesABlobOfItsOwn) {
+TEST_F(Build, ThePublishedMethodMakesAFieldOfItsOwn) {
   const auto json =
       nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
   EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "pack", "write"}));
@@ -135,7 +135,7 @@ TEST_F(Build, WrongUsageIsToldBeforeAnythingIsRead) {
   EXPECT_THROW(run(start), InputError);
 }
 
-/// `build` of a mesh, then `compare --floor`: what the mesh's blob and its own exact distances differ from it.
+/// `build` of a mesh, then `compare --floor`: what the mesh's field and its own exact distances differ from it.
 void expect_floor(const nlohmann::json& compared) {
   ASSERT_GT(compared["rms_voxel"].get<double>(), 0);
   for (const char* key : {"rms_mm", "rms_voxel", "p99_voxel", "max_voxel", "normal_rms_deg", "lost"}) {
@@ -194,7 +194,7 @@ TEST_F(Build, AnOpenScanIsClosedAndItsRimTold) {
   EXPECT_NEAR(info["volume_mm3"].get<double>(), 2.0 / 3 * M_PI * 35 * 35 * 35, 0.25 * 2.0 / 3 * M_PI * 35 * 35 * 35);
 }
 
-TEST_F(Build, BadInputLeavesTheOldBlob) {
+TEST_F(Build, BadInputLeavesTheOldFile) {
   run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 20");
   const auto before = nlohmann::json::parse(run("info " + file("t.itf") + " --json"));
   std::ofstream(file("bad.xyz")) << "0 0 0 0 0 nan\n";
@@ -202,17 +202,17 @@ TEST_F(Build, BadInputLeavesTheOldBlob) {
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("t.itf") + " --json")), before);
 }
 
-TEST_F(Build, InfoSaysWhichFileIsNoBlobAndWhy) {
+TEST_F(Build, InfoSaysWhichFileIsNoFieldAndWhy) {
   try {
     run("info " + file("torus.ply"));
-    FAIL() << "a cloud was taken for a blob";
+    FAIL() << "a cloud was taken for a field";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("torus.ply"));
     EXPECT_THAT(e.what(), HasSubstr("not a file of this kind"));
   }
 }
 
-TEST_F(Build, TheStiffnessOfThePointsReachesTheBlob) {
+TEST_F(Build, TheStiffnessOfThePointsReachesTheField) {
   cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("torus"), 400);
   for (const auto& p : points.positions) points.stiffness.push_back(p.x() < 0 ? 0.4 : 1.2);
   cloud::write_ply(file("soft.ply"), points, "test");

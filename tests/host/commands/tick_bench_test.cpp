@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "host/blob/open_blob.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/field/make_grid.h"
 #include "host/field/progress.h"
 #include "host/field/sample_distance.h"
+#include "host/field_file/open_field.h"
 #include "host/published/levels.h"
 
 namespace isotouch::commands {
@@ -17,9 +17,9 @@ constexpr double kRadius = 10;  // mm and voxels
 
 field::Grid grid() { return field::make_grid(Eigen::Vector3d::Constant(-kRadius), Eigen::Vector3d::Constant(kRadius), 1.0, 8.0); }
 
-blob::OpenBlob ball() {
+field_file::OpenField ball() {
   const auto distance = [](const Eigen::Vector3d& p) { return p.norm() - kRadius; };
-  return blob::open_blob(encoding::write_blob(field::sample_distance(distance, grid(), 4.0), {}), "ball");
+  return field_file::open_field(encoding::write_image(field::sample_distance(distance, grid(), 4.0), {}), "ball");
 }
 
 /// Straight along z through the ball's upper half and out again.

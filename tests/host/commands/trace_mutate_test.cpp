@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "host/blob/open_blob.h"
 #include "host/error.h"
+#include "host/field_file/open_field.h"
 #include "host/motion/felt_surface.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
@@ -17,15 +17,15 @@
 namespace isotouch::commands {
 namespace {
 
-const std::string kBlob = ISOTOUCH_GOLDEN "/blob_1_2.itf";
+const std::string kField = ISOTOUCH_GOLDEN "/field_1_2.itf";
 
 class TraceMutate : public ::testing::Test {
  protected:
   std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
   /// A recorded hand, and the same as packets.
   void SetUp() override {
-    run_command("trace make press " + kBlob + " --ticks 2000 -o " + file("hand.trace"));
-    run_command("trace to-packets " + kBlob + " " + file("hand.trace") + " -o " + file("packets.trace"));
+    run_command("trace make press " + kField + " --ticks 2000 -o " + file("hand.trace"));
+    run_command("trace to-packets " + kField + " " + file("hand.trace") + " -o " + file("packets.trace"));
   }
   std::string complaint(const std::string& arguments) const {
     try {
@@ -39,7 +39,7 @@ class TraceMutate : public ::testing::Test {
 };
 
 TEST_F(TraceMutate, AMutatedHandIsATraceWithoutOutputsAndWithTheSettingsOfTheHand) {
-  run_command("trace mutate jitter " + kBlob + " " + file("hand.trace") + " --seed 3 -o " + file("mutated.trace"));
+  run_command("trace mutate jitter " + kField + " " + file("hand.trace") + " --seed 3 -o " + file("mutated.trace"));
   const auto mutated = trace::read_trace(file("mutated.trace")), hand = trace::read_trace(file("hand.trace"));
   EXPECT_EQ(mutated.size(), hand.size());
   EXPECT_FALSE(mutated.header().has_outputs);
@@ -47,7 +47,7 @@ TEST_F(TraceMutate, AMutatedHandIsATraceWithoutOutputsAndWithTheSettingsOfTheHan
 }
 
 TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
-  run_command("trace mutate faults " + kBlob + " " + file("packets.trace") + " -o " + file("mutated.trace"));
+  run_command("trace mutate faults " + kField + " " + file("packets.trace") + " -o " + file("mutated.trace"));
   const auto mutated = trace::read_trace(file("mutated.trace"));
   EXPECT_EQ(mutated.size(), 2000U);
   EXPECT_TRUE(mutated.header().has_outputs);
@@ -56,32 +56,32 @@ TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
 
 TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
   EXPECT_NE(
-      complaint("trace mutate wrap " + kBlob + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
+      complaint("trace mutate wrap " + kField + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
       std::string::npos);
-  EXPECT_NE(
-      complaint("trace mutate dwell " + kBlob + " " + file("packets.trace") + " -o " + file("no.trace")).find("mutate the positions first"),
-      std::string::npos);
+  EXPECT_NE(complaint("trace mutate dwell " + kField + " " + file("packets.trace") + " -o " + file("no.trace"))
+                .find("mutate the positions first"),
+            std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("no.trace")));
 }
 
-TEST_F(TraceMutate, AMotionIsImportedIntoTheBlobsBox) {
+TEST_F(TraceMutate, AMotionIsImportedIntoTheFieldsBox) {
   std::ofstream(file("motion.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1000,5,7\n0.5,1100,25,7\n1,1000,5,57\n";
-  run_command("trace import " + file("motion.csv") + " --into " + kBlob + " -o " + file("motion.trace"));
-  const blob::OpenBlob blob = blob::open_blob(kBlob);
-  const motion::FeltSurface object(blob.view);
+  run_command("trace import " + file("motion.csv") + " --into " + kField + " -o " + file("motion.trace"));
+  const field_file::OpenField field = field_file::open_field(kField);
+  const motion::FeltSurface object(field.view);
   const auto trace = trace::read_trace(file("motion.trace"));
   Eigen::Vector3d low = to_double(trace.record(0).input.hip), high = low;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     low = low.cwiseMin(to_double(trace.record(tick).input.hip));
     high = high.cwiseMax(to_double(trace.record(tick).input.hip));
   }
-  const double longest = object.voxel_mm() * (*std::max_element(blob.view.size.begin(), blob.view.size.end()) - 1);
+  const double longest = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1);
   EXPECT_NEAR((high - low).x(), longest, 0.01);
   EXPECT_NEAR((high - low).z(), longest / 2, 0.01);
   EXPECT_LT(((high + low) / 2 - object.centre()).norm(), 0.01);
 
   std::ofstream(file("rest.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1,5,7\n0.5,1,5,7\n";
-  EXPECT_NE(complaint("trace import " + file("rest.csv") + " --into " + kBlob + " -o " + file("no.trace")).find("stays at one place"),
+  EXPECT_NE(complaint("trace import " + file("rest.csv") + " --into " + kField + " -o " + file("no.trace")).find("stays at one place"),
             std::string::npos);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/host/encoding/blob_bodies.h"
+#include "tests/host/encoding/field_bodies.h"
 
 namespace isotouch::encoding {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/field/sample_distance.h"
 
 namespace isotouch::encoding {
@@ -15,14 +15,14 @@ namespace {
 using Eigen::Vector3d;
 
 template <class Distance>
-blob::Image image_of(const Distance& distance) {
+field_file::Image image_of(const Distance& distance) {
   field::Grid grid;
   grid.origin = Vector3d::Constant(-20);
   grid.size = Eigen::Vector3i::Constant(41);
-  return write_blob(field::sample_distance(distance, grid, 4.0), {});
+  return write_image(field::sample_distance(distance, grid, 4.0), {});
 }
 
-Certificate certificate(const blob::Image& image) { return certificate_of(BlobView::parse(image.bytes()).value()); }
+Certificate certificate(const field_file::Image& image) { return certificate_of(FieldView::parse(image.bytes()).value()); }
 
 double plate(const Vector3d& p, double half) {
   const Vector3d q = p.cwiseAbs() - Vector3d(11.3, 10.6, half);
@@ -53,7 +53,7 @@ TEST(Certificate, TheEdgesOfABoxAreNoWalls) {
 
 TEST(Certificate, TheSlopeIsABoundOfTheSpline) {
   const auto distance = [](const Vector3d& p) { return plate(p, 1.5); };
-  const blob::Image image = image_of(distance);
+  const field_file::Image image = image_of(distance);
   const double bound = certificate(image).largest_slope;
   // Between neighbouring samples the spline rises at most by the bound; the samples of its own distances are 2^-13 from these.
   double most = 0.0;

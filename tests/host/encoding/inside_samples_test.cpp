@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "host/encoding/write_blob.h"
-#include "tests/host/encoding/blob_bodies.h"
+#include "host/encoding/write_image.h"
+#include "tests/host/encoding/field_bodies.h"
 
 namespace isotouch::encoding {
 namespace {
 
 TEST(InsideSamples, CountsEveryNegativeCoefficientOfTheGrid) {
-  const blob::Image image = write_blob(test::field_of(test::hollow_ball(40, 17), Eigen::Vector3d::Constant(40)), {});
-  const auto view = BlobView::parse(image.bytes());
+  const field_file::Image image = write_image(test::field_of(test::hollow_ball(40, 17), Eigen::Vector3d::Constant(40)), {});
+  const auto view = FieldView::parse(image.bytes());
   ASSERT_TRUE(view.has_value());
   std::size_t expected = 0;
   for (int k = 0; k < view->size[2]; ++k) {

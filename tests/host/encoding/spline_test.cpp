@@ -7,7 +7,7 @@
 
 #include "host/cloud/random.h"
 #include "host/encoding/brick_rows.h"
-#include "tests/host/encoding/blob_bodies.h"
+#include "tests/host/encoding/field_bodies.h"
 
 namespace isotouch::encoding {
 namespace {

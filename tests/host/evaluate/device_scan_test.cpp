@@ -22,9 +22,9 @@ constexpr double kRadius = 80 * kTrialVoxel;
 /// A sphere, and a device that a hand leads round it 1 mm below the surface, as its packets.
 class DeviceScan : public testing::Test {
  protected:
-  const blob::OpenBlob& sphere() {
-    static const blob::OpenBlob blob = trial_blob(shape_trial("sphere"), encoding::Method::kDefault);
-    return blob;
+  const field_file::OpenField& sphere() {
+    static const field_file::OpenField field = trial_field(shape_trial("sphere"), encoding::Method::kDefault);
+    return field;
   }
   static Input hand(int tick) {
     const double angle = tick * 0.004, z = 15 * std::sin(tick * 0.0007), depth = tick < 500 ? -5 + tick * 0.012 : 1;

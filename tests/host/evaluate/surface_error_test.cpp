@@ -28,7 +28,7 @@ cloud::OrientedPoints around(double radius, std::size_t count) {
   return points;
 }
 
-const BlobView& ball() {
+const FieldView& ball() {
   static const test::FieldImage image({81, 81, 81}, [](const test::Point& p) {
     return std::sqrt((p[0] - 40.2) * (p[0] - 40.2) + (p[1] - 39.7) * (p[1] - 39.7) + (p[2] - 40.4) * (p[2] - 40.4)) - 30;
   });

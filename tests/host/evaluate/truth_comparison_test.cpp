@@ -19,16 +19,16 @@ double to_ball(const test::Point& p, const test::Point& centre, double radius) {
 
 const test::Point kMiddle = {22.2, 21.7, 22.4};
 
-test::FieldImage blob_of(const test::DistanceFunction& distance) { return {{45, 45, 45}, distance}; }
+test::FieldImage image_of(const test::DistanceFunction& distance) { return {{45, 45, 45}, distance}; }
 
-/// The mesh of a ball of kRadius, from a blob of its own.
+/// The mesh of a ball of kRadius, from a field of its own.
 const cloud::TriangleMesh& ball() {
-  static const cloud::TriangleMesh mesh = zero_surface(blob_of([](const test::Point& p) { return to_ball(p, kMiddle, kRadius); }).view());
+  static const cloud::TriangleMesh mesh = zero_surface(image_of([](const test::Point& p) { return to_ball(p, kMiddle, kRadius); }).view());
   return mesh;
 }
 
 TruthComparison compare(const test::DistanceFunction& distance) {
-  const test::FieldImage image = blob_of(distance);
+  const test::FieldImage image = image_of(distance);
   return compare_surfaces(image.view(), zero_surface(image.view()), ball());
 }
 
@@ -46,7 +46,7 @@ TEST(TruthComparison, AKnownSkinIsMeasuredOnBothSides) {
   for (const double skin : test::examples<double>({-1.5, 0.25})) {
     const TruthComparison found = compare([&](const test::Point& p) { return to_ball(p, kMiddle, kRadius + skin); });
     EXPECT_NEAR(found.from_mesh_voxel(), std::abs(skin), 0.01);
-    EXPECT_NEAR(found.from_blob_voxel(), std::abs(skin), 0.01);
+    EXPECT_NEAR(found.from_field_voxel(), std::abs(skin), 0.01);
     const double share = 100 * (std::pow(1 + skin / kRadius, 3) - 1);
     EXPECT_NEAR(found.wrong_side_pct, std::abs(share), 0.01 * std::abs(share));
     EXPECT_NEAR(found.too_much_pct, std::max(0.0, share), 0.01 * std::abs(share));
@@ -54,13 +54,13 @@ TEST(TruthComparison, AKnownSkinIsMeasuredOnBothSides) {
   }
 }
 
-TEST(TruthComparison, DebrisIsFoundFromTheBlobAndAMissingPartFromTheMesh) {
+TEST(TruthComparison, DebrisIsFoundFromTheFieldAndAMissingPartFromTheMesh) {
   const test::Point far = {7, 8, 9};
   const TruthComparison debris =
       compare([&](const test::Point& p) { return std::min(to_ball(p, kMiddle, kRadius), to_ball(p, far, 1.5)); });
   const double reach = test::length(far - kMiddle) + 1.5 - kRadius;
-  EXPECT_NEAR(debris.from_blob_voxel(), reach, 0.1);
-  EXPECT_LT((debris.from_blob.place - workspace(far)).norm(), 2 * kVoxel);
+  EXPECT_NEAR(debris.from_field_voxel(), reach, 0.1);
+  EXPECT_LT((debris.from_field.place - workspace(far)).norm(), 2 * kVoxel);
   EXPECT_LT(debris.from_mesh_voxel(), 0.01);
   EXPECT_EQ(debris.pieces.size(), 2U);
 
@@ -78,13 +78,13 @@ TEST(TruthComparison, AFlippedInteriorCannotHide) {
     return ball < -6 ? 100.0 : ball;
   });
   EXPECT_NEAR(found.wrong_side_pct, 100 * std::pow(6 / kRadius, 3), 2);
-  EXPECT_NEAR(found.from_blob_voxel(), 6, 0.9);
+  EXPECT_NEAR(found.from_field_voxel(), 6, 0.9);
   EXPECT_EQ(found.pieces.size(), 2U);
   EXPECT_LT(found.pieces[1].volume, 0);
   EXPECT_NEAR(found.volume_ratio, 1 - std::pow(6 / kRadius, 3), 0.02);
 }
 
-TEST(TruthComparison, ABlobWithoutASurfaceIsRefused) {
+TEST(TruthComparison, AFieldWithoutASurfaceIsRefused) {
   EXPECT_THROW(compare([](const test::Point&) { return 4.0; }), InputError);
 }
 

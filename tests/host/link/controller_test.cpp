@@ -19,8 +19,8 @@ namespace isotouch::link {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
+using protocol::Kind;
 using testing::HasSubstr;
-using wire::Kind;
 
 /// A controller that answers its first client with prepared bytes, whatever it is asked, and goes.
 class Scripted {
@@ -56,23 +56,23 @@ class Scripted {
 
 template <class Message>
 Bytes frame(Kind kind, const Message& message) {
-  Bytes bytes(wire::kMaxFrame);
-  bytes.resize(wire::encode(kind, message, bytes));
+  Bytes bytes(protocol::kMaxFrame);
+  bytes.resize(protocol::encode(kind, message, bytes));
   return bytes;
 }
 Bytes frame(Kind kind) {
-  Bytes bytes(wire::kHeaderBytes);
-  wire::seal_frame(kind, 0, bytes);
+  Bytes bytes(protocol::kHeaderBytes);
+  protocol::seal_frame(kind, 0, bytes);
   return bytes;
 }
 Bytes refusal(const std::string& sentence) {
-  return frame(Kind::kRefused, wire::Refusal{2, {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
+  return frame(Kind::kRefused, protocol::Refusal{2, {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
 }
 Bytes operator+(Bytes a, const Bytes& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
-const Bytes kWelcome = frame(Kind::kWelcome, wire::Welcome{});
+const Bytes kWelcome = frame(Kind::kWelcome, protocol::Welcome{});
 
 /// The sentence with which it ends.
 std::string complaint(const Bytes& answers, const std::function<void(Controller&)>& ask) {
@@ -103,7 +103,7 @@ TEST(Controller, EveryEndAndEveryOddAnswerHasItsSentence) {
   EXPECT_THAT(complaint(Bytes{'W', 'e', 'l', 'c', 'o', 'm', 'e'}, status), HasSubstr("nothing else is printed there at login"));
   EXPECT_THAT(complaint(kWelcome + frame(Kind::kDone), status), HasSubstr("something else than was asked"));
   EXPECT_THAT(complaint(kWelcome + frame(Kind::kStatusReport), status), HasSubstr("shorter than its kind demands"));
-  EXPECT_THAT(complaint(kWelcome + frame(Kind::kFieldList, wire::FieldList{3, {}}), [](Controller& c) { (void)c.fields(); }),
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kFieldList, protocol::FieldList{3, {}}), [](Controller& c) { (void)c.fields(); }),
               HasSubstr("shorter than it says"));
 }
 
@@ -121,16 +121,16 @@ TEST(Controller, ARecordingEndsWhereItHasAGapOrIsRefusedAndSaysWhy) {
     return why;
   };
   const Bytes begin =
-      kWelcome + frame(Kind::kRecording, wire::Recording{header}) + frame(Kind::kRecords, wire::Records{7, 1, 10, 0, records});
-  EXPECT_EQ(ended(begin + frame(Kind::kRecords, wire::Records{9, 1, 10, 0, records}) +
-                  frame(Kind::kRecords, wire::Records{11, 1, 10, 0, records})),
+      kWelcome + frame(Kind::kRecording, protocol::Recording{header}) + frame(Kind::kRecords, protocol::Records{7, 1, 10, 0, records});
+  EXPECT_EQ(ended(begin + frame(Kind::kRecords, protocol::Records{9, 1, 10, 0, records}) +
+                  frame(Kind::kRecords, protocol::Records{11, 1, 10, 0, records})),
             "");
   EXPECT_EQ(kept, 5U);
-  EXPECT_THAT(ended(begin + frame(Kind::kRecords, wire::Records{10, 1, 10, 0, records})), HasSubstr("gap"));
+  EXPECT_THAT(ended(begin + frame(Kind::kRecords, protocol::Records{10, 1, 10, 0, records})), HasSubstr("gap"));
   EXPECT_EQ(kept, 2U);
   EXPECT_THAT(ended(begin + refusal("the recording ended: another field")), HasSubstr("another field"));
   EXPECT_EQ(kept, 2U);
-  EXPECT_THAT(ended(begin + frame(Kind::kRecords, wire::Records{9, 1, 11, 0, records})), HasSubstr("cut"));
+  EXPECT_THAT(ended(begin + frame(Kind::kRecords, protocol::Records{9, 1, 11, 0, records})), HasSubstr("cut"));
   EXPECT_EQ(kept, 2U);
   EXPECT_THAT(ended(begin), HasSubstr("closed the connection"));
   EXPECT_EQ(kept, 2U);

@@ -13,7 +13,7 @@ constexpr double kVoxel = 0.34;
 constexpr double kRadius = 20 * kVoxel;
 const Eigen::Vector3d kCentre = Eigen::Vector3d(30.2, 29.7, 30.4) * kVoxel - Eigen::Vector3d::Constant(20);
 
-const BlobView& ball() {
+const FieldView& ball() {
   static const test::FieldImage image({61, 61, 61}, [](const test::Point& p) {
     return std::sqrt((p[0] - 30.2) * (p[0] - 30.2) + (p[1] - 29.7) * (p[1] - 29.7) + (p[2] - 30.4) * (p[2] - 30.4)) - 20;
   });

@@ -16,7 +16,7 @@ namespace isotouch::motion {
 namespace {
 
 /// A plate of 4 voxels, 40 voxels wide: edges, corners and a thin wall. Exact by comparisons and square roots alone.
-const BlobView& plate() {
+const FieldView& plate() {
   static const test::FieldImage image({80, 80, 40}, [](const test::Point& p) {
     const double q[3] = {std::abs(p[0] - 40.3) - 20, std::abs(p[1] - 39.8) - 20, std::abs(p[2] - 20.4) - 2};
     double square = 0;
@@ -26,7 +26,7 @@ const BlobView& plate() {
   return image.view();
 }
 
-std::vector<Input> motion(const BlobView* field, const MotionOptions& options) {
+std::vector<Input> motion(const FieldView* field, const MotionOptions& options) {
   std::vector<Input> inputs;
   const std::uint64_t ticks = make_motion(field, options, [&](const Input& input) { inputs.push_back(input); });
   EXPECT_EQ(ticks, inputs.size());

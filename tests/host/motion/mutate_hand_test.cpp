@@ -23,7 +23,7 @@ using Inputs = std::vector<Input>;
 constexpr double kThickness = 8;  // voxels
 
 /// A plate, 40 voxels wide: edges and corners, and a medial plane in its middle.
-const BlobView& plate() {
+const FieldView& plate() {
   static const test::FieldImage image({80, 80, 40}, [](const test::Point& p) {
     const double q[3] = {std::abs(p[0] - 40.3) - 20, std::abs(p[1] - 39.8) - 20, std::abs(p[2] - 20.4) - kThickness / 2};
     double square = 0;

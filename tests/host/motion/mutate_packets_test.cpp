@@ -17,7 +17,7 @@
 namespace isotouch::motion {
 namespace {
 
-const BlobView& ball() {
+const FieldView& ball() {
   static const test::FieldImage image({64, 64, 64}, [](const test::Point& p) {
     return std::sqrt((p[0] - 32) * (p[0] - 32) + (p[1] - 32) * (p[1] - 32) + (p[2] - 32) * (p[2] - 32)) - 20;
   });

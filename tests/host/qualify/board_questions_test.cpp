@@ -84,7 +84,7 @@ const char* kTrace =
     "prev_state=R ==> next_comm=tick next_pid=99 next_prio=19\n";
 
 /// The causes of ticks, asked of a tracer with this content.
-std::vector<std::string> causes(const std::string& trace, const std::vector<wire::WorstTick>& ticks) {
+std::vector<std::string> causes(const std::string& trace, const std::vector<protocol::WorstTick>& ticks) {
   const ScratchFolder tracing;
   std::filesystem::create_directories(tracing.path() / "instances/isotouch");
   std::ofstream(tracing.path() / "instances/isotouch/trace") << trace;
@@ -95,9 +95,9 @@ std::vector<std::string> causes(const std::string& trace, const std::vector<wire
 }
 
 TEST(BoardQuestions, ACauseIsWhatHadTheTicksProcessorSinceItShouldHaveBegun) {
-  const wire::WorstTick held{7, 100'001'041'000, 41'000, 5'000}, slept{8, 101'001'041'000, 41'000, 5'000},
+  const protocol::WorstTick held{7, 100'001'041'000, 41'000, 5'000}, slept{8, 101'001'041'000, 41'000, 5'000},
       forgotten{9, 50'000'000'000, 41'000, 5'000};
-  const wire::WorstTick followed{10, 102'001'041'000, 41'000, 5'000};
+  const protocol::WorstTick followed{10, 102'001'041'000, 41'000, 5'000};
   EXPECT_THAT(causes(kTrace, {slept, forgotten, held, followed}),
               testing::ElementsAre("nothing else ran: the processor slept", "", "processor 1: interrupt 12 (mmc0), softirq NET_RX, sshd",
                                    "processor 1: the tick before, idle"));

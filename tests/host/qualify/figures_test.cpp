@@ -7,25 +7,25 @@
 namespace isotouch::qualify {
 namespace {
 
-bool operator==(const wire::Bin& a, const wire::Bin& b) { return a.upper == b.upper && a.count == b.count; }
+bool operator==(const protocol::Bin& a, const protocol::Bin& b) { return a.upper == b.upper && a.count == b.count; }
 
 TEST(Figures, WhatCameBetweenIsTheDifferenceOfEveryClass) {
   const link::Histogram before{6, {{10, 5}, {20, 1}}}, after{13, {{10, 7}, {15, 2}, {20, 1}, {40, 3}}};
   const link::Histogram grown = between(before, after);
   EXPECT_EQ(grown.count, 7U);
   ASSERT_EQ(grown.bins.size(), 3U);
-  EXPECT_TRUE((grown.bins[0] == wire::Bin{10, 2}));
-  EXPECT_TRUE((grown.bins[1] == wire::Bin{15, 2}));
-  EXPECT_TRUE((grown.bins[2] == wire::Bin{40, 3}));
+  EXPECT_TRUE((grown.bins[0] == protocol::Bin{10, 2}));
+  EXPECT_TRUE((grown.bins[1] == protocol::Bin{15, 2}));
+  EXPECT_TRUE((grown.bins[2] == protocol::Bin{40, 3}));
 }
 
 TEST(Figures, TheLastClassMayHaveBeenToldWithTheLargestValue) {
   // 33 was the largest value then, in the class up to 35.
   const link::Histogram grown = between({3, {{10, 1}, {33, 2}}}, {7, {{10, 2}, {35, 4}, {36, 1}}});
   ASSERT_EQ(grown.bins.size(), 3U);
-  EXPECT_TRUE((grown.bins[1] == wire::Bin{35, 2}));
+  EXPECT_TRUE((grown.bins[1] == protocol::Bin{35, 2}));
   std::uint64_t all = 0;
-  for (const wire::Bin& bin : grown.bins) all += bin.count;
+  for (const protocol::Bin& bin : grown.bins) all += bin.count;
   EXPECT_EQ(all, grown.count);
 }
 

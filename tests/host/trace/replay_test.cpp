@@ -23,7 +23,7 @@ test::FieldImage ball(double radius) {
           }};
 }
 
-std::filesystem::path inputs(const ScratchFolder& folder, const BlobView& field) {
+std::filesystem::path inputs(const ScratchFolder& folder, const FieldView& field) {
   const std::filesystem::path file = folder.path() / "in.trace";
   TraceWriter writer(file, {});
   motion::make_motion(&field, {.kind = "tour", .ticks = 5000}, [&](const Input& input) { writer.append({input, {}, 0, 0}); });
@@ -31,7 +31,7 @@ std::filesystem::path inputs(const ScratchFolder& folder, const BlobView& field)
   return file;
 }
 
-std::filesystem::path recorded(const ScratchFolder& folder, const BlobView& field) {
+std::filesystem::path recorded(const ScratchFolder& folder, const FieldView& field) {
   const Trace trace = read_trace(inputs(folder, field));
   const std::filesystem::path file = folder.path() / "out.trace";
   TraceWriter writer(file, replay_header(field, trace.header()));
@@ -46,7 +46,7 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 /// The recording with one bit of one byte of a record's flipped, checked again.
-Difference after_flip(const ScratchFolder& folder, const BlobView& field, std::string bytes, std::size_t tick, std::size_t byte,
+Difference after_flip(const ScratchFolder& folder, const FieldView& field, std::string bytes, std::size_t tick, std::size_t byte,
                       int bit = 0) {
   char& target = bytes[256 + 104 * tick + byte];
   target = static_cast<char>(target ^ (1 << bit));
@@ -119,7 +119,7 @@ TEST(Replay, RefusesToCheckWhatCannotBeCompared) {
   const test::FieldImage image = ball(20);
   const test::FieldImage other = ball(20.01);
   const Trace trace = read_trace(recorded(folder, image.view()));
-  EXPECT_THROW(replay(other.view(), trace, true), InputError) << "another blob";
+  EXPECT_THROW(replay(other.view(), trace, true), InputError) << "another field";
   EXPECT_NO_THROW(replay(other.view(), trace, false));
   EXPECT_THROW(replay(image.view(), read_trace(inputs(folder, image.view())), true), InputError) << "no outputs";
 
@@ -129,7 +129,7 @@ TEST(Replay, RefusesToCheckWhatCannotBeCompared) {
 }
 
 /// The tour as packets of a device that is switched on, gets its field and loses some packets, with what its tick answered.
-std::filesystem::path recorded_packets(const ScratchFolder& folder, const BlobView& field) {
+std::filesystem::path recorded_packets(const ScratchFolder& folder, const FieldView& field) {
   const Trace hand = read_trace(inputs(folder, field));
   const TraceHeader& header = hand.header();
   trace::Run run(field, header);
@@ -187,7 +187,7 @@ TEST(Replay, OfADeviceNamesTickAndFieldOfAChange) {
   }
 }
 
-TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherBlob) {
+TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherFirstField) {
   const ScratchFolder folder;
   const test::FieldImage image = ball(20);
   const std::string bytes = bytes_of(recorded_packets(folder, image.view()));

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "tests/host/view/sphere_blob.h"
+#include "tests/host/view/sphere_field.h"
 
 namespace isotouch::view {
 namespace {
 
 TEST(FieldRays, MeetTheSphereWhereItIs) {
-  const SphereBlob blob;
-  const FieldRays rays(blob.view);
+  const SphereField field;
+  const FieldRays rays(field.view);
   int met = 0;
   for (int i = 0; i < 200; ++i) {
     // Parallel rays from all sides, up to 95 % of the radius beside the centre.
@@ -29,8 +29,8 @@ TEST(FieldRays, MeetTheSphereWhereItIs) {
 }
 
 TEST(FieldRays, PassBesideTheSphereWithoutAHit) {
-  const SphereBlob blob;
-  const FieldRays rays(blob.view);
+  const SphereField field;
+  const FieldRays rays(field.view);
   for (const double beside : {1.01, 1.1, 2.0, 50.0}) {
     EXPECT_FALSE(rays.hit({Eigen::Vector3d(beside * kTestRadius, 0, 40), Eigen::Vector3d(0, 0, -1)}, 0, 1e4).has_value()) << beside;
   }
@@ -39,16 +39,16 @@ TEST(FieldRays, PassBesideTheSphereWithoutAHit) {
 }
 
 TEST(FieldRays, ThatBeginInsideHitAtOnce) {
-  const SphereBlob blob;
-  const FieldRays rays(blob.view);
+  const SphereField field;
+  const FieldRays rays(field.view);
   const auto t = rays.hit({Eigen::Vector3d(0, 0, 40), Eigen::Vector3d(0, 0, -1)}, 38, 1e4);
   ASSERT_TRUE(t.has_value());
   EXPECT_DOUBLE_EQ(*t, 38);
 }
 
 TEST(FieldRays, OutlineSurroundsTheSphereWithinABrick) {
-  const SphereBlob blob;
-  const FieldRays rays(blob.view);
+  const SphereField field;
+  const FieldRays rays(field.view);
   Box box;
   for (const Eigen::Vector3d& p : rays.outline()) box.extend(p);
   EXPECT_NEAR(box.max().maxCoeff(), kTestRadius, 4 * kTestEdge);

@@ -10,7 +10,7 @@
 #include "host/view/points_picture.h"
 #include "host/view/slice_picture.h"
 #include "host/view/surface_picture.h"
-#include "tests/host/view/sphere_blob.h"
+#include "tests/host/view/sphere_field.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::view {
@@ -29,11 +29,11 @@ const auto is_green = [](const Colour& c) { return c.g > 2.5F * c.r && c.g > 2 *
 const auto is_red = [](const Colour& c) { return c.r > 2.5F * c.g && c.r > 2.5F * c.b && c.r > 0.05F; };
 
 TEST(SurfacePicture, ShowsTheTouchWhereverItIs) {
-  const SphereBlob blob;
+  const SphereField field;
   for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{-0.6, 0, -0.8}, {0, -1, 0}, {0, 1, 0}})) {
     SurfaceOptions options{
         .width = 480, .height = 360, .direction = {}, .touch = Touch{.proxy = kTestRadius * out, .hip = (kTestRadius - 2) * out}};
-    const Image image = surface_picture(blob.view, options);
+    const Image image = surface_picture(field.view, options);
     ASSERT_EQ(image.width(), 480);
     ASSERT_EQ(image.height(), 360);
     EXPECT_GT(count(image, is_green), 60) << out.transpose();
@@ -42,17 +42,17 @@ TEST(SurfacePicture, ShowsTheTouchWhereverItIs) {
 }
 
 TEST(SurfacePicture, WithoutATouchHasNoMarkers) {
-  const SphereBlob blob;
-  const Image image = surface_picture(blob.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
+  const SphereField field;
+  const Image image = surface_picture(field.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
   EXPECT_EQ(count(image, is_green), 0);
   EXPECT_EQ(count(image, is_red), 0);
 }
 
 TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {
-  const SphereBlob blob;
+  const SphereField field;
   // Half the width of the dark line's circle, pixels, in the row through the middle.
   const auto radius = [&](char axis, double at) {
-    const Image image = slice_picture(blob.view, {.axis = axis, .at_mm = at});
+    const Image image = slice_picture(field.view, {.axis = axis, .at_mm = at});
     int first = -1, last = -1;
     for (int x = 80; x < 780; ++x) {
       const Colour c = image.at(x, (24 + 720 - 112) / 2);
@@ -72,8 +72,8 @@ TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {
 }
 
 TEST(SlicePicture, BesideTheObjectIsEmptyButDrawn) {
-  const SphereBlob blob;
-  const Image image = slice_picture(blob.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500});
+  const SphereField field;
+  const Image image = slice_picture(field.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500});
   EXPECT_EQ(image.width(), 400);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host/view/light.h"
-#include "tests/host/view/sphere_blob.h"
+#include "tests/host/view/sphere_field.h"
 
 namespace isotouch::view {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 constexpr int kWidth = 200, kHeight = 160;
 
 struct SphereScene {
-  SphereBlob blob;
-  FieldRays rays{blob.view};
+  SphereField field;
+  FieldRays rays{field.view};
   Camera camera{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), corners(), {0, 0, kWidth, kHeight}};
   Image image{kWidth, kHeight, {9, 9, 9}};
 

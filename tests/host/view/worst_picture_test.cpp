@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "tests/host/view/sphere_blob.h"
+#include "tests/host/view/sphere_field.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::view {
@@ -61,8 +61,8 @@ Colours colours_of(const Image& image) {
 }
 
 Image picture(const cloud::TriangleMesh& truth, const WorstPlace& worst) {
-  const SphereBlob blob;
-  return worst_picture(blob.view, ball(kTestRadius), truth, worst, {.width = 480, .height = 320, .title = "ball"});
+  const SphereField field;
+  return worst_picture(field.view, ball(kTestRadius), truth, worst, {.width = 480, .height = 320, .title = "ball"});
 }
 
 TEST(WorstPicture, WhatStandsOutIsBlueAndWhatIsMissingIsRedOnBothSurfaces) {

@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/packed.h"
 #include "host/error.h"
+#include "host/field_file/packed.h"
 #include "host/link/controller.h"
 #include "shared/trace.h"
 #include "tests/firmware/control/control_rig.h"
@@ -35,11 +35,11 @@ struct Ball {
               [=](const test::Point& p) {
                 return test::length(p - test::Point{32, 32, 32}) - radius;
               }),
-        packed(blob::pack(image.view())),
-        promise{packed.size(), image.view().image.size(), image.view().hash(), wire::Text::of("ball")} {}
+        packed(field_file::pack(image.view())),
+        promise{packed.size(), image.view().image.size(), image.view().hash(), protocol::Text::of("ball")} {}
   test::FieldImage image;
   std::vector<std::uint8_t> packed;
-  wire::Begin promise;
+  protocol::Begin promise;
 };
 
 std::string refusal(const std::function<void()>& ask) {
@@ -75,7 +75,7 @@ TEST(Upload, AFieldIsFeltListedAndSelected) {
   EXPECT_EQ(controller.upload(one.promise, one.packed).image_hash, one.promise.image_hash);
   EXPECT_EQ(controller.upload(two.promise, two.packed).image_hash, two.promise.image_hash);
   EXPECT_EQ(rig.tick.felt, two.promise.image_hash);
-  const std::vector<wire::FieldEntry> fields = controller.fields();
+  const std::vector<protocol::FieldEntry> fields = controller.fields();
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_EQ(fields[0].name.view(), "ball");
   EXPECT_EQ(fields[0].packed_bytes, one.packed.size());
@@ -95,7 +95,7 @@ TEST(Upload, WhatIsRefusedIsToldAndTheOldFieldStays) {
   std::vector<std::uint8_t> changed = other.packed;
   changed[changed.size() / 2] ^= 1;
   EXPECT_THAT(refusal([&] { (void)controller.upload(other.promise, changed); }), HasSubstr("checksum"));
-  wire::Begin large = other.promise;
+  protocol::Begin large = other.promise;
   large.image_bytes = 1U << 30;
   EXPECT_THAT(refusal([&] { (void)controller.upload(large, other.packed); }), HasSubstr("larger --voxel"));
   EXPECT_EQ(rig.tick.felt, old.promise.image_hash);
@@ -115,9 +115,9 @@ TEST(Upload, ASenderThatIsKilledLeavesTheOldField) {
     if (child == 0) {
       control::Speaker speaker(rig.settings.path);
       speaker.greet();
-      speaker.say(wire::Kind::kBegin, other.promise);
+      speaker.say(protocol::Kind::kBegin, other.promise);
       for (std::size_t i = 0; i < static_cast<std::size_t>(sent); ++i) {
-        speaker.say(wire::Kind::kChunk, wire::Chunk{i * 1000, std::span(other.packed).subspan(i * 1000, 1000)});
+        speaker.say(protocol::Kind::kChunk, protocol::Chunk{i * 1000, std::span(other.packed).subspan(i * 1000, 1000)});
       }
       ::raise(SIGKILL);
     }
@@ -159,8 +159,8 @@ struct Recorded {
 struct Follower {
   explicit Follower(const ControlRig& rig) : speaker(rig.settings.path) {
     speaker.greet();
-    speaker.say(wire::Kind::kSubscribe, wire::Subscribe{10'000});
-    EXPECT_EQ(speaker.hear().kind, wire::Kind::kDone);
+    speaker.say(protocol::Kind::kSubscribe, protocol::Subscribe{10'000});
+    EXPECT_EQ(speaker.hear().kind, protocol::Kind::kDone);
   }
   control::Speaker speaker;
 };

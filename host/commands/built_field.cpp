@@ -1,4 +1,4 @@
-#include "host/commands/build_blob.h"
+#include "host/commands/built_field.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "host/blob/packed.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_cloud.h"
 #include "host/cloud/read_mesh.h"
@@ -24,6 +23,7 @@
 #include "host/field/mesh_field.h"
 #include "host/field/nearest.h"
 #include "host/field/parallel.h"
+#include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/published/build.h"
 #include "host/vdb/level_set.h"
@@ -176,7 +176,7 @@ Made make_field(const BuildOptions& options, BuildReport& report, field::Progres
 
 }  // namespace
 
-BuiltBlob build_blob(const BuildOptions& options) {
+BuiltField built_field(const BuildOptions& options) {
   field::threads_wanted = options.threads;
   BuildReport report;
   field::Progress progress(options.quiet ? field::Progress::Show{} : progress_bar());
@@ -189,12 +189,12 @@ BuiltBlob build_blob(const BuildOptions& options) {
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
-  const encoding::BlobInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
-                                static_cast<std::uint32_t>(report.points), report.placement};
-  blob::OpenBlob blob = blob::open_blob(encoding::write_blob(std::move(made.field), info), options.out.string());
+  const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
+                                 static_cast<std::uint32_t>(report.points), report.placement};
+  field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
   progress.begin("pack");
-  const std::vector<std::uint8_t> packed = blob::pack(blob.view);
-  const double advised = encoding::certificate_of(blob.view).stiffness_n_per_mm;
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;
   if (info.stiffness_n_per_mm > advised && !options.quiet) {
     std::fprintf(
         stderr,
@@ -205,11 +205,11 @@ BuiltBlob build_blob(const BuildOptions& options) {
   write_file(options.out, packed.data(), packed.size());
   progress.end();
 
-  report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(blob.view));
-  report.wire_bytes = packed.size();
+  report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
+  report.packed_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
-  return {std::move(made.points), std::move(blob), std::move(report)};
+  return {std::move(made.points), std::move(field), std::move(report)};
 }
 
 }  // namespace isotouch::commands

@@ -1,4 +1,4 @@
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 namespace {
 
 template <class Message>
@@ -28,7 +28,7 @@ void expect_round_trip(const Message& message, std::size_t bytes) {
   EXPECT_EQ(body_of(*read), body);
 }
 
-TEST(WireMessages, EveryMessageComesBack) {
+TEST(ProtocolMessages, EveryMessageComesBack) {
   const std::vector<std::uint8_t> some = {1, 2, 3, 250};
   expect_round_trip(Hello{1, 7}, 4);
   expect_round_trip(Welcome{1, 0, 1'000'000, 1U << 24, Text::of("isotouchd 0.1.0")}, 32);
@@ -53,13 +53,13 @@ TEST(WireMessages, EveryMessageComesBack) {
   expect_round_trip(Refusal{2, some}, 5);
 }
 
-TEST(WireMessages, AMessageStandsAsPublished) {
+TEST(ProtocolMessages, AMessageStandsAsPublished) {
   const std::vector<std::uint8_t> expected = {0x10, 0x27, 0,    0,    0,    0,    0,    0,    1,    0,    0, 0,   0,   0,
                                               0,    0,    0xEF, 0xCD, 0xAB, 0x89, 0x67, 0x45, 0x23, 0x01, 3, 'o', 'w', 'l'};
   EXPECT_EQ(body_of(Begin{10'000, 1, 0x0123456789ABCDEFU, Text::of("owl")}), expected);
 }
 
-TEST(WireMessages, ABodyThatIsTooShortIsRefusedAndALongerOneIsNot) {
+TEST(ProtocolMessages, ABodyThatIsTooShortIsRefusedAndALongerOneIsNot) {
   const std::vector<std::uint8_t> body = body_of(Begin{1, 2, 3, Text::of("owl")});
   for (std::size_t size = 0; size < body.size(); ++size) {
     const std::vector<std::uint8_t> cut(body.begin(), body.begin() + static_cast<std::ptrdiff_t>(size));
@@ -72,7 +72,7 @@ TEST(WireMessages, ABodyThatIsTooShortIsRefusedAndALongerOneIsNot) {
   EXPECT_EQ(read->name.view(), "owl");
 }
 
-TEST(WireMessages, TextsThatWouldDriveATerminalAreRefusedAndNeverMade) {
+TEST(ProtocolMessages, TextsThatWouldDriveATerminalAreRefusedAndNeverMade) {
   EXPECT_EQ(Text::of("a\x1b[2Jb\nc\x7f").view(), "a [2Jb c ");
   EXPECT_EQ(Text::of(std::string(200, 'x')).view(), std::string(kMaxName, 'x'));
   std::vector<std::uint8_t> body = body_of(Begin{1, 2, 3, Text::of("owl")});
@@ -84,7 +84,7 @@ TEST(WireMessages, TextsThatWouldDriveATerminalAreRefusedAndNeverMade) {
   EXPECT_EQ(decode<Begin>(body).error(), Error::kBadMessage);
 }
 
-TEST(WireMessages, NoBodyMakesAMessageReachBeyondIt) {
+TEST(ProtocolMessages, NoBodyMakesAMessageReachBeyondIt) {
   std::mt19937 random(11);
   int read = 0;
   for (int round = 0; round < 20'000; ++round) {
@@ -102,4 +102,4 @@ TEST(WireMessages, NoBodyMakesAMessageReachBeyondIt) {
 }
 
 }  // namespace
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

@@ -1,19 +1,19 @@
-/// Band field → the bytes of a blob (shared/SPEC.md, section 2).
+/// Band field → a field's image (shared/SPEC.md, section 2).
 #pragma once
 
 #include <cstdint>
 
-#include "host/blob/image.h"
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
-#include "shared/blob.h"
+#include "host/field_file/image.h"
+#include "shared/field_view.h"
 
 namespace isotouch::encoding {
 
 enum class Method : std::uint32_t { kDefault = 0, kPublished = 1 };
 
 /// What the image says beside the distances.
-struct BlobInfo {
+struct FieldInfo {
   double stiffness_n_per_mm = 0.8;  ///< the largest, where the field has one for each brick: they are scaled to it
   std::uint64_t source_hash = 0;
   Method method = Method::kDefault;
@@ -26,12 +26,12 @@ struct BlobInfo {
 /// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
 /// its
 ///           row, and that of the border, which is outside, where its row has none before it
-/// returns   an image that BlobView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
+/// returns   an image that FieldView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
-blob::Image write_blob(field::BandField field, const BlobInfo& info);
+field_file::Image write_image(field::BandField field, const FieldInfo& info);
 
-/// What `write_blob` was told, read back from a checked image; stiffness as rounded.
-BlobInfo info_of(const BlobView& view);
+/// What `write_image` was told, read back from a checked image; stiffness as rounded.
+FieldInfo info_of(const FieldView& view);
 
 }  // namespace isotouch::encoding

@@ -1,4 +1,4 @@
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ constexpr std::uint32_t kBricksAt = kNodesAt + kNodes * kNodeBytes, kBrickBytes 
 constexpr std::size_t kTotal = kBricksAt + kBricks * kBrickBytes;
 constexpr std::int16_t kBand = 4 * 4096;
 
-/// Byte for byte from SPEC.md, without the names of blob_layout: 8 samples a side, one stored node with eight bricks, a cube of 4 samples inside.
+/// Byte for byte from SPEC.md, without the names of image_layout: 8 samples a side, one stored node with eight bricks, a cube of 4 samples inside.
 Image valid_image() {
   Image image(kTotal);
   std::memcpy(image.at(0), "ITFB", 4);
@@ -101,7 +101,7 @@ Image image_with_table() {
 }
 
 /// Reads all that the view may be asked for. The sum keeps the compiler from skipping it.
-std::int64_t read_everything(const BlobView& view) {
+std::int64_t read_everything(const FieldView& view) {
   std::int64_t sum = 0;
   for (std::int32_t k = 0; k < view.size[2]; ++k) {
     for (std::int32_t j = 0; j < view.size[1]; ++j) {
@@ -111,9 +111,9 @@ std::int64_t read_everything(const BlobView& view) {
   return sum;
 }
 
-TEST(Blob, EveryHeaderFieldIsReadFromItsPlace) {
+TEST(Field, EveryHeaderFieldIsReadFromItsPlace) {
   const Image image = valid_image();
-  const Result<BlobView> parsed = BlobView::parse(image.bytes());
+  const Result<FieldView> parsed = FieldView::parse(image.bytes());
   ASSERT_TRUE(parsed) << describe(parsed.error());
   EXPECT_EQ(parsed->origin, (Vec3<Mm>{Mm::of(-1), Mm::of(-2), Mm::of(-3)}));
   EXPECT_EQ(parsed->edge, MmPerVoxel::of(0.5));
@@ -127,9 +127,9 @@ TEST(Blob, EveryHeaderFieldIsReadFromItsPlace) {
   EXPECT_EQ(parsed->hash(), hash64(image.bytes().data(), image.size()));
 }
 
-TEST(Blob, EverySampleIsFoundThroughTheTree) {
+TEST(Field, EverySampleIsFoundThroughTheTree) {
   const Image image = valid_image();
-  const Result<BlobView> view = BlobView::parse(image.bytes());
+  const Result<FieldView> view = FieldView::parse(image.bytes());
   ASSERT_TRUE(view);
   for (std::int32_t k = 0; k < 8; ++k) {
     for (std::int32_t j = 0; j < 8; ++j) {
@@ -142,17 +142,17 @@ TEST(Blob, EverySampleIsFoundThroughTheTree) {
   }
 }
 
-TEST(Blob, ATableOfStiffnessIsFoundBehindTheBricks) {
+TEST(Field, ATableOfStiffnessIsFoundBehindTheBricks) {
   const Image image = image_with_table();
-  const Result<BlobView> view = BlobView::parse(image.bytes());
+  const Result<FieldView> view = FieldView::parse(image.bytes());
   ASSERT_TRUE(view) << describe(view.error());
   ASSERT_EQ(view->stiffness_parts, image.bytes().data() + kTableAt);
   EXPECT_EQ(view->stiffness_parts[view->brick_number(5, 1, 1)], 75) << "brick 3";
   EXPECT_EQ(view->stiffness_parts[view->brick_number(5, 5, 5)], 225) << "brick 9";
-  EXPECT_EQ(BlobView::parse(valid_image().bytes())->stiffness_parts, nullptr);
+  EXPECT_EQ(FieldView::parse(valid_image().bytes())->stiffness_parts, nullptr);
 }
 
-TEST(Blob, EveryMalformedTableOfStiffnessIsRefused) {
+TEST(Field, EveryMalformedTableOfStiffnessIsRefused) {
   using I = Image;
   const std::vector<std::pair<Error, std::function<void(I&)>>> cases = {
       {Error::kBadSize, [](I& i) { i.put<std::uint32_t>(172, 0); }},
@@ -170,24 +170,24 @@ TEST(Blob, EveryMalformedTableOfStiffnessIsRefused) {
     Image image = image_with_table();
     cases[n].second(image);
     image.seal();
-    const Result<BlobView> parsed = BlobView::parse(image.bytes());
+    const Result<FieldView> parsed = FieldView::parse(image.bytes());
     ASSERT_FALSE(parsed) << n;
     EXPECT_EQ(parsed.error(), cases[n].first) << n << ": " << describe(parsed.error());
   }
   for (const std::size_t size : {kTotal, kTotal + kBricks - 1, kTotal + kBricks + 1}) {
     Image image = image_with_table().resized(size);
     image.put<std::uint64_t>(16, size).seal();
-    EXPECT_FALSE(BlobView::parse(image.bytes())) << size;
+    EXPECT_FALSE(FieldView::parse(image.bytes())) << size;
   }
 }
 
-TEST(Blob, ANewerMinorVersionIsReadAndItsAdditionsIgnored) {
+TEST(Field, ANewerMinorVersionIsReadAndItsAdditionsIgnored) {
   Image image = valid_image();
   image.put<std::uint16_t>(6, 9).put<std::uint32_t>(200, 0xFFFFFFFF).seal();
-  EXPECT_TRUE(BlobView::parse(image.bytes()));
+  EXPECT_TRUE(FieldView::parse(image.bytes()));
 }
 
-TEST(Blob, TheExtremesOfEveryRangeAreAccepted) {
+TEST(Field, TheExtremesOfEveryRangeAreAccepted) {
   const std::vector<std::function<void(Image&)>> extremes = {
       [](Image& i) { i.put<std::int32_t>(32, 512 << 20).put<std::int32_t>(36, -(512 << 20)); },
       [](Image& i) { i.put<std::int32_t>(44, 1 << 14).put<std::int32_t>(48, 1 << 30); },
@@ -199,7 +199,7 @@ TEST(Blob, TheExtremesOfEveryRangeAreAccepted) {
     Image image = valid_image();
     extremes[n](image);
     image.seal();
-    EXPECT_TRUE(BlobView::parse(image.bytes())) << n;
+    EXPECT_TRUE(FieldView::parse(image.bytes())) << n;
   }
 }
 
@@ -209,7 +209,7 @@ struct Malformed {
   std::function<void(Image&)> spoil;  ///< the checksum is made right afterwards
 };
 
-TEST(Blob, EveryMalformedImageIsRefusedForItsReason) {
+TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
   using I = Image;
   const std::vector<Malformed> cases = {
       {"another magic", Error::kBadMagic, [](I& i) { i.put<std::uint8_t>(0, 'X'); }},
@@ -267,42 +267,42 @@ TEST(Blob, EveryMalformedImageIsRefusedForItsReason) {
     Image image = valid_image();
     malformed.spoil(image);
     image.seal();
-    const Result<BlobView> parsed = BlobView::parse(image.bytes());
+    const Result<FieldView> parsed = FieldView::parse(image.bytes());
     ASSERT_FALSE(parsed) << malformed.what;
     EXPECT_EQ(parsed.error(), malformed.expected) << malformed.what << ": " << describe(parsed.error());
   }
 }
 
-TEST(Blob, EveryLengthButTheRightOneIsRefused) {
+TEST(Field, EveryLengthButTheRightOneIsRefused) {
   const Image image = valid_image();
   for (std::size_t size = 0; size < kTotal; size += size < 300 ? 1 : 37) {
-    const Result<BlobView> parsed = BlobView::parse(image.resized(size).bytes());
+    const Result<FieldView> parsed = FieldView::parse(image.resized(size).bytes());
     ASSERT_FALSE(parsed) << size;
     EXPECT_EQ(parsed.error(), size < 4 ? Error::kBadMagic : Error::kTruncated) << size;
   }
   for (const std::size_t more : {1U, 8U, 128U}) {
-    const Result<BlobView> parsed = BlobView::parse(image.resized(kTotal + more).bytes());
+    const Result<FieldView> parsed = FieldView::parse(image.resized(kTotal + more).bytes());
     ASSERT_FALSE(parsed);
     EXPECT_EQ(parsed.error(), Error::kBadSize);
   }
 }
 
-TEST(Blob, AnImageOffItsAlignmentIsRefused) {
+TEST(Field, AnImageOffItsAlignmentIsRefused) {
   const Image image = valid_image();
   Image shifted(kTotal + 8);
   for (std::size_t shift = 1; shift < 8; ++shift) {
     std::memcpy(shifted.at(shift), image.bytes().data(), kTotal);
-    const Result<BlobView> parsed = BlobView::parse({shifted.at(shift), kTotal});
+    const Result<FieldView> parsed = FieldView::parse({shifted.at(shift), kTotal});
     ASSERT_FALSE(parsed);
     EXPECT_EQ(parsed.error(), Error::kMisaligned);
   }
 }
 
-TEST(Blob, EveryBitFlippedBehindTheChecksumIsSeen) {
+TEST(Field, EveryBitFlippedBehindTheChecksumIsSeen) {
   Image image = valid_image();
   for (std::size_t offset = 24; offset < kTotal; ++offset) {
     *image.at(offset) ^= static_cast<std::uint8_t>(1U << (offset % 8));
-    const Result<BlobView> parsed = BlobView::parse(image.bytes());
+    const Result<FieldView> parsed = FieldView::parse(image.bytes());
     ASSERT_FALSE(parsed) << offset;
     EXPECT_EQ(parsed.error(), Error::kBadChecksum) << offset;
     *image.at(offset) ^= static_cast<std::uint8_t>(1U << (offset % 8));
@@ -310,7 +310,7 @@ TEST(Blob, EveryBitFlippedBehindTheChecksumIsSeen) {
 }
 
 /// The checksum is no protection against intent: whatever stands in header and tables, the view that is accepted never leaves its image.
-TEST(Blob, NoByteOfHeaderOrTablesCanMakeTheViewLeaveTheImage) {
+TEST(Field, NoByteOfHeaderOrTablesCanMakeTheViewLeaveTheImage) {
   const Image original = valid_image();
   int accepted = 0, refused = 0;
   for (std::size_t offset = 0; offset < kBricksAt; ++offset) {
@@ -318,7 +318,7 @@ TEST(Blob, NoByteOfHeaderOrTablesCanMakeTheViewLeaveTheImage) {
       Image image(original);
       *image.at(offset) ^= static_cast<std::uint8_t>(change);
       if (offset < 12 || offset >= 16) image.seal();
-      const Result<BlobView> parsed = BlobView::parse(image.bytes());
+      const Result<FieldView> parsed = FieldView::parse(image.bytes());
       if (parsed) {
         ++accepted;
         ASSERT_GE(read_everything(*parsed), 512 * -32768) << offset;

@@ -1,4 +1,4 @@
-#include "host/blob/packed.h"
+#include "host/field_file/packed.h"
 
 #include <zstd.h>
 
@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "host/error.h"
-#include "shared/packed_blob.h"
+#include "shared/packed_field.h"
 #include "shared/residuals.h"
 
-namespace isotouch::blob {
+namespace isotouch::field_file {
 
 using namespace packed_layout;
 
@@ -33,9 +33,9 @@ std::size_t compress(std::span<const std::uint8_t> residuals, std::span<std::uin
 
 }  // namespace
 
-std::vector<std::uint8_t> pack(const BlobView& view) {
-  std::vector<std::uint8_t> residuals(view.image.size() - blob_layout::kHeaderBytes);
-  std::vector<std::uint32_t> codes(blob_layout::kSamplesPerBrick * std::size_t{view.brick_count});
+std::vector<std::uint8_t> pack(const FieldView& view) {
+  std::vector<std::uint8_t> residuals(view.image.size() - image_layout::kHeaderBytes);
+  std::vector<std::uint32_t> codes(image_layout::kSamplesPerBrick * std::size_t{view.brick_count});
   const StreamSizes sizes = predict(view.image, codes, residuals);
   std::vector<std::uint8_t> packed(kHeaderBytes + ZSTD_compressBound(residuals.size()));
   packed.resize(kHeaderBytes + compress(residuals, std::span(packed).subspan(kHeaderBytes)));
@@ -45,9 +45,9 @@ std::vector<std::uint8_t> pack(const BlobView& view) {
 
 Image unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
   const auto refuse = [&](Error error) -> InputError {
-    return InputError(name + ": not usable as a packed blob: " + describe(error) + "; fetch or build it again");
+    return InputError(name + ": not usable as a packed field: " + describe(error) + "; fetch or build it again");
   };
-  const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+  const Result<PackedField> packed = PackedField::parse(bytes);
   if (!packed) throw refuse(packed.error());
 
   const auto residual_bytes = static_cast<std::size_t>(packed->residual_bytes());
@@ -60,4 +60,4 @@ Image unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
   return image;
 }
 
-}  // namespace isotouch::blob
+}  // namespace isotouch::field_file

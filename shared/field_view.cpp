@@ -1,4 +1,4 @@
-#include "shared/blob.h"
+#include "shared/field_view.h"
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "the image is used in 
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 /// The inverse of SPEC's reciprocal, by the exact test: is `inverse` the integer nearest to 2^44 / edge?
 bool is_reciprocal(std::int64_t edge, std::int64_t inverse) {
@@ -31,7 +31,7 @@ bool all_equal(const std::int16_t* values, std::int32_t expected) {
 }
 
 /// True when the two outermost layers on all sides are far outside: nothing is open towards the border.
-bool border_is_outside(const BlobView& view) {
+bool border_is_outside(const FieldView& view) {
   const auto [nx, ny, nz] = view.size;
   const auto outermost = [](std::int32_t index, std::int32_t size) { return index < 2 || index >= size - 2; };
   for (std::int32_t k = 0; k < nz; ++k) {
@@ -46,7 +46,7 @@ bool border_is_outside(const BlobView& view) {
 }
 
 /// True when every stored brick has a stiffness, and no constant one.
-bool is_stiffness_table(const BlobView& view) {
+bool is_stiffness_table(const FieldView& view) {
   const std::uint8_t* parts = view.stiffness_parts;
   return parts[kOutside] == 0 && parts[kInside] == 0 &&
          std::none_of(parts + kInside + 1, parts + view.brick_count, [](std::uint8_t part) { return part == 0; });
@@ -54,7 +54,7 @@ bool is_stiffness_table(const BlobView& view) {
 
 }  // namespace
 
-Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
+Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
   const std::uint8_t* at = image.data();
   if (reinterpret_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
   if (image.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
@@ -66,7 +66,7 @@ Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   if (total != image.size() || total > 0xFFFFFFFFU) return Error::kBadSize;
   if (crc32(at + kTotalBytesAt, image.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
 
-  BlobView view;
+  FieldView view;
   view.image = image;
   const auto field = [at](std::size_t offset) { return load_le<std::int32_t>(at + offset); };
   view.origin = {Mm::from_raw(field(kOriginAt)), Mm::from_raw(field(kOriginAt + 4)), Mm::from_raw(field(kOriginAt + 8))};
@@ -123,6 +123,6 @@ Result<BlobView> BlobView::parse(std::span<const std::uint8_t> image) {
   return view;
 }
 
-std::uint64_t BlobView::hash() const { return hash64(image.data(), image.size()); }
+std::uint64_t FieldView::hash() const { return hash64(image.data(), image.size()); }
 
 }  // namespace isotouch

@@ -1,4 +1,4 @@
-#include "shared/wire.h"
+#include "shared/protocol.h"
 
 #include <algorithm>
 #include <cassert>
@@ -6,7 +6,7 @@
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::size_t seal_frame(Kind kind, std::size_t body_bytes, std::span<std::uint8_t
   return kHeaderBytes + body_bytes;
 }
 
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

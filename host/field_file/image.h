@@ -1,4 +1,4 @@
-/// The bytes of a blob in memory, and how they are read from a file.
+/// A field's image in memory, and how it is read from a file.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace isotouch::blob {
+namespace isotouch::field_file {
 
 /// The 8-byte aligned bytes of an image.
 class Image {
@@ -28,4 +28,4 @@ class Image {
 /// fails     InputError naming the file when it cannot be read or unpacked
 Image read_image(const std::filesystem::path& file);
 
-}  // namespace isotouch::blob
+}  // namespace isotouch::field_file

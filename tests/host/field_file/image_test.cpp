@@ -1,4 +1,4 @@
-#include "host/blob/image.h"
+#include "host/field_file/image.h"
 
 #include <gtest/gtest.h>
 
@@ -7,19 +7,19 @@
 #include <filesystem>
 #include <vector>
 
-#include "host/blob/packed.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
-#include "shared/blob.h"
-#include "tests/host/encoding/blob_bodies.h"
+#include "shared/field_view.h"
+#include "tests/host/encoding/field_bodies.h"
 
-namespace isotouch::blob {
+namespace isotouch::field_file {
 namespace {
 
 TEST(Image, EitherFormIsReadFromAFile) {
-  const Image image = encoding::write_blob(test::field_of(test::ball(9), {9, 9, 9}), {});
-  const std::vector<std::uint8_t> packed = pack(*BlobView::parse(image.bytes()));
+  const Image image = encoding::write_image(test::field_of(test::ball(9), {9, 9, 9}), {});
+  const std::vector<std::uint8_t> packed = pack(*FieldView::parse(image.bytes()));
   const auto file = std::filesystem::path(::testing::TempDir()) / "image_test.itf";
   const auto comes_back = [&] { return std::ranges::equal(read_image(file).bytes(), image.bytes()); };
   write_file(file, image.data(), image.size());
@@ -33,4 +33,4 @@ TEST(Image, EitherFormIsReadFromAFile) {
 }
 
 }  // namespace
-}  // namespace isotouch::blob
+}  // namespace isotouch::field_file

@@ -1,4 +1,4 @@
-/// The wire and disk form of a blob (SPEC.md, section 4): what its header says, checked before anything is unpacked.
+/// A packed field, the form for socket and disk (SPEC.md, section 4): what its header says, checked before anything is unpacked.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "shared/blob.h"
+#include "shared/field_view.h"
 #include "shared/hash64.h"
 #include "shared/residuals.h"
 #include "shared/result.h"
@@ -33,8 +33,8 @@ inline constexpr int kWindowShift = 17;    ///< of the frame: a reader may hold 
 inline constexpr int kMaxRatioShift = 15;  ///< no frame expands further
 }  // namespace packed_layout
 
-/// A checked packed blob. Borrows the bytes.
-struct PackedBlob {
+/// A checked packed field. Borrows the bytes.
+struct PackedField {
   std::uint64_t image_bytes = 0;
   std::uint64_t image_hash = 0;
   StreamSizes stream_sizes{};
@@ -48,9 +48,9 @@ struct PackedBlob {
   /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader, kBadSize (sizes that contradict each other, or an image larger than the frame can
   ///           hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it)
   /// tick      no: it reads all bytes
-  static Result<PackedBlob> parse(std::span<const std::uint8_t> bytes);
+  static Result<PackedField> parse(std::span<const std::uint8_t> bytes);
 
-  /// True when the bytes begin like a packed blob.
+  /// True when the bytes begin like a packed field.
   static bool has_magic(std::span<const std::uint8_t> bytes);
 };
 
@@ -59,16 +59,16 @@ struct PackedBlob {
 /// image     a checked one
 /// sizes     what `predict` returned for it; the frame holds the residuals
 /// packed    header and frame, nothing behind
-void seal_packed(const BlobView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed);
+void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed);
 
-/// The image in a packed form: the one that was packed, by its hash. Whether it is a good blob is told by BlobView::parse.
+/// Unpacks the image and checks its hash. Whether the image is a valid field is for FieldView::parse to say.
 ///
 /// residuals   memory to work in, `packed.residual_bytes()`
 /// image       8-byte aligned, `packed.image_bytes`; written
 /// decompress  unpacks a zstd frame: (frame, out) → bytes written, another number than the size of `out` when it fails
 /// fails       kBadFrame, kBadChecksum (the image is not the one that was packed), and as `restore`
 template <class Decompress>
-Result<std::span<const std::uint8_t>> unpack(const PackedBlob& packed, std::span<std::uint8_t> residuals, std::span<std::uint8_t> image,
+Result<std::span<const std::uint8_t>> unpack(const PackedField& packed, std::span<std::uint8_t> residuals, std::span<std::uint8_t> image,
                                              Decompress&& decompress) {
   if (decompress(packed.frame, residuals) != residuals.size()) return Error::kBadFrame;
   std::copy(packed.image_header.begin(), packed.image_header.end(), image.begin());

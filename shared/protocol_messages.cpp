@@ -1,6 +1,6 @@
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 
 namespace {
 
@@ -49,4 +49,4 @@ void BodyWriter::operator()(const std::span<const std::uint8_t>& rest) {
   used_ += rest.size();
 }
 
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

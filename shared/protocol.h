@@ -1,4 +1,4 @@
-/// The frames that host tool and controller exchange over a byte stream (SPEC.md, section 6). What their bodies say is `wire_messages.h`.
+/// The frames that host tool and controller exchange over a byte stream (SPEC.md, section 6). What their bodies say is `protocol_messages.h`.
 ///
 /// Every request is answered by one frame, in order; what the controller sends unasked has a kind of its own. No allocation on either side of
 /// these functions, and no bytes that make them fail otherwise than by an error.
@@ -11,7 +11,7 @@
 
 #include "shared/result.h"
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'C', 'W'};
 inline constexpr std::uint16_t kMajor = 1;
@@ -80,4 +80,4 @@ Result<Frame> read_frame(std::span<const std::uint8_t> bytes);
 /// returns     bytes of the whole frame
 std::size_t seal_frame(Kind kind, std::size_t body_bytes, std::span<std::uint8_t> frame);
 
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

@@ -1,11 +1,11 @@
-#include "shared/packed_blob.h"
+#include "shared/packed_field.h"
 
 #include <algorithm>
 #include <optional>
 
-#include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "shared/field_view.h"
 #include "shared/image_parts.h"
 #include "shared/zstd_frame.h"
 
@@ -13,11 +13,11 @@ namespace isotouch {
 
 using namespace packed_layout;
 
-bool PackedBlob::has_magic(std::span<const std::uint8_t> bytes) {
+bool PackedField::has_magic(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
-Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
+Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
   if (!has_magic(bytes)) return Error::kBadMagic;
   if (bytes.size() < kHeaderBytes) return Error::kTruncated;
   const std::uint8_t* at = bytes.data();
@@ -28,10 +28,10 @@ Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
   if (total != bytes.size()) return Error::kBadSize;
   if (crc32(at + kTotalBytesAt, bytes.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
 
-  PackedBlob packed;
+  PackedField packed;
   packed.image_bytes = load_le<std::uint64_t>(at + kImageBytesAt);
   packed.image_hash = load_le<std::uint64_t>(at + kImageHashAt);
-  packed.image_header = bytes.subspan(kImageHeaderAt, blob_layout::kHeaderBytes);
+  packed.image_header = bytes.subspan(kImageHeaderAt, image_layout::kHeaderBytes);
   packed.frame = bytes.subspan(kHeaderBytes);
   std::uint64_t samples = 0;
   for (std::size_t stream = 0; stream < packed.stream_sizes.size(); ++stream) {
@@ -50,7 +50,7 @@ Result<PackedBlob> PackedBlob::parse(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
-void seal_packed(const BlobView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed) {
+void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed) {
   std::uint8_t* at = packed.data();
   std::fill_n(at, kHeaderBytes, std::uint8_t{0});
   std::copy(kMagic.begin(), kMagic.end(), at);
@@ -61,7 +61,7 @@ void seal_packed(const BlobView& image, const StreamSizes& sizes, std::span<std:
   store_le(at + kImageBytesAt, std::uint64_t{image.image.size()});
   store_le(at + kImageHashAt, image.hash());
   for (std::size_t stream = 0; stream < sizes.size(); ++stream) store_le(at + kStreamSizesAt + 4 * stream, sizes[stream]);
-  std::copy_n(image.image.begin(), blob_layout::kHeaderBytes, at + kImageHeaderAt);
+  std::copy_n(image.image.begin(), image_layout::kHeaderBytes, at + kImageHeaderAt);
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, packed.size() - kTotalBytesAt));
 }
 

@@ -1,4 +1,4 @@
-/// The blob: a signed distance field as one memory image (SPEC.md, section 2). `BlobView::parse` checks everything once; after it nothing can
+/// A field: a signed distance as one memory image (SPEC.md, section 2). `FieldView::parse` checks everything once; after it nothing can
 /// go wrong: every look-up with sample indices inside `size` lands inside the image.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace isotouch {
 
 /// Byte offsets of the header's fields, in the order of SPEC.md 2.3.
-namespace blob_layout {
+namespace image_layout {
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'B'};
 inline constexpr std::uint16_t kMajor = 1;
 inline constexpr std::uint16_t kMinor = 1;  ///< of an image without a stiffness table
@@ -65,15 +65,15 @@ template <class T>
 constexpr T align64(T bytes) {  // in the caller's width: a hostile size must not wrap where std::size_t has 32 bits
   return (bytes + 63) & ~T{63};
 }
-}  // namespace blob_layout
+}  // namespace image_layout
 
-/// A coefficient or distance as the blob stores it.
+/// A coefficient or distance as the image stores it.
 using Distance = Fixed<Unit<0, 0, 0, 1>, 12>;
 
 /// A checked image. Trivially copyable; borrows the bytes.
 ///
 /// tick      every member but `parse` and `hash`
-struct BlobView {
+struct FieldView {
   Vec3<Mm> origin;  ///< workspace position of sample (0, 0, 0)
   MmPerVoxel edge;
   VoxelPerMm inverse_edge;
@@ -97,11 +97,11 @@ struct BlobView {
   ///           it), kBadChecksum, kBadIndex (an entry outside its table; a constant node or brick that is not; a border that is not far outside; a
   ///           stiffness for a constant brick, or none for another)
   /// tick      no: it reads the whole image
-  static Result<BlobView> parse(std::span<const std::uint8_t> image);
+  static Result<FieldView> parse(std::span<const std::uint8_t> image);
 
   /// The number of the brick that holds sample (i, j, k), each index within [0, size).
   std::uint32_t brick_number(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    using namespace blob_layout;
+    using namespace image_layout;
     const auto cell = (((k >> kNodeShift) * root_size[1]) + (j >> kNodeShift)) * root_size[0] + (i >> kNodeShift);
     const auto slot = (((k >> kBrickShift) & 3) << 4) | (((j >> kBrickShift) & 3) << 2) | ((i >> kBrickShift) & 3);
     const std::uint32_t node = root[cell];
@@ -110,7 +110,7 @@ struct BlobView {
 
   /// Its 64 coefficients.
   const std::int16_t* brick(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    return bricks + std::size_t{brick_number(i, j, k)} * blob_layout::kSamplesPerBrick;
+    return bricks + std::size_t{brick_number(i, j, k)} * image_layout::kSamplesPerBrick;
   }
 
   /// The coefficient of one sample, each index within [0, size).

@@ -1,4 +1,4 @@
-/// What the bodies of the wire's frames say (SPEC.md, section 6.2). Each message lists its fields once, for reading and for writing; a body may be
+/// What the bodies of the protocol's frames say (SPEC.md, section 6.2). Each message lists its fields once, for reading and for writing; a body may be
 /// longer than its message, because a minor version only adds at the end. No allocation; texts and spans borrow the body.
 #pragma once
 
@@ -12,10 +12,10 @@
 #include <string_view>
 
 #include "shared/bytes.h"
+#include "shared/protocol.h"
 #include "shared/result.h"
-#include "shared/wire.h"
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 
 inline constexpr std::size_t kMaxName = 63;
 inline constexpr std::size_t kMaxSentence = 1000;
@@ -86,7 +86,7 @@ struct Welcome {
 };
 
 struct Begin {
-  std::uint64_t packed_bytes = 0;  ///< of the upload: a packed blob
+  std::uint64_t packed_bytes = 0;  ///< of the upload: a packed field
   std::uint64_t image_bytes = 0;   ///< of the image that it holds
   std::uint64_t image_hash = 0;
   Text name;  ///< for people
@@ -279,4 +279,4 @@ std::size_t encode(Kind kind, const Message& message, std::span<std::uint8_t> fr
   return seal_frame(kind, writer.used(), frame);
 }
 
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

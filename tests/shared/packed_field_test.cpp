@@ -1,13 +1,13 @@
-#include "shared/packed_blob.h"
+#include "shared/packed_field.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <vector>
 
-#include "shared/blob.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "shared/field_view.h"
 
 namespace isotouch {
 namespace {
@@ -49,9 +49,9 @@ std::vector<std::uint8_t> sealed(std::vector<std::uint8_t> bytes) {
   return bytes;
 }
 
-TEST(PackedBlob, EveryFieldIsReadFromItsPlace) {
+TEST(PackedField, EveryFieldIsReadFromItsPlace) {
   const std::vector<std::uint8_t> bytes = sealed(valid_bytes());
-  const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+  const Result<PackedField> packed = PackedField::parse(bytes);
   ASSERT_TRUE(packed) << describe(packed.error());
   EXPECT_EQ(packed->image_bytes, kImage);
   EXPECT_EQ(packed->residual_bytes(), kImage - 256);
@@ -63,33 +63,33 @@ TEST(PackedBlob, EveryFieldIsReadFromItsPlace) {
   EXPECT_EQ(packed->frame.size(), kFrame);
 }
 
-TEST(PackedBlob, EveryByteBehindTheChecksumIsCheckedByIt) {
+TEST(PackedField, EveryByteBehindTheChecksumIsCheckedByIt) {
   const std::vector<std::uint8_t> good = sealed(valid_bytes());
   for (std::size_t at = 24; at < good.size(); ++at) {
     std::vector<std::uint8_t> bytes = good;
     bytes[at] ^= 0x10;
-    const Result<PackedBlob> packed = PackedBlob::parse(bytes);
+    const Result<PackedField> packed = PackedField::parse(bytes);
     ASSERT_FALSE(packed) << at;
     EXPECT_EQ(packed.error(), Error::kBadChecksum) << at;
   }
 }
 
-TEST(PackedBlob, AnImageThatItsFrameCannotHoldIsRefused) {
+TEST(PackedField, AnImageThatItsFrameCannotHoldIsRefused) {
   constexpr std::uint64_t kMax = 256 + kFrame * 32768;  // what the checks before allocation leave to a file of 360 bytes
   for (const std::uint64_t more : {0U, 1U, 32768U, 0xF0000000U}) {
     std::vector<std::uint8_t> bytes = valid_bytes(static_cast<std::uint32_t>(kMax + more - 256));
     store_le<std::uint64_t>(bytes.data() + 24, kMax + more);
-    const Result<PackedBlob> packed = PackedBlob::parse(sealed(bytes));
+    const Result<PackedField> packed = PackedField::parse(sealed(bytes));
     EXPECT_EQ(packed.has_value(), more == 0) << more;
     EXPECT_TRUE(packed || packed.error() == Error::kBadSize) << more;
   }
 }
 
-TEST(PackedBlob, AFrameOfAnotherOutlineIsRefused) {
+TEST(PackedField, AFrameOfAnotherOutlineIsRefused) {
   for (const std::size_t at : {320U, 324U, 326U, 330U}) {
     std::vector<std::uint8_t> bytes = valid_bytes();
     bytes[at] ^= 0x08;
-    EXPECT_EQ(PackedBlob::parse(sealed(bytes)).error(), Error::kBadFrame) << at;
+    EXPECT_EQ(PackedField::parse(sealed(bytes)).error(), Error::kBadFrame) << at;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,13 +24,13 @@ namespace isotouch::encoding {
 
 namespace {
 
-using namespace blob_layout;
+using namespace image_layout;
 
 /// `value` in the format Q, or the sentence why it does not fit.
 template <class Q>
 Q in_format(double value, double low, double high, const char* what) {
   if (!(value >= low && value <= high)) {
-    throw InputError(std::string(what) + " is " + std::to_string(value) + ", a blob holds " + std::to_string(low) + " to " +
+    throw InputError(std::string(what) + " is " + std::to_string(value) + ", a field holds " + std::to_string(low) + " to " +
                      std::to_string(high) + "; choose another size, --voxel, --band or --stiffness");
   }
   return Q::from_raw(static_cast<std::int32_t>(std::floor(value * static_cast<double>(1 << Q::kFractionBits) + 0.5)));
@@ -47,7 +47,7 @@ BrickKind finish(Coefficients& brick, const field::Brick& source, const Eigen::V
   return all(band) ? BrickKind::kOutside : all(-band) ? BrickKind::kInside : BrickKind::kStored;
 }
 
-void store_header(std::uint8_t* at, const field::BandField& field, const BlobInfo& info) {
+void store_header(std::uint8_t* at, const field::BandField& field, const FieldInfo& info) {
   std::copy(kMagic.begin(), kMagic.end(), at);
   store_le(at + kMajorAt, kMajor);
   store_le(at + kMinorAt, kMinor);
@@ -62,7 +62,7 @@ void store_header(std::uint8_t* at, const field::BandField& field, const BlobInf
     const int size = field.grid.size[axis];
     if (size < 8 || size > static_cast<int>(kMaxSize)) {
       throw InputError("the grid has " + std::to_string(size) +
-                       " samples along one axis, a blob holds 8 to 4096; choose another --voxel or --grid");
+                       " samples along one axis, a field holds 8 to 4096; choose another --voxel or --grid");
     }
     store_le(at + kSizeAt + 4 * axis, size);
     store_le(at + kRootSizeAt + 4 * axis, (size + 15) >> kNodeShift);
@@ -101,7 +101,7 @@ std::vector<std::uint8_t> stiffness_table(const std::vector<double>& stiffness, 
 
 }  // namespace
 
-blob::Image write_blob(field::BandField field, const BlobInfo& info) {
+field_file::Image write_image(field::BandField field, const FieldInfo& info) {
   std::array<std::uint8_t, kHeaderBytes> header{};
   store_header(header.data(), field, info);  // before the work: it refuses what does not fit
 
@@ -122,9 +122,9 @@ blob::Image write_blob(field::BandField field, const BlobInfo& info) {
   const std::vector<std::uint8_t> table = stiffness_table(held.stiffness, tree.stored);
   const std::size_t bytes = bricks_end + table.size();
   if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError("the field needs " + std::to_string(bytes) + " bytes, a blob holds 4 GB; choose a larger --voxel or a smaller --band");
+    throw InputError("the field needs " + std::to_string(bytes) + " bytes, at most 4 GB fit; choose a larger --voxel or a smaller --band");
   }
-  blob::Image image(bytes);
+  field_file::Image image(bytes);
   std::uint8_t* at = image.data();
   std::copy(header.begin(), header.end(), at);
   store_le(at + kTotalBytesAt, static_cast<std::uint64_t>(bytes));
@@ -155,16 +155,16 @@ blob::Image write_blob(field::BandField field, const BlobInfo& info) {
   std::copy(table.begin(), table.end(), brick_at);
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, bytes - kTotalBytesAt));
 
-  if (!BlobView::parse(image.bytes())) {  // the one thing that a field can still have wrong
+  if (!FieldView::parse(image.bytes())) {  // the one thing that a field can still have wrong
     throw InputError("the surface reaches the border of the grid: the points do not bound a body, check their normals");
   }
   return image;
 }
 
-BlobInfo info_of(const BlobView& view) {
+FieldInfo info_of(const FieldView& view) {
   const std::uint8_t* at = view.image.data();
   const auto real = [at](std::size_t offset) { return std::bit_cast<double>(load_le<std::uint64_t>(at + offset)); };
-  BlobInfo info;
+  FieldInfo info;
   info.stiffness_n_per_mm = static_cast<double>(view.stiffness.raw()) / (1 << Stiffness::kFractionBits);
   info.source_hash = load_le<std::uint64_t>(at + kSourceHashAt);
   info.method =

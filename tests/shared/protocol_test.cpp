@@ -1,4 +1,4 @@
-#include "shared/wire.h"
+#include "shared/protocol.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace isotouch::wire {
+namespace isotouch::protocol {
 namespace {
 
 std::vector<std::uint8_t> frame_of(Kind kind, std::string_view body) {
@@ -99,4 +99,4 @@ TEST(Wire, NoBytesMakeTheReaderReachBeyondThem) {
 }
 
 }  // namespace
-}  // namespace isotouch::wire
+}  // namespace isotouch::protocol

@@ -1,4 +1,4 @@
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "host/error.h"
-#include "shared/blob.h"
-#include "tests/host/encoding/blob_bodies.h"
+#include "shared/field_view.h"
+#include "tests/host/encoding/field_bodies.h"
 
 namespace isotouch::encoding {
 namespace {
@@ -19,10 +19,10 @@ using ::testing::HasSubstr;
 void expect_signs(const test::Distance3& distance, const Eigen::Vector3d& half) {
   const Eigen::Vector3d shift(0.31, -0.17, 0.44);
   const field::BandField field = test::field_of(distance, half, 3.0, shift);
-  const blob::Image image = write_blob(field, {});
-  const auto parsed = BlobView::parse(image.bytes());
+  const field_file::Image image = write_image(field, {});
+  const auto parsed = FieldView::parse(image.bytes());
   ASSERT_TRUE(parsed.has_value());
-  const BlobView& view = *parsed;
+  const FieldView& view = *parsed;
   std::size_t inside = 0;
   for (int k = 0; k < view.size[2]; ++k) {
     for (int j = 0; j < view.size[1]; ++j) {
@@ -42,24 +42,24 @@ void expect_signs(const test::Distance3& distance, const Eigen::Vector3d& half) 
   EXPECT_GT(inside, 5000U);
 }
 
-TEST(WriteBlob, EverySampleHasTheRightSignInABall) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
+TEST(WriteImage, EverySampleHasTheRightSignInABall) { expect_signs(test::ball(25), Eigen::Vector3d::Constant(25)); }
 
-TEST(WriteBlob, EverySampleHasTheRightSignAroundACavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
+TEST(WriteImage, EverySampleHasTheRightSignAroundACavity) { expect_signs(test::hollow_ball(34, 19), Eigen::Vector3d::Constant(34)); }
 
-TEST(WriteBlob, EverySampleHasTheRightSignAroundAThinPlate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
+TEST(WriteImage, EverySampleHasTheRightSignAroundAThinPlate) { expect_signs(test::box({40, 30, 2}), {40, 30, 2}); }
 
-TEST(WriteBlob, TheHeaderSaysWhatItWasTold) {
+TEST(WriteImage, TheHeaderSaysWhatItWasTold) {
   field::BandField field = test::field_of(test::ball(9), {9, 9, 9});
   field.grid.edge = 0.375;
   field.grid.origin = {-1.5, 2.25, 17.0};
-  BlobInfo info;
+  FieldInfo info;
   info.stiffness_n_per_mm = 1.25;
   info.source_hash = 0x0123456789abcdefULL;
   info.method = Method::kPublished;
   info.point_count = 77;
   info.placement = {2.5, {1.0, -2.0, 3.5}};
-  const blob::Image image = write_blob(field, info);
-  const auto view = BlobView::parse(image.bytes());
+  const field_file::Image image = write_image(field, info);
+  const auto view = FieldView::parse(image.bytes());
   ASSERT_TRUE(view.has_value());
   EXPECT_EQ(view->edge, MmPerVoxel::of(0.375));
   EXPECT_EQ(view->inverse_edge, VoxelPerMm::of(1 / 0.375));
@@ -67,7 +67,7 @@ TEST(WriteBlob, TheHeaderSaysWhatItWasTold) {
   EXPECT_EQ(view->band, Distance::of(4.0));
   EXPECT_EQ(view->stiffness, Stiffness::of(1.25));
   for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_EQ(view->size[axis], field.grid.size[static_cast<int>(axis)]);
-  const BlobInfo read = info_of(*view);
+  const FieldInfo read = info_of(*view);
   EXPECT_EQ(read.stiffness_n_per_mm, info.stiffness_n_per_mm);
   EXPECT_EQ(read.source_hash, info.source_hash);
   EXPECT_EQ(read.method, info.method);
@@ -76,37 +76,37 @@ TEST(WriteBlob, TheHeaderSaysWhatItWasTold) {
   EXPECT_EQ(read.placement.offset, info.placement.offset);
 }
 
-TEST(WriteBlob, AListedBrickOfOneConstantIsNotStored) {
+TEST(WriteImage, AListedBrickOfOneConstantIsNotStored) {
   const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25));
   field::BandField more = field;
   ASSERT_NE(more.bricks.front().cell, Eigen::Vector3i::Zero());
   field::Brick far{Eigen::Vector3i::Zero(), {}};
   far.distance.fill(50.0F);
   more.bricks.insert(more.bricks.begin(), far);
-  const blob::Image a = write_blob(field, {});
-  const blob::Image b = write_blob(more, {});
+  const field_file::Image a = write_image(field, {});
+  const field_file::Image b = write_image(more, {});
   EXPECT_TRUE(std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()));
 }
 
-TEST(WriteBlob, AnyBandInTheFormatIsAccepted) {
+TEST(WriteImage, AnyBandInTheFormatIsAccepted) {
   for (const double band : {1.0, 1.7001, 2.50012207, 4.00012207, 7.99}) {
-    const blob::Image image = write_blob(test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), band), {});
-    EXPECT_TRUE(BlobView::parse(image.bytes()).has_value()) << band;
+    const field_file::Image image = write_image(test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), band), {});
+    EXPECT_TRUE(FieldView::parse(image.bytes()).has_value()) << band;
   }
 }
 
-TEST(WriteBlob, AStiffnessOfEachBrickBecomesATableOfPartsOfTheLargest) {
+TEST(WriteImage, AStiffnessOfEachBrickBecomesATableOfPartsOfTheLargest) {
   field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
-  const blob::Image without = write_blob(field, {});
+  const field_file::Image without = write_image(field, {});
   for (const field::Brick& brick : field.bricks) field.stiffness.push_back(brick.cell.x() < 6 ? 0.001 : brick.cell.x() < 7 ? 0.6 : 1.2);
-  BlobInfo info;
+  FieldInfo info;
   info.stiffness_n_per_mm = 1.2;
-  const blob::Image image = write_blob(field, info);
-  const auto view = BlobView::parse(image.bytes());
+  const field_file::Image image = write_image(field, info);
+  const auto view = FieldView::parse(image.bytes());
   ASSERT_TRUE(view.has_value());
   ASSERT_NE(view->stiffness_parts, nullptr);
   EXPECT_EQ(image.size(), without.size() + view->brick_count);
-  EXPECT_EQ(BlobView::parse(without.bytes())->stiffness_parts, nullptr);
+  EXPECT_EQ(FieldView::parse(without.bytes())->stiffness_parts, nullptr);
   int soft = 0, middle = 0, hard = 0;
   for (const field::Brick& brick : field.bricks) {
     const Eigen::Vector3i at = 4 * brick.cell;
@@ -121,16 +121,16 @@ TEST(WriteBlob, AStiffnessOfEachBrickBecomesATableOfPartsOfTheLargest) {
   EXPECT_GT(std::min({soft, middle, hard}), 20);
 }
 
-std::string refusal(const field::BandField& field, const BlobInfo& info = {}) {
+std::string refusal(const field::BandField& field, const FieldInfo& info = {}) {
   try {
-    write_blob(field, info);
+    write_image(field, info);
   } catch (const InputError& e) {
     return e.what();
   }
   return "accepted";
 }
 
-TEST(WriteBlob, WhatDoesNotFitTheFormatIsRefusedWithItsName) {
+TEST(WriteImage, WhatDoesNotFitTheFormatIsRefusedWithItsName) {
   const field::BandField good = test::field_of(test::ball(9), {9, 9, 9});
   field::BandField bad = good;
   bad.grid.edge = 0.01;
@@ -144,13 +144,13 @@ TEST(WriteBlob, WhatDoesNotFitTheFormatIsRefusedWithItsName) {
   bad = good;
   bad.grid.size.z() = 5000;
   EXPECT_THAT(refusal(bad), HasSubstr("5000 samples"));
-  BlobInfo info;
+  FieldInfo info;
   info.stiffness_n_per_mm = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(refusal(good, info), HasSubstr("stiffness"));
   EXPECT_EQ(refusal(good), "accepted");
 }
 
-TEST(WriteBlob, ABodyThatReachesTheBorderIsRefused) {
+TEST(WriteImage, ABodyThatReachesTheBorderIsRefused) {
   const field::Grid grid = field::make_grid({-9, -9, -9}, {9, 9, 9}, 1.0, 2.0);
   EXPECT_THAT(refusal(field::sample_distance(test::ball(9), grid, 4.0)), HasSubstr("border"));
 }

@@ -2,11 +2,11 @@
 #include <array>
 
 #include "shared/crc32.h"
-#include "shared/wire_messages.h"
+#include "shared/protocol_messages.h"
 #include "tests/fuzz/input.h"
 
 using namespace isotouch;
-using namespace isotouch::wire;
+using namespace isotouch::protocol;
 
 namespace {
 

@@ -1,18 +1,18 @@
-/// A blob of an exact sphere round the origin, for the pictures' tests.
+/// A field of an exact sphere round the origin, for the pictures' tests.
 #pragma once
 
 #include <cmath>
 
-#include "host/encoding/write_blob.h"
-#include "shared/blob.h"
+#include "host/encoding/write_image.h"
+#include "shared/field_view.h"
 
 namespace isotouch::view {
 
 inline constexpr double kTestEdge = 0.5;    // mm
 inline constexpr double kTestRadius = 8.0;  // mm: 16 voxels
 
-struct SphereBlob {
-  SphereBlob() : image(encoding::write_blob(field(), {})), view(*BlobView::parse(image.bytes())) {}
+struct SphereField {
+  SphereField() : image(encoding::write_image(field(), {})), view(*FieldView::parse(image.bytes())) {}
 
   static field::BandField field() {
     field::BandField made;
@@ -38,8 +38,8 @@ struct SphereBlob {
     return made;
   }
 
-  blob::Image image;
-  BlobView view;
+  field_file::Image image;
+  FieldView view;
 };
 
 }  // namespace isotouch::view

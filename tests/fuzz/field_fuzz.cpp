@@ -1,19 +1,19 @@
 /// The door for fields: what `parse` takes may be felt anywhere without leaving the image.
 #include "firmware/core/render.h"
-#include "shared/blob.h"
 #include "shared/crc32.h"
+#include "shared/field_view.h"
 #include "tests/fuzz/input.h"
 
 using namespace isotouch;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size < blob_layout::kHeaderBytes) return 0;
+  if (size < image_layout::kHeaderBytes) return 0;
   fuzz::Copy copy(data, size);
   const auto image = copy.bytes();
   // A fuzzer finds no checksum; a person who means harm does.
-  store_le(image.data() + blob_layout::kChecksumAt,
-           crc32(image.data() + blob_layout::kTotalBytesAt, image.size() - blob_layout::kTotalBytesAt));
-  const Result<BlobView> field = BlobView::parse(image);
+  store_le(image.data() + image_layout::kChecksumAt,
+           crc32(image.data() + image_layout::kTotalBytesAt, image.size() - image_layout::kTotalBytesAt));
+  const Result<FieldView> field = FieldView::parse(image);
   if (!field) return 0;
 
   TickSettings settings;

@@ -1,4 +1,4 @@
-#include "host/blob/packed.h"
+#include "host/field_file/packed.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,27 +11,27 @@
 #include <string>
 #include <vector>
 
-#include "host/blob/image.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
 #include "host/error.h"
-#include "shared/blob.h"
+#include "host/field_file/image.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
-#include "shared/packed_blob.h"
+#include "shared/field_view.h"
+#include "shared/packed_field.h"
 #include "shared/residuals.h"
-#include "tests/host/encoding/blob_bodies.h"
+#include "tests/host/encoding/field_bodies.h"
 
-namespace isotouch::blob {
+namespace isotouch::field_file {
 namespace {
 
 using ::testing::HasSubstr;
 using Bytes = std::vector<std::uint8_t>;
 
-Image ball_image() { return encoding::write_blob(test::field_of(test::ball(9), {9, 9, 9}), {}); }
+Image ball_image() { return encoding::write_image(test::field_of(test::ball(9), {9, 9, 9}), {}); }
 
 bool same(const Image& a, const Image& b) { return std::equal(a.bytes().begin(), a.bytes().end(), b.bytes().begin(), b.bytes().end()); }
 
-Bytes packed(const Image& image) { return pack(*BlobView::parse(image.bytes())); }
+Bytes packed(const Image& image) { return pack(*FieldView::parse(image.bytes())); }
 
 /// The core of the sentence that refuses the bytes.
 std::string refusal(const Bytes& bytes) {
@@ -49,7 +49,7 @@ void seal(Bytes& bytes) {
   store_le(&bytes[packed_layout::kChecksumAt], crc32(&bytes[16], bytes.size() - 16));
 }
 
-/// The same packed blob around another frame.
+/// The same packed field around another frame.
 Bytes with_frame(const Bytes& bytes, const Bytes& frame) {
   Bytes other = bytes;
   other.resize(packed_layout::kHeaderBytes);
@@ -59,7 +59,7 @@ Bytes with_frame(const Bytes& bytes, const Bytes& frame) {
 }
 
 Bytes residuals_of(const Bytes& bytes) {
-  const PackedBlob view = *PackedBlob::parse(bytes);
+  const PackedField view = *PackedField::parse(bytes);
   Bytes residuals(view.residual_bytes());
   EXPECT_EQ(ZSTD_decompress(residuals.data(), residuals.size(), view.frame.data(), view.frame.size()), residuals.size());
   return residuals;
@@ -84,25 +84,25 @@ TEST(Packed, TheVeryImageComesBack) {
       test::field_of(test::ball(14), Eigen::Vector3d::Constant(14), 1.0),
   };
   for (const field::BandField& field : fields) {
-    const Image image = encoding::write_blob(field, {});
+    const Image image = encoding::write_image(field, {});
     const Bytes bytes = packed(image);
     EXPECT_TRUE(same(unpack(bytes, "it"), image));
     EXPECT_LT(2 * bytes.size(), image.size());
-    EXPECT_EQ(PackedBlob::parse(bytes)->image_hash, BlobView::parse(image.bytes())->hash());
+    EXPECT_EQ(PackedField::parse(bytes)->image_hash, FieldView::parse(image.bytes())->hash());
   }
 }
 
 TEST(Packed, AStiffnessTableComesBackToo) {
   field::BandField field = test::field_of(test::ball(14), Eigen::Vector3d::Constant(14));
   for (const field::Brick& brick : field.bricks) field.stiffness.push_back(1.0 + brick.cell.cast<double>().sum());
-  const Image image = encoding::write_blob(field, {});
-  ASSERT_NE(BlobView::parse(image.bytes())->stiffness_parts, nullptr);
+  const Image image = encoding::write_image(field, {});
+  ASSERT_NE(FieldView::parse(image.bytes())->stiffness_parts, nullptr);
   EXPECT_TRUE(same(unpack(packed(image), "it"), image));
 }
 
 TEST(Packed, ABallOfThatSizeTakesSoManyBits) {
-  const Image image = encoding::write_blob(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
-  const double samples = 64.0 * BlobView::parse(image.bytes())->brick_count;
+  const Image image = encoding::write_image(test::field_of(test::ball(40), Eigen::Vector3d::Constant(40), 4.0, {0.31, -0.17, 0.44}), {});
+  const double samples = 64.0 * FieldView::parse(image.bytes())->brick_count;
   const double bits = 8.0 * static_cast<double>(packed(image).size()) / samples;
   EXPECT_LT(bits, 4.0);
   EXPECT_GT(bits, 2.0) << "so much better: tighten the bound";
@@ -111,12 +111,12 @@ TEST(Packed, ABallOfThatSizeTakesSoManyBits) {
 TEST(Packed, TheGoldenFileUnpacksToItsImage) {
   const auto golden = std::filesystem::path(ISOTOUCH_ROOT) / "tests/golden";
   const Image image = read_image(golden / "packed_1_0.itf");
-  EXPECT_TRUE(same(image, read_image(golden / "blob_1_0.itf")));
-  EXPECT_EQ(BlobView::parse(image.bytes())->hash(), 0x79f3401dc9bbc5adULL);
+  EXPECT_TRUE(same(image, read_image(golden / "field_1_0.itf")));
+  EXPECT_EQ(FieldView::parse(image.bytes())->hash(), 0x79f3401dc9bbc5adULL);
 }
 
 TEST(Packed, TheFrameKeepsToItsWindow) {
-  const Image image = encoding::write_blob(test::field_of(test::ball(34), Eigen::Vector3d::Constant(34)), {});
+  const Image image = encoding::write_image(test::field_of(test::ball(34), Eigen::Vector3d::Constant(34)), {});
   const Bytes bytes = packed(image);
   ASSERT_GT(image.size(), std::size_t{2} << packed_layout::kWindowShift) << "a small frame is its own window";
   EXPECT_EQ(refusal(with_frame(bytes, frame_of(residuals_of(bytes), {{ZSTD_c_windowLog, 17}}))), "accepted");
@@ -160,23 +160,23 @@ TEST(Packed, EveryMalformedFileIsRefusedForItsReason) {
          put(b, kStreamSizesAt + 4, load_le<std::uint32_t>(&b[kStreamSizesAt + 4]) + 1);
        }},
       {"an image header that is none", "not a file of this kind", [&](B& b) { b[image_field(0)] = 'X'; }},
-      {"an image of the next major version", "version is newer", [&](B& b) { b[image_field(blob_layout::kMajorAt)] = 2; }},
-      {"no band", header, [&](B& b) { put(b, image_field(blob_layout::kBandAt), 0); }},
-      {"a band beyond 16 bits", header, [&](B& b) { put(b, image_field(blob_layout::kBandAt), 32768); }},
-      {"the lowest band", header, [&](B& b) { put(b, image_field(blob_layout::kBandAt), INT32_MIN); }},
-      {"no root", header, [&](B& b) { put(b, image_field(blob_layout::kRootSizeAt), 0U); }},
-      {"a root of 257 nodes along one axis", header, [&](B& b) { put(b, image_field(blob_layout::kRootSizeAt), 257U); }},
-      {"a root larger than its place", size, [&](B& b) { put(b, image_field(blob_layout::kRootSizeAt), 256U); }},
-      {"one node", header, [&](B& b) { put(b, image_field(blob_layout::kNodeCountAt), 1U); }},
-      {"2^32 - 1 nodes", size, [&](B& b) { put(b, image_field(blob_layout::kNodeCountAt), ~0U); }},
-      {"one brick", header, [&](B& b) { put(b, image_field(blob_layout::kBrickCountAt), 1U); }},
-      {"2^32 - 1 bricks", size, [&](B& b) { put(b, image_field(blob_layout::kBrickCountAt), ~0U); }},
-      {"a root inside the header", size, [&](B& b) { put(b, image_field(blob_layout::kRootOffsetAt), 252U); }},
-      {"nodes on an odd byte", size, [&](B& b) { ++b[image_field(blob_layout::kNodeOffsetAt)]; }},
-      {"nodes before the root", size, [&](B& b) { put(b, image_field(blob_layout::kNodeOffsetAt), 0U); }},
-      {"nodes far behind", size, [&](B& b) { put(b, image_field(blob_layout::kNodeOffsetAt), 0xFFFFFFFCU); }},
-      {"bricks far behind", size, [&](B& b) { put(b, image_field(blob_layout::kBrickOffsetAt), 0xFFFFFFFCU); }},
-      {"bricks in the nodes", size, [&](B& b) { put(b, image_field(blob_layout::kBrickOffsetAt), 512U); }},
+      {"an image of the next major version", "version is newer", [&](B& b) { b[image_field(image_layout::kMajorAt)] = 2; }},
+      {"no band", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), 0); }},
+      {"a band beyond 16 bits", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), 32768); }},
+      {"the lowest band", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), INT32_MIN); }},
+      {"no root", header, [&](B& b) { put(b, image_field(image_layout::kRootSizeAt), 0U); }},
+      {"a root of 257 nodes along one axis", header, [&](B& b) { put(b, image_field(image_layout::kRootSizeAt), 257U); }},
+      {"a root larger than its place", size, [&](B& b) { put(b, image_field(image_layout::kRootSizeAt), 256U); }},
+      {"one node", header, [&](B& b) { put(b, image_field(image_layout::kNodeCountAt), 1U); }},
+      {"2^32 - 1 nodes", size, [&](B& b) { put(b, image_field(image_layout::kNodeCountAt), ~0U); }},
+      {"one brick", header, [&](B& b) { put(b, image_field(image_layout::kBrickCountAt), 1U); }},
+      {"2^32 - 1 bricks", size, [&](B& b) { put(b, image_field(image_layout::kBrickCountAt), ~0U); }},
+      {"a root inside the header", size, [&](B& b) { put(b, image_field(image_layout::kRootOffsetAt), 252U); }},
+      {"nodes on an odd byte", size, [&](B& b) { ++b[image_field(image_layout::kNodeOffsetAt)]; }},
+      {"nodes before the root", size, [&](B& b) { put(b, image_field(image_layout::kNodeOffsetAt), 0U); }},
+      {"nodes far behind", size, [&](B& b) { put(b, image_field(image_layout::kNodeOffsetAt), 0xFFFFFFFCU); }},
+      {"bricks far behind", size, [&](B& b) { put(b, image_field(image_layout::kBrickOffsetAt), 0xFFFFFFFCU); }},
+      {"bricks in the nodes", size, [&](B& b) { put(b, image_field(image_layout::kBrickOffsetAt), 512U); }},
       {"a frame that is none", frame, [](B& b) { b[kHeaderBytes] ^= 1; }},
       {"a frame that ends too early", frame, [](B& b) { b.pop_back(); }},
       {"a byte behind the frame", frame, [](B& b) { b.push_back(0); }},
@@ -206,8 +206,8 @@ TEST(Packed, EveryMalformedFileIsRefusedForItsReason) {
       {"a brick that is not there", index,
        [&](B& b) {
          B other = residuals;
-         put(other, load_le<std::uint32_t>(&b[image_field(blob_layout::kNodeOffsetAt)]) - 256,
-             load_le<std::uint32_t>(&b[image_field(blob_layout::kBrickCountAt)]));
+         put(other, load_le<std::uint32_t>(&b[image_field(image_layout::kNodeOffsetAt)]) - 256,
+             load_le<std::uint32_t>(&b[image_field(image_layout::kBrickCountAt)]));
          b = with_frame(b, frame_of(other));
        }},
       {"another residual", "(checksum|contradict)",
@@ -258,4 +258,4 @@ TEST(Packed, EveryChangedByteIsRefusedOrChangesNothing) {
 }
 
 }  // namespace
-}  // namespace isotouch::blob
+}  // namespace isotouch::field_file

@@ -1,4 +1,4 @@
-/// What `isotouch build` does, for whoever else needs a blob of something: input → field → blob, with times.
+/// What `isotouch build` does, for whoever else needs a field of something: input → field → file, with times.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "host/blob/open_blob.h"
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/placement.h"
-#include "host/encoding/write_blob.h"
+#include "host/encoding/write_image.h"
+#include "host/field_file/open_field.h"
 
 namespace isotouch::commands {
 
@@ -45,20 +45,20 @@ struct BuildReport {
   std::vector<std::string> warnings;  ///< one sentence each
   cloud::Placement placement;
   std::size_t inside_nodes = 0;
-  std::size_t wire_bytes = 0;  ///< of the file
+  std::size_t packed_bytes = 0;  ///< of the file
   double seconds = 0;
   std::vector<std::pair<std::string, double>> stages;
 };
 
-struct BuiltBlob {
+struct BuiltField {
   cloud::OrientedPoints points;  ///< of a cloud; workspace, mm
-  blob::OpenBlob blob;
+  field_file::OpenField field;
   BuildReport report;
 };
 
-/// Reads the input, makes the field and writes the blob; shows its progress, and what is doubtful about the input, on standard error.
+/// Reads the input, makes the field and writes its file; shows its progress, and what is doubtful about the input, on standard error.
 ///
 /// fails     InputError of every stage
-BuiltBlob build_blob(const BuildOptions& options);
+BuiltField built_field(const BuildOptions& options);
 
 }  // namespace isotouch::commands
