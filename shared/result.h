@@ -7,7 +7,7 @@
 
 namespace isotouch {
 
-/// Why data was refused, or a device did not do what it was asked to. `describe` gives the sentence's core; the caller adds file and place.
+/// Why data was refused. `describe` gives the core of a sentence; the caller adds file and place.
 enum class Error : std::uint8_t {
   kTruncated,       ///< fewer bytes than the header promises
   kBadMagic,        ///< not a file of this kind
@@ -24,18 +24,8 @@ enum class Error : std::uint8_t {
   kTooStiff,        ///< stiffer than the device can render without feeding energy into the hand
   kTooSteep,        ///< gradients above 2 that no certificate tells of
   kBadCertificate,  ///< a certificate that contradicts itself or the field
-  kTimedOut,        ///< a device did not answer in time
-  kGone,            ///< a device was unplugged, or the other end of a connection went away
-  kStalled,         ///< a device refused a request
-  kNotFound,        ///< no such device
-  kNotAllowed,      ///< this user may not open the device
-  kBusy,            ///< another program holds the device
-  kUnsuitable,      ///< a device has the right name but not the expected endpoints, or its answer breaks the agreed form
-  kNoUsb,           ///< this machine offers no USB to programs
   kBadPacket,       ///< a device packet that lost or changed bytes on its way
   kBadMessage,      ///< a message that breaks the protocol
-  kNoSpace,         ///< a file does not fit any more
-  kStorage,         ///< a file or folder could not be read or written
   kBadModel,        ///< a device model with a number outside its range
 };
 
@@ -56,57 +46,48 @@ constexpr const char* describe(Error error) {
     case Error::kTooStiff: return "its stiffness would feed energy into the hand";
     case Error::kTooSteep: return "its distances rise by more than 2 voxels between neighbours, the most for a field without a certificate";
     case Error::kBadCertificate: return "its certificate contradicts itself or the samples";
-    case Error::kTimedOut: return "it did not answer in time";
-    case Error::kGone: return "it was unplugged or its connection was closed";
-    case Error::kStalled: return "it refused a request";
-    case Error::kNotFound: return "no such device is there";
-    case Error::kNotAllowed: return "this user may not open it";
-    case Error::kBusy: return "another program holds it";
-    case Error::kUnsuitable: return "it answers, but not as this device should";
-    case Error::kNoUsb: return "this machine offers no USB to programs";
     case Error::kBadPacket: return "the device packet is malformed";
     case Error::kBadMessage: return "a message is not as both sides agreed";
-    case Error::kNoSpace: return "there is no space left for it";
-    case Error::kStorage: return "the storage failed";
     case Error::kBadModel: return "the device model holds a number outside its range";
   }
   return "unknown error";
 }
 
-template <class T>
+/// E   the enumeration of reasons: Error for data that both sides read; what only one folder does has an enumeration of its own
+template <class T, class E = Error>
 class [[nodiscard]] Result {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
   constexpr Result(const T& value) : value_(value), ok_(true) {}  // NOLINT(google-explicit-constructor): as std::expected
-  constexpr Result(Error error) : error_(error), ok_(false) {}    // NOLINT(google-explicit-constructor): as std::unexpected
+  constexpr Result(E error) : error_(error), ok_(false) {}        // NOLINT(google-explicit-constructor): as std::unexpected
 
   constexpr bool has_value() const { return ok_; }
   constexpr explicit operator bool() const { return ok_; }
   constexpr const T& value() const { return assert(ok_), value_; }
   constexpr const T& operator*() const { return value(); }
   constexpr const T* operator->() const { return &value(); }
-  constexpr Error error() const { return assert(!ok_), error_; }
+  constexpr E error() const { return assert(!ok_), error_; }
 
  private:
   T value_{};
-  Error error_{};
+  E error_{};
   bool ok_;
 };
 
 /// Done, or the one reason why not.
-template <>
-class [[nodiscard]] Result<void> {
+template <class E>
+class [[nodiscard]] Result<void, E> {
  public:
   constexpr Result() = default;
-  constexpr Result(Error error) : error_(error), ok_(false) {}  // NOLINT(google-explicit-constructor): as std::unexpected
+  constexpr Result(E error) : error_(error), ok_(false) {}  // NOLINT(google-explicit-constructor): as std::unexpected
 
   constexpr bool has_value() const { return ok_; }
   constexpr explicit operator bool() const { return ok_; }
-  constexpr Error error() const { return assert(!ok_), error_; }
+  constexpr E error() const { return assert(!ok_), error_; }
 
  private:
-  Error error_{};
+  E error_{};
   bool ok_ = true;
 };
 

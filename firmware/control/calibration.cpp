@@ -51,7 +51,7 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   }
   store::AnglesAtZero angles;
   for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);
-  const Result<void> kept = store_->put(serial, angles);
+  const store::StoreResult<void> kept = store_->put(serial, angles);
   if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
   answers(serial);
   return {};
@@ -60,11 +60,11 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
 Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trouble) const {
   Choice choice = by_settings_(serial);
   if (store_ == nullptr || choice.source == protocol::AnglesFrom::kSettings) return choice;
-  const Result<store::AnglesAtZero> kept = store_->read(serial);
+  const store::StoreResult<store::AnglesAtZero> kept = store_->read(serial);
   if (kept) {
     take(*kept, choice.model);
     choice.source = protocol::AnglesFrom::kMeasured;
-  } else if (kept.error() != Error::kNotFound) {
+  } else if (kept.error() != store::StoreError::kNotFound) {
     trouble = "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again";
   }
   return choice;

@@ -131,7 +131,7 @@ void Controller::mark_run() {
     requests_.ask(kRequestStop);
     say("the run before had no orderly end; no force until 'resume'");
   }
-  if (const Result<void> set = mark_->set(); !set)
+  if (const store::StoreResult<void> set = mark_->set(); !set)
     say(settings_.state + ": a crash of this run will not be known to the next: " + describe(set.error()));
 }
 

@@ -48,7 +48,7 @@ class Boot {
     if (failed_ || image_.empty()) return ended(BootOutcome::kNoImage);
     for (report_.attempts = 1;; ++report_.attempts) {
       const BootOutcome outcome = attempt();
-      const bool over = outcome == BootOutcome::kLoaded || stopped_ || (failed_ && report_.error == Error::kGone);
+      const bool over = outcome == BootOutcome::kLoaded || stopped_ || (failed_ && report_.error == LinkError::kGone);
       if (over || report_.attempts >= settings_.attempts) return ended(outcome);
       if ((failed_ || report_.attempts % kReopenEvery == 0) && !reopen()) return ended(outcome);
     }
@@ -119,7 +119,7 @@ class Boot {
   bool reopen() {
     failed_ = false;
     link_.close();
-    if (const Result<void> opened = link_.open(); !opened) return fail(opened.error());
+    if (const LinkResult<void> opened = link_.open(); !opened) return fail(opened.error());
     return greet();
   }
 
@@ -161,17 +161,17 @@ class Boot {
 
   std::span<std::uint8_t> read(std::int64_t until_ns) {
     const std::int64_t left_ms = (until_ns - clock_.now_ns() + kMs - 1) / kMs;
-    const Result<std::size_t> size = link_.read(buffer_, static_cast<std::uint32_t>(std::max<std::int64_t>(left_ms, 0)));
+    const LinkResult<std::size_t> size = link_.read(buffer_, static_cast<std::uint32_t>(std::max<std::int64_t>(left_ms, 0)));
     if (size) return std::span(buffer_).first(*size);
-    if (size.error() != Error::kTimedOut) fail(size.error());
+    if (size.error() != LinkError::kTimedOut) fail(size.error());
     return {};
   }
 
   bool send(std::span<const std::uint8_t> data) {
     while (!data.empty()) {
-      const Result<std::size_t> taken = link_.write(data, kWriteMs);
+      const LinkResult<std::size_t> taken = link_.write(data, kWriteMs);
       if (!taken) return fail(taken.error());
-      if (*taken == 0) return fail(Error::kTimedOut);
+      if (*taken == 0) return fail(LinkError::kTimedOut);
       data = data.subspan(*taken);
     }
     return true;
@@ -179,7 +179,7 @@ class Boot {
 
   bool request(std::initializer_list<UsbSetup> setups) {
     for (const UsbSetup& setup : setups) {
-      if (const Result<std::size_t> done = link_.control(setup, {}); !done) return fail(done.error());
+      if (const LinkResult<std::size_t> done = link_.control(setup, {}); !done) return fail(done.error());
     }
     return true;
   }
@@ -190,7 +190,7 @@ class Boot {
     return false;
   }
 
-  bool fail(Error error) {
+  bool fail(LinkError error) {
     report_.error = error;
     failed_ = true;
     return false;

@@ -57,11 +57,11 @@ enum class BootOutcome : std::uint8_t {
 
 struct BootReport {
   BootOutcome outcome = BootOutcome::kNoImage;
-  Error error = Error::kGone;   ///< of kLinkFailed
-  ImageReport image;            ///< of kBadImage
-  int attempts = 0;             ///< uploads begun
-  std::size_t stray_bytes = 0;  ///< heard around what was expected
-  std::size_t bad_echoes = 0;   ///< pieces whose echo differed or did not come
+  LinkError error = LinkError::kGone;  ///< of kLinkFailed
+  ImageReport image;                   ///< of kBadImage
+  int attempts = 0;                    ///< uploads begun
+  std::size_t stray_bytes = 0;         ///< heard around what was expected
+  std::size_t bad_echoes = 0;          ///< pieces whose echo differed or did not come
 
   bool running() const { return outcome == BootOutcome::kAlreadyRunning || outcome == BootOutcome::kLoaded; }
 };

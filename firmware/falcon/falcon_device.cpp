@@ -76,17 +76,17 @@ DeviceCounts FalconDevice::counts() const {
 
 bool FalconDevice::send(const FalconCommand& command) {
   const FalconPacket packet = encode(command);
-  const Result<std::size_t> taken = link_.write(packet, kWriteMs);
-  if (!taken && taken.error() == Error::kGone) gone_ = true;
+  const LinkResult<std::size_t> taken = link_.write(packet, kWriteMs);
+  if (!taken && taken.error() == LinkError::kGone) gone_ = true;
   return taken && *taken == packet.size();
 }
 
 /// One transfer, if one comes in time; returns how many replies ended in it.
 std::size_t FalconDevice::hear(std::uint32_t timeout_ms) {
   std::array<std::uint8_t, kUsbPacket> buffer{};
-  const Result<std::size_t> size = link_.read(buffer, timeout_ms);
+  const LinkResult<std::size_t> size = link_.read(buffer, timeout_ms);
   empty_ = !size || *size <= 2;
-  if (!size && size.error() == Error::kGone) gone_ = true;
+  if (!size && size.error() == LinkError::kGone) gone_ = true;
   return size ? stream_.feed(std::span(buffer).first(*size)) : 0;
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "shared/result.h"
+#include "firmware/falcon/link_error.h"
 
 namespace isotouch::falcon {
 
@@ -33,7 +33,7 @@ class FalconLink {
   /// Finds the device and takes it. Allocates; takes up to seconds.
   ///
   /// fails     kNotFound, kNotAllowed, kBusy, kNoUsb, kUnsuitable, kGone
-  virtual Result<void> open() = 0;
+  virtual LinkResult<void> open() = 0;
 
   /// Gives the device back; nothing is pending afterwards. A closed link may be closed again.
   virtual void close() = 0;
@@ -45,14 +45,14 @@ class FalconLink {
   ///
   /// returns   bytes of the answer, at most its size
   /// fails     kStalled: the device does not know the request; kGone; kTimedOut
-  virtual Result<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) = 0;
+  virtual LinkResult<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) = 0;
 
   /// Hands bytes to the device, endpoint 0x02. They may still be on their way when it returns.
   ///
   /// data      1 to 4096 bytes
   /// returns   bytes taken, from the front; may be fewer than given
   /// fails     kTimedOut: nothing was taken; kStalled; kGone
-  virtual Result<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) = 0;
+  virtual LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) = 0;
 
   /// Waits for bytes of endpoint 0x81 as the FT232R frames them: every 64 bytes begin with two status bytes, and only the last 64 may be fewer.
   ///
@@ -60,10 +60,10 @@ class FalconLink {
   /// timeout_ms  0: what is there already
   /// returns     at least 2, often just the status pair
   /// fails       kTimedOut; kStalled; kGone
-  virtual Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) = 0;
+  virtual LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) = 0;
 };
 
 /// What a person can do about an error of a link: half a sentence to follow `describe`.
-const char* advice(Error error);
+const char* advice(LinkError error);
 
 }  // namespace isotouch::falcon

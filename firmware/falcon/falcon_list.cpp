@@ -11,10 +11,10 @@ UsbListing list_falcons() {
   UsbListing listing;
   libusb_context* context = nullptr;
   if (libusb_init(&context) != 0) {
-    listing.trouble = Error::kNoUsb;
+    listing.trouble = LinkError::kNoUsb;
     return listing;
   }
-  const Result<void> listed = for_each_falcon(context, [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
+  const LinkResult<void> listed = for_each_falcon(context, [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
     FoundFalcon falcon;
     falcon.bus = libusb_get_bus_number(device);
     falcon.address = libusb_get_device_address(device);
@@ -34,7 +34,7 @@ UsbListing list_falcons() {
   if (!listed)
     listing.trouble = listed.error();
   else if (listing.falcons.empty())
-    listing.trouble = Error::kNotFound;
+    listing.trouble = LinkError::kNotFound;
   return listing;
 }
 

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "shared/result.h"
+#include "firmware/falcon/link_error.h"
 
 namespace isotouch::falcon {
 
 /// One Falcon on the bus.
 struct FoundFalcon {
   int bus = 0, address = 0;
-  std::string name, serial;      ///< empty where it cannot be opened
-  std::optional<Error> trouble;  ///< why it cannot
+  std::string name, serial;          ///< empty where it cannot be opened
+  std::optional<LinkError> trouble;  ///< why it cannot
 };
 
 struct UsbListing {
   std::vector<FoundFalcon> falcons;
-  std::optional<Error> trouble;  ///< why none can be listed
+  std::optional<LinkError> trouble;  ///< why none can be listed
 };
 
 /// Every Falcon on the bus, in its order. Opens each for a moment to read its serial.

@@ -15,7 +15,7 @@ namespace isotouch::falcon {
 struct PortReport {
   SessionState state = SessionState::kSearching;
   bool troubled = false;
-  Error trouble{};                ///< when `troubled`: why the last search found nothing, or how the device was lost
+  LinkError trouble{};            ///< when `troubled`: why the last search found nothing, or how the device was lost
   std::uint64_t boots = 0;        ///< ended so far
   BootReport boot;                ///< the last one's end, when there was one
   std::array<char, 24> serial{};  ///< of the device in use, ends with 0

@@ -27,7 +27,7 @@ Exchange FalconSession::step(const FalconCommand& command) {
       result = device_.exchange(command);
       if (!result.lost) break;
       ++losses_;
-      trouble_ = Error::kGone;
+      trouble_ = LinkError::kGone;
       device_.rest();
       search_again(settings_.search_ns);
       break;
@@ -46,7 +46,7 @@ void FalconSession::search() {
     clock_.sleep_until_ns(std::min(look_at_ns_, now + settings_.nap_ns));
     return;
   }
-  if (const Result<void> opened = link_.open(); !opened) {
+  if (const LinkResult<void> opened = link_.open(); !opened) {
     trouble_ = opened.error();
     look_at_ns_ = now + settings_.search_ns;
     return;

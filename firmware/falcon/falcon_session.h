@@ -45,7 +45,7 @@ class FalconSession {
 
   SessionState state() const { return state_; }
   /// Why the last search found nothing, or how the device was lost.
-  std::optional<Error> trouble() const { return trouble_; }
+  std::optional<LinkError> trouble() const { return trouble_; }
   /// How the last boot ended.
   const BootReport& last_boot() const { return last_boot_; }
   DeviceCounts counts() const { return device_.counts(); }
@@ -64,7 +64,7 @@ class FalconSession {
   BootWatch watch_;
   FalconDevice device_;
   SessionState state_ = SessionState::kSearching;
-  std::optional<Error> trouble_;
+  std::optional<LinkError> trouble_;
   BootReport last_boot_;
   std::int64_t look_at_ns_;
   std::uint64_t losses_ = 0;

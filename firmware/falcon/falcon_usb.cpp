@@ -35,12 +35,12 @@ class FalconUsb::Pipes {
   Pipes(const Pipes&) = delete;
   Pipes& operator=(const Pipes&) = delete;
 
-  Result<void> open(const std::string& serial, FalconIdentity& identity) {
-    if (libusb_init(&context_) != 0) return Error::kNoUsb;
-    Error why = Error::kNotFound;
-    const Result<void> listed = for_each_falcon(context_, [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
-      const Result<void> taken = take(device, descriptor, serial, identity);
-      if (!taken && (why == Error::kNotFound || taken.error() != Error::kNotFound)) why = taken.error();
+  LinkResult<void> open(const std::string& serial, FalconIdentity& identity) {
+    if (libusb_init(&context_) != 0) return LinkError::kNoUsb;
+    LinkError why = LinkError::kNotFound;
+    const LinkResult<void> listed = for_each_falcon(context_, [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
+      const LinkResult<void> taken = take(device, descriptor, serial, identity);
+      if (!taken && (why == LinkError::kNotFound || taken.error() != LinkError::kNotFound)) why = taken.error();
       return taken.has_value();
     });
     if (!listed) return listed.error();
@@ -48,42 +48,42 @@ class FalconUsb::Pipes {
     return begin();
   }
 
-  Result<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
-    if (gone_) return Error::kGone;
+  LinkResult<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
+    if (gone_) return LinkError::kGone;
     const int done =
         libusb_control_transfer(handle_, setup[0], setup[1], load_le<std::uint16_t>(&setup[2]), load_le<std::uint16_t>(&setup[4]),
                                 answer.data(), static_cast<std::uint16_t>(answer.size()), kControlMs);
     if (done >= 0) return static_cast<std::size_t>(done);
-    const Error error = usb_error(done);
-    gone_ = gone_ || error == Error::kGone;
+    const LinkError error = usb_error(done);
+    gone_ = gone_ || error == LinkError::kGone;
     return error;
   }
 
-  Result<std::size_t> write(std::span<const std::uint8_t> data, std::int64_t until_ns) {
+  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::int64_t until_ns) {
     const auto idle = [this] { return std::find_if(out_.begin(), out_.end(), [](const Out& out) { return !out.pending; }); };
     while (idle() == out_.end() && !gone_) {
-      if (!handle_events(until_ns)) return Error::kTimedOut;
+      if (!handle_events(until_ns)) return LinkError::kTimedOut;
     }
-    if (gone_) return Error::kGone;
-    if (std::exchange(out_stalled_, false)) return libusb_clear_halt(handle_, kOutEndpoint), Error::kStalled;
+    if (gone_) return LinkError::kGone;
+    if (std::exchange(out_stalled_, false)) return libusb_clear_halt(handle_, kOutEndpoint), LinkError::kStalled;
     Out& out = *idle();
     const std::size_t size = std::min(data.size(), out.bytes.size());
     std::copy_n(data.begin(), size, out.bytes.begin());
     libusb_fill_bulk_transfer(out.transfer, handle_, kOutEndpoint, out.bytes.data(), static_cast<int>(size), &Pipes::out_ended, &out,
                               kOutMs);
-    if (!submit(out)) return Error::kGone;
+    if (!submit(out)) return LinkError::kGone;
     return size;
   }
 
-  Result<std::size_t> read(std::span<std::uint8_t> buffer, std::int64_t until_ns) {
+  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::int64_t until_ns) {
     while (ended_size_ == 0) {
-      if (gone_) return Error::kGone;
+      if (gone_) return LinkError::kGone;
       if (std::exchange(in_stalled_, false)) {
         libusb_clear_halt(handle_, kInEndpoint);
         submit_idle();
-        return Error::kStalled;
+        return LinkError::kStalled;
       }
-      if (!handle_events(until_ns)) return Error::kTimedOut;
+      if (!handle_events(until_ns)) return LinkError::kTimedOut;
     }
     In& in = *ended_[ended_first_];
     ended_first_ = (ended_first_ + 1) % ended_.size();
@@ -107,19 +107,19 @@ class FalconUsb::Pipes {
   using In = Transfer<kUsbPacket>;
   using Out = Transfer<8 * kUsbPacket>;
 
-  Result<void> take(libusb_device* device, const libusb_device_descriptor& descriptor, const std::string& serial,
-                    FalconIdentity& identity) {
+  LinkResult<void> take(libusb_device* device, const libusb_device_descriptor& descriptor, const std::string& serial,
+                        FalconIdentity& identity) {
     libusb_device_handle* handle = nullptr;
     if (const int opened = libusb_open(device, &handle); opened != 0) return usb_error(opened);
-    const auto refuse = [&](Error error) {
+    const auto refuse = [&](LinkError error) {
       libusb_close(handle);
       return error;
     };
     FalconIdentity found = usb_identity(handle, descriptor);
-    if (!serial.empty() && serial != found.serial) return refuse(Error::kNotFound);
+    if (!serial.empty() && serial != found.serial) return refuse(LinkError::kNotFound);
     const int size = static_cast<int>(kUsbPacket);
     if (libusb_get_max_packet_size(device, kInEndpoint) != size || libusb_get_max_packet_size(device, kOutEndpoint) != size) {
-      return refuse(Error::kUnsuitable);
+      return refuse(LinkError::kUnsuitable);
     }
     libusb_set_auto_detach_kernel_driver(handle, 1);  // where that is not supported no driver is in the way either
     if (const int claimed = libusb_claim_interface(handle, kInterface); claimed != 0) return refuse(usb_error(claimed));
@@ -128,19 +128,19 @@ class FalconUsb::Pipes {
     return {};
   }
 
-  Result<void> begin() {
+  LinkResult<void> begin() {
     for (In& in : in_) {
       in.transfer = libusb_alloc_transfer(0);
-      if (in.transfer == nullptr) return Error::kGone;
+      if (in.transfer == nullptr) return LinkError::kGone;
       libusb_fill_bulk_transfer(in.transfer, handle_, kInEndpoint, in.bytes.data(), static_cast<int>(in.bytes.size()), &Pipes::in_ended,
                                 &in, 0);
     }
     for (Out& out : out_) {
       out.transfer = libusb_alloc_transfer(0);
-      if (out.transfer == nullptr) return Error::kGone;
+      if (out.transfer == nullptr) return LinkError::kGone;
     }
     submit_idle();
-    if (gone_) return Error::kGone;
+    if (gone_) return LinkError::kGone;
     return {};
   }
 
@@ -240,10 +240,10 @@ FalconUsb::FalconUsb(loop::Clock& clock, std::string serial) : clock_(clock), se
 
 FalconUsb::~FalconUsb() = default;
 
-Result<void> FalconUsb::open() {
+LinkResult<void> FalconUsb::open() {
   close();
   auto pipes = std::make_unique<Pipes>(clock_);
-  const Result<void> opened = pipes->open(serial_, identity_);
+  const LinkResult<void> opened = pipes->open(serial_, identity_);
   if (opened) pipes_ = std::move(pipes);
   return opened;
 }
@@ -252,19 +252,19 @@ void FalconUsb::close() { pipes_.reset(); }
 
 bool FalconUsb::is_open() const { return pipes_ != nullptr; }
 
-Result<std::size_t> FalconUsb::control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
-  if (!pipes_) return Error::kGone;
+LinkResult<std::size_t> FalconUsb::control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
+  if (!pipes_) return LinkError::kGone;
   return pipes_->control(setup, answer);
 }
 
-Result<std::size_t> FalconUsb::write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) {
-  if (!pipes_) return Error::kGone;
+LinkResult<std::size_t> FalconUsb::write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) {
+  if (!pipes_) return LinkError::kGone;
   return pipes_->write(data, clock_.now_ns() + std::int64_t{timeout_ms} * kMs);
 }
 
-Result<std::size_t> FalconUsb::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
+LinkResult<std::size_t> FalconUsb::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
   assert(buffer.size() >= kUsbPacket);
-  if (!pipes_) return Error::kGone;
+  if (!pipes_) return LinkError::kGone;
   return pipes_->read(buffer, clock_.now_ns() + std::int64_t{timeout_ms} * kMs);
 }
 

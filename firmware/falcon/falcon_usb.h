@@ -21,16 +21,16 @@ class FalconUsb final : public FalconLink {
   FalconUsb(const FalconUsb&) = delete;
   FalconUsb& operator=(const FalconUsb&) = delete;
 
-  Result<void> open() override;
+  LinkResult<void> open() override;
   /// Lets what was written go out, cancels the rest, and waits for the cancelled: up to 1 s.
   void close() override;
   bool is_open() const override;
   const FalconIdentity& identity() const override { return identity_; }
-  Result<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) override;
+  LinkResult<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) override;
   /// Takes up to 512 bytes. What goes wrong on their way is told by the next call.
-  Result<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) override;
+  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) override;
   /// One USB packet a call.
-  Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override;
+  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override;
 
  private:
   class Pipes;

@@ -20,12 +20,12 @@ constexpr std::size_t kMaxWrite = 4096;
 constexpr std::uint32_t kPatienceMs = 2000;  // beyond the request's own timeout: a simulator that hangs is gone
 constexpr std::size_t kDescriptor = 18;
 
-Error error_of(int code) {
+LinkError error_of(int code) {
   switch (code) {
     case EACCES:
-    case EPERM: return Error::kNotAllowed;
-    case EAGAIN: return Error::kBusy;
-    default: return Error::kNotFound;
+    case EPERM: return LinkError::kNotAllowed;
+    case EAGAIN: return LinkError::kBusy;
+    default: return LinkError::kNotFound;
   }
 }
 
@@ -35,24 +35,24 @@ SimLink::SimLink(std::string path) : path_(std::move(path)), message_(kMaxMessag
 
 SimLink::~SimLink() { SimLink::close(); }
 
-Result<void> SimLink::open() {
+LinkResult<void> SimLink::open() {
   close();
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  if (path_.size() >= sizeof address.sun_path) return Error::kNotFound;
+  if (path_.size() >= sizeof address.sun_path) return LinkError::kNotFound;
   std::copy(path_.begin(), path_.end(), address.sun_path);
   socket_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
   if (socket_ < 0) return error_of(errno);
   if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    const Error error = error_of(errno);
+    const LinkError error = error_of(errno);
     close();
     return error;
   }
-  const Result<std::span<const std::uint8_t>> answer = ask('D', 1, 0);
+  const LinkResult<std::span<const std::uint8_t>> answer = ask('D', 1, 0);
   if (!answer) return answer.error();
   if (take_identity(*answer)) return {};
   close();
-  return Error::kUnsuitable;
+  return LinkError::kUnsuitable;
 }
 
 void SimLink::close() {
@@ -60,29 +60,29 @@ void SimLink::close() {
   socket_ = -1;
 }
 
-Result<std::size_t> SimLink::control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
+LinkResult<std::size_t> SimLink::control(const UsbSetup& setup, std::span<std::uint8_t> answer) {
   std::copy(setup.begin(), setup.end(), message_.begin() + 1);
-  const Result<std::span<const std::uint8_t>> data = ask_for_status('C', 1 + setup.size(), 0);
+  const LinkResult<std::span<const std::uint8_t>> data = ask_for_status('C', 1 + setup.size(), 0);
   if (!data) return data.error();
   const std::size_t size = std::min(data->size(), answer.size());
   std::copy_n(data->begin(), size, answer.begin());
   return size;
 }
 
-Result<std::size_t> SimLink::write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) {
+LinkResult<std::size_t> SimLink::write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) {
   const std::size_t size = std::min(data.size(), kMaxWrite);
   std::copy_n(data.begin(), size, message_.begin() + 1);
-  const Result<std::span<const std::uint8_t>> answer = ask_for_status('O', 1 + size, timeout_ms);
+  const LinkResult<std::span<const std::uint8_t>> answer = ask_for_status('O', 1 + size, timeout_ms);
   if (!answer) return answer.error();
   if (answer->size() < 2) return gone();
   return std::min<std::size_t>(load_le<std::uint16_t>(answer->data()), size);
 }
 
-Result<std::size_t> SimLink::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
+LinkResult<std::size_t> SimLink::read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) {
   const std::size_t capacity = std::min<std::size_t>(buffer.size(), kMaxWrite) / kUsbPacket * kUsbPacket;
   store_le(&message_[1], static_cast<std::uint16_t>(capacity));
   store_le(&message_[3], std::max(timeout_ms, 1U));  // to the simulator, as on USB, 0 is for ever
-  const Result<std::span<const std::uint8_t>> data = ask_for_status('I', 7, timeout_ms);
+  const LinkResult<std::span<const std::uint8_t>> data = ask_for_status('I', 7, timeout_ms);
   if (!data) return data.error();
   if (data->size() > capacity) return gone();
   std::copy(data->begin(), data->end(), buffer.begin());
@@ -90,8 +90,8 @@ Result<std::size_t> SimLink::read(std::span<std::uint8_t> buffer, std::uint32_t 
 }
 
 /// Sends the first `size` bytes of the message and returns what follows the kind in the answer.
-Result<std::span<const std::uint8_t>> SimLink::ask(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms) {
-  if (socket_ < 0) return Error::kGone;
+LinkResult<std::span<const std::uint8_t>> SimLink::ask(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms) {
+  if (socket_ < 0) return LinkError::kGone;
   message_[0] = kind;
   if (::send(socket_, message_.data(), size, MSG_NOSIGNAL) != static_cast<ssize_t>(size)) return gone();
   pollfd ready{socket_, POLLIN, 0};
@@ -107,14 +107,14 @@ Result<std::span<const std::uint8_t>> SimLink::ask(std::uint8_t kind, std::size_
 }
 
 /// As `ask`, without the status that the answer begins with.
-Result<std::span<const std::uint8_t>> SimLink::ask_for_status(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms) {
-  const Result<std::span<const std::uint8_t>> answer = ask(kind, size, timeout_ms);
+LinkResult<std::span<const std::uint8_t>> SimLink::ask_for_status(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms) {
+  const LinkResult<std::span<const std::uint8_t>> answer = ask(kind, size, timeout_ms);
   if (!answer) return answer;
   if (answer->empty()) return gone();
   switch (answer->front()) {
     case 0: return answer->subspan(1);
-    case 1: return Error::kStalled;
-    case 2: return Error::kTimedOut;
+    case 1: return LinkError::kStalled;
+    case 2: return LinkError::kTimedOut;
     default: return gone();
   }
 }
@@ -134,9 +134,9 @@ bool SimLink::take_identity(std::span<const std::uint8_t> answer) {
 }
 
 /// Whatever breaks the dialogue ends it: request and answer would no longer belong together.
-Error SimLink::gone() {
+LinkError SimLink::gone() {
   close();
-  return Error::kGone;
+  return LinkError::kGone;
 }
 
 }  // namespace isotouch::falcon

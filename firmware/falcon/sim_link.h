@@ -23,19 +23,19 @@ class SimLink final : public FalconLink {
   SimLink(const SimLink&) = delete;
   SimLink& operator=(const SimLink&) = delete;
 
-  Result<void> open() override;
+  LinkResult<void> open() override;
   void close() override;
   bool is_open() const override { return socket_ >= 0; }
   const FalconIdentity& identity() const override { return identity_; }
-  Result<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) override;
-  Result<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) override;
-  Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override;
+  LinkResult<std::size_t> control(const UsbSetup& setup, std::span<std::uint8_t> answer) override;
+  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t timeout_ms) override;
+  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override;
 
  private:
-  Result<std::span<const std::uint8_t>> ask(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms);
-  Result<std::span<const std::uint8_t>> ask_for_status(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms);
+  LinkResult<std::span<const std::uint8_t>> ask(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms);
+  LinkResult<std::span<const std::uint8_t>> ask_for_status(std::uint8_t kind, std::size_t size, std::uint32_t timeout_ms);
   bool take_identity(std::span<const std::uint8_t> answer);
-  Error gone();
+  LinkError gone();
 
   std::string path_;
   int socket_ = -1;

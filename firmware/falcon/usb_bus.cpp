@@ -7,14 +7,14 @@
 
 namespace isotouch::falcon {
 
-Error usb_error(int code) {
+LinkError usb_error(int code) {
   switch (code) {
-    case LIBUSB_ERROR_ACCESS: return Error::kNotAllowed;
-    case LIBUSB_ERROR_BUSY: return Error::kBusy;
-    case LIBUSB_ERROR_NOT_FOUND: return Error::kNotFound;
-    case LIBUSB_ERROR_TIMEOUT: return Error::kTimedOut;
-    case LIBUSB_ERROR_PIPE: return Error::kStalled;
-    default: return Error::kGone;
+    case LIBUSB_ERROR_ACCESS: return LinkError::kNotAllowed;
+    case LIBUSB_ERROR_BUSY: return LinkError::kBusy;
+    case LIBUSB_ERROR_NOT_FOUND: return LinkError::kNotFound;
+    case LIBUSB_ERROR_TIMEOUT: return LinkError::kTimedOut;
+    case LIBUSB_ERROR_PIPE: return LinkError::kStalled;
+    default: return LinkError::kGone;
   }
 }
 
@@ -37,10 +37,10 @@ FalconIdentity usb_identity(libusb_device_handle* handle, const libusb_device_de
           text_of(handle, descriptor.iSerialNumber)};
 }
 
-Result<void> for_each_falcon(libusb_context* context, const FalconVisit& each) {
+LinkResult<void> for_each_falcon(libusb_context* context, const FalconVisit& each) {
   libusb_device** devices = nullptr;
   const auto count = libusb_get_device_list(context, &devices);
-  if (count < 0) return Error::kNoUsb;
+  if (count < 0) return LinkError::kNoUsb;
   bool found = false;
   for (decltype(+count) i = 0; i < count && !found; ++i) {
     libusb_device_descriptor descriptor{};
@@ -48,7 +48,7 @@ Result<void> for_each_falcon(libusb_context* context, const FalconVisit& each) {
     found = descriptor.idVendor == kFalconVendor && descriptor.idProduct == kFalconProduct && each(devices[i], descriptor);
   }
   libusb_free_device_list(devices, 1);
-  if (count == 0 && access("/dev/bus/usb", F_OK) != 0) return Error::kNoUsb;
+  if (count == 0 && access("/dev/bus/usb", F_OK) != 0) return LinkError::kNoUsb;
   return {};
 }
 

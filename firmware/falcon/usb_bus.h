@@ -10,7 +10,7 @@
 namespace isotouch::falcon {
 
 /// What went wrong; `code` is a negative libusb_error. One that has no word of its own counts as kGone: opening anew is the cure for all of them.
-Error usb_error(int code);
+LinkError usb_error(int code);
 
 /// Reads the strings of an opened device; empty where they cannot be read.
 FalconIdentity usb_identity(libusb_device_handle* handle, const libusb_device_descriptor& descriptor);
@@ -21,6 +21,6 @@ using FalconVisit = std::function<bool(libusb_device*, const libusb_device_descr
 /// Calls `each` with every Falcon on the bus, in the bus's order.
 ///
 /// fails     kNoUsb
-Result<void> for_each_falcon(libusb_context* context, const FalconVisit& each);
+LinkResult<void> for_each_falcon(libusb_context* context, const FalconVisit& each);
 
 }  // namespace isotouch::falcon

@@ -32,11 +32,11 @@ void append(std::string& text, std::uint32_t value, char end) {
 
 }  // namespace
 
-Result<AnglesAtZero> CalibrationStore::read(const std::string& serial) const {
-  if (!is_serial(serial)) return Error::kNotFound;
+StoreResult<AnglesAtZero> CalibrationStore::read(const std::string& serial) const {
+  if (!is_serial(serial)) return StoreError::kNotFound;
   std::array<std::uint8_t, kFileBytes> bytes{};
-  const Result<std::size_t> got = folder_.read(file_of(serial), bytes);
-  if (!got) return got.error() == Error::kBadSize ? Error::kBadChecksum : got.error();
+  const StoreResult<std::size_t> got = folder_.read(file_of(serial), bytes);
+  if (!got) return got.error() == StoreError::kTooLarge ? StoreError::kDamaged : got.error();
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), *got);
   std::array<std::uint32_t, kNumbers> numbers{};
   bool good = text.size() == kFileBytes;
@@ -46,12 +46,12 @@ Result<AnglesAtZero> CalibrationStore::read(const std::string& serial) const {
     good = failed == std::errc{} && end == begin + kDigits && *end == (i + 1 < kNumbers ? ' ' : '\n');
   }
   const AnglesAtZero angles = {Angle::from_raw(numbers[0]), Angle::from_raw(numbers[1]), Angle::from_raw(numbers[2])};
-  if (!good || numbers[3] != checksum(angles)) return Error::kBadChecksum;
+  if (!good || numbers[3] != checksum(angles)) return StoreError::kDamaged;
   return angles;
 }
 
-Result<void> CalibrationStore::put(const std::string& serial, const AnglesAtZero& angles) {
-  if (!is_serial(serial)) return Error::kNotAllowed;
+StoreResult<void> CalibrationStore::put(const std::string& serial, const AnglesAtZero& angles) {
+  if (!is_serial(serial)) return StoreError::kNotAllowed;
   std::string text;
   for (const Angle angle : angles) append(text, angle.raw(), ' ');
   append(text, checksum(angles), '\n');

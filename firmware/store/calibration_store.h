@@ -10,8 +10,8 @@
 #include <string>
 
 #include "firmware/store/folder.h"
+#include "firmware/store/store_error.h"
 #include "shared/angle.h"
-#include "shared/result.h"
 
 namespace isotouch::store {
 
@@ -22,14 +22,14 @@ class CalibrationStore {
   /// folder    lives longer; other files in it are left alone
   explicit CalibrationStore(Folder& folder) : folder_(folder) {}
 
-  /// fails     kNotFound; kBadChecksum: the file is not as above; as Folder::read
-  Result<AnglesAtZero> read(const std::string& serial) const;
+  /// fails     kNotFound; kDamaged: the file is not as above; as Folder::read
+  StoreResult<AnglesAtZero> read(const std::string& serial) const;
 
   /// It survives a power cut from here on.
   ///
   /// serial    letters and digits, at least one
-  /// fails     kNotAllowed, kNoSpace, kStorage: the one before is there, or, after kStorage, either
-  Result<void> put(const std::string& serial, const AnglesAtZero& angles);
+  /// fails     kNotAllowed, kNoSpace, kFailed: the one before is there, or, after kFailed, either
+  StoreResult<void> put(const std::string& serial, const AnglesAtZero& angles);
 
   /// Is it one that a file can be named after?
   static bool is_serial(const std::string& serial);

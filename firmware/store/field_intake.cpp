@@ -50,12 +50,12 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
   const std::lock_guard guard(exchanging_);
   if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
   const Before before = store_before(wanted);
-  const Result<std::size_t> bytes = store_->read(wanted, upload_);
-  if (!bytes && bytes.error() == Error::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
+  const StoreResult<std::size_t> bytes = store_->read(wanted, upload_);
+  if (!bytes && bytes.error() == StoreError::kNotFound) return {"no field of this hash is stored; list them with: isotouch fields", {}};
   if (!bytes) return {std::string("the stored field cannot be read: ") + describe(bytes.error()) + "; upload it again", {}};
   Refusal refusal = unpack(std::span(upload_).first(*bytes), wanted);
   if (!refusal) {
-    const Result<void> switched = store_->set_active(wanted);
+    const StoreResult<void> switched = store_->set_active(wanted);
     if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; check the state folder";
   }
   return activate(wanted, std::move(refusal), before);
@@ -65,7 +65,7 @@ Refusal FieldIntake::begin_with_active() {
   if (store_ == nullptr) return {};
   const std::optional<std::uint64_t> wanted = store_->active();
   if (!wanted) return {};
-  const Result<std::size_t> bytes = store_->read(*wanted, upload_);
+  const StoreResult<std::size_t> bytes = store_->read(*wanted, upload_);
   if (!bytes) return std::string("the field that was active last cannot be read: ") + describe(bytes.error()) + "; upload one";
   Refusal refusal = unpack(std::span(upload_).first(*bytes), *wanted);
   if (!refusal) refusal = publish(*wanted);
@@ -142,7 +142,7 @@ Refusal FieldIntake::unpack(const PackedField& packed) {
 /// Stored and chosen for the next start; when that fails the choice before stays.
 Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uint8_t> packed) {
   const std::optional<std::uint64_t> before = store_->active();
-  Result<void> stored = store_->put(field.image_hash, field.name.view(), packed);
+  StoreResult<void> stored = store_->put(field.image_hash, field.name.view(), packed);
   if (stored) stored = store_->set_active(field.image_hash);
   if (stored) return {};
   if (before) (void)store_->set_active(*before);

@@ -64,7 +64,7 @@ std::vector<StoredField> FieldStore::list() {
   for (const std::string& name : folder_.names()) {
     std::optional<StoredField> field = read_name(name);
     if (!field) continue;
-    const Result<std::uint64_t> size = folder_.size(name);
+    const StoreResult<std::uint64_t> size = folder_.size(name);
     field->bytes = size ? *size : 0;
     fields.push_back(*std::move(field));
   }
@@ -74,19 +74,19 @@ std::vector<StoredField> FieldStore::list() {
 
 std::optional<std::uint64_t> FieldStore::active() {
   std::array<std::uint8_t, kHashDigits + 1> text{};
-  const Result<std::size_t> got = folder_.read(kActive, text);
+  const StoreResult<std::size_t> got = folder_.read(kActive, text);
   if (!got || *got != text.size() || text.back() != '\n') return std::nullopt;
   return number<std::uint64_t>({reinterpret_cast<const char*>(text.data()), kHashDigits}, 16);
 }
 
-Result<std::size_t> FieldStore::read(std::uint64_t hash, std::span<std::uint8_t> out) {
+StoreResult<std::size_t> FieldStore::read(std::uint64_t hash, std::span<std::uint8_t> out) {
   for (const StoredField& field : list()) {
     if (field.hash == hash) return folder_.read(field.file, out);
   }
-  return Error::kNotFound;
+  return StoreError::kNotFound;
 }
 
-Result<void> FieldStore::put(std::uint64_t hash, std::string_view name, std::span<const std::uint8_t> packed) {
+StoreResult<void> FieldStore::put(std::uint64_t hash, std::string_view name, std::span<const std::uint8_t> packed) {
   std::uint32_t count = 0;
   std::string file;
   for (const StoredField& field : list()) {
@@ -94,15 +94,15 @@ Result<void> FieldStore::put(std::uint64_t hash, std::string_view name, std::spa
     if (field.hash == hash) file = field.file;
   }
   if (file.empty()) file = file_name(count + 1, hash, name);
-  const Result<void> written = write(file, packed);
+  const StoreResult<void> written = write(file, packed);
   if (written) drop_oldest(hash);
   return written;
 }
 
-Result<void> FieldStore::set_active(std::uint64_t hash) { return write(kActive, bytes_of(digits(hash, kHashDigits, 16) + "\n")); }
+StoreResult<void> FieldStore::set_active(std::uint64_t hash) { return write(kActive, bytes_of(digits(hash, kHashDigits, 16) + "\n")); }
 
-Result<void> FieldStore::take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove) {
-  Result<void> done = before ? set_active(*before) : folder_.remove(kActive);
+StoreResult<void> FieldStore::take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove) {
+  StoreResult<void> done = before ? set_active(*before) : folder_.remove(kActive);
   for (const StoredField& field : list()) {
     if (done && remove && field.hash == hash) done = folder_.remove(field.file);
   }
@@ -114,7 +114,7 @@ bool FieldStore::holds(std::uint64_t hash) {
   return std::any_of(fields.begin(), fields.end(), [&](const StoredField& field) { return field.hash == hash; });
 }
 
-Result<void> FieldStore::write(const std::string& file, std::span<const std::uint8_t> bytes) {
+StoreResult<void> FieldStore::write(const std::string& file, std::span<const std::uint8_t> bytes) {
   return write_whole(folder_, kPart, file, bytes);
 }
 

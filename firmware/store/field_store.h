@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "firmware/store/folder.h"
-#include "shared/result.h"
+#include "firmware/store/store_error.h"
 
 namespace isotouch::store {
 
@@ -42,29 +42,29 @@ class FieldStore {
   std::optional<std::uint64_t> active();
 
   /// The packed field of that hash. fails kNotFound and as Folder::read. What it holds is for the reader to check
-  Result<std::size_t> read(std::uint64_t hash, std::span<std::uint8_t> out);
+  StoreResult<std::size_t> read(std::uint64_t hash, std::span<std::uint8_t> out);
 
   /// Stores a field; it survives a power cut from here on. One of the same hash is replaced.
   ///
-  /// fails     kNotAllowed, kNoSpace, kStorage: then nothing that was stored is lost
-  Result<void> put(std::uint64_t hash, std::string_view name, std::span<const std::uint8_t> packed);
+  /// fails     kNotAllowed, kNoSpace, kFailed: then nothing that was stored is lost
+  StoreResult<void> put(std::uint64_t hash, std::string_view name, std::span<const std::uint8_t> packed);
 
   /// Says which stored field is the active one; survives a power cut from here on.
   ///
-  /// fails     as `put`; then it is the one before, or, after kStorage, either
-  Result<void> set_active(std::uint64_t hash);
+  /// fails     as `put`; then it is the one before, or, after kFailed, either
+  StoreResult<void> set_active(std::uint64_t hash);
 
   /// The next start begins with the field that was active before, and not with this one; survives a power cut from here on.
   ///
   /// before    nothing: with none
   /// remove    the field itself is taken away, too
-  /// fails     kNotAllowed, kNoSpace, kStorage
-  Result<void> take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove);
+  /// fails     kNotAllowed, kNoSpace, kFailed
+  StoreResult<void> take_back(std::uint64_t hash, std::optional<std::uint64_t> before, bool remove);
 
   bool holds(std::uint64_t hash);
 
  private:
-  Result<void> write(const std::string& file, std::span<const std::uint8_t> bytes);
+  StoreResult<void> write(const std::string& file, std::span<const std::uint8_t> bytes);
   void drop_oldest(std::uint64_t newest);
 
   Folder& folder_;

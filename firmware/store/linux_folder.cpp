@@ -12,20 +12,20 @@ namespace isotouch::store {
 
 namespace {
 
-Error error_of(int code) {
+StoreError error_of(int code) {
   switch (code) {
-    case ENOENT: return Error::kNotFound;
+    case ENOENT: return StoreError::kNotFound;
     case EACCES:
     case EPERM:
-    case EROFS: return Error::kNotAllowed;
+    case EROFS: return StoreError::kNotAllowed;
     case ENOSPC:
     case EDQUOT:
-    case EFBIG: return Error::kNoSpace;
-    default: return Error::kStorage;
+    case EFBIG: return StoreError::kNoSpace;
+    default: return StoreError::kFailed;
   }
 }
 
-Result<void> done_if(bool done) {
+StoreResult<void> done_if(bool done) {
   if (!done) return error_of(errno);
   return {};
 }
@@ -66,30 +66,30 @@ std::vector<std::string> LinuxFolder::names() {
   return names;
 }
 
-Result<std::uint64_t> LinuxFolder::size(const std::string& name) {
+StoreResult<std::uint64_t> LinuxFolder::size(const std::string& name) {
   struct stat about {};
   if (::fstatat(folder_, name.c_str(), &about, AT_SYMLINK_NOFOLLOW) != 0) return error_of(errno);
   return static_cast<std::uint64_t>(about.st_size);
 }
 
-Result<std::size_t> LinuxFolder::read(const std::string& name, std::span<std::uint8_t> out) {
-  const Result<std::uint64_t> bytes = size(name);
+StoreResult<std::size_t> LinuxFolder::read(const std::string& name, std::span<std::uint8_t> out) {
+  const StoreResult<std::uint64_t> bytes = size(name);
   if (!bytes) return bytes.error();
-  if (*bytes > out.size()) return Error::kBadSize;
+  if (*bytes > out.size()) return StoreError::kTooLarge;
   const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
   if (file.number < 0) return error_of(errno);
   std::size_t got = 0;
   while (got < out.size()) {
     const ssize_t more = ::read(file.number, out.data() + got, out.size() - got);
     if (more < 0 && errno == EINTR) continue;
-    if (more < 0) return Error::kStorage;
+    if (more < 0) return StoreError::kFailed;
     if (more == 0) break;
     got += static_cast<std::size_t>(more);
   }
   return got;
 }
 
-Result<void> LinuxFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) {
+StoreResult<void> LinuxFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) {
   const File file{::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600)};
   if (file.number < 0) return error_of(errno);
   while (!bytes.empty()) {
@@ -101,17 +101,17 @@ Result<void> LinuxFolder::write(const std::string& name, std::span<const std::ui
   return {};
 }
 
-Result<void> LinuxFolder::sync(const std::string& name) {
+StoreResult<void> LinuxFolder::sync(const std::string& name) {
   const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
   return done_if(file.number >= 0 && ::fsync(file.number) == 0);
 }
 
-Result<void> LinuxFolder::rename(const std::string& from, const std::string& to) {
+StoreResult<void> LinuxFolder::rename(const std::string& from, const std::string& to) {
   return done_if(::renameat(folder_, from.c_str(), folder_, to.c_str()) == 0);
 }
 
-Result<void> LinuxFolder::remove(const std::string& name) { return done_if(::unlinkat(folder_, name.c_str(), 0) == 0); }
+StoreResult<void> LinuxFolder::remove(const std::string& name) { return done_if(::unlinkat(folder_, name.c_str(), 0) == 0); }
 
-Result<void> LinuxFolder::sync_names() { return done_if(::fsync(folder_) == 0); }
+StoreResult<void> LinuxFolder::sync_names() { return done_if(::fsync(folder_) == 0); }
 
 }  // namespace isotouch::store

@@ -17,20 +17,20 @@ class LinuxFolder final : public Folder {
   LinuxFolder& operator=(const LinuxFolder&) = delete;
 
   bool is_open() const { return folder_ >= 0; }
-  Error trouble() const { return trouble_; }
+  StoreError trouble() const { return trouble_; }
 
   std::vector<std::string> names() override;
-  Result<std::uint64_t> size(const std::string& name) override;
-  Result<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override;
-  Result<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override;
-  Result<void> sync(const std::string& name) override;
-  Result<void> rename(const std::string& from, const std::string& to) override;
-  Result<void> remove(const std::string& name) override;
-  Result<void> sync_names() override;
+  StoreResult<std::uint64_t> size(const std::string& name) override;
+  StoreResult<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override;
+  StoreResult<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override;
+  StoreResult<void> sync(const std::string& name) override;
+  StoreResult<void> rename(const std::string& from, const std::string& to) override;
+  StoreResult<void> remove(const std::string& name) override;
+  StoreResult<void> sync_names() override;
 
  private:
   int folder_ = -1;
-  Error trouble_{};
+  StoreError trouble_{};
 };
 
 }  // namespace isotouch::store

@@ -10,8 +10,8 @@ constexpr const char* kName = "running";
 
 RunMark::RunMark(Folder& folder) : folder_(folder), left_(static_cast<bool>(folder.size(kName))) {}
 
-Result<void> RunMark::set() {
-  Result<void> done = folder_.write(kName, {});
+StoreResult<void> RunMark::set() {
+  StoreResult<void> done = folder_.write(kName, {});
   if (done) done = folder_.sync(kName);
   return done ? folder_.sync_names() : done;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "firmware/store/folder.h"
-#include "shared/result.h"
+#include "firmware/store/store_error.h"
 
 namespace isotouch::store {
 
@@ -17,8 +17,8 @@ class RunMark {
 
   /// It survives a power cut from here on.
   ///
-  /// fails     kNotAllowed, kNoSpace, kStorage: the next start knows nothing of this run
-  Result<void> set();
+  /// fails     kNotAllowed, kNoSpace, kFailed: the next start knows nothing of this run
+  StoreResult<void> set();
 
   /// The end of an orderly run. Where it fails, the next start finds it.
   void clear();

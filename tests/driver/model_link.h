@@ -26,8 +26,8 @@ class ModelLink final : public falcon::FalconLink {
 
   falcon_model::SimulatedFalcon falcon;
 
-  Result<void> open() override {
-    if (!falcon.open()) return Error::kNotFound;
+  falcon::LinkResult<void> open() override {
+    if (!falcon.open()) return falcon::LinkError::kNotFound;
     open_ = true;
     return {};
   }
@@ -35,26 +35,26 @@ class ModelLink final : public falcon::FalconLink {
   bool is_open() const override { return open_; }
   const falcon::FalconIdentity& identity() const override { return identity_; }
 
-  Result<std::size_t> control(const falcon::UsbSetup& setup, std::span<std::uint8_t> answer) override {
-    if (!there()) return Error::kGone;
+  falcon::LinkResult<std::size_t> control(const falcon::UsbSetup& setup, std::span<std::uint8_t> answer) override {
+    if (!there()) return falcon::LinkError::kGone;
     const falcon_model::ControlAnswer got = falcon.control(setup);
-    if (got.stalled) return Error::kStalled;
+    if (got.stalled) return falcon::LinkError::kStalled;
     const std::size_t size = std::min(answer.size(), got.data.size());
     std::copy_n(got.data.begin(), size, answer.begin());
     return size;
   }
 
-  Result<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
-    if (!there()) return Error::kGone;
+  falcon::LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
+    if (!there()) return falcon::LinkError::kGone;
     return falcon.write(data);
   }
 
   /// Data at once; else a bare status pair after a millisecond, when there is time for it.
-  Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
-    if (!there()) return Error::kGone;
-    if (!falcon.has_data() && timeout_ms == 0) return Error::kTimedOut;
+  falcon::LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
+    if (!there()) return falcon::LinkError::kGone;
+    if (!falcon.has_data() && timeout_ms == 0) return falcon::LinkError::kTimedOut;
     const falcon_model::Bytes transfer = falcon.read(buffer.size());
-    if (transfer.empty()) return Error::kGone;
+    if (transfer.empty()) return falcon::LinkError::kGone;
     if (transfer.size() <= 2 && timeout_ms > 0) clock_.now += 1'000'000;
     std::copy(transfer.begin(), transfer.end(), buffer.begin());
     return transfer.size();

@@ -28,7 +28,7 @@ TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
   falcon::PortReport report;
   EXPECT_EQ(device_line(report), "device: looking for one");
   report.troubled = true;
-  report.trouble = Error::kNotFound;
+  report.trouble = falcon::LinkError::kNotFound;
   EXPECT_EQ(device_line(report), "device: looking for one; no such device is there");
   report.state = falcon::SessionState::kBooting;
   EXPECT_EQ(device_line(report), "device: found, being brought up");

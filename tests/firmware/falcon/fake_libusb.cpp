@@ -180,7 +180,7 @@ int LIBUSB_CALL libusb_control_transfer(libusb_device_handle* handle, std::uint8
                         .falcon->control({type, request, low(value), high(value), low(index), high(index), low(length), high(length)},
                                          {data, static_cast<std::size_t>(length)});
   if (done) return static_cast<int>(*done);
-  return done.error() == isotouch::Error::kStalled ? LIBUSB_ERROR_PIPE : LIBUSB_ERROR_NO_DEVICE;
+  return done.error() == isotouch::falcon::LinkError::kStalled ? LIBUSB_ERROR_PIPE : LIBUSB_ERROR_NO_DEVICE;
 }
 
 int LIBUSB_CALL libusb_clear_halt(libusb_device_handle* /*handle*/, unsigned char /*endpoint*/) {

@@ -251,7 +251,7 @@ TEST(FalconBoot, EndsAtOnceWhenTheDeviceIsUnpluggedAtAnyStage) {
       return true;
     });
     EXPECT_EQ(report.outcome, BootOutcome::kLinkFailed) << name(stage);
-    EXPECT_EQ(report.error, Error::kGone) << name(stage);
+    EXPECT_EQ(report.error, LinkError::kGone) << name(stage);
     EXPECT_LE(report.attempts, 1);
     ++stages;
   }

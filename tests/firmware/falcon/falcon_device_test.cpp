@@ -148,17 +148,17 @@ TEST(FalconDevice, ReadsRepliesInPieces) {
 /// Takes everything, answers at once, and allocates nothing.
 class QuietLink final : public FalconLink {
  public:
-  Result<void> open() override { return {}; }
+  LinkResult<void> open() override { return {}; }
   void close() override {}
   bool is_open() const override { return true; }
   const FalconIdentity& identity() const override { return identity_; }
-  Result<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
-  Result<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
+  LinkResult<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
+  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
     waiting_ = true;
     return data.size();
   }
-  Result<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t /*timeout_ms*/) override {
-    if (!waiting_) return Error::kTimedOut;
+  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t /*timeout_ms*/) override {
+    if (!waiting_) return LinkError::kTimedOut;
     waiting_ = false;
     const FalconPacket packet = encode(FalconReply{});
     buffer[0] = 0x01, buffer[1] = 0x60;

@@ -31,14 +31,14 @@ TEST(FalconList, HasALineForEveryFalcon) {
 TEST(FalconList, IsASentenceWhenThereIsNone) {
   fake_bus() = {};
   fake_bus().init_error = LIBUSB_ERROR_OTHER;
-  EXPECT_EQ(list_falcons().trouble, Error::kNoUsb);
+  EXPECT_EQ(list_falcons().trouble, LinkError::kNoUsb);
   EXPECT_THAT(explain(list_falcons()), HasSubstr("no Falcon to list: this machine offers no USB to programs; "));
   test::FakeClock clock;
   test::FakeFalcon keyboard(clock);
   fake_bus() = {};
   fake_bus().devices = {{&keyboard}};
   fake_bus().devices[0].product = 0x6001;
-  EXPECT_EQ(list_falcons().trouble, Error::kNotFound);
+  EXPECT_EQ(list_falcons().trouble, LinkError::kNotFound);
   EXPECT_EQ(explain(list_falcons()), "no Falcon to list: no such device is there; plug in its USB cable, or start the simulated one");
 }
 

@@ -59,7 +59,7 @@ TEST(FalconSession, SurvivesAnyNumberOfUnplugs) {
     EXPECT_EQ(desk.session.state(), SessionState::kSearching);
     EXPECT_EQ(desk.session.losses(), static_cast<std::uint64_t>(i));
     for (int k = 0; k < 200; ++k) EXPECT_TRUE(desk.session.step({}).lost);
-    EXPECT_EQ(desk.session.trouble(), Error::kNotFound);
+    EXPECT_EQ(desk.session.trouble(), LinkError::kNotFound);
     desk.falcon.faults.present = true;
     ASSERT_TRUE(desk.reaches(SessionState::kRunning));
     EXPECT_EQ(desk.session.last_boot().outcome, power_too ? BootOutcome::kLoaded : BootOutcome::kAlreadyRunning);

@@ -72,7 +72,7 @@ TEST(FalconUsb, ChoosesBySerialPastOtherDevices) {
   ASSERT_TRUE(second.open());
   EXPECT_EQ(second.identity().serial, "FAKE0002");
   second.close();
-  EXPECT_EQ(third.open().error(), Error::kNotFound);
+  EXPECT_EQ(third.open().error(), LinkError::kNotFound);
   EXPECT_FALSE(keyboard.is_open());
 }
 
@@ -84,16 +84,16 @@ TEST(FalconUsb, TakesAnotherWhenTheFirstIsHeldAndElseSaysWhy) {
   ASSERT_TRUE(link.open());
   link.close();
   fake_bus().devices.pop_back();
-  EXPECT_EQ(link.open().error(), Error::kBusy);
+  EXPECT_EQ(link.open().error(), LinkError::kBusy);
   fake_bus().devices[0].open_error = LIBUSB_ERROR_ACCESS;
-  EXPECT_EQ(link.open().error(), Error::kNotAllowed);
+  EXPECT_EQ(link.open().error(), LinkError::kNotAllowed);
   fake_bus().devices = {{&desk.falcon}};
   fake_bus().devices[0].packet_size = 512;
-  EXPECT_EQ(link.open().error(), Error::kUnsuitable);
+  EXPECT_EQ(link.open().error(), LinkError::kUnsuitable);
   desk.falcon.faults.present = false;
-  EXPECT_NE(link.open().error(), Error::kUnsuitable);
+  EXPECT_NE(link.open().error(), LinkError::kUnsuitable);
   fake_bus().init_error = LIBUSB_ERROR_OTHER;
-  EXPECT_EQ(link.open().error(), Error::kNoUsb);
+  EXPECT_EQ(link.open().error(), LinkError::kNoUsb);
 }
 
 TEST(FalconUsb, CarriesABootAndAThousandExchangesWithAllTransfersPending) {
@@ -127,7 +127,7 @@ TEST(FalconUsb, KeepsTheOrderOfBytesWhenManyPacketsWait) {
   desk.falcon.send(sent);
   Bytes got, buffer(64);
   while (got.size() < sent.size()) {
-    const Result<std::size_t> size = link.read(buffer, 5);
+    const LinkResult<std::size_t> size = link.read(buffer, 5);
     ASSERT_TRUE(size);
     ASSERT_EQ(*size, 3U);
     got.push_back(buffer[2]);
@@ -143,7 +143,7 @@ TEST(FalconUsb, AReadWithoutDataEndsInTime) {
   Bytes buffer(64);
   for (const std::uint32_t timeout : {0U, 1U, 20U}) {
     const std::int64_t began = desk.clock.now;
-    EXPECT_EQ(link.read(buffer, timeout).error(), Error::kTimedOut);
+    EXPECT_EQ(link.read(buffer, timeout).error(), LinkError::kTimedOut);
     EXPECT_EQ(desk.clock.now - began, std::int64_t{timeout} * 1'000'000);
   }
 }
@@ -156,10 +156,10 @@ TEST(FalconUsb, AnUnplugIsSeenByEveryCallAndAReplugIsANewOpening) {
     Bytes buffer(64);
     desk.falcon.faults.present = false;
     if (call < 2) {
-      EXPECT_EQ((call == 0 ? link.control(ft232::kPurge1, {}) : link.write(buffer, 5)).error(), Error::kGone);
+      EXPECT_EQ((call == 0 ? link.control(ft232::kPurge1, {}) : link.write(buffer, 5)).error(), LinkError::kGone);
     }
-    EXPECT_EQ(link.read(buffer, 5).error(), Error::kGone);
-    EXPECT_EQ(link.read(buffer, 0).error(), Error::kGone);
+    EXPECT_EQ(link.read(buffer, 5).error(), LinkError::kGone);
+    EXPECT_EQ(link.read(buffer, 0).error(), LinkError::kGone);
     link.close();
     EXPECT_FALSE(link.open());
     desk.falcon.faults.present = true;
@@ -178,17 +178,17 @@ TEST(FalconUsb, StallsAndDisturbedTransfersAreOvercome) {
   desk.falcon.send({1});
   EXPECT_EQ(link.read(buffer, 50).value(), 3U);
   fake_bus().stall_in = 1;
-  EXPECT_EQ(link.read(buffer, 50).error(), Error::kStalled);
+  EXPECT_EQ(link.read(buffer, 50).error(), LinkError::kStalled);
   desk.falcon.send({2});
   EXPECT_EQ(link.read(buffer, 50).value(), 3U);
   fake_bus().stall_out = 1;
   EXPECT_TRUE(link.write(buffer, 5));
-  EXPECT_EQ(link.read(buffer, 5).error(), Error::kTimedOut);
-  EXPECT_EQ(link.write(buffer, 5).error(), Error::kStalled);
+  EXPECT_EQ(link.read(buffer, 5).error(), LinkError::kTimedOut);
+  EXPECT_EQ(link.write(buffer, 5).error(), LinkError::kStalled);
   EXPECT_TRUE(link.write(buffer, 5));
   EXPECT_EQ(fake_bus().clear_halts, 2);
   fake_bus().line_errors = 1000;
-  EXPECT_EQ(link.read(buffer, 500).error(), Error::kGone) << "nothing but errors";
+  EXPECT_EQ(link.read(buffer, 500).error(), LinkError::kGone) << "nothing but errors";
 }
 
 TEST(FalconUsb, SeveralWritesAreOnTheirWayAtOnce) {
@@ -208,9 +208,9 @@ TEST(FalconUsb, ClosedItIsGone) {
   Desk desk;
   FalconUsb link(desk.clock);
   Bytes buffer(64);
-  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), Error::kGone);
-  EXPECT_EQ(link.write(buffer, 1).error(), Error::kGone);
-  EXPECT_EQ(link.read(buffer, 1).error(), Error::kGone);
+  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), LinkError::kGone);
+  EXPECT_EQ(link.write(buffer, 1).error(), LinkError::kGone);
+  EXPECT_EQ(link.read(buffer, 1).error(), LinkError::kGone);
 }
 
 }  // namespace

@@ -121,15 +121,15 @@ TEST(SimLink, StatusesAreErrors) {
   ASSERT_TRUE(link.open());
   Bytes buffer(64);
   status = 1;
-  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), Error::kStalled);
-  EXPECT_EQ(link.write(buffer, 1).error(), Error::kStalled);
+  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), LinkError::kStalled);
+  EXPECT_EQ(link.write(buffer, 1).error(), LinkError::kStalled);
   status = 2;
-  EXPECT_EQ(link.read(buffer, 1).error(), Error::kTimedOut);
+  EXPECT_EQ(link.read(buffer, 1).error(), LinkError::kTimedOut);
   EXPECT_TRUE(link.is_open());
   status = 3;
-  EXPECT_EQ(link.read(buffer, 1).error(), Error::kGone);
+  EXPECT_EQ(link.read(buffer, 1).error(), LinkError::kGone);
   EXPECT_FALSE(link.is_open());
-  EXPECT_EQ(link.read(buffer, 1).error(), Error::kGone);
+  EXPECT_EQ(link.read(buffer, 1).error(), LinkError::kGone);
 }
 
 TEST(SimLink, ReplugIsANewConnection) {
@@ -143,7 +143,7 @@ TEST(SimLink, ReplugIsANewConnection) {
   for (int i = 0; i < 3; ++i) {
     ASSERT_TRUE(link.open());
     EXPECT_TRUE(link.control(ft232::kPurge1, {}));
-    EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), Error::kGone);
+    EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), LinkError::kGone);
     EXPECT_FALSE(link.is_open());
   }
 }
@@ -156,7 +156,7 @@ TEST(SimLink, WhatBreaksTheContractIsGoneOrUnsuitable) {
     Desk desk;
     const Server server(desk.path, 1, [&](const Bytes&) { return answer; });
     SimLink link(desk.path);
-    EXPECT_EQ(link.open().error(), Error::kUnsuitable);
+    EXPECT_EQ(link.open().error(), LinkError::kUnsuitable);
     EXPECT_FALSE(link.is_open());
   }
   for (const Bytes& answer : {Bytes{'x', 0}, Bytes{'i'}, Bytes(67, 'i')}) {
@@ -167,7 +167,7 @@ TEST(SimLink, WhatBreaksTheContractIsGoneOrUnsuitable) {
     SimLink link(desk.path);
     ASSERT_TRUE(link.open());
     Bytes buffer(64);
-    EXPECT_EQ(link.read(buffer, 1).error(), Error::kGone);
+    EXPECT_EQ(link.read(buffer, 1).error(), LinkError::kGone);
     EXPECT_FALSE(link.is_open());
   }
 }
@@ -175,9 +175,9 @@ TEST(SimLink, WhatBreaksTheContractIsGoneOrUnsuitable) {
 TEST(SimLink, NobodyThereIsNotFound) {
   Desk desk;
   SimLink link(desk.path);
-  EXPECT_EQ(link.open().error(), Error::kNotFound);
-  EXPECT_EQ(SimLink(std::string(200, 'x')).open().error(), Error::kNotFound);
-  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), Error::kGone);
+  EXPECT_EQ(link.open().error(), LinkError::kNotFound);
+  EXPECT_EQ(SimLink(std::string(200, 'x')).open().error(), LinkError::kNotFound);
+  EXPECT_EQ(link.control(ft232::kPurge1, {}).error(), LinkError::kGone);
 }
 
 }  // namespace

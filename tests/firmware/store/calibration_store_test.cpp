@@ -18,7 +18,7 @@ void write(CrashingFolder& folder, const std::string& name, const std::string& t
 TEST(CalibrationStore, KeepsOneForEachSerial) {
   CrashingFolder folder;
   CalibrationStore store(folder);
-  EXPECT_EQ(store.read("A1").error(), Error::kNotFound);
+  EXPECT_EQ(store.read("A1").error(), StoreError::kNotFound);
   ASSERT_TRUE(store.put("A1", angles(0x18E38E39)));
   ASSERT_TRUE(store.put("B2", angles(2)));
   ASSERT_TRUE(store.put("B2", angles(3)));
@@ -45,7 +45,7 @@ TEST(CalibrationStore, AFileWithOneBitChangedIsNoCalibration) {
   }
   for (const std::string& text : {std::string(), std::string(good.begin(), good.end() - 1), std::string(good.begin(), good.end()) + "x"}) {
     write(folder, "calibration-A1", text);
-    EXPECT_EQ(store.read("A1").error(), Error::kBadChecksum);
+    EXPECT_EQ(store.read("A1").error(), StoreError::kDamaged);
   }
 }
 
@@ -55,7 +55,7 @@ TEST(CalibrationStore, ASerialNamesAFileAndNothingElse) {
   for (const char* good : {"12PZ657E", "x", "123456789012345678901234"}) EXPECT_TRUE(CalibrationStore::is_serial(good)) << good;
   CrashingFolder folder;
   CalibrationStore store(folder);
-  EXPECT_EQ(store.put("../x", angles(1)).error(), Error::kNotAllowed);
+  EXPECT_EQ(store.put("../x", angles(1)).error(), StoreError::kNotAllowed);
   EXPECT_TRUE(folder.names().empty());
 }
 

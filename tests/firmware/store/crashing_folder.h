@@ -52,36 +52,36 @@ class CrashingFolder final : public Folder {
     std::reverse(all.begin(), all.end());  // in any order
     return all;
   }
-  Result<std::uint64_t> size(const std::string& name) override {
-    if (names_.count(name) == 0) return Error::kNotFound;
+  StoreResult<std::uint64_t> size(const std::string& name) override {
+    if (names_.count(name) == 0) return StoreError::kNotFound;
     return std::uint64_t{names_.at(name)->bytes.size()};
   }
-  Result<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override {
-    if (names_.count(name) == 0) return Error::kNotFound;
+  StoreResult<std::size_t> read(const std::string& name, std::span<std::uint8_t> out) override {
+    if (names_.count(name) == 0) return StoreError::kNotFound;
     const FileBytes& bytes = names_.at(name)->bytes;
-    if (bytes.size() > out.size()) return Error::kBadSize;
+    if (bytes.size() > out.size()) return StoreError::kTooLarge;
     std::copy(bytes.begin(), bytes.end(), out.begin());
     return bytes.size();
   }
-  Result<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override {
+  StoreResult<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override {
     const bool first_without_power = steps_left == 0 && !failed_;  // it falls into this write: a part of the bytes may be there
-    if (!step() && !first_without_power) return Error::kStorage;
+    if (!step() && !first_without_power) return StoreError::kFailed;
     const std::size_t taken = first_without_power || full ? bytes.size() / 3 : bytes.size();
     const auto inode = std::make_shared<File>();
     inode->bytes.assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(taken));
     change([name, inode](auto& names) { names[name] = inode; });
-    if (first_without_power) return Error::kStorage;
-    if (full) return Error::kNoSpace;
+    if (first_without_power) return StoreError::kFailed;
+    if (full) return StoreError::kNoSpace;
     return {};
   }
-  Result<void> sync(const std::string& name) override {
-    if (!step()) return Error::kStorage;
+  StoreResult<void> sync(const std::string& name) override {
+    if (!step()) return StoreError::kFailed;
     names_.at(name)->synced = true;
     return {};
   }
-  Result<void> rename(const std::string& from, const std::string& to) override {
-    if (!step()) return Error::kStorage;
-    if (names_.count(from) == 0) return Error::kNotFound;
+  StoreResult<void> rename(const std::string& from, const std::string& to) override {
+    if (!step()) return StoreError::kFailed;
+    if (names_.count(from) == 0) return StoreError::kNotFound;
     // Applied to what a power cut left, the old name may be missing: then nothing is renamed.
     change([from, to](auto& names) {
       if (names.count(from) == 0) return;
@@ -90,14 +90,14 @@ class CrashingFolder final : public Folder {
     });
     return {};
   }
-  Result<void> remove(const std::string& name) override {
-    if (!step()) return Error::kStorage;
-    if (names_.count(name) == 0) return Error::kNotFound;
+  StoreResult<void> remove(const std::string& name) override {
+    if (!step()) return StoreError::kFailed;
+    if (names_.count(name) == 0) return StoreError::kNotFound;
     change([name](auto& names) { names.erase(name); });
     return {};
   }
-  Result<void> sync_names() override {
-    if (!step()) return Error::kStorage;
+  StoreResult<void> sync_names() override {
+    if (!step()) return StoreError::kFailed;
     synced_ = names_;
     pending_.clear();
     return {};

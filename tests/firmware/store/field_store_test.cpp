@@ -18,7 +18,7 @@ std::uint64_t boots_with(FieldStore& store) {
   const auto hash = store.active();
   if (!hash) return 0;
   FileBytes bytes(100);
-  const Result<std::size_t> got = store.read(*hash, bytes);
+  const StoreResult<std::size_t> got = store.read(*hash, bytes);
   EXPECT_TRUE(got) << "the active field is not there";
   bytes.resize(got ? *got : 0);
   EXPECT_EQ(bytes, field(*hash)) << "the active field is not whole";
@@ -46,7 +46,7 @@ TEST(FieldStore, WhatIsStoredIsListedReadAndActive) {
   EXPECT_EQ(fields[1].file, "00000002-0000000000000def-a_b____c_itf.itf") << "nothing of a name leaves the folder";
   EXPECT_EQ(fields[1].bytes, field(0xDEF).size());
   FileBytes out(100);
-  EXPECT_EQ(store.read(1, out).error(), Error::kNotFound);
+  EXPECT_EQ(store.read(1, out).error(), StoreError::kNotFound);
 }
 
 TEST(FieldStore, TheOldestGoFirstAndTheActiveOneStays) {
@@ -86,8 +86,8 @@ TEST(FieldStore, AFullStorageRefusesAndLosesNothing) {
   ASSERT_TRUE(upload(store, 1));
   ASSERT_TRUE(upload(store, 2));
   folder.full = true;
-  EXPECT_EQ(store.put(3, "", field(3)).error(), Error::kNoSpace);
-  EXPECT_EQ(store.set_active(1).error(), Error::kNoSpace);
+  EXPECT_EQ(store.put(3, "", field(3)).error(), StoreError::kNoSpace);
+  EXPECT_EQ(store.set_active(1).error(), StoreError::kNoSpace);
   EXPECT_EQ(hashes(store), (std::vector<std::uint64_t>{1, 2}));
   EXPECT_EQ(boots_with(store), 2U);
   EXPECT_THAT(folder.names(), testing::Not(testing::Contains("new.part"))) << "what was begun is taken back";

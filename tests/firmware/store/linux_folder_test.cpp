@@ -30,11 +30,11 @@ TEST(LinuxFolder, DoesWhatItSays) {
   EXPECT_EQ(folder.read("b", out).value(), 3U);
   out.resize(3);
   EXPECT_EQ(out, kBytes);
-  EXPECT_EQ(folder.read("b", std::span(out).first(2)).error(), Error::kBadSize);
-  EXPECT_EQ(folder.size("a").error(), Error::kNotFound);
-  EXPECT_EQ(folder.sync("a").error(), Error::kNotFound);
+  EXPECT_EQ(folder.read("b", std::span(out).first(2)).error(), StoreError::kTooLarge);
+  EXPECT_EQ(folder.size("a").error(), StoreError::kNotFound);
+  EXPECT_EQ(folder.sync("a").error(), StoreError::kNotFound);
   ASSERT_TRUE(folder.remove("b"));
-  EXPECT_EQ(folder.remove("b").error(), Error::kNotFound);
+  EXPECT_EQ(folder.remove("b").error(), StoreError::kNotFound);
   struct stat about {};
   ASSERT_EQ(::stat((scratch.path() / "state").c_str(), &about), 0);
   EXPECT_EQ(about.st_mode & 0777U, 0700U) << "nobody else reads it";
@@ -55,7 +55,7 @@ TEST(LinuxFolder, AFolderThatCannotBeIsNotOpen) {
   const ScratchFolder scratch;
   const LinuxFolder without_parent((scratch.path() / "no" / "state").string());
   EXPECT_FALSE(without_parent.is_open());
-  EXPECT_EQ(without_parent.trouble(), Error::kNotFound);
+  EXPECT_EQ(without_parent.trouble(), StoreError::kNotFound);
   const LinuxFolder file(scratch.write("file", "").string());
   EXPECT_FALSE(file.is_open());
 }

@@ -44,7 +44,7 @@ TEST(RunMark, APowerCutInARunIsFoundAndOneAfterItIsNot) {
 TEST(RunMark, ADiskThatFailsIsSaid) {
   CrashingFolder folder;
   folder.steps_left = 0;
-  EXPECT_EQ(RunMark(folder).set().error(), Error::kStorage);
+  EXPECT_EQ(RunMark(folder).set().error(), StoreError::kFailed);
 }
 
 }  // namespace
