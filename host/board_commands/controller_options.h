@@ -7,7 +7,9 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "shared/fault_names.h"
 #include "shared/protocol_messages.h"
 
 namespace isotouch::commands {
@@ -35,6 +37,25 @@ inline constexpr std::array<MeasureName, protocol::kMeasures> kMeasureNames = {{
 inline const char* state_name(std::uint16_t state) {
   constexpr std::array<const char*, 7> kNames = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
   return state < kNames.size() ? kNames[state] : "unknown";
+}
+
+/// The names of Faults.
+inline std::vector<std::string> fault_names(std::uint16_t faults) {
+  std::vector<std::string> names;
+  unsigned known = 0;
+  for (const FaultName& fault : kFaultNames) {
+    if ((faults & fault.fault) != 0) names.emplace_back(fault.name);
+    known |= fault.fault;
+  }
+  if ((faults & ~known) != 0) names.emplace_back("unknown");
+  return names;
+}
+
+/// State and faults in words, such as "fault (late)".
+inline std::string state_text(const protocol::StatusReport& status) {
+  std::string text = state_name(status.state);
+  for (const std::string& fault : fault_names(status.faults)) text += " (" + fault + ")";
+  return text;
 }
 
 /// An angle of 2^32 to the turn, -180 to 180 degrees.

@@ -25,18 +25,6 @@ struct Options {
   bool json = false;
 };
 
-/// Faults in words.
-std::vector<std::string> fault_names(std::uint16_t faults) {
-  std::vector<std::string> names;
-  unsigned known = 0;
-  for (const FaultName& fault : kFaultNames) {
-    if ((faults & fault.fault) != 0) names.emplace_back(fault.name);
-    known |= fault.fault;
-  }
-  if ((faults & ~known) != 0) names.emplace_back("unknown");
-  return names;
-}
-
 constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< protocol::AnglesFrom in words
 
 std::string angles_from(const protocol::DeviceReport& device) {
@@ -67,9 +55,7 @@ nlohmann::ordered_json to_json(const protocol::StatusReport& status, const proto
 }
 
 void print_text(const protocol::StatusReport& status, const protocol::DeviceReport& device, const protocol::Welcome& welcome) {
-  std::string state = state_name(status.state);
-  for (const std::string& fault : fault_names(status.faults)) state += " (" + fault + ")";
-  std::printf("%-17s%s\n", "state", state.c_str());
+  std::printf("%-17s%s\n", "state", state_text(status).c_str());
   std::printf("%-17s%s\n", "field", status.field_hash == 0 ? "none" : trace::hash_text(status.field_hash).c_str());
   std::printf("%-17s%llu, of which late %llu\n", "ticks", static_cast<unsigned long long>(status.ticks),
               static_cast<unsigned long long>(status.late));
