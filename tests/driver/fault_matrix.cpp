@@ -3,6 +3,8 @@
 ///     fault_matrix [random TICKS [SEED]]
 ///
 /// Exit codes: 0 every bound was kept, 2 wrong usage, 3 one was broken.
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -16,9 +18,11 @@ using namespace isotouch::test;
 
 int print_matrix() {
   int broken = 0, rows = 0;
+  std::int64_t largest = 0;
   std::printf("%-46s %5s  %-7s %-36s %s\n", "fault", "ticks", "state", "recovery", "what the user reads");
   for (const FaultRow& row : fault_matrix()) {
     ++rows;
+    largest = std::max(largest, std::int64_t{row.ticks});
     const std::string ticks = row.ticks < 0 ? "-" : std::to_string(row.ticks);
     std::printf("%-46s %5s  %-7s %-36s %s\n", row.fault.c_str(), ticks.c_str(), row.state.c_str(), row.recovery.c_str(),
                 row.sentence.c_str());
@@ -27,11 +31,10 @@ int print_matrix() {
     std::printf("    BROKEN: %s\n", row.broken.c_str());
   }
   std::printf(
-      "%d faults, %d bounds broken. Ticks are those from the first whose input shows the fault (stale: no fresh sample for 3 ticks) to "
-      "zero words at\n"
-      "the device's seam, at most %d; - where no input shows it. While the link is down the motors do what the device's own time limit "
-      "says.\n",
-      rows, broken, kMaxTicks);
+      "%d faults, %d bounds broken, at most %lld ticks until no force is commanded, %d are allowed. The ticks are counted from the first\n"
+      "whose input shows the fault (stale: no fresh sample for 3 ticks) to motor commands of zero at the device's seam; - where no input\n"
+      "shows it. While the link is down, the device's own time limit ends the force.\n",
+      rows, broken, static_cast<long long>(largest), kMaxTicks);
   return broken == 0 ? 0 : 3;
 }
 
