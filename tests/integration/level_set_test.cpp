@@ -16,6 +16,7 @@
 #include "host/to_double.h"
 #include "host/vdb/level_set.h"
 #include "tests/host/commands/run_command.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
@@ -75,9 +76,8 @@ TEST_F(LevelSetAcross, ASphereOfOpenvdbIsFeltAsASphere) {
   EXPECT_NEAR(to_double(field.view.edge), 0.2, 1e-6);
   EXPECT_EQ(to_double(field.view.band), 3);
   const Errors errors = against_sphere(field, 7);
-  EXPECT_LT(errors.distance_voxel, 0.003);
-  EXPECT_GT(errors.distance_voxel, 0.0003);
-  EXPECT_LT(errors.normal_deg, 0.1);
+  EXPECT_THAT(errors.distance_voxel, test::IsAccuracyOf(0.003));
+  EXPECT_THAT(errors.normal_deg, test::IsAccuracyOf(0.1));
 }
 
 TEST_F(LevelSetAcross, ATurnedOrRefinedSphereIsStillFeltAsOne) {
@@ -143,7 +143,8 @@ TEST_F(LevelSetAcross, AFieldComesBackFromAnExportToAFiveHundredthOfAVoxel) {
     ++compared;
   }
   EXPECT_GT(compared, 500);
-  EXPECT_LT(worst, 0.002);  // the nodes are the same to rounding; three steps of the prefilter find their spline to this
+  EXPECT_THAT(worst,
+              test::IsAccuracyOf(0.002));  // the nodes are the same to rounding; three steps of the prefilter find their spline to this
   EXPECT_GT(worst, 0.0001);
 }
 

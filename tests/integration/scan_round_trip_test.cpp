@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/host/commands/run_command.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
@@ -55,9 +56,8 @@ TEST(ScanRoundTrip, ATorusFeltAllOverComesBack) {
   EXPECT_EQ(scan["points"], 2000);
   EXPECT_EQ(compare["lost"], 0);
   EXPECT_EQ(compare["components"], 1);
-  EXPECT_LT(compare["rms_voxel"], 0.04);
-  EXPECT_GT(compare["rms_voxel"], 0.0005) << "better than the grid holds: what was compared?";
-  EXPECT_LT(compare["normal_rms_deg"], 3);
+  EXPECT_THAT(compare["rms_voxel"].get<double>(), test::IsAccuracyOf(0.04));
+  EXPECT_THAT(compare["normal_rms_deg"].get<double>(), test::IsAccuracyOf(3.0));
   EXPECT_LT(compare["hausdorff_voxel"], 1);
   EXPECT_NEAR(compare["volume_ratio"].get<double>(), 1, 0.002);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/reference.h"
 
 namespace isotouch::core {
@@ -45,7 +46,7 @@ TEST(Coupling, IsASpringOfTheFieldsStiffness) {
     EXPECT_FALSE(force.limited || force.ramping);
     worst = std::max(worst, test::length(newton(force) - test::to_point(test::to_voxel(deflection)) * (0.34 * 0.8)));
   }
-  EXPECT_LT(worst, 0.0003);  // of up to 6.8 N: three roundings and the stiffness's own 16 bits
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.0003));  // of up to 6.8 N: three roundings and the stiffness's own 16 bits
   EXPECT_GT(worst, 0.00001);
 }
 

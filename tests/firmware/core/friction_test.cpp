@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/reference.h"
 
 namespace isotouch::core {
@@ -68,7 +69,7 @@ TEST(Friction, IsThatOfTheTwin) {
     }
   }
   EXPECT_GT(slid, 2000);
-  EXPECT_LT(worst, 0.002);  // voxel; errors of a slide are carried on by the next
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.002));  // voxel; errors of a slide are carried on by the next
   EXPECT_GT(worst, 0.00002);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/falcon_twin.h"
 
 namespace isotouch::core {
@@ -22,7 +23,7 @@ TEST(JointAngles, FollowTheTwinOverEveryCount) {
         worst = std::max(worst, std::abs(std::remainder(found[i].raw() * kRadiansPerUnit - exact[i], 6.283185307179586)));
       }
     }
-    EXPECT_LT(worst, 1e-7) << set.name;  // radians: a hundredth of a micrometre at the arm's end
+    EXPECT_THAT(worst, test::IsAccuracyOf(1e-7)) << set.name;  // radians: a hundredth of a micrometre at the arm's end
     EXPECT_GT(worst, 1e-10) << set.name;
   }
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/falcon_twin.h"
 
 namespace isotouch::core {
@@ -164,7 +165,7 @@ TEST(Kinematics, FromAColdStartTheHipIsThatOfTheTwinOverTheWorkingSpace) {
       slowest = std::max(slowest, ticks);
       worst = std::max(worst, test::length(mm(pose->hip) - *exact));
     }
-    EXPECT_LT(worst, 0.00005) << set.name;
+    EXPECT_THAT(worst, test::IsAccuracyOf(0.00005)) << set.name;
     EXPECT_GT(worst, 0.000005) << set.name;  // twice as good: tighten the header
     EXPECT_EQ(unsettled, 0) << set.name;
     EXPECT_LE(slowest, 10) << set.name;
@@ -199,7 +200,7 @@ TEST(Kinematics, KeepsUpWithAHandOfOneMetreASecond) {
       }
     }
     EXPECT_GT(ticks, 50'000);
-    EXPECT_LT(worst, 0.000005) << set.name;
+    EXPECT_THAT(worst, test::IsAccuracyOf(0.000005)) << set.name;
     EXPECT_GT(worst, 0.000001) << set.name;
   }
 }

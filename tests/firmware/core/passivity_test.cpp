@@ -6,6 +6,7 @@
 #include <cmath>
 #include <deque>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/random.h"
 
 namespace isotouch::core {
@@ -63,7 +64,7 @@ TEST(Passivity, TheLedgerIsThatOfTheTwin) {
       worst = std::max(worst, std::abs(to_double(wall.state.balance) - wall.twin));
     }
   }
-  EXPECT_LT(worst, 0.003);  // N·mm after thousands of sums: the spring's newtons have 16 bits
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.003));  // N·mm after thousands of sums: the spring's newtons have 16 bits
   EXPECT_GT(worst, 0.000001);
 }
 

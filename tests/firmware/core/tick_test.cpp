@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "tests/support/accuracy.h"
 #include "tests/support/alloc_guard.h"
 #include "tests/support/device_bench.h"
 
@@ -75,9 +76,9 @@ TEST(DeviceTick, InContactTheWordsAreThoseOfTheTwin) {
       bench.go_round(n, Point{0, 0, 1});
     }
     EXPECT_GT(compared, 20'000) << set.name;
-    EXPECT_LT(worst_word, 0.6) << set.name;  // half is rounding
+    EXPECT_THAT(worst_word, test::IsAccuracyOf(0.6)) << set.name;  // half is rounding
     EXPECT_GT(worst_word, 0.4) << set.name;
-    EXPECT_LT(worst_hip, 0.000005) << set.name;
+    EXPECT_THAT(worst_hip, test::IsAccuracyOf(0.000005)) << set.name;
   }
 }
 

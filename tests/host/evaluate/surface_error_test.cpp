@@ -6,6 +6,7 @@
 
 #include "host/cloud/random.h"
 #include "host/error.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch::evaluate {
@@ -39,9 +40,9 @@ TEST(SurfaceError, IsTheFloorOnTheSurfaceItself) {
   const SurfaceError error = surface_error(ball(), around(30, 2000));
   EXPECT_EQ(error.points, 2000U);
   EXPECT_EQ(error.lost, 0U);
-  EXPECT_LT(error.rms_voxel, 0.001);
+  EXPECT_THAT(error.rms_voxel, test::IsAccuracyOf(0.001));
   EXPECT_GT(error.rms_voxel, 0);
-  EXPECT_LT(error.normal_rms_deg, 0.05);
+  EXPECT_THAT(error.normal_rms_deg, test::IsAccuracyOf(0.05));
 }
 
 TEST(SurfaceError, AKnownOffsetIsMeasuredOnBothSides) {
@@ -62,7 +63,7 @@ TEST(SurfaceError, PointsWithoutACrossingAreLostAndEnterNothingElse) {
   const SurfaceError error = surface_error(ball(), points);
   EXPECT_EQ(error.lost, 100U);
   EXPECT_EQ(error.points, 300U);
-  EXPECT_LT(error.max_voxel, 0.01);
+  EXPECT_THAT(error.max_voxel, test::IsAccuracyOf(0.01));
 }
 
 TEST(SurfaceError, ACrossingInTheWrongDirectionIsNone) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host/motion/felt_surface.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/field_image.h"
 
 namespace isotouch::evaluate {
@@ -28,7 +29,7 @@ TEST(ZeroSurface, ABallIsOneClosedPieceOfItsVolumeWithEveryCornerOnTheSamplersZe
   const motion::FeltSurface felt(image.view());
   double worst = 0;
   for (const Eigen::Vector3d& vertex : surface.vertices) worst = std::max(worst, std::abs(felt.sample(vertex).distance) / kVoxel);
-  EXPECT_LT(worst, 1e-4);
+  EXPECT_THAT(worst, test::IsAccuracyOf(1e-4));
   EXPECT_GT(worst, 0);
 
   const std::vector<Piece> found = pieces(surface);

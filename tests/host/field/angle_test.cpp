@@ -1,4 +1,5 @@
 #include "host/field/angle.h"
+#include "tests/support/accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ TEST(Angle, IsThatOfTheMathsLibraryAllRoundAndAtEverySize) {
       worst = std::max(worst, std::abs(angle_of(y, x) - std::atan2(y, x)));
     }
   }
-  EXPECT_LT(worst, 4e-15);
+  EXPECT_THAT(worst, test::IsAccuracyOf(4e-15));
   EXPECT_GT(worst, 0);
 }
 

@@ -47,7 +47,7 @@ TEST(Surface, IsCloserThanItsPeersOnEveryShape) {
   for (const auto& [name, bound] : test::examples<std::pair<const char*, double>>(
            {{"box", 2e-3}, {"sphere", 2e-4}, {"torus", 2e-3}, {"plate", 2e-3}, {"capsules", 5e-3}})) {
     const auto found = offsets(name, 3756);
-    EXPECT_LT(found.rms, bound) << name;
+    EXPECT_THAT(found.rms, test::IsAccuracyOf(bound)) << name;
     EXPECT_EQ(found.lost, 0U) << name;
     EXPECT_EQ(found.measured, 400U) << name;
   }

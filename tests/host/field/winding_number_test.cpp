@@ -8,6 +8,7 @@
 
 #include "host/cloud/random.h"
 #include "tests/host/field/box_mesh.h"
+#include "tests/support/accuracy.h"
 
 namespace isotouch::field {
 namespace {
@@ -55,7 +56,7 @@ TEST(WindingNumber, OfAFineSphereIsWholeThroughTheTree) {
     worst = std::max(worst, std::abs(winding(p) - (p.norm() < 1 ? 1 : 0)));
     inside += p.norm() < 1 ? 1 : 0;
   }
-  EXPECT_LT(worst, 0.1);
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.1));
   EXPECT_GT(worst, 0.001);
   EXPECT_GT(inside, 500);
 }

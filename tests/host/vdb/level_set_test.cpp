@@ -13,6 +13,7 @@
 #include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/vdb/level_set_field.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::vdb {
@@ -141,11 +142,11 @@ TEST(LevelSet, OnAnotherGridItIsInterpolatedToAThousandthOfItsVoxel) {
     }
   }
   EXPECT_GT(compared, 10'000);
-  EXPECT_LT(worst_near, 0.001);
+  EXPECT_THAT(worst_near, test::IsAccuracyOf(0.001));
   EXPECT_GT(worst_near, 0.0001);
-  EXPECT_LT(worst_within, 0.02);
+  EXPECT_THAT(worst_within, test::IsAccuracyOf(0.02));
   EXPECT_GT(worst_within, 0.005);
-  EXPECT_LT(worst_far, 0.1);
+  EXPECT_THAT(worst_far, test::IsAccuracyOf(0.1));
   EXPECT_GT(worst_far, 0.03);
 }
 
