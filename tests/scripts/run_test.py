@@ -109,7 +109,7 @@ class DeskRunTest(fakes.Tree):
 
     def test_figures_are_read_from_text_too(self) -> None:
         figures = fakes.load("desk/run").figures_of
-        matrix = f"{'fault':<46} ticks  state\n{'unplugged':<46} {2:5}  fault\n{'late':<46} {3:5}  hold\n    BROKEN\n"
+        matrix = "unplugged  2  fault\n32 faults, 0 bounds broken, at most 3 ticks until no force is commanded, 10 are allowed. The ticks\n"
         self.assertEqual(figures(matrix)["ticks_to_zero"], 3)
         said = "ticks            70, of which late 4\nticks        60\nreplay hash  00000000000000ab\ncases: 3 compared, 2 skipped\nceilings: armhf: x: not judged\n"
         self.assertEqual(figures(said), {"ticks": 60, "missed": 4, "trace_hash": "00000000000000ab", "ticks_to_zero": None, "skipped": 3})
