@@ -13,7 +13,7 @@ namespace isotouch {
 struct Loop {
   std::uint32_t period_ns = 1'000'000;
   Damping damping;                ///< of the device itself
-  std::uint32_t delay_ticks = 1;  ///< whole ticks from encoder to motor word
+  std::uint32_t delay_ticks = 1;  ///< whole ticks from encoder to motor command
 };
 
 /// The loop that a field's certificate speaks of; without damping where it has none.

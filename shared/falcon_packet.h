@@ -31,7 +31,7 @@ enum FalconFlags : std::uint8_t {
 
 /// What the host asks for.
 struct FalconCommand {
-  std::array<std::int16_t, 3> words{};  ///< motor words; useful within ±4095, a positive one turns the arm inwards
+  std::array<std::int16_t, 3> words{};  ///< motor commands; useful within ±4095, a positive one turns the arm inwards
   std::uint8_t flags = 0;               ///< FalconFlags
 
   bool operator==(const FalconCommand&) const = default;

@@ -123,7 +123,7 @@ struct StatusReport {
   std::uint64_t field_hash = 0;  ///< 0 = none
   std::uint64_t allocations = 0;
   std::uint64_t page_faults = 0;
-  std::array<Quantiles, kMeasures> measures;  ///< ns; the delay from reply to words in ticks
+  std::array<Quantiles, kMeasures> measures;  ///< ns; the delay from reply to commands in ticks
   static void fields(auto& m, auto& use) {
     use(m.state), use(m.faults), use(m.generation), use(m.ticks), use(m.late), use(m.field_hash), use(m.allocations), use(m.page_faults);
     for (auto& q : m.measures) use(q.p50), use(q.p999), use(q.max);
@@ -155,7 +155,7 @@ struct WorstRequest {
   static void fields(auto& m, auto& use) { use(m.anew); }
 };
 
-/// A tick whose words came late.
+/// A tick whose commands came late.
 struct WorstTick {
   std::uint64_t number = 0;
   std::int64_t start_ns = 0;  ///< when it began, CLOCK_MONOTONIC of the controller's machine
@@ -167,7 +167,7 @@ inline constexpr std::size_t kWorstTickBytes = 24;
 
 struct WorstTicks {
   std::uint64_t seen = 0;               ///< ticks that these are the worst of
-  std::span<const std::uint8_t> ticks;  ///< of kWorstTickBytes each, the latest words first
+  std::span<const std::uint8_t> ticks;  ///< of kWorstTickBytes each, the latest commands first
   static void fields(auto& m, auto& use) { use(m.seen), use(m.ticks); }
 };
 

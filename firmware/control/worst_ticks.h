@@ -1,4 +1,4 @@
-/// The ticks whose words came latest, for whoever asks why. Belongs to the control server's thread; the tick knows nothing of it.
+/// The ticks whose commands came latest, for whoever asks why. Belongs to the control server's thread; the tick knows nothing of it.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class WorstTicks {
   void take(const loop::TickRecord& tick);
 
   std::uint64_t seen() const { return seen_; }
-  /// The latest words first.
+  /// The latest commands first.
   std::span<const protocol::WorstTick> ticks() const { return std::span(ticks_).first(count_); }
 
  private:

@@ -49,7 +49,7 @@ constexpr SupervisorState next_state(SupervisorState state, Finding finding) {
   return row < kStates && column < kFindings ? supervisor_table_detail::kNext[row][column] : SupervisorState::kFault;
 }
 
-/// May there be motor words other than zero?
+/// May there be motor commands other than zero?
 constexpr bool allows_force(SupervisorState state) { return state == SupervisorState::kActive; }
 
 }  // namespace isotouch::core

@@ -1,4 +1,4 @@
-/// Those by which a person or the system ends the program: it then leaves words of zero. A terminal that is closed is one of them.
+/// Those by which a person or the system ends the program: it then leaves motor commands of zero. A terminal that is closed is one of them.
 #pragma once
 
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigset_t

@@ -20,7 +20,7 @@ struct DeviceCounts {
   std::uint64_t timeouts = 0;  ///< exchanges without a reply
   std::uint64_t late = 0;      ///< replies found when none was awaited; none of them is taken for the answer to a newer packet
   std::uint64_t echoes = 0;    ///< packets that came back as they were sent: a boot loader, not firmware; they count as timeouts too
-  std::uint64_t clamped = 0;   ///< exchanges with a word outside ±4095
+  std::uint64_t clamped = 0;   ///< exchanges with a command outside ±4095
   StreamCounts stream;
 };
 
@@ -32,7 +32,7 @@ struct Exchange {
   FalconReply reply;    ///< the newest valid one; an old one when not fresh
   FalconPacket packet;  ///< the same as it came
   bool fresh = false;   ///< it came in this exchange
-  bool rested = false;  ///< zeros were sent in place of the words, because the exchange before brought no reply
+  bool rested = false;  ///< zeros were sent in place of the commands, because the exchange before brought no reply
   bool lost = false;    ///< unplugged, or silent for too long: bring it up again
 };
 
@@ -46,7 +46,7 @@ class FalconDevice {
 
   /// Sends the command and waits for the reply.
   ///
-  /// command   words outside ±4095 are cut there, as the vendor's own driver does
+  /// command   commands outside ±4095 are cut there, as the vendor's own driver does
   /// fails     never; see `Exchange`
   /// real time waits up to `reply_ns`; allocates nothing itself, the link may
   Exchange exchange(const FalconCommand& command);

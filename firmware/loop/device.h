@@ -1,4 +1,4 @@
-/// The two sides of a device. The tick sees a `Device`: the newest reply, and a place to leave words. Who really talks to hardware is a `Port`, which
+/// The two sides of a device. The tick sees a `Device`: the newest reply, and a place to leave commands. Who really talks to hardware is a `Port`, which
 /// blocks; `exchange_thread.h` joins them by a thread of its own, `direct_device.h` without one.
 #pragma once
 
@@ -18,7 +18,7 @@ struct Sample {
   std::uint64_t number = 0;         ///< counts replies from 1; 0 = none yet. The same number = the same sample
   std::int64_t sent_ns = 0;         ///< when the command that it answers was handed to the link
   std::int64_t arrival_ns = 0;      ///< when it was there
-  std::int64_t word_delay_ns = -1;  ///< from the sample that its command's words were made of, to `sent_ns`; -1 = not known
+  std::int64_t word_delay_ns = -1;  ///< from the sample that its motor commands were made of, to `sent_ns`; -1 = not known
 };
 
 /// What the tick asks of the device.

@@ -2,7 +2,7 @@
 /// doorbells say that there is something new.
 ///
 /// After a reply the thread waits for the words that the tick makes of it and sends them at once; so the device's rate and the tick's are one. A tick
-/// that does not come in time does not stop the packets: the device is asked again with the newest words, and without force when no tick has come for
+/// that does not come in time does not stop the packets: the device is asked again with the newest commands, and without force when no tick has come for
 /// longer. Where both share a processor the tick goes first: it is short, starts the moment the reply is handed over, and its words are there when this
 /// thread looks for them; looking for a device may take a tenth of a second.
 #pragma once

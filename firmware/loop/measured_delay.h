@@ -7,7 +7,7 @@
 
 namespace isotouch::loop {
 
-/// Whole ticks from a sample being taken to the words made of it being felt: round trip and reply to word, the median of each, in periods; a quarter
+/// Whole ticks from a sample being taken to the commands made of it being felt: round trip and reply to command, the median of each, in periods; a quarter
 /// of a period more is not counted, as the tick does not count it either.
 ///
 /// returns   0 where fewer than 1000 were measured

@@ -36,9 +36,9 @@ struct TickStats {
   Counter allocations;   ///< of the tick thread since its first tick; stays 0 unless the program counts them
 
   Histogram wake_delay;  ///< from when a tick should begin (its reply's arrival, or its due time) to its begin
-  Histogram tick_time;   ///< from its begin to the words being left
+  Histogram tick_time;   ///< from its begin to the commands being left
   Histogram round_trip;  ///< of the device: command handed over to reply there
-  Histogram word_delay;  ///< sensor to word: a reply there to the words made of it being handed over
+  Histogram word_delay;  ///< sensor to command: a reply there to the commands made of it being handed over
 };
 
 }  // namespace isotouch::loop

@@ -1,4 +1,4 @@
-/// Times of single ticks on a motion, HIP to force or counts to motor words.
+/// Times of single ticks on a motion, HIP to force or counts to motor commands.
 ///
 /// Each tick is timed by itself, between two readings of the steady clock: a mean over many ticks would hide just the slow ones that p99.9 asks for.
 /// What two readings cost without a tick between them is measured in the same run and taken off. The whole motion is walked once before it is
@@ -33,7 +33,7 @@ TickSettings every_feature();
 /// fails     InputError when the motion never touches the object
 TickTimes time_core(const FieldView& field, const Motion& motion, const TickSettings& settings = {});
 
-/// The device's tick, from its packet's counts to motor words.
+/// The device's tick, from its packet's counts to motor commands.
 ///
 /// fails     InputError when the motion never touches the object within the device's reach
 TickTimes time_device(const FieldView& field, const Motion& motion, const TickSettings& settings = {});

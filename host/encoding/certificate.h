@@ -18,7 +18,7 @@ struct Certificate {
   double stiffness_n_per_mm = 0.0;   ///< the largest advisable one for the three numbers below
   std::uint32_t period_ns = 1'000'000;
   double damping_ns_per_mm = 0.003;  ///< of the device: the Falcon's own, about 3 N·s/m, is assumed
-  std::uint32_t delay_ticks = 1;     ///< from encoder to motor word
+  std::uint32_t delay_ticks = 1;     ///< from encoder to motor command
 };
 
 /// K = 2 b / ((2 d + 1) T), N/mm: above it a sampled wall feeds energy into the hand.

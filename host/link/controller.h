@@ -47,7 +47,7 @@ class Controller {
   protocol::PostureReport posture(DeviceModel& model);
   /// The controller keeps these angles.
   void calibrate(const protocol::Calibrate& measured);
-  /// The ticks whose words came latest since they were last forgotten; of minor version 2. None where an older controller answers.
+  /// The ticks whose commands came latest since they were last forgotten; of minor version 2. None where an older controller answers.
   ///
   /// anew      those until now are forgotten after this
   std::vector<protocol::WorstTick> worst_ticks(bool anew);

@@ -36,7 +36,7 @@ struct Figures {
   std::uint64_t ticks = 0, late = 0, page_faults = 0, allocations = 0;
   std::array<link::Histogram, protocol::kMeasures> measures;
   std::vector<Moment> moments;
-  std::vector<WorstTick> worst;  ///< the latest words first
+  std::vector<WorstTick> worst;  ///< the latest commands first
   std::string worst_unknown;     ///< one sentence why there are none
   std::string cause_unknown;     ///< one sentence why causes are not known
 

@@ -71,7 +71,7 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
 bool is_fit(const std::vector<Judgement>& judgements) {
   const auto is = [](const char* key, Outcome outcome) { return [=](const Judgement& j) { return j.key == key && j.outcome == outcome; }; };
   const bool missed = std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed; });
-  // Without a device, words and round trips were never made: nothing is known of what matters most.
+  // Without a device, commands and round trips were never made: nothing is known of what matters most.
   const bool felt = std::none_of(judgements.begin(), judgements.end(), is("word_max_ticks", Outcome::kNotMeasured));
   return !missed && felt && !judgements.empty();
 }

@@ -13,7 +13,7 @@ struct Limits {
   double late_ticks = 0;
   double wakeup_us = 0;         ///< 99.9 % of the wake-ups; 0: a tenth of the period
   double round_trip_us = 2500;  ///< 99.9 % of the device's: a Falcon answers in a frame of USB, 1 ms, or in the next
-  double word_ticks = 1;        ///< sensor to word, all of them: words are made of the newest sample
+  double word_ticks = 1;        ///< sensor to command, all of them: commands are made of the newest sample
   double lost_samples = 1;      ///< of a hundred expected ones, one a tick or, where ticks are faster, one a millisecond
   double celsius = 75;          ///< most boards slow down at 80
   double page_faults = 0;
@@ -37,7 +37,7 @@ struct Judgement {
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, and words were made of a device's samples.
+/// No limit is missed, and commands were made of a device's samples.
 bool is_fit(const std::vector<Judgement>& judgements);
 
 /// The verdict in one sentence.

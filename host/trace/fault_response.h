@@ -1,5 +1,5 @@
 /// From a condition to no force: in a recording of packets, how many ticks passed from the first one whose input shows that there should be no force
-/// to motor words of zero. What an input shows is judged from the input, not from what the core made of it.
+/// to motor commands of zero. What an input shows is judged from the input, not from what the core made of it.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 namespace isotouch::trace {
 
 struct FaultResponse {
-  std::uint64_t tick = 0;              ///< the first whose input shows it; in the tick before there were words, and nothing was shown
+  std::uint64_t tick = 0;              ///< the first whose input shows it; in the tick before there were commands, and nothing was shown
   std::string condition;               ///< what is shown, joined by + where several are
-  std::optional<std::uint64_t> ticks;  ///< from there to words of zero, 0 = the same tick; nothing: the recording ends before
+  std::optional<std::uint64_t> ticks;  ///< from there to motor commands of zero, 0 = the same tick; nothing: the recording ends before
   SupervisorState state{};             ///< of the tick in which they were zero, else of the last
 };
 

@@ -138,7 +138,7 @@ bool FaultBench::end_exchange() {
   return unseen_ = true;
 }
 
-/// Nobody answers a reply with words: the device is asked again all the same, with the last ones for a while.
+/// Nobody answers a reply with commands: the device is asked again all the same, with the last ones for a while.
 void FaultBench::pass_without_ticks(std::int64_t until_ns) {
   while (busy_ ? ends_ns_ <= until_ns : clock.now + kRefreshNs <= until_ns) {
     clock.sleep_until_ns(busy_ ? ends_ns_ : sent_ns_ + kRefreshNs);

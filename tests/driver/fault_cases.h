@@ -8,7 +8,8 @@ namespace isotouch::test {
 
 struct FaultRow {
   std::string fault;
-  int ticks = -1;        ///< from the first tick whose input shows the condition to zero words at the device's seam; -1 = no input shows it
+  int ticks =
+      -1;  ///< from the first tick whose input shows the condition to motor commands of zero at the device's seam; -1 = no input shows it
   std::string state;     ///< that it came to
   std::string sentence;  ///< what the user reads
   std::string recovery;

@@ -39,7 +39,7 @@ struct Folder {
   std::string path;
 };
 
-/// So many ticks, all with words.
+/// So many ticks, all with commands.
 bool presses_on(FaultBench& bench, int ticks) {
   bool always = true;
   for (int t = 0; t < ticks; ++t) {
@@ -113,7 +113,7 @@ FaultRow disk_full() {
   if (!bench.begin()) return {row.fault, -1, "", "", "", "the hand never pressed"};
   const Folder folder;
   const std::string path = folder.path + "/felt.trace";
-  constexpr std::uint64_t kRoom = 5'000;  // ticks: the words are back
+  constexpr std::uint64_t kRoom = 5'000;  // ticks: the commands are back
   TraceHeader header;
   header.device = bench.settings.device;
   header.period_ns = bench.settings.period_ns;
@@ -126,7 +126,7 @@ FaultRow disk_full() {
   row.broken = recorder.start(path).sentence();
   {
     const FullDisk disk(trace_layout::kHeaderBytes + kRoom * trace_layout::kRecordBytes + 7);
-    for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: words return when the hand has been out once
+    for (int t = 0; t < 6500; ++t) {  // a recording begins with a restart: commands return when the hand has been out once
       bench.tick();
       recorder.drain();
     }

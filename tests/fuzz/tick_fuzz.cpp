@@ -1,4 +1,4 @@
-/// The core under anything that a device may send: bounds hold, and the same inputs give the same words.
+/// The core under anything that a device may send: bounds hold, and the same inputs give the same commands.
 #include <cstdlib>
 
 #include "firmware/core/tick.h"

@@ -29,7 +29,7 @@ TEST(PointsToForce, TheSphereIsFeltAsItIsAtHandSpeeds) {
   struct Bound {
     double speed, magnitude_pct, direction_deg;
   };
-  for (const Bound& bound : {Bound{100, 0.1, 0.1}, Bound{300, 0.1, 0.1}}) {
+  for (const Bound& bound : {Bound{100, 0.0028, 0.022}, Bound{300, 0.0028, 0.022}}) {
     const ForceError error = slide(bound.speed);
     EXPECT_GT(error.ticks, 1000U);
     EXPECT_THAT(error.magnitude_rms_pct, test::IsAccuracyOf(bound.magnitude_pct)) << bound.speed << " mm/s";
@@ -40,8 +40,8 @@ TEST(PointsToForce, TheSphereIsFeltAsItIsAtHandSpeeds) {
 TEST(PointsToForce, TheSphereIsFeltAsItIsAtOneMetreASecond) {
   const ForceError error = slide(1000);
   EXPECT_GT(error.ticks, 300U);
-  EXPECT_THAT(error.magnitude_rms_pct, test::IsAccuracyOf(0.1));
-  EXPECT_THAT(error.direction_max_deg, test::IsAccuracyOf(0.5));
+  EXPECT_THAT(error.magnitude_rms_pct, test::IsAccuracyOf(0.0028));
+  EXPECT_THAT(error.direction_max_deg, test::IsAccuracyOf(0.042));
 }
 
 /// To beat: the better of screened Poisson and SSD reconstruction on the same points (DESIGN.md), and never below the grid's own floor by more than
@@ -52,10 +52,10 @@ TEST(PointsToForce, EverySurfaceIsNearerTheTruthThanTheBetterPeer) {
     double ours, peer;  ///< offset, rms, voxel
   };
   for (const auto& [name, ours, peer] : test::examples<Shape>({{"capsules", 0.045, 0.045},
-                                                               {"sphere", 0.019, 0.019},
-                                                               {"torus", 0.017, 0.017},
-                                                               {"box", 0.140, 0.140},
-                                                               {"plate", 0.414, 0.414}})) {
+                                                               {"sphere", 0.00012, 0.019},
+                                                               {"torus", 0.0007, 0.017},
+                                                               {"box", 0.027, 0.140},
+                                                               {"plate", 0.04, 0.414}})) {
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
     const SurfaceError error = evaluate::surface_error(evaluate::trial_field(trial, encoding::Method::kDefault).view, trial.truth);
     const SurfaceError floor = evaluate::surface_error(evaluate::floor_field(trial).view, trial.truth);

@@ -56,7 +56,7 @@ TEST(ScanRoundTrip, ATorusFeltAllOverComesBack) {
   EXPECT_EQ(scan["points"], 2000);
   EXPECT_EQ(compare["lost"], 0);
   EXPECT_EQ(compare["components"], 1);
-  EXPECT_THAT(compare["rms_voxel"].get<double>(), test::IsAccuracyOf(0.04));
+  EXPECT_THAT(compare["rms_voxel"].get<double>(), test::IsAccuracyOf(0.011));
   EXPECT_THAT(compare["normal_rms_deg"].get<double>(), test::IsAccuracyOf(3.0));
   EXPECT_LT(compare["hausdorff_voxel"], 1);
   EXPECT_NEAR(compare["volume_ratio"].get<double>(), 1, 0.002);

@@ -1,4 +1,4 @@
-/// The device's tick in a closed loop with the simulated mechanism, 0.3 kg and 3 N·s/m, whose words act so many ticks late: up to which stiffness a wall
+/// The device's tick in a closed loop with the simulated mechanism, 0.3 kg and 3 N·s/m, whose commands act so many ticks late: up to which stiffness a wall
 /// is held without trembling, and what the passivity controller does beyond it.
 #include <gtest/gtest.h>
 

@@ -16,7 +16,7 @@ class FakeDevice final : public loop::Device {
   std::int64_t latency_ns = 500'000;     ///< from a command to its reply
   std::int64_t grid_ns = 1'000'000;      ///< replies come at its multiples; 1 = at any time
   std::int64_t stall_ns = 0;             ///< by so much the next wait ends too late; once
-  bool keeps_asking = false;             ///< the next command follows a reply at once, without the tick's words
+  bool keeps_asking = false;             ///< the next command follows a reply at once, without the tick's commands
   int mute = 0;                          ///< so many commands stay without an answer
   std::uint64_t end_after = UINT64_MAX;  ///< replies
   std::function<FalconPacket(const loop::Command&)> answer = [](const loop::Command&) { return encode(FalconReply{}); };

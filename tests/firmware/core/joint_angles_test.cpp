@@ -23,8 +23,7 @@ TEST(JointAngles, FollowTheTwinOverEveryCount) {
         worst = std::max(worst, std::abs(std::remainder(found[i].raw() * kRadiansPerUnit - exact[i], 6.283185307179586)));
       }
     }
-    EXPECT_THAT(worst, test::IsAccuracyOf(1e-7)) << set.name;  // radians: a hundredth of a micrometre at the arm's end
-    EXPECT_GT(worst, 1e-10) << set.name;
+    EXPECT_THAT(worst, test::IsAccuracyOf(4e-8)) << set.name;  // radians: a hundredth of a micrometre at the arm's end
   }
 }
 

@@ -29,7 +29,7 @@ Motors fast(DeviceModel model) {
 TEST(Commanded, AreThePublishedOnes) {
   struct Row {
     std::array<double, 3> torques;
-    Words first, second;  // with 1e-4 and 1.5114e-4 N·m a word
+    Words first, second;  // with 1e-4 and 1.5114e-4 N·m a command
   };
   const std::vector<Row> rows = {{{15.488, -52.725, 37.237}, {-155, 527, -372}, {-102, 349, -246}},
                                  {{-51.940, 12.557, 39.383}, {519, -126, -394}, {344, -83, -261}},

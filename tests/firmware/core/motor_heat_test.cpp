@@ -14,7 +14,7 @@ struct Bench {
   explicit Bench(DeviceModel model = libnifalcon_model(), std::uint32_t period_ns = kPeriod)
       : device(model), motors(make_motors(device, period_ns)), budget(make_heat_budget(device, period_ns)) {}
 
-  /// Asks for a word in all motors for so many ticks, gets what the limit leaves; the last one.
+  /// Asks for a command in all motors for so many ticks, gets what the limit leaves; the last one.
   std::int16_t ask(int word, int ticks) {
     std::int16_t got = 0;
     for (int t = 0; t < ticks; ++t) {

@@ -40,9 +40,8 @@ TEST(SurfaceError, IsTheFloorOnTheSurfaceItself) {
   const SurfaceError error = surface_error(ball(), around(30, 2000));
   EXPECT_EQ(error.points, 2000U);
   EXPECT_EQ(error.lost, 0U);
-  EXPECT_THAT(error.rms_voxel, test::IsAccuracyOf(0.001));
-  EXPECT_GT(error.rms_voxel, 0);
-  EXPECT_THAT(error.normal_rms_deg, test::IsAccuracyOf(0.05));
+  EXPECT_THAT(error.rms_voxel, test::IsAccuracyOf(0.000055));
+  EXPECT_THAT(error.normal_rms_deg, test::IsAccuracyOf(0.0056));
 }
 
 TEST(SurfaceError, AKnownOffsetIsMeasuredOnBothSides) {
@@ -63,7 +62,7 @@ TEST(SurfaceError, PointsWithoutACrossingAreLostAndEnterNothingElse) {
   const SurfaceError error = surface_error(ball(), points);
   EXPECT_EQ(error.lost, 100U);
   EXPECT_EQ(error.points, 300U);
-  EXPECT_THAT(error.max_voxel, test::IsAccuracyOf(0.01));
+  EXPECT_THAT(error.max_voxel, test::IsAccuracyOf(0.00014));
 }
 
 TEST(SurfaceError, ACrossingInTheWrongDirectionIsNone) {
