@@ -69,9 +69,9 @@ class FakeFalcon final : public falcon::FalconLink {
   bool running = false;
   Bytes uploaded;
 
-  LinkResult<void> open() override {
+  falcon::LinkResult<void> open() override {
     log.emplace_back("open");
-    if (!faults.present) return LinkError::kNotFound;
+    if (!faults.present) return falcon::LinkError::kNotFound;
     open_ = true;
     return {};
   }
@@ -82,10 +82,10 @@ class FakeFalcon final : public falcon::FalconLink {
   bool is_open() const override { return open_; }
   const falcon::FalconIdentity& identity() const override { return identity_; }
 
-  LinkResult<std::size_t> control(const falcon::UsbSetup& setup, std::span<std::uint8_t> /*answer*/) override {
+  falcon::LinkResult<std::size_t> control(const falcon::UsbSetup& setup, std::span<std::uint8_t> /*answer*/) override {
     log.push_back(hex(setup));
-    if (!open_ || !faults.present) return LinkError::kGone;
-    if (faults.stall_controls > 0) return --faults.stall_controls, LinkError::kStalled;
+    if (!open_ || !faults.present) return falcon::LinkError::kGone;
+    if (faults.stall_controls > 0) return --faults.stall_controls, falcon::LinkError::kStalled;
     switch (setup[1]) {
       case 0: incoming_.clear(); break;
       case 1: set_lines(setup); break;
@@ -96,16 +96,16 @@ class FakeFalcon final : public falcon::FalconLink {
     return std::size_t{0};
   }
 
-  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
-    if (!open_ || !faults.present) return LinkError::kGone;
+  falcon::LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
+    if (!open_ || !faults.present) return falcon::LinkError::kGone;
     if (faults.short_writes) data = data.first(std::min<std::size_t>(data.size(), 5));
     log.push_back("> " + hex(data));
     if (faults.wall_power) hear(data);
     return data.size();
   }
 
-  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
-    if (!open_ || !faults.present) return LinkError::kGone;
+  falcon::LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
+    if (!open_ || !faults.present) return falcon::LinkError::kGone;
     const std::int64_t until = clock_.now + std::int64_t{timeout_ms} * kMs;
     const std::int64_t tick = clock_.now + std::int64_t{latency_ms_} * kMs;
     const std::int64_t due = incoming_.empty() ? until + 1 : std::max(incoming_.front().due_ns, clock_.now);
@@ -115,7 +115,7 @@ class FakeFalcon final : public falcon::FalconLink {
     }
     if (due > until) {
       clock_.now = until;
-      return LinkError::kTimedOut;
+      return falcon::LinkError::kTimedOut;
     }
     clock_.now = due;
     const Bytes packet = incoming_.front().bytes;

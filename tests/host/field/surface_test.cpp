@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/cloud/shapes.h"
+#include "tests/support/accuracy.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::field {
