@@ -81,7 +81,7 @@ TEST(AdaptiveSamplesHeavy, ANoisyScanKeepsOneAVoxel) {
 TEST(AdaptiveSamples, StrayNormalsAreOutvotedByTheirCell) {
   auto points = scatter("torus", 100'000);
   for (std::size_t i = 0; i < points.size(); i += 16) points.normals[i] = -points.normals[i];
-  EXPECT_THAT(rms_off(adaptive_samples(points), "torus"), test::IsAccuracyOf(0.003));
+  EXPECT_THAT(rms_off(adaptive_samples(points), "torus"), test::IsAccuracyOf(0.0005));
 }
 
 }  // namespace

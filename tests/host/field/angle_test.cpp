@@ -19,7 +19,7 @@ TEST(Angle, IsThatOfTheMathsLibraryAllRoundAndAtEverySize) {
       worst = std::max(worst, std::abs(angle_of(y, x) - std::atan2(y, x)));
     }
   }
-  EXPECT_THAT(worst, test::IsAccuracyOf(4e-15));
+  EXPECT_THAT(worst, test::IsAccuracyOf(1.2e-15));
 }
 
 TEST(Angle, IsExactOnTheAxesAndZeroWithoutADirection) {

@@ -56,7 +56,7 @@ TEST(WindingNumber, OfAFineSphereIsWholeThroughTheTree) {
     worst = std::max(worst, std::abs(winding(p) - (p.norm() < 1 ? 1 : 0)));
     inside += p.norm() < 1 ? 1 : 0;
   }
-  EXPECT_THAT(worst, test::IsAccuracyOf(0.1));
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.052));
   EXPECT_GT(inside, 500);
 }
 
