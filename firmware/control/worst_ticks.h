@@ -1,4 +1,4 @@
-/// The ticks whose commands came latest, for whoever asks why. Belongs to the control server's thread; the tick knows nothing of it.
+/// The ticks whose commands came latest, so that a client can ask for the cause. Used by the control server's thread alone.
 #pragma once
 
 #include <array>

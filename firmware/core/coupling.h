@@ -43,13 +43,13 @@ struct Force {
   Vec3<Newton> newton;  ///< on the hand
   bool limited = false;
   bool ramping = false;
-  // What it was made of, for a ledger of energy.
+  // The parts of the force, for the energy balance.
   Vec3<Mm> deflection;        ///< of the spring; zero without contact
   Vec3<Newton> spring;        ///< stiffness times deflection, before limit and ramp
-  Ratio kept = Ratio::of(1);  ///< how much of the force the limit left
+  Ratio kept = Ratio::of(1);  ///< the share of the force that the limit left
 };
 
-/// A coupling for any field: its edge and, where the settings name none, its stiffness come with `for_field`.
+/// A coupling for any field. `for_field` adds what depends on the field: its voxel edge and, unless the settings name one, its stiffness.
 ///
 /// rate      ticks a second
 /// tick      no: divides
@@ -65,7 +65,7 @@ Coupling for_field(const Coupling& prepared, const FieldView& field);
 ///
 /// stiffness of the surface at the proxy: `coupling.stiffness`, or as much of it as the field's table says there
 /// damping   a force against the hand's speed, added in contact
-/// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and stretches below 2047 mm, beyond which they saturate
+/// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and deflections below 2047 mm; larger ones saturate
 /// tick      yes: constant cost, no division
 Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping = {});
 

@@ -1,6 +1,6 @@
 /// The field at a point: value, gradient and second derivatives of the field's quadratic B-spline (SPEC.md 2.1).
 ///
-/// All three are those of one function, so they agree with each other; value and gradient are continuous across cells.
+/// All three come from one function, so they are consistent; value and gradient are continuous across cells.
 #pragma once
 
 #include "shared/field_view.h"

@@ -1,8 +1,8 @@
 /// Friction at the proxy: the proxy that is felt sticks to the surface within Coulomb's cone and slides on its rim.
 ///
 /// The geometric proxy is where the surface without friction would hold the hand. What is felt instead is that point and an offset in the tangent
-/// plane towards where the surface was last gripped, so that tangential force is stiffness times offset and the cone is |offset| <= μ depth. While it
-/// sticks, the gripped point is only read, so that it cannot drift.
+/// plane towards where the surface was last gripped, so that tangential force is stiffness times offset and the cone is |offset| <= μ depth. While the
+/// proxy sticks, the gripped point does not change, so it cannot drift.
 ///
 /// source    Salisbury and others 1995, Haptic rendering: programming touch interaction with virtual objects; friction cone algorithm: Harwin and
 ///           Melder 2002; DESIGN.md, "Feel"
@@ -29,7 +29,8 @@ struct FrictionState {
 
 /// Moves the gripped point as far as the hand drags it.
 ///
-/// Coulomb's part is a fixed rim; the viscous part is implicit, so that it damps at every rate: sliding on leaves an offset e' with
+/// Coulomb's part limits the offset to a fixed radius. The viscous part is solved implicitly, so that it damps at every rate: after sliding, the
+/// offset e' satisfies
 /// k e' = k μ depth + b (e - e'), so e' = (k μ depth + b e) / (k + b).
 ///
 /// contact     proxy and deflection of the surface without friction, within ±8191 voxels

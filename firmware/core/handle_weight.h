@@ -1,8 +1,7 @@
-/// Gravity compensation: what the handle weighs is held up, so that a hand carries nothing. The one force that is there without contact, and only where
-/// it is asked for.
+/// Gravity compensation: the motors hold up the weight of the handle. It is the only force without contact, and it is off unless it is set.
 ///
-/// The mechanism's weight is taken for the same everywhere: what arms and rods add changes by less than a tenth of it within 50 mm of the workspace's
-/// middle, which is less than the device's own friction.
+/// The same weight is used everywhere. What arms and rods add to it changes by less than a tenth within 50 mm of the workspace's middle, which is less
+/// than the device's own friction.
 #pragma once
 
 #include "shared/units.h"

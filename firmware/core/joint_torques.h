@@ -17,7 +17,7 @@ using JointTorques = std::array<NewtonMm, 3>;
 /// returns   within 0.01 N·mm and 1e-5 of the exact torque; near a singular pose too small, see Statics
 /// fails     never: saturates at 524 N·m
 /// tick      yes
-/// source    principle of virtual work; falls out of Jᵀ τ = F with J = G / d
+/// source    principle of virtual work; follows from Jᵀ τ = F with J = G / d
 inline JointTorques joint_torques(const Vec3<Newton>& force, const Statics& statics) {
   constexpr int kBits = 30;                             // of μ = inverse · F, N/mm
   constexpr std::int64_t kMax = std::int64_t{1} << 33;  // 8 N/mm: keeps μ times a lever below 2^62

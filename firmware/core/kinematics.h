@@ -1,11 +1,11 @@
-/// Forward kinematics of the delta mechanism: arm angles → HIP, and what is needed to turn a force on the hand into arm torques.
+/// Forward kinematics of the delta mechanism: arm angles → HIP, and the matrices that turn a force on the hand into arm torques.
 ///
 /// Each leg closes: (A - a cosθ)² + (z - a sinθ)² = E², with A the grip's joint along the leg's azimuth, q across it, E = d + e + √(b² - q²). With
 ///
 ///     X = A - a cosθ     Z = z - a sinθ     G = X û + (E q / √(b² - q²)) v̂ + Z ẑ     d = a (Z cosθ - X sinθ)
 ///
-/// G is half the gradient of the closure and J = G / d the row ∂θ/∂p of the Jacobian. So one inverse of the matrix of the three G serves Newton's
-/// step on the closures and, with the levers d, the torques: no row is ever divided by its lever.
+/// G is half the gradient of the closure, and J = G / d is the row ∂θ/∂p of the Jacobian. One inverse of the matrix of the three G therefore serves
+/// both: Newton's step on the closures and, with the levers d, the torques. No row has to be divided by its lever.
 ///
 /// source    R. E. Stamper 1997, chapter 3; the z column with sinθ2·sinθ3 (his equation 4.12)
 #pragma once

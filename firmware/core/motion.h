@@ -1,8 +1,8 @@
-/// How the hand moves: the one memory of where the HIP was, its filtered velocity, and whether it leapt.
+/// How the hand moves: the only memory of where the HIP was, its filtered velocity, and whether it jumped.
 ///
-/// Two velocities are kept. That of the HIP judges its speed. The *quiet* one is that of a point which the HIP drags through a play of one encoder count: a
-/// hand at rest whose counts flicker between two values has no quiet velocity at all, one that moves has its own. Damping uses it, because a velocity of
-/// single counts would be felt as a buzz: one count of 40 µm in a millisecond is 40 mm/s.
+/// Two velocities are kept. The velocity of the HIP is compared with the speed limit. The *quiet* velocity is that of a point which the HIP drags along
+/// with a play of one encoder count: it is zero for a hand at rest whose counts flicker between two values, and the hand's own velocity otherwise.
+/// Damping uses the quiet one. With the other a person would feel every count as a buzz: one count of 40 µm in a millisecond is 40 mm/s.
 ///
 /// source    first-order low-pass on quantised differences, and damping by it: Colgate and Brown 1994, Factors affecting the Z-width of a haptic display;
 ///           play against quantisation: DESIGN.md, "Feel"
@@ -54,15 +54,15 @@ struct Motion {
 
 /// Takes in where the HIP is.
 ///
-/// A difference of fresh samples enters a velocity with a quarter: noise is halved, and a step takes eight samples to come through to nine tenths. A
-/// repeated sample says nothing: the velocity stays, and the next difference is divided by the ticks that passed, eight at most.
+/// The filter weighs a new difference with a quarter: noise is halved, and nine tenths of a step pass within eight samples. A repeated sample carries no
+/// news: the velocity stays, and the next difference is divided by the ticks since the last fresh sample, at most eight.
 ///
 /// hip           within ±512 mm
 /// wants_quiet   whether anything damps; else the quiet memory is empty
 /// tick          yes: constant cost, no division
 Motion track_motion(const Vec3<Mm>& hip, bool fresh, bool wants_quiet, const MotionModel& model, MotionState& state);
 
-/// Another field begins: the quiet memory does, too.
+/// For another field: forgets the quiet velocity.
 inline void forget_quiet(MotionState& state) { state.quiet = {}; }
 
 /// returns   the force on the hand, against its velocity

@@ -1,5 +1,5 @@
-/// How warm the motors are, and what they may still be asked: the mean square of the commands, forgotten with the motors' time constant, against the
-/// square of the command that they stand for ever. A limit, not a fault: forces become weaker and the status tells.
+/// An estimate of how warm the motors are, and the limit that follows: the mean square of the commands, averaged over the motors' time constant, is
+/// compared with the square of the command that a motor bears for ever. It is a limit, not a fault: forces become weaker, and a status bit reports it.
 ///
 /// source    I²t protection of servo drives; torque is in proportion to current, heat to its square
 #pragma once
@@ -24,7 +24,7 @@ struct HeatBudget {
 /// tick      no: divides
 HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns);
 
-/// What is not known is taken for three quarters of the budget: also the first tick's heat.
+/// At the start, when the heat is not known, three quarters of the budget are assumed.
 struct MotorHeat {
   std::array<std::int64_t, 3> squares{};
   bool has_begun = false;

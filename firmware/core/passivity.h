@@ -51,23 +51,23 @@ struct PassivityState {
   static constexpr std::uint32_t kForces = 8;  // a power of two
   Energy balance;
   Energy stored;                               ///< in the spring
-  std::array<Vec3<Newton>, kForces> forces{};  ///< said in the last ticks, the injected part by half
+  std::array<Vec3<Newton>, kForces> forces{};  ///< commanded in the last ticks, with half of the injected part
   Vec3<Newton> injected;                       ///< in the last tick
   std::uint32_t tick = 0;                      ///< of the forces that are known: counts to 15, then again from 8
   bool begun = false;
 };
 
-/// The ledger begins anew with the next tick: without debt, and without a force that is still felt.
+/// The energy balance starts again with the next tick: without debt, and without a force that is still felt.
 void forget(PassivityState& state);
 
 /// returns   the damping to inject now: 0 without debt, at most `most`
 /// tick      yes
 Damping injected_damping(const Passivity& passivity, const PassivityState& state);
 
-/// Books one tick.
+/// Adds one tick to the energy balance.
 ///
 /// way       of the HIP since the tick before; more than 16 mm count as 16
-/// force     what is said to the motors, with the spring that it comes from. A ramping one begins the ledger anew
+/// force     the force that is commanded, with the spring that it comes from. A ramping force restarts the balance
 /// injected  the part of it that this controller added
 /// tick      yes: constant cost, no division
 void book_energy(const Vec3<Mm>& way, const Force& force, const Vec3<Newton>& injected, const Passivity& passivity, PassivityState& state);

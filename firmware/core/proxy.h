@@ -1,6 +1,6 @@
 /// The proxy (god-object): the point that follows the HIP and never passes the surface.
 ///
-/// It looks for the point on or outside the surface closest to the HIP, near where it is: min |p - h|² subject to φ(p) >= 0, by a fixed number
+/// It searches near its last place for the point on or outside the surface that is closest to the HIP: min |p - h|² subject to φ(p) >= 0, by a fixed number
 /// of steps of sequential quadratic programming on the sampled field, one sample each. The same steps carry it through free space.
 ///
 /// source    god-object: Zilles and Salisbury 1995; virtual proxy: Ruspini, Kolarov and Khatib 1997; Newton step on the Lagrangian: Nocedal and

@@ -11,7 +11,7 @@
 
 namespace isotouch::core {
 
-/// Reach of the HIP on each axis: three products of differences then fit 63 bits.
+/// Largest coordinate of the HIP on each axis; the sum of three products of differences then fits 63 bits.
 inline constexpr Mm kReach = Mm::of(512);
 
 /// What does not change between ticks, prepared once so that the tick needs no division.
@@ -59,7 +59,7 @@ struct Rendering {
   std::uint32_t status = 0;  ///< StatusBits
 };
 
-/// Renders the contact: proxy, stiffness there, friction, damping, coupling, ledger of energy.
+/// Renders the contact: proxy, stiffness there, friction, damping, coupling, energy balance.
 ///
 /// motion    of the hand, HIP within kReach
 /// field     a checked view, the same in every tick of a state's life
@@ -68,7 +68,7 @@ struct Rendering {
 /// tick      yes: constant loop counts, no division, no allocation
 Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state);
 
-/// A tick of a hand without a device: its position goes in, what it would feel comes out.
+/// A tick without a device: the position of a hand goes in, the force that it would feel comes out.
 struct PositionModel {
   MotionModel motion;
   RenderModel render;

@@ -25,8 +25,9 @@ struct Reading {
   bool malformed = false;  ///< there was a packet, but not a valid one
 };
 
-/// Takes the newest packet. Where the counts jump while the device does not call itself homed, the reference is lost and homing begins again;
-/// otherwise "homed" stays, because sources disagree on whether the bits do. In the packet in which the bits go, an eighth of a jump is one, or counts of zero.
+/// Reads the newest packet. If the counts jump while the device does not report that it is homed, the reference is lost and homing begins again. Without
+/// a jump the reference stays, because sources disagree on whether the device keeps its homed bits. In the packet in which these bits disappear, an eighth
+/// of the usual jump is enough, and so are counts of zero.
 ///
 /// fails     never: a malformed packet counts as none
 /// tick      yes

@@ -17,13 +17,13 @@ struct SettingsRamp {
   std::uint32_t left = 0;  ///< ticks until the target holds
 };
 
-/// Everything holds as it is set.
+/// Starts with all settings at their values.
 void begin_settings(const TickSettings& settings, SettingsRamp& ramp);
 
-/// The targets hold from now on.
+/// Ends the ramp: the targets hold from now on.
 void finish_settings(SettingsRamp& ramp);
 
-/// Takes a change in, and moves on by one tick.
+/// Accepts a change, if there is one, and moves on by one tick.
 ///
 /// change     a valid one, or none
 /// at_once    nothing is felt: the target holds at once

@@ -1,9 +1,8 @@
-/// The last word on every force: a small machine of states (`supervisor_table.h`), what counts as a fault, and the ramp by which forces return
-/// after rest.
+/// Decides whether there may be force: a state machine (`supervisor_table.h`), the conditions that are a fault, and the ramp by which forces return.
 ///
 ///   boot → homing → idle → ready → active ⇄ hold        any → fault → (a person) idle
 ///
-/// "Limited" is none of its business: forces and words that were shortened change no state.
+/// A limit is not a fault: forces and motor commands that were shortened change no state.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +30,7 @@ struct Supervision {
 /// tick      no: divides
 Supervision make_supervision(const DeviceModel& device, std::uint32_t period_ns);
 
-/// What the tick knows when it asks.
+/// What a tick has found out.
 struct Observations {
   bool heard = false;         ///< there was a valid packet
   bool homed = false;         ///< the counts have a reference
@@ -64,11 +63,11 @@ struct Permission {
   ForcePart part;
 };
 
-/// Lateness is a bucket: each period left out pours in 8, each tick takes out 1, kMaxLate fills it. Hold begins at 8 times hold_ticks, by one tick
-/// that is so late or by several in a row that are less so.
+/// Lateness is a leaky bucket: each missed period adds 8, each tick removes 1, and kMaxLate is the most that it holds. Hold begins at 8 times hold_ticks,
+/// after one tick that is that late or after several that are a little late.
 inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 
-/// One step of the machine. A cause of fault outweighs everything, and stays until it is gone and a person resumes: by kRequestResume, or by
+/// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by kRequestResume, or by
 /// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault.
 ///
 /// tick      yes

@@ -1,4 +1,4 @@
-/// The supervisor's whole behaviour as data: what a tick found leads from one state to the next. A test walks every entry.
+/// The supervisor's whole behaviour as data: for each state and each finding of a tick, the next state. A test walks every entry.
 #pragma once
 
 #include <array>

@@ -15,10 +15,10 @@ struct SurfaceProjection {
   bool hip_behind = false;  ///< the HIP is behind the plane that the sample predicts for the surface, φ + g·(hip - point) < 0
 };
 
-/// Results go where they are used, here and below: small structures in registers would be packed through memory and wait for their own parts.
+/// These functions write their result into an argument: a small structure that is returned in registers would be packed through memory first.
 void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const FieldSample& sample, SurfaceProjection& projection);
 
-/// What the steps remember of each other, so that a cycle dies out where Newton's step alone would keep circling in a rough crease.
+/// What one step remembers of the one before. It damps the cycles in which Newton's step alone would stay in a rough crease.
 struct StepMemory {
   Vec3<Voxel> last;                      ///< the last step, without its part straight onto the surface
   Voxel trust_radius = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted

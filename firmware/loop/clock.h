@@ -1,11 +1,11 @@
-/// The seam to time: whoever waits asks a Clock, so tests own it.
+/// The interface to time. Everything that waits uses a Clock, so that a test can control the time.
 #pragma once
 
 #include <cstdint>
 
 namespace isotouch::loop {
 
-/// A clock that never goes back; its zero means nothing.
+/// A clock that never goes back; only differences of its values have a meaning.
 class Clock {
  public:
   virtual ~Clock() = default;

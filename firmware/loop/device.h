@@ -9,23 +9,23 @@
 
 namespace isotouch::loop {
 
-/// A time that never comes.
+/// No limit of time.
 inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
-/// What the device said last. Times are a Clock's.
+/// The newest reply of the device. Times are those of a Clock.
 struct Sample {
   FalconPacket packet{};            ///< as it came; all zero before the first
   std::uint64_t number = 0;         ///< counts replies from 1; 0 = none yet. The same number = the same sample
   std::int64_t sent_ns = 0;         ///< when the command that it answers was handed to the link
   std::int64_t arrival_ns = 0;      ///< when it was there
-  std::int64_t word_delay_ns = -1;  ///< from the sample that its motor commands were made of, to `sent_ns`; -1 = not known
+  std::int64_t word_delay_ns = -1;  ///< from the sample that the command was computed from, to `sent_ns`; -1 = not known
 };
 
 /// What the tick asks of the device.
 struct Command {
   FalconCommand falcon;
   std::uint64_t tick = 0;        ///< number of the tick that made it, from 1; 0 = none yet
-  std::uint64_t sample = 0;      ///< number of the sample that its words were made of
+  std::uint64_t sample = 0;      ///< number of the sample that the command was computed from
   std::int64_t arrival_ns = -1;  ///< when that sample arrived
 };
 
@@ -55,11 +55,11 @@ class Device {
   virtual void leave(const Command& command) = 0;
 };
 
-/// What one exchange of a port came to.
+/// The outcome of one exchange of a port.
 enum class Answer : std::uint8_t {
   kReply,   ///< the device answered
   kSilent,  ///< it was asked and did not answer
-  kAbsent,  ///< there is no device to ask yet, or no longer: looked for, or brought up
+  kAbsent,  ///< there is no device to ask: it is being searched for or started
   kEnd,     ///< there will be no more, for good: a recording is over
 };
 
@@ -74,7 +74,7 @@ class Port {
   /// fails     never; waits for at most about 10 ms while a device runs, up to seconds while it is brought up
   virtual Answer exchange(const FalconCommand& command, FalconPacket& reply) = 0;
 
-  /// Forces to zero, at once and for good. For every way out.
+  /// Takes the forces away at once, and for good. Called on every way out of the program.
   virtual void rest() = 0;
 };
 

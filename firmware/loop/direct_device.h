@@ -1,5 +1,5 @@
-/// Joins the tick to a port without a thread and without time: every wait is one exchange, and the virtual clock moves on by one period for it. What
-/// the tick sees is then a pure function of what the port answers.
+/// Joins the tick to a port without a thread and without time: each wait is one exchange and one period of the virtual clock. The input of
+/// the tick is then a pure function of the replies of the port.
 #pragma once
 
 #include <atomic>

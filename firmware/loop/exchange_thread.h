@@ -1,10 +1,10 @@
-/// Joins the tick to a port by a thread of its own: what talks to hardware may allocate and block, the tick may not. Values pass through `Latest`, two
-/// doorbells say that there is something new.
+/// Connects the tick to a port by a thread: the code that talks to hardware may allocate and block, the tick may not. Values pass through `Latest`; two
+/// doorbells signal that there is a new one.
 ///
-/// After a reply the thread waits for the words that the tick makes of it and sends them at once; so the device's rate and the tick's are one. A tick
+/// After a reply the thread waits for the motor commands of the tick and sends them at once, so that device and tick have the same rate. A tick
 /// that does not come in time does not stop the packets: the device is asked again with the newest commands, and without force when no tick has come for
-/// longer. Where both share a processor the tick goes first: it is short, starts the moment the reply is handed over, and its words are there when this
-/// thread looks for them; looking for a device may take a tenth of a second.
+/// longer. Where both share a processor the tick goes first: it is short, starts the moment the reply is handed over, and its commands are ready when
+/// this thread needs them. The search for a device may take a tenth of a second.
 #pragma once
 
 #include <atomic>

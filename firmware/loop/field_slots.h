@@ -1,4 +1,4 @@
-/// Two places for a field: the tick feels one while the other is filled. Two atomic words, no lock.
+/// Two places for a field: the tick uses one while an upload fills the other. Two atomic variables, no lock.
 ///
 ///   empty      upload: `begin` with a size that fits        → receiving
 ///   receiving  upload: `verify`, FieldView::parse succeeded  → verified

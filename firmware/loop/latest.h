@@ -1,5 +1,5 @@
-/// The newest value from one thread to one other. Whoever comes first never waits for whoever comes later: three places, of which each side owns
-/// one and the third changes hands by one atomic exchange.
+/// Passes the newest value from one thread to another. Neither side ever waits: of three places each side owns one, and an atomic exchange passes the
+/// third.
 ///
 /// tick      yes, either side: constant cost, no lock, no loop
 #pragma once

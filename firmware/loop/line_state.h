@@ -1,4 +1,4 @@
-/// What the watchdog thread and the tick tell each other: what the safety lines say, and what the supervisor allows.
+/// What the watchdog thread and the tick exchange: the state of the safety lines, and whether the supervisor allows forces.
 #pragma once
 
 #include <atomic>
@@ -8,7 +8,7 @@
 
 namespace isotouch::loop {
 
-/// Without a watchdog nothing is ever wrong.
+/// Without a watchdog thread the lines always count as good.
 class LineState {
   static_assert(std::atomic<std::uint16_t>::is_always_lock_free);
 
@@ -20,7 +20,8 @@ class LineState {
   }
   SupervisorState told() const { return static_cast<SupervisorState>(state_.load(std::memory_order_acquire)); }
 
-  /// What the lines say; pressed, too, when the watchdog has been silent for longer than the patience, because a real stop could not get through.
+  /// The state of the lines. If the watchdog thread has been silent for longer than the patience, the stop counts as pressed, because a real one could
+  /// not get through.
   ///
   /// tick      yes
   std::uint8_t get() {

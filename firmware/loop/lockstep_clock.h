@@ -1,5 +1,5 @@
-/// The time of a driver whose device answers at once: it passes by being looked at, so that what the driver does depends on what it hears and on
-/// nothing else. Sleeping jumps ahead and gives the processor away for a moment.
+/// The time of a driver whose device answers at once. Each look at the clock moves it on, so that the driver depends on the replies alone. Sleeping jumps
+/// ahead and yields the processor for a moment.
 #pragma once
 
 #include "firmware/loop/linux_clock.h"

@@ -1,4 +1,4 @@
-/// The loop around the tick: waits for the device, says how old its sample is, ticks, leaves the commands, counts. It does not allocate, lock, or block
+/// The loop around the tick: waits for the device, computes the age of its sample, ticks, hands the commands over, counts. It does not allocate, lock, or block
 /// but in `Device::wait` and in sleeping until the tick's time.
 #pragma once
 

@@ -1,5 +1,5 @@
-/// Who clocks whom: the tick follows the device where the device keeps time, and its own clock where it does not, so that two free clocks never beat.
-/// Pure arithmetic on times; nobody waits here.
+/// Decides when a tick begins: at the reply of the device as long as the device keeps time, else by the tick's own clock. Two free clocks would drift
+/// against each other. Pure arithmetic on times; nothing here waits.
 ///
 ///   a reply that comes around the expected moment e starts its tick at once, and draws e along by at most a 64th of a period a tick
 ///   a reply that is early by up to half a period waits until e less that 64th: after one late reply the phase comes back

@@ -1,4 +1,4 @@
-/// What a thread asks of the system to be in time, and what it cost the system since. Without the privilege the wish is refused and the thread runs on.
+/// Real-time rights of a thread, and the page faults and allocations that it has caused. Without the privilege the wish is refused and the thread runs on.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// The seam to four wires beside the device: an emergency stop, the motors' enable with its read-back, a heartbeat for an external watchdog relay, and a
+/// The interface to four lines beside the device: an emergency stop, the motors' enable with its read-back, a heartbeat for an external watchdog relay, and a
 /// light. Used by one thread, the watchdog's.
 #pragma once
 

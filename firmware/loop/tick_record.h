@@ -1,4 +1,4 @@
-/// One tick as the loop saw it: what goes to recordings and to whoever watches.
+/// One tick as the loop saw it, for recordings and for clients that follow the ticks.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct TickRecord {
   Input in;
   Output out;
   std::uint32_t wake_ns = 0;  ///< from when it should have begun to its begin
-  std::uint32_t tick_ns = 0;  ///< from its begin to its words being left
+  std::uint32_t tick_ns = 0;  ///< from its begin to its commands being handed over
 };
 
 /// From the tick to the recorder.

@@ -1,5 +1,5 @@
-/// Watches the tick from outside: takes the motors' enable away when ticks stop, when the emergency stop is pressed, or when the supervisor allows no
-/// forces; and tells the tick what the lines say, until the supervisor has heard of it. A thread of its own above the tick's priority runs `step` for ever.
+/// The watchdog: switches the motors' enable off when ticks stop, when the emergency stop is pressed, or when the supervisor allows no forces. It also
+/// reports the state of the lines to the tick, until the supervisor has seen it. A thread with a higher priority than the tick's runs `step` for ever.
 ///
 ///   enable      on in ready, active and hold, while ticks come and nothing is pressed
 ///   heartbeat   changes at every step, as long as ticks come: a relay that needs it opens by itself when the program, the kernel or the processor stops
@@ -33,7 +33,7 @@ class Watchdog {
   /// One look: waits for its time or an edge, reads, judges, tells, sets. Does not allocate.
   void step();
 
-  /// Everything off. For every way out.
+  /// Switches everything off. Called on every way out of the program.
   void leave();
 
   bool ticks_come() const { return ticks_come_; }
