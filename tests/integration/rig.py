@@ -1,0 +1,157 @@
+"""The controller, the simulated Falcon and the tool in a folder of their own, for the scripts in which they meet.
+
+Each script prints one line for everything that holds. The first thing that does not hold ends it with exit code 1, one sentence, and the ends of all logs.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+# A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
+SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
+
+Word = str | Path
+Answer = subprocess.CompletedProcess[str]
+Process = subprocess.Popen[bytes]
+
+
+class Failure(Exception):
+    """What does not hold."""
+
+
+def check(condition: object, sentence: str) -> None:
+    if not condition:
+        raise Failure(sentence)
+
+
+def within(seconds: float, condition: Callable[[], object]) -> bool:
+    end = time.monotonic() + seconds
+    while not condition():
+        if time.monotonic() >= end:
+            return False
+        time.sleep(0.05)
+    return True
+
+
+def code_of(process: Process) -> int:
+    """How a process ended; one that a signal killed has the signal's number, negative."""
+    return process.wait(timeout=120)
+
+
+class Rig:
+    """The folder, which is the current one as long as the script runs, and every process that was started in it."""
+
+    def __init__(self, emulator: Sequence[str] = ()) -> None:
+        self.folder = Path(tempfile.mkdtemp())   # short: the path of a socket has at most 107 characters
+        self.emulator = list(emulator)
+        self.processes: list[Process] = []
+        os.chdir(self.folder)
+
+    def clear(self) -> None:
+        for process in self.processes:
+            process.kill()
+            process.wait()
+        os.chdir("/")
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def run(self, *command: Word, **environment: str) -> Answer:
+        return subprocess.run([*self.emulator, *map(str, command)], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False,
+                              env={**os.environ, **environment})
+
+    def done(self, sentence: str, *command: Word, **environment: str) -> str:
+        """What a command prints that must end with 0; else the sentence, and what it says."""
+        answer = self.run(*command, **environment)
+        check(answer.returncode == 0, f"{sentence}: exit code {answer.returncode}, {answer.stdout[-2000:]}{answer.stderr[-2000:]}")
+        return answer.stdout
+
+    def start(self, log: str, *command: Word, out: str = "", own_group: bool = False, **environment: str) -> Process:
+        """The log takes both outputs of the process; `out`, where it is named, the standard one."""
+        with open(log, "ab") as said, open(out or os.devnull, "wb") as printed:
+            process = subprocess.Popen([*self.emulator, *map(str, command)], stdin=subprocess.DEVNULL, stdout=printed if out else said, stderr=said,
+                                       start_new_session=own_group, env={**os.environ, **environment})
+        self.processes.append(process)
+        return process
+
+    def start_falcon(self, program: Word, *options: str) -> Process:
+        process = self.start("falcon.log", program, "--socket", self.folder / "falcon", *options)
+        check(within(10, Path("falcon").is_socket), "the simulated Falcon does not listen")
+        return process
+
+    def end_falcon(self, process: Process, how: signal.Signals = signal.SIGTERM) -> None:
+        process.send_signal(how)
+        code_of(process)
+        Path("falcon").unlink(missing_ok=True)
+
+
+class Controller:
+    """isotouchd with its socket, and the tool that talks to it."""
+
+    def __init__(self, rig: Rig, daemon: Word, client: Word) -> None:
+        self.rig, self.daemon, self.client = rig, daemon, client
+        self.to = f"unix:{rig.folder}/control"
+
+    def start(self, *options: Word) -> None:
+        Path("control").unlink(missing_ok=True)
+        self.process = self.rig.start("daemon.log", self.daemon, "--config", "config.toml", "--device", f"sim:{self.rig.folder}/falcon", "--control",
+                                      self.rig.folder / "control", *options)
+        check(within(10, Path("control").is_socket), "the controller does not listen")
+
+    def end(self, how: signal.Signals = signal.SIGTERM) -> None:
+        self.process.send_signal(how)
+        code = code_of(self.process)
+        check(code == (-how if how == signal.SIGKILL else 0), f"the controller ends with {code} after {how.name}")
+
+    def log(self) -> str:
+        return Path("daemon.log").read_text(errors="replace")
+
+    def tool(self, *command: Word) -> Answer:
+        return self.rig.run(self.client, *command, "--to", self.to)
+
+    def ask(self, sentence: str, *command: Word) -> str:
+        return self.rig.done(sentence, self.client, *command, "--to", self.to)
+
+    def status(self) -> dict[str, Any]:
+        """Empty where nobody answers."""
+        answer = self.tool("status", "--json")
+        return dict(json.loads(answer.stdout)) if answer.returncode == 0 else {}
+
+    def value(self, name: str) -> Any:
+        found: Any = self.status()
+        for part in name.split("."):
+            found = found.get(part) if isinstance(found, dict) else None
+        return found
+
+    def wait_for(self, name: str, value: object) -> None:
+        """Until the status has this value."""
+        check(within(20, lambda: self.value(name) == value), f"{name} is not {value} but {self.value(name)}")
+
+    def refuses(self, words: str, *command: Word, to: str | None = None) -> None:
+        """A command that must end with exit code 1 and one sentence that holds these words."""
+        answer = self.rig.run(self.client, *command, "--to", to or self.to)
+        check(answer.returncode == 1 and answer.stderr.count("\n") == 1 and words in answer.stderr,
+              f"exit code {answer.returncode} from {' '.join(map(str, command))}: {answer.stderr}")
+
+
+def main(name: str, work: Callable[[Rig], None], emulator: Sequence[str] = ()) -> int:
+    rig = Rig(emulator)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    try:
+        work(rig)
+    except (Failure, OSError, subprocess.TimeoutExpired, ValueError, KeyError) as failure:
+        print(f"{name}: {type(failure).__name__}: {failure}", file=sys.stderr)
+        for log in sorted(rig.folder.glob("*.log")):
+            print(f"==> {log.name}\n" + "\n".join(log.read_text(errors="replace").splitlines()[-30:]), file=sys.stderr)
+        return 1
+    finally:
+        rig.clear()
+    return 0
