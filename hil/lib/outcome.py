@@ -22,6 +22,7 @@ class Outcome:
     ticks_to_zero: int | None = None
     skipped: int = 0
     seconds: int | None = None
+    equal: bool | None = None   # of two runs, to the last byte
 
     def line(self) -> str:
         return json.dumps(asdict(self))
