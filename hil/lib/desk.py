@@ -18,13 +18,13 @@ class Failure(Exception):
     """Why the script cannot go on, as one clause."""
 
 
-def within(seconds: float, condition: Callable[[], bool]) -> bool:
+def within(seconds: float, condition: Callable[[], object]) -> bool:
     """Waits until the condition holds; returns False if it still does not after that many seconds."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() >= end:
             return False
-        time.sleep(0.1)
+        time.sleep(0.05)
     return True
 
 

@@ -12,10 +12,14 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
+from lib.desk import Failure, within  # noqa: E402
+
+__all__ = ["SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "main", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
@@ -25,22 +29,9 @@ Answer = subprocess.CompletedProcess[str]
 Process = subprocess.Popen[bytes]
 
 
-class Failure(Exception):
-    """What does not hold."""
-
-
 def check(condition: object, sentence: str) -> None:
     if not condition:
         raise Failure(sentence)
-
-
-def within(seconds: float, condition: Callable[[], object]) -> bool:
-    end = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() >= end:
-            return False
-        time.sleep(0.05)
-    return True
 
 
 def code_of(process: Process) -> int:
