@@ -32,7 +32,7 @@ void catch_end_signals() {
   sigprocmask(SIG_BLOCK, &set, nullptr);
 }
 
-void serve_faces(const std::vector<std::unique_ptr<Face>>& faces) {
+void serve_frontends(const std::vector<std::unique_ptr<Frontend>>& frontends) {
   sigset_t waiting;
   sigprocmask(SIG_BLOCK, nullptr, &waiting);
   sigdelset(&waiting, SIGINT);
@@ -41,9 +41,9 @@ void serve_faces(const std::vector<std::unique_ptr<Face>>& faces) {
   while (end_asked == 0) {
     wanted.clear();
     std::optional<Time> due;
-    for (const auto& face : faces) {
-      face->wait_for(wanted);
-      const auto time = face->due();
+    for (const auto& frontend : frontends) {
+      frontend->wait_for(wanted);
+      const auto time = frontend->due();
       if (time && (!due || *time < *due)) due = time;
     }
     timespec left{};
@@ -53,7 +53,7 @@ void serve_faces(const std::vector<std::unique_ptr<Face>>& faces) {
       left.tv_nsec = static_cast<long>(ns % 1'000'000'000);
     }
     ppoll(wanted.data(), wanted.size(), due ? &left : nullptr, &waiting);
-    for (const auto& face : faces) face->serve(std::chrono::steady_clock::now());
+    for (const auto& frontend : frontends) frontend->serve(std::chrono::steady_clock::now());
   }
 }
 

@@ -114,13 +114,13 @@ void run(const Options& o) {
     throw std::runtime_error("--usbredir and --vhci need --pace real: a kernel's USB has frames of its own");
   PacedDevice device(SimulatedFalcon(settings_of(o)), pace);
   catch_end_signals();
-  std::vector<std::unique_ptr<Face>> faces;
-  if (!o.socket.empty()) faces.push_back(std::make_unique<SocketFrontend>(o.socket, device));
-  if (!o.usbredir.empty()) faces.push_back(make_usbredir_face(o.usbredir, device));
-  if (!o.vhci.empty()) faces.push_back(make_usbip_face(vhci_port(o.vhci), device));
+  std::vector<std::unique_ptr<Frontend>> frontends;
+  if (!o.socket.empty()) frontends.push_back(std::make_unique<SocketFrontend>(o.socket, device));
+  if (!o.usbredir.empty()) frontends.push_back(make_usbredir_frontend(o.usbredir, device));
+  if (!o.vhci.empty()) frontends.push_back(make_usbip_frontend(vhci_port(o.vhci), device));
   std::printf("falcon-sim: ready\n");
   std::fflush(stdout);
-  serve_faces(faces);
+  serve_frontends(frontends);
   const SimulatedFalcon& falcon = device.falcon();
   const Vector p = falcon.mechanism().position_mm();
   std::printf("falcon-sim: %llu packets, torque until the %lluth, ran out %d times, ", static_cast<unsigned long long>(falcon.packets()),

@@ -1,13 +1,13 @@
 /// The local socket: one client at a time, one answer to each request in their order.
 #pragma once
 
-#include "hil/falcon_sim/face.h"
+#include "hil/falcon_sim/frontend.h"
 #include "hil/falcon_sim/listener.h"
 #include "hil/falcon_sim/messages.h"
 
 namespace isotouch::falcon_sim {
 
-class SocketFrontend final : public Face {
+class SocketFrontend final : public Frontend {
  public:
   /// fails     std::runtime_error as Listener
   SocketFrontend(const std::filesystem::path& path, PacedDevice& device);

@@ -52,7 +52,7 @@ struct Request {
   std::size_t following() const { return command == kSubmit && !towards_host() ? length : 0; }
 };
 
-class UsbipFrontend final : public Face {
+class UsbipFrontend final : public Frontend {
  public:
   UsbipFrontend(AttachPort attach, PacedDevice& device) : attach_(std::move(attach)), device_(device) { plug_in(); }
 
@@ -209,7 +209,7 @@ AttachPort vhci_port(std::filesystem::path controller) {
   };
 }
 
-std::unique_ptr<Face> make_usbip_face(AttachPort attach, PacedDevice& device) {
+std::unique_ptr<Frontend> make_usbip_frontend(AttachPort attach, PacedDevice& device) {
   return std::make_unique<UsbipFrontend>(std::move(attach), device);
 }
 

@@ -1,5 +1,5 @@
 /// The device on a Linux kernel's own USB, without hardware: its virtual host controller (vhci_hcd) takes one end of a pair of sockets, and the
-/// face answers at the other end. libusb, usbfs and the controller above them are the ones that a real device would have.
+/// frontend answers at the other end. libusb, usbfs and the controller above them are the ones that a real device would have.
 ///
 /// source    the kernel's Documentation/usb/usbip_protocol: CMD_SUBMIT, RET_SUBMIT, CMD_UNLINK, RET_UNLINK, 48 bytes each, big-endian
 #pragma once
@@ -8,7 +8,7 @@
 #include <functional>
 #include <memory>
 
-#include "hil/falcon_sim/face.h"
+#include "hil/falcon_sim/frontend.h"
 #include "hil/falcon_sim/listener.h"
 
 namespace isotouch::falcon_sim {
@@ -22,6 +22,6 @@ using AttachPort = std::function<bool(Descriptor kernels_end)>;
 AttachPort vhci_port(std::filesystem::path controller);
 
 /// fails     std::runtime_error as `attach`
-std::unique_ptr<Face> make_usbip_face(AttachPort attach, PacedDevice& device);
+std::unique_ptr<Frontend> make_usbip_frontend(AttachPort attach, PacedDevice& device);
 
 }  // namespace isotouch::falcon_sim

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPlugInterval = 200ms;  // an unplugged device asks so often whether it is plugged in again
 
-class UsbredirFrontend final : public Face {
+class UsbredirFrontend final : public Frontend {
  public:
   UsbredirFrontend(const std::filesystem::path& path, PacedDevice& device) : listener_(path, SOCK_STREAM), device_(device) {}
 
@@ -58,7 +58,7 @@ class UsbredirFrontend final : public Face {
     void operator()(usbredirparser* parser) const { usbredirparser_destroy(parser); }
   };
 
-  static UsbredirFrontend& self(void* face) { return *static_cast<UsbredirFrontend*>(face); }
+  static UsbredirFrontend& self(void* frontend) { return *static_cast<UsbredirFrontend*>(frontend); }
 
   void welcome() {
     peer_ = listener_.accept();
@@ -69,37 +69,37 @@ class UsbredirFrontend final : public Face {
     p.log_func = [](void*, int level, const char* message) {
       if (level <= usbredirparser_warning) std::fprintf(stderr, "falcon-sim: usbredir: %s\n", message);
     };
-    p.read_func = [](void* face, std::uint8_t* data, int count) {
-      const ssize_t size = ::recv(self(face).peer_.get(), data, static_cast<std::size_t>(count), MSG_DONTWAIT);
+    p.read_func = [](void* frontend, std::uint8_t* data, int count) {
+      const ssize_t size = ::recv(self(frontend).peer_.get(), data, static_cast<std::size_t>(count), MSG_DONTWAIT);
       if (size < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
       return size <= 0 ? -1 : static_cast<int>(size);
     };
-    p.write_func = [](void* face, std::uint8_t* data, int count) {
-      const ssize_t size = ::send(self(face).peer_.get(), data, static_cast<std::size_t>(count), MSG_NOSIGNAL | MSG_DONTWAIT);
+    p.write_func = [](void* frontend, std::uint8_t* data, int count) {
+      const ssize_t size = ::send(self(frontend).peer_.get(), data, static_cast<std::size_t>(count), MSG_NOSIGNAL | MSG_DONTWAIT);
       if (size < 0 && (errno == EAGAIN || errno == EINTR)) return 0;
       return size < 0 ? -1 : static_cast<int>(size);
     };
-    p.hello_func = [](void* face, usb_redir_hello_header*) { self(face).greeted_ = true; };
+    p.hello_func = [](void* frontend, usb_redir_hello_header*) { self(frontend).greeted_ = true; };
     p.reset_func = [](void*) {};
-    p.set_configuration_func = [](void* face, std::uint64_t id, usb_redir_set_configuration_header* wanted) {
-      self(face).configure(id, wanted->configuration);
+    p.set_configuration_func = [](void* frontend, std::uint64_t id, usb_redir_set_configuration_header* wanted) {
+      self(frontend).configure(id, wanted->configuration);
     };
-    p.get_configuration_func = [](void* face, std::uint64_t id) { self(face).configure(id, 1); };
-    p.set_alt_setting_func = [](void* face, std::uint64_t id, usb_redir_set_alt_setting_header* wanted) {
-      self(face).tell_setting(id, wanted->interface, wanted->alt);
+    p.get_configuration_func = [](void* frontend, std::uint64_t id) { self(frontend).configure(id, 1); };
+    p.set_alt_setting_func = [](void* frontend, std::uint64_t id, usb_redir_set_alt_setting_header* wanted) {
+      self(frontend).tell_setting(id, wanted->interface, wanted->alt);
     };
-    p.get_alt_setting_func = [](void* face, std::uint64_t id, usb_redir_get_alt_setting_header* wanted) {
-      self(face).tell_setting(id, wanted->interface, 0);
+    p.get_alt_setting_func = [](void* frontend, std::uint64_t id, usb_redir_get_alt_setting_header* wanted) {
+      self(frontend).tell_setting(id, wanted->interface, 0);
     };
-    p.cancel_data_packet_func = [](void* face, std::uint64_t id) { self(face).cancel(id); };
+    p.cancel_data_packet_func = [](void* frontend, std::uint64_t id) { self(frontend).cancel(id); };
     p.device_disconnect_ack_func = [](void*) {};
-    p.control_packet_func = [](void* face, std::uint64_t id, usb_redir_control_packet_header* header, std::uint8_t* data, int) {
-      self(face).control(id, *header);
-      usbredirparser_free_packet_data(self(face).parser_.get(), data);
+    p.control_packet_func = [](void* frontend, std::uint64_t id, usb_redir_control_packet_header* header, std::uint8_t* data, int) {
+      self(frontend).control(id, *header);
+      usbredirparser_free_packet_data(self(frontend).parser_.get(), data);
     };
-    p.bulk_packet_func = [](void* face, std::uint64_t id, usb_redir_bulk_packet_header* header, std::uint8_t* data, int size) {
-      self(face).bulk(id, *header, {data, static_cast<std::size_t>(size)});
-      usbredirparser_free_packet_data(self(face).parser_.get(), data);
+    p.bulk_packet_func = [](void* frontend, std::uint64_t id, usb_redir_bulk_packet_header* header, std::uint8_t* data, int size) {
+      self(frontend).bulk(id, *header, {data, static_cast<std::size_t>(size)});
+      usbredirparser_free_packet_data(self(frontend).parser_.get(), data);
     };
     std::array<std::uint32_t, USB_REDIR_CAPS_SIZE> capabilities{};
     for (const int capability : {usb_redir_cap_connect_device_version, usb_redir_cap_device_disconnect_ack,
@@ -218,7 +218,7 @@ class UsbredirFrontend final : public Face {
 
 }  // namespace
 
-std::unique_ptr<Face> make_usbredir_face(const std::filesystem::path& path, PacedDevice& device) {
+std::unique_ptr<Frontend> make_usbredir_frontend(const std::filesystem::path& path, PacedDevice& device) {
   return std::make_unique<UsbredirFrontend>(path, device);
 }
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "hil/falcon_sim/face.h"
+#include "hil/falcon_sim/frontend.h"
 
 namespace isotouch::falcon_sim {
 
 /// fails     std::runtime_error: as Listener, or a sentence that this build was made without the library
-std::unique_ptr<Face> make_usbredir_face(const std::filesystem::path& path, PacedDevice& device);
+std::unique_ptr<Frontend> make_usbredir_frontend(const std::filesystem::path& path, PacedDevice& device);
 
 }  // namespace isotouch::falcon_sim

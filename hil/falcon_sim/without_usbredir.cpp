@@ -4,7 +4,7 @@
 
 namespace isotouch::falcon_sim {
 
-std::unique_ptr<Face> make_usbredir_face(const std::filesystem::path&, PacedDevice&) {
+std::unique_ptr<Frontend> make_usbredir_frontend(const std::filesystem::path&, PacedDevice&) {
   throw std::runtime_error("this falcon-sim was built without usbredir; configure with -DISOTOUCH_USBREDIR=ON");
 }
 

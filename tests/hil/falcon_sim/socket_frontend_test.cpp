@@ -13,19 +13,19 @@ using namespace std::chrono_literals;
 
 constexpr Time kNoon{std::chrono::hours(12)};
 
-/// A device behind a socket with one client, in one thread: the test says when the face serves and what time it is.
+/// A device behind a socket with one client, in one thread: the test says when the frontend serves and what time it is.
 class SocketFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings, Pace pace) {
     device_.emplace(driver::running(std::move(settings)), pace);
-    face_.emplace(path_, *device_);
+    frontend_.emplace(path_, *device_);
     client_ = connect_to(path_, SOCK_SEQPACKET);
     ASSERT_TRUE(client_);
   }
   void say(const Bytes& message) {
     ASSERT_EQ(::send(client_.get(), message.data(), message.size(), MSG_NOSIGNAL), static_cast<ssize_t>(message.size()));
   }
-  /// What the face says; empty when it says nothing, or has hung up.
+  /// What the frontend says; empty when it says nothing, or has hung up.
   Bytes hear() {
     Bytes bytes(8192);
     const ssize_t size = ::recv(client_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
@@ -35,7 +35,7 @@ class SocketFrontendTest : public testing::Test {
   }
   Bytes ask(const Bytes& message, Time now = kNoon) {
     say(message);
-    face_->serve(now);
+    frontend_->serve(now);
     return hear();
   }
   static Bytes out(const Bytes& data) {
@@ -45,9 +45,9 @@ class SocketFrontendTest : public testing::Test {
   }
   static Bytes in(std::uint8_t timeout_ms) { return {'I', 64, 0, timeout_ms, 0, 0, 0}; }
 
-  const std::filesystem::path path_ = socket_path("socket-face");
+  const std::filesystem::path path_ = socket_path("socket-frontend");
   std::optional<PacedDevice> device_;
-  std::optional<SocketFrontend> face_;
+  std::optional<SocketFrontend> frontend_;
   Descriptor client_;
   bool hung_up_ = false;
 };
@@ -70,7 +70,7 @@ TEST_F(SocketFrontendTest, RequestsSentAheadAreAnsweredInTheirOrder) {
   say(out(driver::command({})));
   say(in(100));
   say({'D'});
-  face_->serve(kNoon);
+  frontend_->serve(kNoon);
   EXPECT_EQ(hear()[0], 'o');
   EXPECT_EQ(hear().size(), 20U);
   EXPECT_EQ(hear()[0], 'd');
@@ -80,22 +80,22 @@ TEST_F(SocketFrontendTest, InRealPaceAReadWaitsForItsFrame) {
   begin({}, Pace::kReal);
   ask(out(driver::command({})), kNoon + 100us);
   EXPECT_TRUE(ask(in(100), kNoon + 200us).empty());
-  EXPECT_EQ(face_->due(), kNoon + 1ms);
-  face_->serve(kNoon + 999us);
+  EXPECT_EQ(frontend_->due(), kNoon + 1ms);
+  frontend_->serve(kNoon + 999us);
   EXPECT_TRUE(hear().empty());
-  face_->serve(kNoon + 1ms);
+  frontend_->serve(kNoon + 1ms);
   EXPECT_EQ(hear().size(), 20U);
-  EXPECT_EQ(face_->due(), std::nullopt);
+  EXPECT_EQ(frontend_->due(), std::nullopt);
 }
 
 TEST_F(SocketFrontendTest, AReadThatIsTiredOfWaitingIsTold) {
   begin({}, Pace::kReal);
   device_->falcon().control(driver::kLatency16);
   EXPECT_TRUE(ask(in(5), kNoon).empty());
-  face_->serve(kNoon + 5ms);
+  frontend_->serve(kNoon + 5ms);
   EXPECT_EQ(hear(), (Bytes{'i', 2}));
   EXPECT_TRUE(ask(in(50), kNoon + 6ms).empty());
-  face_->serve(kNoon + 22ms);
+  frontend_->serve(kNoon + 22ms);
   EXPECT_EQ(hear(), (Bytes{'i', 0, 0x01, 0x60}));
 }
 
@@ -108,7 +108,7 @@ TEST_F(SocketFrontendTest, AnUnpluggedDeviceClosesTheDoorUntilItIsBack) {
   hear();
   EXPECT_TRUE(hung_up_);
   client_ = connect_to(path_, SOCK_SEQPACKET);
-  face_->serve(kNoon);
+  frontend_->serve(kNoon);
   hear();
   EXPECT_TRUE(hung_up_);  // refused once
   client_ = connect_to(path_, SOCK_SEQPACKET);
@@ -127,8 +127,8 @@ TEST_F(SocketFrontendTest, AClientThatLeavesWhileItWaitsMakesRoom) {
   begin({}, Pace::kReal);
   EXPECT_TRUE(ask(in(0), kNoon).empty());
   client_ = connect_to(path_, SOCK_SEQPACKET);
-  face_->serve(kNoon);
-  face_->serve(kNoon);
+  frontend_->serve(kNoon);
+  frontend_->serve(kNoon);
   EXPECT_EQ(ask({'D'})[0], 'd');
 }
 

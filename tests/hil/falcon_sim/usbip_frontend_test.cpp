@@ -35,7 +35,7 @@ class UsbipFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings) {
     device_ = std::make_unique<PacedDevice>(driver::running(std::move(settings)), Pace::kReal);
-    face_ = make_usbip_face(
+    frontend_ = make_usbip_frontend(
         [this](Descriptor end) {
           ++plugs_;
           if (busy_) return false;
@@ -58,7 +58,7 @@ class UsbipFrontendTest : public testing::Test {
     message.insert(message.end(), setup.begin(), setup.end());
     message.insert(message.end(), data.begin(), data.end());
     EXPECT_EQ(::send(kernel_.get(), message.data(), message.size(), MSG_NOSIGNAL), static_cast<ssize_t>(message.size()));
-    face_->serve(now_);
+    frontend_->serve(now_);
     return number_;
   }
 
@@ -87,7 +87,7 @@ class UsbipFrontendTest : public testing::Test {
   }
 
   std::unique_ptr<PacedDevice> device_;
-  std::unique_ptr<Face> face_;
+  std::unique_ptr<Frontend> frontend_;
   Descriptor kernel_;
   Time now_{std::chrono::hours(12)};
   std::uint32_t number_ = 0;
@@ -129,7 +129,7 @@ TEST_F(UsbipFrontendTest, CarriesAPacketOutAndItsReplyBackWithTheNextFrame) {
   EXPECT_EQ(said->length, 16U);
   EXPECT_FALSE(answer());
   now_ += 1ms;
-  face_->serve(now_);
+  frontend_->serve(now_);
   inbound_ = true;
   said = answer();
   ASSERT_TRUE(said);
@@ -146,7 +146,7 @@ TEST_F(UsbipFrontendTest, ARequestInPiecesIsOneRequest) {
   for (std::size_t i = 0; i < whole.size(); ++i) {
     EXPECT_FALSE(answer()) << i;
     ASSERT_EQ(::send(kernel_.get(), &whole[i], 1, MSG_NOSIGNAL), 1);
-    face_->serve(now_);
+    frontend_->serve(now_);
   }
   const auto said = answer();
   ASSERT_TRUE(said);
@@ -163,7 +163,7 @@ TEST_F(UsbipFrontendTest, AReadThatIsTakenBackIsNotAnswered) {
   EXPECT_EQ(said->number, taking);
   EXPECT_EQ(said->status, -ECONNRESET);
   now_ += 100ms;
-  face_->serve(now_);
+  frontend_->serve(now_);
   EXPECT_FALSE(answer());
   send(kUnlink, kOut, 0, read);  // it is no longer there
   said = answer();
@@ -180,10 +180,10 @@ TEST_F(UsbipFrontendTest, GoesWhenUnpluggedAndComesBackOnceThePortIsFree) {
   }
   EXPECT_TRUE(hung_up());
   busy_ = true;
-  for (int i = 0; i < 5; ++i) face_->serve(now_ += 200ms);
+  for (int i = 0; i < 5; ++i) frontend_->serve(now_ += 200ms);
   EXPECT_EQ(plugs_, 6);
   busy_ = false;
-  face_->serve(now_ += 200ms);
+  frontend_->serve(now_ += 200ms);
   EXPECT_EQ(plugs_, 7);
   inbound_ = true;
   send(kSubmit, kIn, 0, 64, {0x80, 6, 0, 1, 0, 0, 64, 0});
@@ -202,9 +202,9 @@ TEST_F(UsbipFrontendTest, WhatIsNoRequestStartsThePortAnew) {
     plugs_ = 0;
     begin({});
     ASSERT_EQ(::send(kernel_.get(), nonsense.data(), nonsense.size(), MSG_NOSIGNAL), 48);
-    face_->serve(now_);
+    frontend_->serve(now_);
     EXPECT_TRUE(hung_up());
-    face_->serve(now_ + 1s);
+    frontend_->serve(now_ + 1s);
     EXPECT_EQ(plugs_, 2);
   }
 }

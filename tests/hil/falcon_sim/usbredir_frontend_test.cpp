@@ -20,7 +20,7 @@ class UsbredirFrontendTest : public testing::Test {
  protected:
   void begin(Settings settings) {
     device_ = std::make_unique<PacedDevice>(driver::running(std::move(settings)), Pace::kReal);
-    face_ = make_usbredir_face(path_, *device_);
+    frontend_ = make_usbredir_frontend(path_, *device_);
     machine_ = connect_to(path_, SOCK_STREAM);
     ASSERT_TRUE(machine_);
     parser_.reset(usbredirparser_create());
@@ -69,7 +69,7 @@ class UsbredirFrontendTest : public testing::Test {
   void pass() {
     for (int i = 0; i < 4; ++i) {
       while (usbredirparser_has_data_to_write(parser_.get()) > 0) ASSERT_EQ(usbredirparser_do_write(parser_.get()), 0);
-      face_->serve(now_);
+      frontend_->serve(now_);
       usbredirparser_do_read(parser_.get());
     }
   }
@@ -83,9 +83,9 @@ class UsbredirFrontendTest : public testing::Test {
   struct Destroy {
     void operator()(usbredirparser* parser) const { usbredirparser_destroy(parser); }
   };
-  const std::filesystem::path path_ = socket_path("usbredir-face");
+  const std::filesystem::path path_ = socket_path("usbredir-frontend");
   std::unique_ptr<PacedDevice> device_;
-  std::unique_ptr<Face> face_;
+  std::unique_ptr<Frontend> frontend_;
   Descriptor machine_;
   std::unique_ptr<usbredirparser, Destroy> parser_;
   Time now_{std::chrono::hours(12)};

@@ -1,4 +1,4 @@
-/// One way into the simulated device. The program waits for what a face waits for, then lets it serve; no face ever blocks.
+/// One way into the simulated device. The program waits for what a frontend waits for, then lets it serve; no frontend ever blocks.
 #pragma once
 
 #include <poll.h>
@@ -10,9 +10,9 @@
 
 namespace isotouch::falcon_sim {
 
-class Face {
+class Frontend {
  public:
-  virtual ~Face() = default;
+  virtual ~Frontend() = default;
 
   /// Adds what it waits for.
   virtual void wait_for(std::vector<pollfd>& wanted) const = 0;
