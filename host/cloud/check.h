@@ -17,12 +17,12 @@ struct CloudReport {
   std::string format;             ///< "PLY, binary little-endian"
   std::uint64_t source_hash = 0;  ///< of the file's bytes, as an image stores it
   std::size_t points_read = 0;
-  std::size_t points = 0;                         ///< after merging
-  std::size_t renormalised = 0;                   ///< normals whose length was more than 1 % off
-  std::size_t merged = 0;                         ///< points at a place that another one already had
-  std::size_t contradictory = 0;                  ///< points left out because the normals at their place contradict each other
-  double outward = 0.0;                           ///< as read: 1 all normals point out, -1 all point in, near 0 nobody can tell
-  bool flipped = false;                           ///< all normals were turned round
+  std::size_t points = 0;         ///< after merging
+  bool has_normals = true;        ///< if not, the points' normals are zero, and to be estimated
+  std::size_t renormalised = 0;   ///< normals whose length was more than 1 % off
+  std::size_t merged = 0;         ///< points at a place that another one already had
+  std::size_t contradictory = 0;  ///< points whose normals contradict each other at their place
+  bool two_faced = false;         ///< so many that one of each place is kept, with a normal of unknown sign; few are left out
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< the points' box, cloud units
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
@@ -34,17 +34,13 @@ struct CloudReport {
 ///
 /// normals      a length from 1/2 to 2 is brought to 1 (further off it is refused: it may not be a normal at all)
 /// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals and stiffnesses; when that mean is
-///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out
-/// direction    outside is where the cloud ends: for 98 directions the outermost point is asked whether its normal points that way. On a closed
-///              surface it does, whatever the sampling, the cavities or the holes elsewhere. Where most say no, all normals are turned round
+///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out,
+///              unless that happens at a tenth of all places: then the first is kept
 ///
 /// name      of the file, for the sentences
-/// fails     InputError: no points, no normals, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
+/// fails     InputError: no points, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
 ///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
-
-/// The share of agreement between -1 (all inward) and 1 (all outward), as described above.
-double outwardness(const OrientedPoints& points);
 
 /// From a point to its nearest neighbour, the median: of a large cloud, of 4,096 points and a few more, spread over the list.
 ///

@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host/board_commands/choice.h"
 #include "host/commands/built_field.h"
@@ -33,19 +34,43 @@ KindNames names_of(InputKind kind) {
   return {"level_set", "voxels"};
 }
 
-void print_json(const BuildReport& report, const FieldView& view) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
+nlohmann::ordered_json to_json(const field::Verdict& verdict) {
+  return {{"plausible", verdict.plausible()},
+          {"reasons", verdict.reasons},
+          {"noise_spacing", verdict.noise_spacing},
+          {"stray_share", verdict.stray_share},
+          {"turned_share", verdict.turned_share},
+          {"invented_share", verdict.invented_share},
+          {"rim_mm", verdict.rim_mm},
+          {"volume_of_hull", verdict.volume_of_hull},
+          {"off_surface_share", verdict.off_surface_share},
+          {"opposed_share", verdict.opposed_share}};
+}
+
+/// What is known of a field that was refused.
+void print_refused(const BuildReport& report) {
   const nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
                                        {"points", report.points},
                                        {"inside_nodes", report.inside_nodes},
-                                       {"seconds", report.seconds},
-                                       {"stages", stages},
-                                       {"bytes", view.image.size()},
-                                       {"wire_bytes", report.packed_bytes},
-                                       {"dense_float_bytes", encoding::dense_float_bytes(view)},
-                                       {"hash", trace::hash_text(view.hash())},
-                                       {"warnings", report.warnings}};
+                                       {"warnings", report.warnings},
+                                       {"verdict", to_json(*report.verdict)}};
+  std::printf("%s\n", json.dump(2).c_str());
+}
+
+void print_json(const BuildReport& report, const FieldView& view) {
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
+  nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
+                                 {"points", report.points},
+                                 {"inside_nodes", report.inside_nodes},
+                                 {"seconds", report.seconds},
+                                 {"stages", stages},
+                                 {"bytes", view.image.size()},
+                                 {"wire_bytes", report.packed_bytes},
+                                 {"dense_float_bytes", encoding::dense_float_bytes(view)},
+                                 {"hash", trace::hash_text(view.hash())},
+                                 {"warnings", report.warnings}};
+  if (report.verdict) json["verdict"] = to_json(*report.verdict);
   std::printf("%s\n", json.dump(2).c_str());
 }
 
@@ -106,12 +131,32 @@ void add_build(CLI::App& app) {
   command
       ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
       ->check(CLI::Range(1, 1024));
+  const std::map<std::string, bool> normals = {{"file", false}, {"estimate", true}};
+  command
+      ->add_option("--normals", options->estimate_normals,
+                   "'file' takes the normals of the points, 'estimate' finds them from the points; by default they are estimated where the "
+                   "file has none")
+      ->transform(one_of(normals));
+  command
+      ->add_option_function<std::vector<double>>(
+          "--viewpoint",
+          [options](const std::vector<double>& place) { options->viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
+          "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it")
+      ->expected(3);
+  command->add_flag("--accept-implausible", options->accept_implausible, "write the field although it was judged to be probably wrong");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, json] {
     if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
-    const BuiltField built = built_field(*options);
+    const BuiltField built = [&] {
+      try {
+        return built_field(*options);
+      } catch (const Implausible& refused) {
+        if (*json) print_refused(refused.report);
+        throw;
+      }
+    }();
     if (*json) {
       print_json(built.report, built.field.view);
     } else {

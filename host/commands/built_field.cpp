@@ -16,13 +16,13 @@
 #include "host/encoding/inside_samples.h"
 #include "host/error.h"
 #include "host/field/brick_stiffness.h"
-#include "host/field/build_field.h"
 #include "host/field/closed_mesh.h"
 #include "host/field/make_grid.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
 #include "host/field/nearest.h"
 #include "host/field/parallel.h"
+#include "host/field/scan_field.h"
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/published/build.h"
@@ -37,7 +37,7 @@ namespace {
 struct Made {
   field::BandField field;
   std::optional<std::size_t> inside_nodes = {};
-  cloud::OrientedPoints points = {};
+  std::optional<field::SoundScan> scan = {};  ///< of a cloud; workspace, mm
 };
 
 cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
@@ -46,11 +46,21 @@ cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::V
   return cloud::place(positions, size);
 }
 
-/// The grid round placed positions.
-field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vector3d> positions, double margin) {
+Eigen::AlignedBox3d box_of(std::span<const Eigen::Vector3d> positions) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : positions) box.extend(position);
-  return field::make_grid(box.min(), box.max(), options.voxel_mm.value_or(box.sizes().maxCoeff() / options.grid_voxels()), margin);
+  return box;
+}
+
+double longest_side(std::span<const Eigen::Vector3d> positions) { return box_of(positions).sizes().maxCoeff(); }
+
+/// The grid round placed positions.
+field::Grid grid_round(double edge, std::span<const Eigen::Vector3d> positions, double margin) {
+  const Eigen::AlignedBox3d box = box_of(positions);
+  return field::make_grid(box.min(), box.max(), edge, margin);
+}
+field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vector3d> positions, double margin) {
+  return grid_round(options.voxel_mm.value_or(longest_side(positions) / options.grid_voxels()), positions, margin);
 }
 
 /// fails     InputError when the published method was asked for something else than points
@@ -63,32 +73,40 @@ void require_default_method(const BuildOptions& options, const char* what) {
 
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
-  const cloud::OrientedPoints in_cloud = cloud::read_cloud(source, read);
+  cloud::OrientedPoints points = cloud::read_cloud(source, read);
+  progress.begin("outside");
+  const field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.viewpoint};
+  if (!how.estimate && !read.has_normals)
+    throw InputError(options.input.string() + ": its points have no normals; leave --normals file out");
+  field::SoundScan sound = field::sound_scan(std::move(points), how);
   progress.end();
-  report.placement = placement(options, in_cloud.positions);
+  const std::span measured(sound.points.positions.data(), sound.measured);
+  report.placement = placement(options, measured);
   report.format = read.format;
   report.source_hash = read.source_hash;
-  report.points = in_cloud.size();
+  report.points = read.points;
   report.warnings = read.warnings();
-  cloud::OrientedPoints points = cloud::placed(in_cloud, report.placement);
+  if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
+  const double edge = options.voxel_mm.value_or(longest_side(measured) * report.placement.scale / options.grid_voxels());
+  sound.place(report.placement);
+  for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
 
   if (options.method == encoding::Method::kPublished) {
-    const published::Built built = published::build(points, grid_round(options, points.positions, published::kMargin), progress);
-    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(points)};
-    if (!made.points.stiffness.empty()) {
+    sound.drop_invented();
+    const published::Built built = published::build(sound.points, grid_round(edge, sound.points.positions, published::kMargin), progress);
+    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound)};
+    const cloud::OrientedPoints& placed = made.scan->points;
+    if (!placed.stiffness.empty()) {
       std::vector<Eigen::Vector3d> places;
-      for (const Eigen::Vector3d& p : made.points.positions) places.push_back(made.field.grid.to_index(p));
-      made.field.stiffness = field::brick_stiffness(made.field.bricks, made.points.stiffness, field::Nearest(places));
+      for (const Eigen::Vector3d& p : placed.positions) places.push_back(made.field.grid.to_index(p));
+      made.field.stiffness = field::brick_stiffness(made.field.bricks, placed.stiffness, field::Nearest(places));
     }
     return made;
   }
-  const double band = options.band_voxels();
-  const field::Grid grid = grid_round(options, points.positions, field::field_margin(band));
-  field::Repair repair;
-  Made made{field::build_field(points, grid, band, progress, &repair), std::nullopt, {}};
-  for (const std::string& warning : repair.warnings()) report.warnings.push_back(warning);
-  made.points = std::move(points);
-  return made;
+  field::ScanField built = field::scan_field(sound, edge, options.band_voxels(), progress);
+  for (const std::string& warning : built.repair.warnings()) report.warnings.push_back(warning);
+  report.verdict = std::move(built.verdict);
+  return {std::move(built.field), std::nullopt, std::move(sound)};
 }
 
 Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -101,8 +119,8 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
   if (!options.as && repair.holes > 0 && !read.format.starts_with("STL")) {  // more likely a scan with some faces than a body
     throw InputError(
         options.input.string() + ": its " + std::to_string(file.vertices.size()) +
-        " points have no normals, and its faces do not close; estimate outward normals in a point-cloud program and save them with "
-        "the points, or say --as mesh to have the holes closed");
+        " points have no normals, and its faces do not close; say --as cloud to have normals estimated from the points, or --as mesh to "
+        "have the holes closed");
   }
   report.placement = placement(options, in_file.vertices);
   report.format = read.format;
@@ -174,7 +192,17 @@ Made make_field(const BuildOptions& options, BuildReport& report, field::Progres
   return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
 }
 
+/// One sentence with every reason.
+std::string refusal(const std::string& input, const field::Verdict& verdict) {
+  std::string text = input + ": the field would probably be wrong: ";
+  for (const std::string& reason : verdict.reasons) text += reason + "; ";
+  return text + "--accept-implausible builds it all the same";
+}
+
 }  // namespace
+
+Implausible::Implausible(const std::string& input, BuildReport judged)
+    : InputError(refusal(input, *judged.verdict)), report(std::move(judged)) {}
 
 BuiltField built_field(const BuildOptions& options) {
   field::threads_wanted = options.threads;
@@ -186,12 +214,16 @@ BuiltField built_field(const BuildOptions& options) {
       std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
   }
 
+  if (report.verdict && !report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
   const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
                                  static_cast<std::uint32_t>(report.points), report.placement};
   field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
+  report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
+  if (report.inside_nodes == 0)
+    throw InputError(options.input.string() + ": the field is empty: the points do not bound a body; check their normals");
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);
   const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;
@@ -205,11 +237,15 @@ BuiltField built_field(const BuildOptions& options) {
   write_file(options.out, packed.data(), packed.size());
   progress.end();
 
-  report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   report.packed_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
-  return {std::move(made.points), std::move(field), std::move(report)};
+  cloud::OrientedPoints points;
+  if (made.scan) {
+    made.scan->drop_invented();
+    points = std::move(made.scan->points);
+  }
+  return {std::move(points), std::move(field), std::move(report)};
 }
 
 }  // namespace isotouch::commands

@@ -1,6 +1,7 @@
 /// What `isotouch build` does, for whoever else needs a field of something: input → field → file, with times.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +13,8 @@
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/placement.h"
 #include "host/encoding/write_image.h"
+#include "host/error.h"
+#include "host/field/verdict.h"
 #include "host/field_file/open_field.h"
 
 namespace isotouch::commands {
@@ -27,8 +30,11 @@ struct BuildOptions {
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
   std::optional<double> band = {};
-  std::optional<double> stiffness = {};  ///< the largest, N/mm; 0.8 unless the points have one of their own
-  std::string units = {};                ///< empty = fit
+  std::optional<double> stiffness = {};           ///< the largest, N/mm; 0.8 unless the points have one of their own
+  std::string units = {};                         ///< empty = fit
+  std::optional<bool> estimate_normals = {};      ///< not given: where the file has none
+  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the file's frame
+  bool accept_implausible = false;                ///< write the field although it was judged to be wrong
   double fit_mm = 70.0;
   unsigned threads = 0;  ///< 0 = as many as there are processors
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone
@@ -48,6 +54,13 @@ struct BuildReport {
   std::size_t packed_bytes = 0;  ///< of the file
   double seconds = 0;
   std::vector<std::pair<std::string, double>> stages;
+  std::optional<field::Verdict> verdict;  ///< of a cloud
+};
+
+/// The field is probably not that of the scan.
+struct Implausible : InputError {
+  Implausible(const std::string& input, BuildReport judged);
+  BuildReport report;
 };
 
 struct BuiltField {
@@ -58,7 +71,7 @@ struct BuiltField {
 
 /// Reads the input, makes the field and writes its file; shows its progress, and what is doubtful about the input, on standard error.
 ///
-/// fails     InputError of every stage
+/// fails     InputError of every stage; Implausible, and nothing is written, when the field was judged to be wrong
 BuiltField built_field(const BuildOptions& options);
 
 }  // namespace isotouch::commands

@@ -15,6 +15,7 @@
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
+#include "host/field/sound_scan.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
@@ -37,7 +38,12 @@ struct PointsRun {
 
   void operator()() const {
     cloud::CloudReport report;
-    const cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
+    cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
+    if (!report.has_normals) {
+      field::SoundScan sound = field::sound_scan(std::move(points), {.estimate = true});
+      sound.drop_invented();
+      points = std::move(sound.points);
+    }
     view::write_png(picture.out, view::points_picture(points, {.width = picture.size[0],
                                                                .height = picture.size[1],
                                                                .direction = picture.direction().value_or(view::Direction{.up = picture.up}),

@@ -15,6 +15,8 @@ namespace isotouch::field {
 
 namespace {
 
+constexpr double kExplains = 1.5;  // trust of a model: below, its error is above two thirds of a radian
+
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
   for (auto& p : result.positions) p = grid.to_index(p);
@@ -41,12 +43,6 @@ std::vector<std::string> Repair::warnings() const {
   if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
   if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points stand for left out");
   if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points stand for filled");
-  if (rim.samples > 0) {
-    const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
-    list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +
-                   rounded(rim.place.x()) + ", " + rounded(rim.place.y()) + ", " + rounded(rim.place.z()) +
-                   ") mm in the workspace; the field closes them with surface that was not scanned");
-  }
   return list;
 }
 
@@ -63,11 +59,19 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   Repair mended;
   mended.isolated = described.isolated;
   mended.turned = described.turned;
-  if (repair != nullptr) {
-    mended.rim = open_rim(scan);
-    mended.rim.length *= grid.edge;
-    mended.rim.place = grid.origin + grid.edge * mended.rim.place;
+  std::size_t unexplained = 0;
+  for (const LocalModel& model : described.models) unexplained += model.trust < kExplains ? 1U : 0U;
+  std::size_t surprising = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    double sum = 0.0;
+    const auto near = scan.around(i).first(std::min<std::size_t>(5, scan.around(i).size()));
+    for (const Neighbour& n : near) {
+      if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
+    }
+    surprising += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
   }
+  mended.surprising = static_cast<double>(surprising) / static_cast<double>(scan.size());
+  mended.unexplained = static_cast<double>(unexplained) / static_cast<double>(scan.size());
 
   progress.begin("surface");
   // A scan that is open at a cut goes on along its own direction; the box closes it.

@@ -7,7 +7,6 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
-#include "host/field/open_rim.h"
 #include "host/field/progress.h"
 #include "host/field/unsupported_components.h"
 
@@ -22,8 +21,9 @@ constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 struct Repair {
   std::size_t isolated = 0;      ///< samples far from all others, left out
   std::size_t turned = 0;        ///< normals that nearly all neighbours contradicted
+  double surprising = 0;         ///< share of the samples more than a voxel off the surface that their neighbours expect
+  double unexplained = 0;        ///< share of the samples whose neighbours no local surface explains
   UnsupportedComponents debris;  ///< pieces and cavities that no sample stands for
-  OpenRim rim;                   ///< where the scan ends in the open; workspace, mm. The surface goes on there until it closes
   std::vector<std::string> warnings() const;
 };
 

@@ -1,8 +1,12 @@
 #include "host/field/outliers.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "host/field/parallel.h"
 
 namespace isotouch::field {
 
@@ -14,18 +18,53 @@ constexpr std::uint32_t kFewest = 3;
 constexpr std::uint32_t kFew = 10;  // with so few it may also be no
 constexpr double kSparser = 4.0;    // times as far apart as those round it: points strewn over a large hollow list each other
 
-/// Are samples much farther apart at sample i than at those it lists?
-bool sparser(const Scan& scan, std::size_t i) {
-  const double limit = scan.spacing(i) / kSparser;
-  std::size_t denser = 0;
-  for (const Neighbour& neighbour : scan.around(i)) denser += scan.spacing(neighbour.index) < limit ? 1U : 0U;
-  return 2 * denser > scan.around(i).size();
+// Two samples confirm each other when the step between them lies along both tangent planes and their normals agree but for the sign.
+constexpr double kAlong = 0.42;          // sine of the largest angle to a tangent plane
+constexpr double kAlike = 0.7;           // cosine between the normals
+constexpr std::uint32_t kConfirmed = 3;  // neighbours that confirm a sample which is farther from the others than they are from each other
+constexpr double kApart = 1.7;           // times as far apart as those round it
+
+/// Of the samples that sample i lists, how many have neighbours less than 1 / `times` as far away as its own?
+std::size_t denser(const Scan& scan, std::size_t i, double times) {
+  const double limit = scan.spacing(i) / times;
+  std::size_t count = 0;
+  for (const Neighbour& neighbour : scan.around(i)) count += scan.spacing(neighbour.index) < limit ? 1U : 0U;
+  return count;
+}
+
+bool sparser(const Scan& scan, std::size_t i) { return 2 * denser(scan, i, kSparser) > scan.around(i).size(); }
+
+/// Is the sample apart from those round it, and does hardly any of them lie on one surface with it?
+bool unconfirmed(const Scan& scan, std::size_t i, double usual) {
+  const bool apart = scan.spacing(i) > kApart * usual || 4 * denser(scan, i, kApart) > scan.around(i).size();
+  if (!apart) return false;
+  std::uint32_t confirmed = 0;
+  for (const Neighbour& neighbour : scan.around(i)) {
+    if (neighbour.index == i) continue;
+    const Eigen::Vector3d step = scan.positions()[neighbour.index] - scan.positions()[i];
+    const double limit = kAlong * step.norm();
+    const Eigen::Vector3d &own = scan.normals()[i], &other = scan.normals()[neighbour.index];
+    if (std::abs(own.dot(other)) > kAlike && std::abs(own.dot(step)) < limit && std::abs(other.dot(step)) < limit) ++confirmed;
+  }
+  return confirmed < kConfirmed;
+}
+
+double median_spacing(const Scan& scan) {
+  std::vector<double> spacings(scan.size());
+  for (std::size_t i = 0; i < scan.size(); ++i) spacings[i] = scan.spacing(i);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
 }
 
 }  // namespace
 
 std::vector<std::uint32_t> connected(const Scan& scan) {
   std::vector<std::uint8_t> isolated(scan.size(), 0);
+  const double usual = median_spacing(scan);
+  in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) isolated[i] = unconfirmed(scan, i, usual) ? 1 : 0;
+  });
   std::vector<std::uint32_t> listed(scan.size());
   for (bool found = true; found;) {
     found = false;

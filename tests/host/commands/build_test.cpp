@@ -109,7 +109,7 @@ TEST_F(Build, TheSameCloudGivesTheSameHash) {
 TEST_F(Build, ThePublishedMethodMakesAFieldOfItsOwn) {
   const auto json =
       nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
-  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "radii", "indicator", "levels", "blob", "pack", "write"}));
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "outside", "radii", "indicator", "levels", "blob", "pack", "write"}));
   EXPECT_GT(json["inside_nodes"], 1000);
   EXPECT_THAT(run("info " + file("p.itf")), HasSubstr("published, from 400 points"));
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("p.itf") + " --json"))["band_voxels"], 7.0);
@@ -183,15 +183,42 @@ TEST_F(Build, AnOpenScanIsClosedAndItsRimTold) {
   }
   cloud::write_ply(file("half.ply"), half);
   const auto json = nlohmann::json::parse(run("build " + file("half.ply") + " -o " + file("h.itf") + " --grid 80 --json"));
-  ASSERT_EQ(json["warnings"].size(), 1U);
-  const auto warning = json["warnings"][0].get<std::string>();
+  ASSERT_EQ(json["warnings"].size(), 2U);
+  EXPECT_THAT(json["warnings"][0].get<std::string>(), HasSubstr("only one side"));
+  const auto warning = json["warnings"][1].get<std::string>();
   const std::string start = "the scan is open: its rims are about ";
   ASSERT_EQ(warning.rfind(start, 0), 0U) << warning;
   const double equator = M_PI * 70;
   EXPECT_NEAR(std::stod(warning.substr(start.size())), equator, 0.15 * equator);
+  EXPECT_NEAR(json["verdict"]["rim_mm"].get<double>(), equator, 0.15 * equator);
+  EXPECT_TRUE(json["verdict"]["plausible"].get<bool>());
   const auto info = nlohmann::json::parse(run("info " + file("h.itf") + " --surface --json"));
   EXPECT_EQ(info["components"], 1);
-  EXPECT_NEAR(info["volume_mm3"].get<double>(), 2.0 / 3 * M_PI * 35 * 35 * 35, 0.25 * 2.0 / 3 * M_PI * 35 * 35 * 35);
+  const double with_back = 2.0 / 3 * M_PI * 35 * 35 * 35 + 7 * M_PI * 35 * 35;  // a wall of a tenth of the side goes on behind the rim
+  EXPECT_NEAR(info["volume_mm3"].get<double>(), with_back, 0.1 * with_back);
+}
+
+TEST_F(Build, AnImplausibleFieldIsRefusedUnlessAccepted) {
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 1000);
+  for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
+  cloud::write_ply(file("bad.ply"), points);
+  const std::string build = "build " + file("bad.ply") + " -o " + file("b.itf") + " --grid 40 --json";
+  EXPECT_THROW(run(build), InputError);
+  EXPECT_FALSE(fs::exists(file("b.itf")));
+  const auto json = nlohmann::json::parse(run(build + " --accept-implausible"));
+  EXPECT_FALSE(json["verdict"]["plausible"].get<bool>());
+  EXPECT_GE(json["verdict"]["reasons"].size(), 1U);
+  EXPECT_TRUE(fs::exists(file("b.itf")));
+}
+
+TEST_F(Build, PointsWithoutNormalsGetThemAndThatIsSaid) {
+  std::ofstream text(file("bare.xyz"));
+  for (const auto& p : cloud::sample_shape(cloud::shape("torus"), 2000).positions) text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  text.close();
+  const auto json = nlohmann::json::parse(run("build " + file("bare.xyz") + " -o " + file("bare.itf") + " --grid 60 --json"));
+  EXPECT_THAT(json["warnings"][0].get<std::string>(), HasSubstr("normals were estimated"));
+  EXPECT_TRUE(json["verdict"]["plausible"].get<bool>()) << json["verdict"].dump();
+  EXPECT_THROW(run("build " + file("bare.xyz") + " -o " + file("x.itf") + " --normals file"), InputError);
 }
 
 TEST_F(Build, BadInputLeavesTheOldFile) {

@@ -1,0 +1,47 @@
+/// Which way normals point, when the file does not say or contradicts itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "host/field/scan.h"
+
+namespace isotouch::field {
+
+/// The normals of paraboloids through the nearest points, of any sign.
+///
+/// points    at least 3, not all at one place
+/// returns   unit vectors, one a point
+/// source    Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points, 1992
+std::vector<Eigen::Vector3d> estimated_normals(const std::vector<Eigen::Vector3d>& points);
+
+/// How two normals at neighbouring places agree: 1 where both lie on one circle through the two places and point to the same side of it, -1 to
+/// opposite sides, near 0 where nobody can tell. Two sides of a thin part, back to back, agree.
+///
+/// source    reflection at the plane between the two places: König and Gumhold, Consistent propagation of normal orientations in point clouds, 2009
+double agreement(const Eigen::Vector3d& normal, const Eigen::Vector3d& other, const Eigen::Vector3d& step);
+
+/// Of the pairs of neighbours whose agreement is clear, the share that contradicts itself: 0 in a sound scan, one half where signs are random.
+double contradictions(const Scan& scan);
+
+/// Turns normals until neighbours agree, along the tree of clearest agreements; in every connected part at least half of the normals stay.
+///
+/// heard     the normals' signs are right more often than not: where neighbours hardly tell, the votes of each part decide
+/// returns   how many were turned
+std::size_t orient_by_neighbours(Scan& scan, bool heard);
+
+/// 98 directions all round, one of each two opposite ones: those of the lattice points in [-2, 2]³ that see the origin.
+std::vector<Eigen::Vector3d> half_directions();
+
+/// What a scan as a whole says about its outside.
+struct Facing {
+  double outward = 0;  ///< 1: the outermost points' normals all point out, -1: all in, near 0: nobody can tell
+  double volume =
+      0;  ///< that the surface encloses, by the divergence theorem, over that of the ball with its area; negative when it is inside out
+  double one_sided = 0;  ///< length of the mean normal, weighted by area: 0 for a closed surface, 1 for a flat sheet
+  Eigen::Vector3d front = Eigen::Vector3d::Zero();  ///< unit, the mean normal's direction; zero where there is none
+};
+Facing facing(const Scan& scan);
+
+}  // namespace isotouch::field

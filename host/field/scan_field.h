@@ -1,0 +1,24 @@
+/// From a scan in order to a judged field: the grid round it, the distances, the verdict.
+#pragma once
+
+#include "host/field/band_field.h"
+#include "host/field/build_field.h"
+#include "host/field/progress.h"
+#include "host/field/sound_scan.h"
+#include "host/field/verdict.h"
+
+namespace isotouch::field {
+
+struct ScanField {
+  BandField field;
+  Repair repair;
+  Verdict verdict;
+};
+
+/// scan      workspace, mm
+/// edge      of a voxel, mm
+/// band      half width, voxels, 1 to 7.99
+/// fails     InputError of `make_grid` and `build_field`
+ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& progress);
+
+}  // namespace isotouch::field

@@ -1,0 +1,288 @@
+#include "host/field/sound_scan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "host/cloud/placement.h"
+#include "host/error.h"
+#include "host/field/normal_voting.h"
+#include "host/field/open_rim.h"
+#include "host/field/orientation.h"
+#include "host/field/outliers.h"
+#include "host/field/parallel.h"
+#include "host/field/quadric_fit.h"
+#include "host/field/scan.h"
+#include "host/field/sheet_back.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using cloud::OrientedPoints;
+using Eigen::Vector3d;
+
+constexpr std::size_t kFewestPoints = 8;
+constexpr double kSheet = 0.4;  // of `Facing::one_sided`: a half sphere has 0.5, a box without its bottom at most 0.2
+constexpr double kClosed = 0.2;
+constexpr double kClearVote = 0.6;     // of `Facing::outward`, to turn a whole scan
+constexpr double kOutward = 0.2;       // of the same, to believe one
+constexpr double kClearVolume = 0.04;  // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
+constexpr std::size_t kAsked = 4096;   // samples for the noise, about
+constexpr double kUsual = 0.6;         // of the samples deviate less than what counts as the noise: edges deviate more
+constexpr double kTilted = 0.12;       // 7 degrees
+constexpr double kNoisy = 0.65;
+constexpr double kContradicted = 2.0;    // pairs are rougher than positions: the normals are to blame
+constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
+constexpr std::size_t kNear = 7;         // a sample and its six neighbours
+constexpr double kRough = 0.05;          // spacings
+constexpr double kSmooth = 0.7;          // cosine between normals on one face
+constexpr double kOutlier = 4.0;         // standard deviations of a height
+constexpr double kContradictory = 0.15;  // share of pairs of neighbours
+
+std::unique_ptr<Scan> kept(const Scan& all, const std::vector<std::uint32_t>& samples) {
+  OrientedPoints points;
+  for (const std::uint32_t i : samples) {
+    points.positions.push_back(all.positions()[i]);
+    points.normals.push_back(all.normals()[i]);
+    if (!all.stiffness().empty()) points.stiffness.push_back(all.stiffness()[i]);
+  }
+  return std::make_unique<Scan>(std::move(points));
+}
+
+void turn_all(Scan& scan) {
+  for (std::size_t i = 0; i < scan.size(); ++i) scan.turn_normal(i);
+}
+
+/// The value that a share of all do not exceed.
+double quantile(std::vector<double> values, double share) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+bool inside_out(const Facing& facing) { return facing.outward < -kClearVote && facing.volume < -kClearVolume; }
+bool clear(const Facing& facing) { return facing.outward > kOutward && facing.volume > kClearVolume; }
+
+/// Would it be a closed surface if neighbours agreed? Then it only looks like a sheet, because a half of its normals point inward.
+bool closed_by_neighbours(const Scan& scan) {
+  Scan trial({scan.positions(), scan.normals(), {}});
+  orient_by_neighbours(trial, false);
+  const Facing facing = field::facing(trial);
+  return facing.one_sided < kClosed && (clear(facing) || inside_out(facing));
+}
+
+/// Gives the whole scan one outside.
+Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
+  if (options.viewpoint) {
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      if (scan.normals()[i].dot(*options.viewpoint - scan.positions()[i]) < 0.0) scan.turn_normal(i);
+    }
+    found = facing(scan);
+    return Outside::kViewpoint;
+  }
+  found = facing(scan);
+  const bool contradicts = options.estimate || contradictions(scan) > kContradictory;
+  const bool sheet = found.one_sided > kSheet && !closed_by_neighbours(scan);
+  if (!contradicts && (sheet || clear(found))) return Outside::kAsGiven;
+  if (!contradicts && inside_out(found)) {
+    turn_all(scan);
+    found = facing(scan);
+    return Outside::kTurned;
+  }
+  // Neighbours may know better; but only a clear answer is taken.
+  OrientedPoints before{scan.positions(), scan.normals(), {}};
+  const std::size_t turned = orient_by_neighbours(scan, !options.estimate);
+  Facing after = facing(scan);
+  if (inside_out(after) && after.one_sided < kSheet) {
+    turn_all(scan);
+    after = facing(scan);
+  }
+  const bool sheet_now = after.one_sided > kSheet;
+  const bool agreed = contradictions(scan) < kContradictory;
+  if (sheet_now && options.estimate)
+    throw InputError("the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z");
+  if (agreed && (clear(after) || (sheet_now && 20 * turned < 9 * scan.size()))) {
+    found = after;
+    return turned == 0 ? Outside::kAsGiven : Outside::kNeighbours;
+  }
+  if (options.estimate) {
+    found = after;
+    return Outside::kDoubtful;
+  }
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (scan.normals()[i].dot(before.normals[i]) < 0.0) scan.turn_normal(i);
+  }
+  return Outside::kDoubtful;
+}
+
+/// How far samples lie off what their neighbours expect, and normals off what positions say.
+struct Roughness {
+  double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
+  double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
+  double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
+
+  /// At most so much: detail contradicts no normal, and a wrong normal no position.
+  double noise() const { return std::min(of_positions, of_pairs); }
+  /// Noise is as rough for pairs as for positions; detail is smoother for pairs.
+  bool is_noise() const { return of_pairs > kNoisy * of_positions; }
+};
+
+Roughness roughness(const Scan& scan) {
+  const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
+  std::vector<double> deviations, tilts, heights;
+  for (std::size_t i = 0; i < scan.size(); i += step) {
+    const QuadricFit fit = fit_quadric(scan.positions(), scan.around(i));
+    deviations.push_back(fit.deviation);
+    tilts.push_back(fit.normal.cross(scan.normals()[i]).norm());
+    for (const Neighbour& n : scan.around(i).first(std::min(kNear, scan.around(i).size()))) {
+      if (n.index == i) continue;
+      // Half the sum of the heights of two samples, each over the other's tangent plane, is zero on every circle.
+      const Vector3d way = scan.positions()[n.index] - scan.positions()[i];
+      heights.push_back(std::abs(0.5 * (scan.normals()[i] + scan.normals()[n.index]).dot(way)));
+    }
+  }
+  Roughness result;
+  result.of_positions = quantile(std::move(deviations), kUsual);
+  if (!heights.empty()) result.of_pairs = quantile(std::move(heights), kUsual) / (kNormalUsual * std::sqrt(2.0));
+  result.tilt = quantile(std::move(tilts), 0.5);
+  return result;
+}
+
+/// Normals that the positions contradict, taken from the positions wherever these are smooth.
+std::unique_ptr<Scan> with_normals_of_positions(const Scan& scan, double noise) {
+  OrientedPoints points{scan.positions(), scan.normals(), scan.stiffness()};
+  in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const QuadricFit fit = fit_quadric(scan.positions(), scan.around(i));
+      if (fit.deviation > std::max(kRough * scan.spacing(i), 2.0 * noise)) continue;
+      points.normals[i] = fit.normal.dot(scan.normals()[i]) < 0.0 ? Vector3d(-fit.normal) : fit.normal;
+    }
+  });
+  return std::make_unique<Scan>(std::move(points));
+}
+
+/// How often a scan is smoothed.
+std::size_t passes(double noise_spacing) { return noise_spacing < 0.02 ? 0 : noise_spacing < 0.1 ? 1 : noise_spacing < 0.2 ? 2 : 3; }
+
+/// Moves every sample to where its neighbours expect it: their mean height over it, each measured on the circle through both places.
+std::unique_ptr<Scan> smoothed(const Scan& scan, double noise) {
+  OrientedPoints points{scan.positions(), scan.normals(), scan.stiffness()};
+  in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vector3d &own = scan.positions()[i], &normal = scan.normals()[i];
+      const auto around = scan.around(i);
+      const double reach = around.back().squared_distance;
+      double sum = 0.0, weights = 1.0;  // its own height is zero
+      for (const Neighbour& n : around) {
+        if (n.index == i) continue;
+        const double alike = normal.dot(scan.normals()[n.index]);
+        const double height = 0.5 * (normal + scan.normals()[n.index]).dot(scan.positions()[n.index] - own);
+        if (alike < kSmooth || std::abs(height) > kOutlier * noise) continue;  // another face, or another sheet
+        const double weight = 1.0 - 0.9 * n.squared_distance / reach;
+        sum += weight * height;
+        weights += weight;
+      }
+      points.positions[i] = own + sum / weights * normal;
+    }
+  });
+  return std::make_unique<Scan>(std::move(points));
+}
+
+}  // namespace
+
+SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
+  SoundScan result;
+  const OrientedPoints given = points;
+  if (options.estimate) points.normals = estimated_normals(points.positions);
+  auto scan = std::make_unique<Scan>(std::move(points));
+  const std::vector<std::uint32_t> samples = connected(*scan);
+  if (samples.size() < kFewestPoints) throw InputError("hardly any of its points lies beside others on a surface");
+  result.strays = scan->size() - samples.size();
+  if (result.strays > 0) {
+    scan = kept(*scan, samples);
+    if (options.estimate) {
+      OrientedPoints again{scan->positions(), estimated_normals(scan->positions()), scan->stiffness()};
+      scan = std::make_unique<Scan>(std::move(again));
+    }
+  }
+  Facing facing;
+  result.outside = find_outside(*scan, options, facing);
+  result.one_sided = facing.one_sided;
+  if (!options.estimate) turn_outvoted(*scan);
+  if (!options.estimate) {
+    for (std::size_t i = 0; i < samples.size(); ++i) result.turned += scan->normals()[i].dot(given.normals[samples[i]]) < 0.0 ? 1U : 0U;
+  }
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
+  result.spacing = median(std::move(nearest));
+  const Roughness rough = roughness(*scan);
+  result.noise = rough.noise();
+  result.tilt = rough.tilt;
+  if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions)
+    scan = with_normals_of_positions(*scan, result.noise);
+  for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) scan = smoothed(*scan, result.noise);
+  result.rim = open_rim(*scan);
+  result.measured = scan->size();
+  result.points = {scan->positions(), scan->normals(), scan->stiffness()};
+  if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {
+    const OrientedPoints back = sheet_back(*scan, facing.front);
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(result.points.positions, back.positions);
+    append(result.points.normals, back.normals);
+    append(result.points.stiffness, back.stiffness);
+  }
+  return result;
+}
+
+void SoundScan::place(const cloud::Placement& placement) {
+  points = cloud::placed(points, placement);
+  noise *= placement.scale;
+  rim.length *= placement.scale;
+  rim.place = placement.to_workspace(rim.place);
+  spacing *= placement.scale;
+}
+
+void SoundScan::drop_invented() {
+  points.positions.resize(measured);
+  points.normals.resize(measured);
+  if (!points.stiffness.empty()) points.stiffness.resize(measured);
+}
+
+std::vector<std::string> SoundScan::warnings() const {
+  const auto times = [](std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+  };
+  std::vector<std::string> list;
+  if (strays > 0) list.push_back(times(strays, "point", "points") + " far from all others left out");
+  switch (outside) {
+    case Outside::kAsGiven:
+      if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
+      break;
+    case Outside::kViewpoint: break;
+    case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inward and were all turned round"); break;
+    case Outside::kNeighbours:
+      list.push_back("the normals contradicted each other: " + times(turned, "was", "were") + " turned round so that neighbours agree");
+      break;
+    case Outside::kDoubtful:
+      list.emplace_back("the normals do not agree where outside is, and neighbours do not tell; they are used as they are");
+      break;
+  }
+  const bool sheet = measured < points.size();
+  if (sheet) list.emplace_back("only one side was scanned: the field closes it with walls and a back that nobody scanned");
+  if (rim.samples > 0) {
+    const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
+    list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +
+                   rounded(rim.place.x()) + ", " + rounded(rim.place.y()) + ", " + rounded(rim.place.z()) + ") mm in the workspace" +
+                   (sheet ? "" : "; the field closes them with surface that was not scanned"));
+  }
+  return list;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,54 @@
+/// A scan put in order before anything is built from it: strays out, one outside, and a back where only one side was scanned.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+#include "host/field/open_rim.h"
+
+namespace isotouch::field {
+
+/// How the whole of a scan got its outside.
+enum class Outside {
+  kAsGiven,     ///< the normals' votes are clear, or nothing contradicts them
+  kTurned,      ///< a closed surface whose normals clearly pointed inward: all turned
+  kNeighbours,  ///< the normals contradicted each other, or there were none: by agreement of neighbours
+  kViewpoint,   ///< towards the sensor
+  kDoubtful,    ///< the votes are not clear; nothing was changed
+};
+
+struct SoundScan {
+  cloud::OrientedPoints points;  ///< the measured ones in their order, then the invented
+  std::size_t measured = 0;      ///< how many of them were measured
+  std::size_t strays = 0;        ///< points far from all others, left out
+  std::size_t turned = 0;        ///< normals that point the other way than in the file
+  double noise = 0;              ///< standard deviation of the points across the surface, their unit
+  double tilt = 0;               ///< sine of the angle between normals and what the positions say, the median
+  double spacing = 0;            ///< median distance to the nearest point, their unit
+  double one_sided = 0;          ///< 0 for a closed surface, 1 for a flat sheet
+  OpenRim rim;                   ///< where the measured points end; their unit
+  Outside outside = Outside::kAsGiven;
+
+  /// To the workspace, mm.
+  void place(const cloud::Placement& placement);
+  /// Leaves the measured points alone.
+  void drop_invented();
+
+  /// One sentence for each thing that was put right or looks doubtful; in the workspace.
+  std::vector<std::string> warnings() const;
+};
+
+struct ScanOptions {
+  bool estimate = false;                          ///< take no normal from the file
+  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the points' frame
+};
+
+/// points    any length unit; at least 8; unit normals, of any sign where `estimate`
+/// fails     InputError when nothing is left, or when a sheet without normals has no viewpoint
+SoundScan sound_scan(cloud::OrientedPoints points, const ScanOptions& options = {});
+
+}  // namespace isotouch::field

@@ -1,0 +1,243 @@
+#include "host/field/verdict.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <tuple>
+
+#include "host/field/nearest.h"
+#include "host/field/orientation.h"
+#include "host/field/parallel.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+// Limits, from the table that `isotouch evaluate --dirty` prints: no build there that is wrong passes them.
+constexpr double kMostOffSurface = 0.03;
+constexpr double kMostOpposed = 0.02;
+constexpr double kMostTurned = 0.25;
+constexpr double kMostStrays = 0.3;
+constexpr double kMostNoise = 0.8;  // spacings
+constexpr double kMostGaps = 0.01;
+constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
+constexpr double kMostOfHull = 1.05;
+constexpr double kMostDebris = 0.05;
+
+constexpr std::size_t kAsked = 20'000;    // points, at most
+constexpr double kGap = 1.5;              // the same, where a gap begins
+constexpr double kFar = 3.0;              // spacings to the sixth neighbour from the nearest point: nobody saw this
+constexpr std::size_t kSurfaceStep = 16;  // one of so many samples beside the surface is asked
+
+auto place(const Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
+
+/// Distances and gradients between the samples of a band field.
+class Sampled {
+ public:
+  explicit Sampled(const BandField& field) : field_(field) {}
+
+  /// Trilinear, in voxels, with its gradient; nothing where a sample is not stored.
+  std::optional<std::pair<double, Vector3d>> at(const Vector3d& point) const {
+    const Vector3d index = field_.grid.to_index(point);
+    const Vector3i low = index.array().floor().cast<int>();
+    std::array<double, 8> corner{};
+    const Brick* brick = nullptr;
+    for (int n = 0; n < 8; ++n) {
+      const Vector3i sample = low + Vector3i(n & 1, n >> 1 & 1, n >> 2);
+      const Vector3i cell(sample.x() >> 2, sample.y() >> 2, sample.z() >> 2);
+      if (brick == nullptr || brick->cell != cell) brick = find(cell);
+      if (brick == nullptr) return std::nullopt;
+      corner[static_cast<std::size_t>(n)] =
+          static_cast<double>(brick->distance[static_cast<std::size_t>(((sample.z() & 3) * 4 + (sample.y() & 3)) * 4 + (sample.x() & 3))]);
+    }
+    const Vector3d t = index - low.cast<double>();
+    double value = 0.0;
+    Vector3d gradient = Vector3d::Zero();
+    for (int n = 0; n < 8; ++n) {
+      const Vector3i at(n & 1, n >> 1 & 1, n >> 2);
+      Vector3d weight, slope;
+      for (int a = 0; a < 3; ++a) {
+        weight[a] = at[a] != 0 ? t[a] : 1.0 - t[a];
+        slope[a] = at[a] != 0 ? 1.0 : -1.0;
+      }
+      const double d = corner[static_cast<std::size_t>(n)];
+      value += d * weight.prod();
+      gradient +=
+          d * Vector3d(slope.x() * weight.y() * weight.z(), weight.x() * slope.y() * weight.z(), weight.x() * weight.y() * slope.z());
+    }
+    return std::pair(value, gradient);
+  }
+
+ private:
+  const Brick* find(const Vector3i& cell) const {
+    const auto found = std::lower_bound(field_.bricks.begin(), field_.bricks.end(), cell,
+                                        [](const Brick& b, const Vector3i& c) { return place(b.cell) < place(c); });
+    return found != field_.bricks.end() && found->cell == cell ? &*found : nullptr;
+  }
+
+  const BandField& field_;
+};
+
+/// Of the whole grid. A brick that is not listed has the sign of the sample before it in its row; before the first is outside.
+std::size_t inside_samples(const BandField& field) {
+  std::size_t inside = 0;
+  const Brick* before = nullptr;
+  for (const Brick& brick : field.bricks) {
+    if (before != nullptr && before->cell.y() == brick.cell.y() && before->cell.z() == brick.cell.z() && before->distance[3] < 0.0F) {
+      inside += 64 * static_cast<std::size_t>(brick.cell.x() - before->cell.x() - 1);
+    }
+    inside += static_cast<std::size_t>(std::count_if(brick.distance.begin(), brick.distance.end(), [](float d) { return d < 0.0F; }));
+    before = &brick;
+  }
+  return inside;
+}
+
+/// Volume of the intersection of half spaces that hold all points, one for each of 196 directions: a little more than the convex hull's.
+double hull_volume(const std::vector<Vector3d>& points) {
+  struct Slab {
+    Vector3d direction;
+    double low, high;
+  };
+  std::vector<Slab> slabs;
+  for (const Vector3d& direction : half_directions()) {
+    Slab slab{direction, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Vector3d& p : points) {
+      const double along = direction.dot(p);
+      slab.low = std::min(slab.low, along);
+      slab.high = std::max(slab.high, along);
+    }
+    slabs.push_back(slab);
+  }
+  Vector3d low = points[0], high = points[0];
+  for (const Vector3d& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  constexpr int kCells = 40;
+  const Vector3d cell = (high - low) / kCells;
+  std::size_t held = 0;
+  for (int z = 0; z < kCells; ++z) {
+    for (int y = 0; y < kCells; ++y) {
+      for (int x = 0; x < kCells; ++x) {
+        const Vector3d p = low + cell.cwiseProduct(Vector3d(x + 0.5, y + 0.5, z + 0.5));
+        held += std::all_of(slabs.begin(), slabs.end(),
+                            [&](const Slab& slab) {
+                              const double along = slab.direction.dot(p);
+                              return along >= slab.low && along <= slab.high;
+                            })
+                    ? 1U
+                    : 0U;
+      }
+    }
+  }
+  return static_cast<double>(held) * cell.prod();
+}
+
+std::string per_cent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f %%", share < 0.1 ? 1 : 0, 100.0 * share);
+  return text;
+}
+
+/// Share of the surface that is farther from every measured point than its neighbours explain.
+double far_share(const BandField& field, const std::vector<Vector3d>& measured, double limit) {
+  const Nearest tree(measured);
+  std::vector<Vector3d> asked;
+  std::size_t beside = 0;
+  for (const Brick& brick : field.bricks) {
+    for (int s = 0; s < 64; ++s) {
+      if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kSurfaceStep != 0) continue;
+      asked.push_back(field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)));
+    }
+  }
+  if (asked.empty()) return 0.0;
+  std::vector<std::uint8_t> far(asked.size());
+  in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      tree.nearest(asked[i], 1, found);
+      const double away = std::sqrt(found[0].squared_distance);
+      tree.nearest(measured[found[0].index], 7, found);
+      far[i] = away > limit * std::sqrt(found.back().squared_distance) + field.grid.edge ? 1 : 0;
+    }
+  });
+  return static_cast<double>(std::count(far.begin(), far.end(), 1)) / static_cast<double>(far.size());
+}
+
+}  // namespace
+
+Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair) {
+  const double volume = static_cast<double>(inside_samples(field)) * field.grid.edge * field.grid.edge * field.grid.edge;
+  Verdict verdict;
+  const std::vector<Vector3d> measured(sound.points.positions.begin(),
+                                       sound.points.positions.begin() + static_cast<std::ptrdiff_t>(sound.measured));
+  const auto count = static_cast<double>(sound.measured);
+  verdict.noise_spacing = sound.spacing > 0.0 ? sound.noise / sound.spacing : 0.0;
+  verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
+  verdict.turned_share = static_cast<double>(sound.turned + repair.turned) / count;
+  verdict.rim_mm = sound.rim.length;
+  Vector3d low = measured[0], high = measured[0];
+  for (const Vector3d& p : measured) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  verdict.rim_of_longest = sound.rim.length / (high - low).maxCoeff();
+  verdict.unexplained_share = repair.unexplained;
+  verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
+  const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
+  verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
+  verdict.invented_share = far_share(field, measured, kFar);
+  verdict.gap_share = far_share(field, sound.points.positions, kGap);
+  verdict.surprising_share = repair.surprising;
+
+  const Sampled sampled(field);
+  const double slack = 1.0 + 2.0 * sound.noise / field.grid.edge;  // voxels
+  std::size_t asked = 0, off = 0, opposed = 0;
+  const std::size_t step = std::max<std::size_t>(1, measured.size() / kAsked);
+  for (std::size_t i = 0; i < measured.size(); i += step, ++asked) {
+    const auto here = sampled.at(measured[i]);
+    if (!here || std::abs(here->first) > slack) {
+      ++off;
+    } else if (here->second.dot(sound.points.normals[i]) < 0.0) {
+      ++opposed;
+    }
+  }
+  verdict.off_surface_share = static_cast<double>(off) / static_cast<double>(asked);
+  // What the neighbours turned round lies with them now.
+  verdict.opposed_share =
+      std::max(0.0, static_cast<double>(opposed) / static_cast<double>(asked) - static_cast<double>(repair.turned) / count);
+
+  const bool closed = sound.measured == sound.points.size();
+  const auto refuse = [&](bool wrong, const std::string& sentence) {
+    if (wrong) verdict.reasons.push_back(sentence);
+  };
+  refuse(sound.outside == Outside::kDoubtful,
+         "the normals do not agree where outside is; save the scan with outward normals, or try --normals estimate or --viewpoint");
+  refuse(verdict.off_surface_share > kMostOffSurface,
+         per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
+  refuse(
+      verdict.opposed_share > kMostOpposed,
+      per_cent(verdict.opposed_share) + " of the normals point against the surface; estimate the normals again, or try --normals estimate");
+  refuse(sound.outside != Outside::kNeighbours && verdict.turned_share > kMostTurned,
+         per_cent(verdict.turned_share) + " of the normals had to be turned round; estimate the normals again, or try --normals estimate");
+  refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
+  refuse(verdict.noise_spacing > kMostNoise,
+         "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
+  refuse(verdict.gap_share > kMostGaps,
+         per_cent(verdict.gap_share) + " of the surface closes gaps in which nobody saw anything; scan the missing parts");
+  refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
+  refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
+  refuse(verdict.debris_share > kMostDebris,
+         std::to_string(repair.debris.pieces + repair.debris.cavities) +
+             " pieces and cavities that no points stand for had to be removed; check the normals and remove strays");
+  return verdict;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,37 @@
+/// Is the field that was built a plausible body of its scan? The last check of every build from points.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host/field/band_field.h"
+#include "host/field/build_field.h"
+#include "host/field/sound_scan.h"
+
+namespace isotouch::field {
+
+/// Figures by which a build is judged. Shares are of 1.
+struct Verdict {
+  std::vector<std::string> reasons;  ///< why the field may be wrong, and what to do; one sentence each; empty = plausible
+  double noise_spacing = 0;          ///< noise over the distance between neighbours
+  double stray_share = 0;            ///< of the points: left out as strays
+  double turned_share = 0;           ///< of the normals: turned round
+  double invented_share = 0;         ///< of the surface: farther from every measured point than the scan's own spacing explains
+  double gap_share = 0;              ///< of the surface: as far from every point, invented ones too
+  double surprising_share = 0;       ///< of the samples: more than a voxel off the surface that their neighbours alone expect
+  double rim_mm = 0;                 ///< length of all open rims together
+  double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
+  double off_surface_share = 0;  ///< of the measured points: more than a voxel, and more than the noise explains, off the field's surface
+  double rim_of_longest = 0;     ///< the same over the longest side of the points' box
+  double unexplained_share = 0;  ///< of the samples: no local surface explains their neighbours
+  double debris_share = 0;       ///< pieces and cavities that no points stand for, over the number of points
+  double opposed_share = 0;      ///< of the measured normals: against the field's gradient
+
+  bool plausible() const { return reasons.empty(); }
+};
+
+/// sound     workspace, mm; what `field` was built from
+Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair);
+
+}  // namespace isotouch::field

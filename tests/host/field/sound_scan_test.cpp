@@ -1,0 +1,218 @@
+#include "host/field/sound_scan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+#include "host/error.h"
+
+namespace isotouch::field {
+namespace {
+
+using cloud::OrientedPoints;
+using cloud::Random;
+using Eigen::Vector3d;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+OrientedPoints of(const char* shape, std::size_t count = 3756) { return cloud::sample_shape(cloud::shape(shape), count); }
+
+OrientedPoints turned(OrientedPoints points) {
+  for (Vector3d& n : points.normals) n = -n;
+  return points;
+}
+
+/// A relief over 100 by 80, 12 deep from top to bottom, seen from above.
+OrientedPoints relief(std::size_t count = 3000) {
+  OrientedPoints points;
+  Random random(3);
+  while (points.size() < count) {
+    const double x = random.uniform(-50, 50), y = random.uniform(-40, 40);
+    points.positions.emplace_back(x, y, 6 * std::sin(x / 12) * std::cos(y / 10));
+    points.normals.emplace_back(
+        Vector3d(-0.5 * std::cos(x / 12) * std::cos(y / 10), 0.6 * std::sin(x / 12) * std::sin(y / 10), 1).normalized());
+  }
+  return points;
+}
+
+std::size_t unlike(const SoundScan& scan, const OrientedPoints& truth) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) count += scan.points.normals[i].dot(truth.normals[i]) < 0 ? 1U : 0U;
+  return count;
+}
+
+TEST(SoundScan, LeavesACleanScanAsItIs) {
+  for (const char* name : {"sphere", "torus", "box", "hydrant", "jaguar"}) {
+    const OrientedPoints points = of(name);
+    const SoundScan scan = sound_scan(points);
+    EXPECT_EQ(scan.outside, Outside::kAsGiven) << name;
+    EXPECT_EQ(scan.measured, scan.points.size()) << name;
+    EXPECT_GE(scan.points.size() + 5, points.size()) << name;
+    EXPECT_TRUE(scan.strays > 0 || scan.points.positions == points.positions) << name;
+  }
+  EXPECT_THAT(sound_scan(of("torus")).warnings(), IsEmpty());
+}
+
+TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {
+  const OrientedPoints points = of("torus");
+  const SoundScan scan = sound_scan(turned(points));
+  EXPECT_EQ(scan.outside, Outside::kTurned);
+  EXPECT_EQ(unlike(scan, points), 0U);
+  EXPECT_THAT(scan.warnings(), Contains(HasSubstr("pointed inward")));
+}
+
+TEST(SoundScan, BelievesAReliefAndGivesItABack) {
+  const OrientedPoints points = relief();
+  const SoundScan scan = sound_scan(points);
+  EXPECT_EQ(scan.outside, Outside::kAsGiven);
+  EXPECT_EQ(unlike(scan, points), 0U);
+  EXPECT_GT(scan.points.size(), scan.measured);
+  EXPECT_GT(scan.rim.samples, 50U);
+  EXPECT_THAT(scan.warnings(), Contains(HasSubstr("only one side")));
+  double lowest = 0, flux = 0;
+  for (std::size_t i = scan.measured; i < scan.points.size(); ++i) {
+    const Vector3d& p = scan.points.positions[i];
+    lowest = std::min(lowest, p.z());
+    flux += scan.points.normals[i].dot(Vector3d(p.x(), p.y(), p.z() + 10));
+    EXPECT_LE(scan.points.normals[i].z(), 0.03);
+    EXPECT_LT(std::abs(p.x()), 54);
+    EXPECT_LT(std::abs(p.y()), 44);
+  }
+  EXPECT_NEAR(lowest, -6 - 10, 2.0);  // the front is a little askew; a tenth of the longest side behind the deepest point
+  EXPECT_GT(flux, 0);                 // walls and back look away from the body
+}
+
+TEST(SoundScan, ABowlSeenFromAboveStaysABowl) {
+  OrientedPoints bowl;
+  Random random(4);
+  while (bowl.size() < 3000) {
+    Vector3d p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, -0.1));
+    if (p.norm() > 1 || p.norm() < 0.5) continue;
+    p.normalize();
+    bowl.positions.emplace_back(50 * p);
+    bowl.normals.emplace_back(-p);
+  }
+  const SoundScan scan = sound_scan(bowl);
+  EXPECT_EQ(scan.outside, Outside::kAsGiven);
+  EXPECT_EQ(unlike(scan, bowl), 0U);
+}
+
+TEST(SoundScan, ASphereWithHalfOfItsNormalsInvertedIsNoSheet) {
+  const OrientedPoints points = of("sphere");
+  OrientedPoints half = points;
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    if (half.positions[i].x() < 5) half.normals[i] = -half.normals[i];
+  }
+  const SoundScan scan = sound_scan(half);
+  EXPECT_EQ(scan.outside, Outside::kNeighbours);
+  EXPECT_EQ(scan.measured, scan.points.size());
+  EXPECT_EQ(unlike(scan, points), 0U);
+}
+
+TEST(SoundScan, SignsByChanceAreMendedWhereNeighboursTell) {
+  const OrientedPoints points = of("capsules");
+  OrientedPoints random_signs = points;
+  Random random(9);
+  for (Vector3d& n : random_signs.normals) n = random.uniform() < 0.5 ? Vector3d(-n) : n;
+  const SoundScan scan = sound_scan(random_signs);
+  EXPECT_EQ(scan.outside, Outside::kNeighbours);
+  EXPECT_LE(unlike(scan, points), 10U);
+}
+
+TEST(SoundScan, NormalsWithoutMeaningAreLeftAndSaidToBeDoubtful) {
+  OrientedPoints points = of("sphere", 1000);
+  Random random(9);
+  for (Vector3d& n : points.normals) n = Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+  const SoundScan scan = sound_scan(points);
+  EXPECT_EQ(scan.outside, Outside::kDoubtful);
+  EXPECT_THAT(scan.warnings(), Contains(HasSubstr("do not agree")));
+}
+
+TEST(SoundScan, FindsMostStraysAndHardlyASoundPoint) {
+  const OrientedPoints points = of("owl");
+  for (const double share : {0.02, 0.1, 0.2}) {
+    OrientedPoints more = points;
+    Random random(12);
+    const auto strays = static_cast<std::size_t>(share * static_cast<double>(points.size()));
+    for (std::size_t n = 0; n < strays; ++n) {
+      more.positions.emplace_back(random.uniform(-110, 110), random.uniform(-105, 105), random.uniform(-60, 60));
+      more.normals.emplace_back(Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) + 1e-3).normalized());
+    }
+    const SoundScan scan = sound_scan(more);
+    EXPECT_GT(static_cast<double>(scan.strays), 0.7 * static_cast<double>(strays)) << share;
+    EXPECT_LT(static_cast<double>(scan.strays), 1.05 * static_cast<double>(strays)) << share;
+  }
+}
+
+/// Root mean square of the distances to the shape.
+double off(const SoundScan& scan, const char* shape) {
+  const cloud::Shape truth = cloud::shape(shape);
+  double squares = 0;
+  for (const Vector3d& p : scan.points.positions) squares += truth.distance(p) * truth.distance(p);
+  return std::sqrt(squares / static_cast<double>(scan.points.size()));
+}
+
+TEST(SoundScan, MeasuresNoiseAndTakesMostOfItBack) {
+  for (const double noise : {0.05, 0.1, 0.25, 0.5}) {
+    OrientedPoints points = of("torus");
+    Random random(2);
+    for (Vector3d& p : points.positions) {
+      for (double& x : p) {
+        double sum = -6;
+        for (int k = 0; k < 12; ++k) sum += random.uniform();
+        x += noise * 4 * sum;  // spacing about 4
+      }
+    }
+    const SoundScan scan = sound_scan(points);
+    EXPECT_NEAR(scan.noise, noise * 4, 0.25 * noise * 4) << noise;
+    EXPECT_LT(off(scan, "torus"), 0.5 * noise * 4) << noise;
+  }
+  EXPECT_LT(sound_scan(of("torus")).noise, 0.05);
+}
+
+TEST(SoundScan, TakesNormalsFromThePositionsWhereTheFilesAreOff) {
+  const OrientedPoints points = of("torus");
+  OrientedPoints tilted = points;
+  Random random(7);
+  for (Vector3d& n : tilted.normals)
+    n = (n + 0.5 * Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1))).normalized();
+  const SoundScan scan = sound_scan(tilted);
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    before += points.normals[i].cross(tilted.normals[i]).squaredNorm();
+    after += points.normals[i].cross(scan.points.normals[i]).squaredNorm();
+  }
+  EXPECT_LT(after, 0.01 * before);
+}
+
+TEST(SoundScan, FindsNormalsOfAClosedSurfaceWithoutAny) {
+  for (const char* name : {"torus", "box", "capsules", "jaguar"}) {
+    const OrientedPoints truth = of(name);
+    OrientedPoints bare = truth;
+    bare.normals.assign(bare.size(), Vector3d::Zero());
+    const SoundScan scan = sound_scan(bare, {.estimate = true});
+    ASSERT_EQ(scan.strays, 0U) << name;
+    EXPECT_LE(unlike(scan, truth), truth.size() / 100) << name;
+  }
+}
+
+TEST(SoundScan, NormalsOfASheetWithoutAnyNeedAViewpoint) {
+  const OrientedPoints truth = relief();
+  OrientedPoints bare = truth;
+  bare.normals.assign(bare.size(), Vector3d::Zero());
+  EXPECT_THROW(sound_scan(bare, {.estimate = true}), InputError);
+  const SoundScan scan = sound_scan(bare, {.estimate = true, .viewpoint = Vector3d(0, 0, 500)});
+  EXPECT_EQ(scan.outside, Outside::kViewpoint);
+  EXPECT_EQ(unlike(scan, truth), 0U);
+}
+
+}  // namespace
+}  // namespace isotouch::field

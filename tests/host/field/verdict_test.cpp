@@ -1,0 +1,82 @@
+#include "host/field/verdict.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+#include "host/field/scan_field.h"
+
+namespace isotouch::field {
+namespace {
+
+using cloud::OrientedPoints;
+using cloud::Random;
+using Eigen::Vector3d;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+OrientedPoints of(const char* shape, std::size_t count = 3000) { return cloud::sample_shape(cloud::shape(shape), count); }
+
+Verdict verdict_of(const OrientedPoints& points) {
+  Progress progress;
+  return scan_field(sound_scan(points), 1.6, kBand, progress).verdict;
+}
+
+TEST(Verdict, CleanScansArePlausible) {
+  for (const char* name : {"sphere", "torus", "box", "owl"}) {
+    const Verdict verdict = verdict_of(of(name));
+    EXPECT_THAT(verdict.reasons, IsEmpty()) << name;
+    EXPECT_LT(verdict.noise_spacing, 0.05) << name;
+    EXPECT_LT(verdict.off_surface_share, 0.01) << name;
+    EXPECT_LT(verdict.gap_share, 0.001) << name;
+  }
+}
+
+TEST(Verdict, TheVolumeOfTheHullIsThatOfGeometry) {
+  EXPECT_NEAR(verdict_of(of("sphere")).volume_of_hull, 1.0, 0.06);
+  // A torus' hull: two half balls' worth of rounding round a disc of its tube's height.
+  const double ring = 70, tube = 25;
+  const double torus = 2 * M_PI * M_PI * ring * tube * tube;
+  const double hull = M_PI * ring * ring * 2 * tube + torus / 2 + M_PI * 4.0 / 3 * tube * tube * tube;
+  EXPECT_NEAR(verdict_of(of("torus")).volume_of_hull, torus / hull, 0.06);
+}
+
+TEST(Verdict, NormalsWithoutMeaningAreRefused) {
+  OrientedPoints points = of("sphere");
+  for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
+  EXPECT_THAT(verdict_of(points).reasons, Contains(HasSubstr("normals")));
+}
+
+TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
+  const OrientedPoints whole = of("torus");
+  OrientedPoints points;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if ((whole.positions[i] - Vector3d(95, 0, 0)).norm() < 80) continue;
+    points.positions.push_back(whole.positions[i]);
+    points.normals.push_back(whole.normals[i]);
+  }
+  const Verdict verdict = verdict_of(points);
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("nobody saw")));
+  EXPECT_GT(verdict.rim_mm, 100);
+}
+
+TEST(Verdict, StraysAreCountedAndDoNotSpoilIt) {
+  OrientedPoints points = of("torus");
+  Random random(3);
+  for (int n = 0; n < 150; ++n) {
+    points.positions.emplace_back(random.uniform(-114, 114), random.uniform(-114, 114), random.uniform(-40, 40));
+    points.normals.emplace_back(Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) + 1e-3).normalized());
+  }
+  const Verdict verdict = verdict_of(points);
+  EXPECT_THAT(verdict.reasons, IsEmpty());
+  EXPECT_NEAR(verdict.stray_share, 150.0 / 3150, 0.02);
+}
+
+}  // namespace
+}  // namespace isotouch::field
