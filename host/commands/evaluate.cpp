@@ -10,6 +10,7 @@
 
 #include "host/commands/commands.h"
 #include "host/commands/damage_table.h"
+#include "host/commands/dirty_table.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/published_table.h"
 #include "host/evaluate/shape_trial.h"
@@ -163,13 +164,24 @@ void add_evaluate(CLI::App& app) {
   struct Options {
     bool json = false;
     bool published = false;
+    bool dirty = false;
+    std::string only;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("evaluate", "Measure the accuracy of surface, normals and force on objects whose exact answer is known");
   command->add_flag("--published", options->published, "also measure the published method, and print the paper's Table 1");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(options->json, options->published); });
+  CLI::Option* dirty = command->add_flag(
+      "--dirty", options->dirty,
+      "measure dirty scans instead: strays, noise, turned normals, holes; exit code 3 when a wrong field is called plausible");
+  command->add_option("--only", options->only, "of the dirty scans, those whose row contains this text, such as 'owl strays'")
+      ->needs(dirty);
+  command->callback([options] {
+    if (!options->dirty) return run(options->json, options->published);
+    const std::size_t wrong = print_dirty(options->only, options->json);
+    if (wrong > 0) throw ComparisonFailed(std::to_string(wrong) + " wrong fields were called plausible");
+  });
 }
 
 }  // namespace isotouch::commands

@@ -1,0 +1,217 @@
+#include "host/evaluate/dirty_scan.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "host/cloud/check.h"
+#include "host/cloud/random.h"
+#include "host/encoding/write_image.h"
+#include "host/error.h"
+#include "host/evaluate/damage.h"
+#include "host/evaluate/surface_error.h"
+#include "host/evaluate/zero_surface.h"
+#include "host/field/scan_field.h"
+#include "host/field_file/open_field.h"
+#include "host/motion/felt_surface.h"
+
+namespace isotouch::evaluate {
+
+namespace {
+
+using cloud::OrientedPoints;
+using cloud::Random;
+using Eigen::Vector3d;
+
+constexpr double kVoxel = 0.34;  // mm; a shape's unit is a voxel
+constexpr std::size_t kDense = 100'000;
+constexpr std::size_t kTruths = 10'000;
+constexpr double kOff = 2.0;    // voxels from the surface, where sides are asked
+constexpr double kClear = 1.0;  // voxels: nearer to the true surface no side is asked
+constexpr double kMostWrongSide = 0.01;
+constexpr double kMostVolume = 0.05;
+const Vector3d kEye = Vector3d(2, 3, 6) / 7;
+
+/// Does the body hide this place of its surface from the eye?
+bool hidden(const cloud::Shape& shape, const Vector3d& place, const Vector3d& normal) {
+  if (normal.dot(kEye) < 0.1) return true;
+  const double far = (shape.high - shape.low).norm();
+  Vector3d at = place + 0.5 * normal;
+  for (double way = 0.0; way < far;) {
+    const double step = shape.distance(at + way * kEye);
+    if (step < 0.01) return true;
+    way += std::max(step, 0.05);
+  }
+  return false;
+}
+
+OrientedPoints seen(const DirtyScan& scan, const OrientedPoints& points) {
+  if (!scan.one_sided) return points;
+  OrientedPoints result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (hidden(scan.shape, points.positions[i], points.normals[i])) continue;
+    result.positions.push_back(points.positions[i]);
+    result.normals.push_back(points.normals[i]);
+  }
+  return result;
+}
+
+double gaussian(Random& random) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += random.uniform();
+  return sum;
+}
+
+OrientedPoints dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t seed) {
+  const double spacing = cloud::median_spacing(clean.positions);
+  OrientedPoints points = clean;
+  Random random(seed);
+  const Vector3d diagonal = Vector3d(1, 2, 3).normalized();
+  const auto along = [&](const Vector3d& p) { return diagonal.dot(p); };
+  if (dirt.thinned < 1 || dirt.hole > 0) {
+    Vector3d top = clean.positions[0];
+    double middle = 0.0;
+    for (const Vector3d& p : clean.positions) {
+      if (along(p) > along(top)) top = p;
+      middle += p.x() / static_cast<double>(clean.size());
+    }
+    points = {};
+    for (std::size_t i = 0; i < clean.size(); ++i) {
+      const Vector3d& p = clean.positions[i];
+      if (dirt.hole > 0 && (p - top).norm() < dirt.hole * spacing) continue;
+      if (dirt.thinned < 1 && p.x() > middle && random.uniform() > dirt.thinned) continue;
+      points.positions.push_back(p);
+      points.normals.push_back(clean.normals[i]);
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Vector3d& normal = points.normals[i];
+    if (dirt.layer > 0) points.positions[i] += (random.uniform() < 0.5 ? 0.5 : -0.5) * dirt.layer * spacing * normal;
+    if (dirt.tilt_deg > 0) {
+      const double size = dirt.tilt_deg / 57.29577951308232;
+      const Vector3d u = normal.unitOrthogonal();
+      normal = (normal + size * gaussian(random) * u + size * gaussian(random) * normal.cross(u)).normalized();
+    }
+  }
+  return damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7);
+}
+
+/// Of as many places as hold it to a third of a per cent.
+double true_volume(const cloud::Shape& shape) {
+  constexpr std::size_t kPlaces = 1'000'000;
+  Random random(4);
+  std::size_t inside = 0;
+  for (std::size_t n = 0; n < kPlaces; ++n) {
+    Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(shape.low[axis], shape.high[axis]);
+    inside += shape.distance(place) < 0.0 ? 1U : 0U;
+  }
+  return static_cast<double>(inside) / kPlaces * (shape.high - shape.low).prod();
+}
+
+double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth) {
+  std::size_t asked = 0, wrong = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    for (const double off : {-kOff, kOff}) {
+      const Vector3d place = truth.positions[i] + off * truth.normals[i];
+      const double distance = shape.distance(place);
+      if (std::abs(distance) < kClear) continue;
+      ++asked;
+      wrong += (felt.sample(kVoxel * place).distance < 0) != (distance < 0) ? 1U : 0U;
+    }
+  }
+  return asked > 0 ? static_cast<double>(wrong) / static_cast<double>(asked) : 0.0;
+}
+
+DirtyRow measured(const DirtyScan& scan, const OrientedPoints& points, const Dirt& dirt, const OrientedPoints& truth, double volume) {
+  DirtyRow row;
+  row.scan = scan.name();
+  row.dirt = dirt.name;
+  field::Progress progress;
+  OrientedPoints placed = points;
+  for (Vector3d& p : placed.positions) p *= kVoxel;
+  if (dirt.no_normals) placed.normals.assign(placed.size(), Vector3d::UnitZ());
+  field::ScanOptions options{dirt.no_normals, std::nullopt};
+  if (dirt.no_normals && scan.one_sided) options.viewpoint = 1000.0 * kEye;
+  try {
+    const field::SoundScan sound = field::sound_scan(std::move(placed), options);
+    const field::ScanField built = field::scan_field(sound, kVoxel, field::kBand, progress);
+    row.verdict = built.verdict;
+    const field_file::OpenField open = field_file::open_field(encoding::write_image(built.field, {}), row.scan);
+    const motion::FeltSurface felt(open.view);
+    OrientedPoints in_workspace = truth;
+    for (Vector3d& p : in_workspace.positions) p *= kVoxel;
+    const SurfaceError error = surface_error(open.view, in_workspace);
+    row.surface_rms =
+        std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
+                  static_cast<double>(truth.size()));
+    row.wrong_side = wrong_side(felt, scan.shape, truth);
+    const cloud::TriangleMesh surface = zero_surface(open.view);
+    const std::vector<Piece> parts = pieces(surface);
+    row.pieces = parts.size();
+    if (scan.one_sided) return row;
+    double squares = 0.0;
+    for (const Vector3d& vertex : surface.vertices) {
+      const double d = scan.shape.distance(vertex / kVoxel);
+      squares += d * d;
+    }
+    row.truth_rms = std::sqrt(squares / static_cast<double>(surface.vertices.size()));
+    row.volume = evaluate::volume(parts) / (volume * kVoxel * kVoxel * kVoxel);
+  } catch (const InputError& error) {
+    row.refused = error.what();
+  }
+  return row;
+}
+
+std::string per_cent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  return text;
+}
+
+}  // namespace
+
+bool DirtyRow::wrong() const { return wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
+
+std::vector<Dirt> all_dirt() {
+  std::vector<Dirt> all = {{.name = "clean"}};
+  for (const double share : {0.01, 0.02, 0.05, 0.1, 0.2}) all.push_back({.name = "strays " + per_cent(share), .strays = share});
+  for (const bool dense : {false, true}) {
+    for (const double noise : {0.01, 0.05, 0.1, 0.25, 0.5}) {
+      all.push_back({.name = (dense ? "dense, noise " : "noise ") + per_cent(noise), .noise = noise, .dense = dense});
+    }
+  }
+  for (const int degrees : {5, 15, 30})
+    all.push_back({.name = "tilt " + std::to_string(degrees) + "°", .tilt_deg = static_cast<double>(degrees)});
+  for (const double share : {0.06, 0.2, 0.4}) all.push_back({.name = "flipped " + per_cent(share), .flipped = share});
+  all.push_back({.name = "half thinned", .thinned = 0.3});
+  for (const double layer : {0.3, 1.0}) all.push_back({.name = "layers " + std::to_string(layer).substr(0, 3), .layer = layer});
+  for (const int hole : {2, 5, 10, 20}) all.push_back({.name = "hole " + std::to_string(hole), .hole = static_cast<double>(hole)});
+  all.push_back({.name = "no normals", .no_normals = true});
+  return all;
+}
+
+std::vector<DirtyScan> dirty_scans() {
+  std::vector<DirtyScan> scans;
+  for (const bool one_sided : {false, true}) {
+    for (const std::string& name : cloud::shape_names()) scans.push_back({cloud::shape(name), one_sided});
+  }
+  return scans;
+}
+
+void dirty_rows(const DirtyScan& scan, std::span<const Dirt> dirt, const std::function<void(const DirtyRow&)>& show, std::uint64_t seed) {
+  if (dirt.empty()) return;
+  const std::size_t factor = scan.one_sided ? 2 : 1;
+  const OrientedPoints sparse = seen(scan, cloud::sample_shape(scan.shape, factor * scan.shape.default_points, seed));
+  OrientedPoints dense;
+  const OrientedPoints truth = seen(scan, cloud::scatter_on_shape(scan.shape, factor * kTruths, seed + 1'000'000));
+  const double volume = scan.one_sided ? 1.0 : true_volume(scan.shape);
+  for (const Dirt& kind : dirt) {
+    if (kind.dense && dense.size() == 0) dense = seen(scan, cloud::scatter_on_shape(scan.shape, factor * kDense, seed + 2'000'000));
+    show(measured(scan, dirtied(kind.dense ? dense : sparse, kind, seed + 3'000'000), kind, truth, volume));
+  }
+}
+
+}  // namespace isotouch::evaluate

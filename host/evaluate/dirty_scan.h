@@ -1,0 +1,62 @@
+/// Scans as bad as real ones, of objects whose true surface is known: what the field makes of them, and what it says about itself.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/cloud/oriented_points.h"
+#include "host/cloud/shapes.h"
+#include "host/field/verdict.h"
+
+namespace isotouch::evaluate {
+
+/// One way to spoil a scan. Lengths are in median spacings, shares of 1.
+struct Dirt {
+  std::string name;
+  double strays = 0;    ///< points added in the box and a tenth of its longest side round it, normals in any direction
+  double noise = 0;     ///< standard deviation of every coordinate
+  double tilt_deg = 0;  ///< standard deviation of a normal about both axes across it, degrees
+  double flipped = 0;   ///< share of the normals turned round
+  double thinned = 1;   ///< share that is left of the half with the larger x
+  double layer = 0;     ///< half of the points lifted by half of this, the others lowered
+  double hole = 0;      ///< radius of a hole, where the surface is farthest along (1, 2, 3)
+  bool no_normals = false;
+  bool dense = false;  ///< 100,000 points instead of about 4,000
+};
+
+/// Clean first.
+std::vector<Dirt> all_dirt();
+
+/// A body, wholly scanned or seen from one side.
+struct DirtyScan {
+  cloud::Shape shape;
+  bool one_sided = false;
+  std::string name() const { return shape.name + (one_sided ? ", one side" : ""); }
+};
+std::vector<DirtyScan> dirty_scans();
+
+struct DirtyRow {
+  std::string scan, dirt;
+  std::string refused;     ///< why nothing was built; empty: a field was built
+  double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
+  double truth_rms = 0;    ///< from the field's surface to the truth, voxels; 0 for a scan of one side, whose back is invented
+  std::size_t pieces = 0;
+  double volume = 1;      ///< over the true volume; 1 for a scan of one side
+  double wrong_side = 0;  ///< share of places two voxels off the scanned surface that are on the wrong side of the field's
+  field::Verdict verdict;
+
+  /// More than 1 % of the scanned side on the wrong side, or the volume off by more than 5 %.
+  bool wrong() const;
+  /// Wrong, and called plausible: what must never happen.
+  bool believed_wrong() const { return refused.empty() && wrong() && verdict.plausible(); }
+};
+
+/// dirt      each gives one row, shown when it is known
+void dirty_rows(const DirtyScan& scan, std::span<const Dirt> dirt, const std::function<void(const DirtyRow&)>& show,
+                std::uint64_t seed = 1);
+
+}  // namespace isotouch::evaluate
