@@ -24,6 +24,7 @@ void add_commands(CLI::App& app) {
   commands::add_build(app);
   commands::add_info(app);
   commands::add_export(app);
+  commands::add_sample(app);
   commands::add_shape(app);
   commands::add_scan(app);
   commands::add_trace(app);

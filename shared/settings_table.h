@@ -45,6 +45,9 @@ namespace rows {
 /// The tick's period; the settings file states its inverse, `loop.tick_hz`.
 inline constexpr SettingRow kPeriod{"period", "ns", 0, 100'000, 4'000'000, 1'000'000, "time from one tick to the next"};
 
+/// Memory that a controller keeps for a field unless it is set up for more (`[field] field_mib`), MiB.
+inline constexpr double kFieldMib = 16;
+
 // How the field feels. The first eight may change while it is felt.
 inline constexpr SettingRow kStiffness{
     "stiffness", "N/mm", 16, 0.001, 100, 0, "stiffness of the surface, where it is largest; unset = the field's own", true};

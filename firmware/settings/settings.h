@@ -71,7 +71,7 @@ struct Settings {
   double ramp_after_rest_ms = 200;
   int heat_word = static_cast<int>(rows::kHeatWord.standard);
   double heat_s = rows::kHeatTime.standard * 1e-3;
-  double field_mib = 16;
+  double field_mib = rows::kFieldMib;
 
   // [buttons]
   int button_mask = static_cast<int>(rows::kButtonMask.standard);

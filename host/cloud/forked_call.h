@@ -15,11 +15,17 @@ struct ForkedCall {
   double cpu_seconds = 0;        ///< of all threads of the copy
 };
 
+/// What the copy may take; 0 = as much as this process may.
+struct ForkLimits {
+  std::uint64_t more_bytes = 0;  ///< of address space beyond what this process holds: an allocation beyond it throws std::bad_alloc
+  unsigned cpu_seconds = 0;      ///< then the copy is killed, and the call counts as crashed
+};
+
 /// Makes the call in a copy of this process, so that what crashes or leaks there does not here. What it does to memory is lost, what it prints
 /// is not seen.
 ///
 /// call      must not need this process's other threads: the copy has none of them
 /// returns   how it ended; as if it had returned nothing where no process can be started
-ForkedCall call_in_fork(const std::function<std::string()>& call);
+ForkedCall call_in_fork(const std::function<std::string()>& call, const ForkLimits& limits = {});
 
 }  // namespace isotouch::cloud

@@ -10,9 +10,12 @@
 
 namespace isotouch::cloud {
 
+/// A Falcon's handle reaches a ball of about this radius round the middle of the workspace, mm.
+inline constexpr double kFalconReach = 50;
+
 struct PlacementOptions {
   std::optional<double> mm_per_unit;  ///< the cloud's units are known: keep the true size
-  double fit_mm = 70.0;               ///< otherwise: the longest side of the box. A Falcon reaches a ball of about 50 mm radius
+  double fit_mm = 70.0;               ///< otherwise: the longest side of the box; well within `kFalconReach`
 };
 
 /// fails     InputError unless `units` is mm, cm, m or in

@@ -12,6 +12,7 @@
 #include "host/board_commands/choice.h"
 #include "host/commands/built_field.h"
 #include "host/commands/commands.h"
+#include "host/commands/output_name.h"
 #include "host/commands/quantities.h"
 #include "host/encoding/dense_bytes.h"
 #include "host/trace/hash_text.h"
@@ -149,6 +150,7 @@ void add_build(CLI::App& app) {
     if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
+    require_form(options->out, ".itf", "a field", "build it first, then write other forms with `isotouch export`");
     const BuiltField built = [&] {
       try {
         return built_field(*options);

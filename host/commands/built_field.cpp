@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <span>
@@ -26,8 +27,10 @@
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/published/build.h"
+#include "host/to_double.h"
 #include "host/vdb/level_set.h"
 #include "host/vdb/level_set_field.h"
+#include "shared/settings_table.h"
 
 namespace isotouch::commands {
 
@@ -192,6 +195,35 @@ Made make_field(const BuildOptions& options, BuildReport& report, field::Progres
   return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
 }
 
+/// Of what a device cannot reach or a controller cannot hold.
+void warn_of_limits(const FieldView& view, const BuildOptions& options, BuildReport& report) {
+  std::vector<std::string> found;
+  const Eigen::Vector3d origin = to_double(view.origin);
+  const double edge = to_double(view.edge);
+  const double margin = edge * field::field_margin(options.band_voxels());
+  double reach = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = origin[axis] + margin;
+    const double high = origin[axis] + edge * (view.size[static_cast<std::size_t>(axis)] - 1) - margin;
+    reach = std::max({reach, -low, high});
+  }
+  if (reach > cloud::kFalconReach) {
+    found.push_back("the object extends " + std::to_string(std::lround(reach)) +
+                    " mm from the middle of the workspace, a Falcon reaches about " + std::to_string(std::lround(cloud::kFalconReach)) +
+                    " mm; choose a smaller --fit to touch all of it");
+  }
+  constexpr double kMib = 1 << 20;
+  if (static_cast<double>(view.image.size()) > rows::kFieldMib * kMib) {
+    found.push_back("the field takes " + std::to_string(std::lround(std::ceil(static_cast<double>(view.image.size()) / kMib))) +
+                    " MiB in memory, a controller keeps " + std::to_string(std::lround(rows::kFieldMib)) +
+                    " MiB for it unless field_mib says more; choose a larger --voxel or a smaller --grid");
+  }
+  for (std::string& warning : found) {
+    if (!options.quiet) std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
+    report.warnings.push_back(std::move(warning));
+  }
+}
+
 /// One sentence with every reason.
 std::string refusal(const std::string& input, const field::Verdict& verdict) {
   std::string text = input + ": the field would probably be wrong: ";
@@ -224,6 +256,7 @@ BuiltField built_field(const BuildOptions& options) {
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)
     throw InputError(options.input.string() + ": the field is empty: the points do not bound a body; check their normals");
+  warn_of_limits(field.view, options, report);
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);
   const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;

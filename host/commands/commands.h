@@ -8,6 +8,7 @@ namespace isotouch::commands {
 void add_build(CLI::App& app);
 void add_info(CLI::App& app);
 void add_export(CLI::App& app);
+void add_sample(CLI::App& app);
 void add_shape(CLI::App& app);
 void add_scan(CLI::App& app);
 void add_trace(CLI::App& app);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/commands/output_name.h"
 #include "host/view/camera.h"
 
 namespace isotouch::commands {
@@ -19,7 +20,9 @@ struct PictureOptions {
   char up = 'y';
 
   void add_to(CLI::App& command) {
-    command.add_option("-o,--out", out, "the picture to write (.png)")->required();
+    command.add_option("-o,--out", out, "the picture to write (.png)")->required()->each([](const std::string& name) {
+      require_form(name, ".png", "a picture");
+    });
     command.add_option_function<std::string>(
         "--size", [this](const std::string& text) { size = parse_size(text); }, "WxH, pixels (960x720)");
   }

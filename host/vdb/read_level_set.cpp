@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <new>
 #include <set>
 #include <stdexcept>
 #include <variant>
@@ -231,6 +233,11 @@ class Samples {
 FloatGrid::ConstPtr constant(const FloatGrid::Ptr& grid) { return grid; }
 DoubleGrid::ConstPtr constant(const DoubleGrid::Ptr& grid) { return grid; }
 
+/// What reading a file may take: level sets shrink to a hundredth at most when they are saved, and a gigabyte is read within a minute.
+cloud::ForkLimits limits_for(std::size_t file_bytes) {
+  return {(std::uint64_t{512} << 20U) + 200 * std::uint64_t{file_bytes}, 20 + static_cast<unsigned>(file_bytes >> 22U)};
+}
+
 constexpr int kWidened = 4;
 constexpr double kStencil = 2.5;  ///< how far the samples of an interpolation that carry weight may lie from its place
 
@@ -249,10 +256,16 @@ LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& gr
   try {
     openvdb::initialize();
     // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
-    const cloud::ForkedCall trial = cloud::call_in_fork([&] {
-      static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings)));
-      return std::string();
-    });
+    const cloud::ForkedCall trial = cloud::call_in_fork(
+        [&] {
+          try {
+            static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings)));
+          } catch (const std::bad_alloc&) {
+            throw InputError(name + ": the file is damaged: it asks for far more memory than a level set of its size needs; save it again");
+          }
+          return std::string();
+        },
+        limits_for(bytes.size()));
     if (trial.crashed) throw InputError(name + ": the file is damaged: reading it crashes OpenVDB; save it again");
     if (!trial.thrown.empty()) throw std::runtime_error(trial.thrown);
     const openvdb::GridBase::Ptr base = read_grid(name, grid_name, set.warnings);

@@ -70,8 +70,11 @@ FieldRays::FieldRays(const FieldView& field)
     object_.extend(index);
   }
   const Eigen::Vector3d last(field.size[0] - 2, field.size[1] - 2, field.size[2] - 2);
-  if (outline_.empty()) outline_ = {origin_, origin_ + edge_ * last};  // nothing to see: then all of it
-  constexpr double kReach = 1.5 + 1.5 + 0.01;                          // from a brick's middle to its samples, from there to the surface
+  if (outline_.empty()) {  // nothing to see: then all of it
+    outline_ = {origin_, origin_ + edge_ * last};
+    object_ = {Eigen::Vector3d::Ones(), last};
+  }
+  constexpr double kReach = 1.5 + 1.5 + 0.01;  // from a brick's middle to its samples, from there to the surface
   object_ = {(object_.min().array() - kReach).max(1).matrix(), (object_.max().array() + kReach).min(last.array()).matrix()};
 }
 

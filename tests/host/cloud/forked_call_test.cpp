@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/sanitized.h"
+
 namespace isotouch::cloud {
 namespace {
 
@@ -46,6 +48,30 @@ TEST(ForkedCall, TheMemoryThatACallNeededIsTold) {
   EXPECT_GT(little, 0U);
   EXPECT_GT(much, little + (std::uint64_t{60} << 20));
   EXPECT_LT(much, little + (std::uint64_t{90} << 20));
+}
+
+TEST(ForkedCall, MemoryBeyondTheLimitIsRefusedThereAndNotHere) {
+  const auto greedy = [] {
+    const std::vector<char> bytes(std::size_t{256} << 20U, 'x');
+    return std::string(1, bytes[bytes.size() / 2]);
+  };
+  EXPECT_EQ(call_in_fork(greedy).answer, "x");
+  if (test::kSanitized) return;  // shadow memory needs more address space than any limit
+  const ForkedCall limited = call_in_fork(greedy, {.more_bytes = std::uint64_t{64} << 20U});
+  EXPECT_FALSE(limited.crashed);
+  EXPECT_EQ(limited.thrown, "std::bad_alloc");
+}
+
+TEST(ForkedCall, TimeBeyondTheLimitIsACrash) {
+  const ForkedCall endless = call_in_fork(
+      [] {
+        volatile bool on = true;
+        while (on) {
+        }
+        return std::string();
+      },
+      {.cpu_seconds = 1});
+  EXPECT_TRUE(endless.crashed);
 }
 
 }  // namespace

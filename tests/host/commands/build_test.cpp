@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -219,6 +220,57 @@ TEST_F(Build, PointsWithoutNormalsGetThemAndThatIsSaid) {
   EXPECT_THAT(json["warnings"][0].get<std::string>(), HasSubstr("normals were estimated"));
   EXPECT_TRUE(json["verdict"]["plausible"].get<bool>()) << json["verdict"].dump();
   EXPECT_THROW(run("build " + file("bare.xyz") + " -o " + file("x.itf") + " --normals file"), InputError);
+}
+
+TEST_F(Build, AnEndingThatIsNotWrittenIsRefused) {
+  for (const char* name : {"t.vdb", "t.ply", "t.JPG"}) {
+    try {
+      run("build " + file("torus.ply") + " -o " + file(name) + " --grid 40");
+      FAIL() << name;
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("isotouch export"));
+    }
+    EXPECT_FALSE(fs::exists(file(name)));
+  }
+}
+
+TEST_F(Build, WarnsOfWhatTheDeviceCannotReachAndAControllerCannotHold) {
+  const auto small = nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 40 --json"));
+  EXPECT_EQ(small["warnings"].size(), 0U) << small["warnings"].dump();
+  const auto large = nlohmann::json::parse(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 800 --fit 130mm --json"));
+  EXPECT_THAT(large["warnings"].dump(), HasSubstr("extends 65 mm"));
+  EXPECT_THAT(large["warnings"].dump(), HasSubstr("keeps 16 MiB"));
+}
+
+TEST_F(Build, SampleAnswersAsTheFieldDoes) {
+  run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 60");
+  std::ofstream(file("places.csv")) << "x,y,z\n25.789,0,0\n0,0,0\n100,0,0\n";
+  std::istringstream lines(run("sample " + file("t.itf") + " " + file("places.csv")));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "x_mm,y_mm,z_mm,distance_mm,gradient_x,gradient_y,gradient_z,stiffness_n_mm,in_band");
+  std::vector<std::vector<double>> rows;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(std::stod(field));
+    ASSERT_EQ(rows.back().size(), 9U);
+  }
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_LT(rows[0][3], 0) << "in the tube";
+  EXPECT_GT(rows[1][3], 0) << "in the hole of the ring";
+  EXPECT_EQ(rows[2][8], 0) << "far outside";
+  EXPECT_NEAR(rows[0][7], 0.8, 1e-4);
+  // In the scan's frame: a point of the torus lies on the surface.
+  std::ofstream(file("own.csv")) << "95,0,0\n";
+  const std::string own = run("sample " + file("t.itf") + " " + file("own.csv") + " --input-frame");
+  std::istringstream answer(own.substr(own.find('\n') + 1));
+  double x = 0, y = 0, z = 0, distance = 9;
+  char comma = 0;
+  answer >> x >> comma >> y >> comma >> z >> comma >> distance;
+  EXPECT_NEAR(x, 35, 0.5);
+  EXPECT_NEAR(distance, 0, 0.3);
+  EXPECT_THROW(run("sample " + file("t.itf") + " " + file("own.csv") + " -o " + file("x.vdb")), InputError);
 }
 
 TEST_F(Build, BadInputLeavesTheOldFile) {

@@ -38,6 +38,18 @@ TEST(FieldRays, PassBesideTheSphereWithoutAHit) {
   EXPECT_FALSE(rays.hit({Eigen::Vector3d(0, 0, 40), Eigen::Vector3d(0, 0, -1)}, 0, 31).has_value()) << "ends before it";
 }
 
+TEST(FieldRays, ThroughAFieldWithoutABodyComeToAnEnd) {
+  field::BandField nothing = SphereField::field();
+  nothing.bricks.clear();
+  const field_file::Image image = encoding::write_image(nothing, {});
+  const FieldView view = *FieldView::parse(image.bytes());
+  const FieldRays rays(view);
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d direction = Eigen::Vector3d(std::cos(0.7 * i), std::sin(1.3 * i), std::sin(0.37 * i + 1)).normalized();
+    EXPECT_FALSE(rays.hit({-30 * direction, direction}, 0, 1e4).has_value());
+  }
+}
+
 TEST(FieldRays, ThatBeginInsideHitAtOnce) {
   const SphereField field;
   const FieldRays rays(field.view);

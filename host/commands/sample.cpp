@@ -1,0 +1,122 @@
+/// isotouch sample: a field's distance, gradient and stiffness at any places, as the controller's core computes them.
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "firmware/core/field_sampler.h"
+#include "firmware/core/stiffness_at.h"
+#include "host/cloud/source_file.h"
+#include "host/cloud/text_lines.h"
+#include "host/commands/commands.h"
+#include "host/commands/output_name.h"
+#include "host/encoding/write_image.h"
+#include "host/error.h"
+#include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
+#include "host/to_double.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr const char* kStandard = "-";
+constexpr double kFarthest = 8191;  // voxels from the grid's origin: see core::sample_field
+
+/// Lines of three numbers or more, of which the first three count; a line of names may come first.
+std::vector<Vector3d> places_of_text(const std::string& name, const std::vector<std::uint8_t>& bytes) {
+  cloud::TextLines lines(name, bytes);
+  std::vector<Vector3d> places;
+  for (bool first = true; lines.next(); first = false) {
+    cloud::TextLines look = lines;
+    const auto field = look.field();
+    if (!field || field->front() == '#' || (first && !cloud::as_number(*field))) continue;
+    Vector3d place;
+    for (double& coordinate : place) {
+      coordinate = lines.number("a coordinate");
+      if (!std::isfinite(coordinate)) throw lines.refusal("a coordinate is not a finite number");
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+std::vector<Vector3d> read_places(const std::filesystem::path& file) {
+  if (file == kStandard) {
+    return places_of_text("standard input", {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
+  }
+  const std::string ending = file.extension().string();
+  if (ending == ".ply" || ending == ".PLY") return cloud::SourceFile(file).points().positions;
+  return places_of_text(file.string(), read_file(file));
+}
+
+/// As short as it can be for the number to be read back as it is.
+std::string text(double value) { return nlohmann::json(value == 0.0 ? 0.0 : value).dump(); }
+
+/// One line of the answer.
+std::string row(const FieldView& field, const Vector3d& place) {
+  const Vector3d index = (place - to_double(field.origin)) / to_double(field.edge);
+  const Vec3<Voxel> at = to_fixed<Voxel>(index.cwiseMax(-kFarthest).cwiseMin(kFarthest));
+  const core::FieldSample sample = core::sample_field(field, at);
+  const double voxels = to_double(sample.distance);
+  const bool in_band = !sample.outside_grid && std::abs(voxels) < to_double(field.band);
+  const Vector3d gradient = to_double(sample.gradient);
+  std::string line;
+  for (const double value : {place.x(), place.y(), place.z(), voxels * to_double(field.edge), gradient.x(), gradient.y(), gradient.z(),
+                             to_double(core::stiffness_at(at, field, field.stiffness))}) {
+    line += text(value) + ',';
+  }
+  return line + (in_band ? "1" : "0") + '\n';
+}
+
+struct SampleRun {
+  std::filesystem::path field;
+  std::filesystem::path points;
+  std::filesystem::path out = kStandard;
+  bool input_frame = false;
+
+  void operator()() const {
+    if (out != kStandard) require_form(out, ".csv", "a table");
+    const field_file::OpenField open = field_file::open_field(field);
+    std::vector<Vector3d> places = read_places(points);
+    if (places.empty()) throw InputError(points.string() + ": there are no points in it; give lines of x,y,z");
+    if (input_frame) {
+      const cloud::Placement placement = encoding::info_of(open.view).placement;
+      for (Vector3d& place : places) place = placement.to_workspace(place);
+    }
+    std::string table = "x_mm,y_mm,z_mm,distance_mm,gradient_x,gradient_y,gradient_z,stiffness_n_mm,in_band\n";
+    for (const Vector3d& place : places) table += row(open.view, place);
+    if (out == kStandard) {
+      if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size()) throw InputError("standard output cannot be written");
+    } else {
+      write_file(out, reinterpret_cast<const std::uint8_t*>(table.data()), table.size());
+    }
+  }
+};
+
+}  // namespace
+
+void add_sample(CLI::App& app) {
+  auto run = std::make_shared<SampleRun>();
+  CLI::App* command = app.add_subcommand("sample", "Print a field's distance, gradient and stiffness at given points");
+  command->add_option("FIELD", run->field, "the field (.itf)")->required();
+  command->add_option("POINTS", run->points, "the points: PLY, or text with x,y,z in each line; - reads text from standard input")
+      ->required();
+  command->add_option("-o,--out", run->out, "the table to write (.csv); by default, or as -, standard output");
+  command->add_flag("--input-frame", run->input_frame,
+                    "the points are in the scan's coordinates; the answer is in workspace mm all the same");
+  command->callback([run] { (*run)(); });
+}
+
+}  // namespace isotouch::commands
