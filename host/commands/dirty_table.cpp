@@ -19,9 +19,9 @@ void print(const DirtyRow& row) {
     return;
   }
   const field::Verdict& v = row.verdict;
-  std::printf("[n%.3f s%.3f t%.3f i%.3f r%.2f h%.2f off%.3f opp%.3f unx%.3f deb%.4f g%.4f sur%.4f] ", v.noise_spacing, v.stray_share,
+  std::printf("[n%.3f s%.3f t%.3f i%.3f r%.2f h%.2f off%.3f opp%.3f unx%.3f deb%.4f g%.4f sur%.4f v%.3f] ", v.noise_spacing, v.stray_share,
               v.turned_share, v.invented_share, v.rim_of_longest, v.volume_of_hull, v.off_surface_share, v.opposed_share,
-              v.unexplained_share, v.debris_share, v.gap_share, v.surprising_share);
+              v.unexplained_share, v.debris_share, v.gap_share, v.surprising_share, v.volume_of_enclosed);
   std::printf("%8.3f %8.3f %7zu %8.3f %9.2f %%  %s", row.surface_rms, row.truth_rms, row.pieces, row.volume, 100 * row.wrong_side,
               row.believed_wrong()      ? "PLAUSIBLE, BUT WRONG"
               : row.verdict.plausible() ? "plausible"

@@ -13,6 +13,7 @@
 #include "host/evaluate/damage.h"
 #include "host/evaluate/surface_error.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/field/nearest.h"
 #include "host/field/scan_field.h"
 #include "host/field_file/open_field.h"
 #include "host/motion/felt_surface.h"
@@ -30,6 +31,7 @@ constexpr std::size_t kDense = 100'000;
 constexpr std::size_t kTruths = 10'000;
 constexpr double kOff = 2.0;    // voxels from the surface, where sides are asked
 constexpr double kClear = 1.0;  // voxels: nearer to the true surface no side is asked
+constexpr double kSeen = 3.0;   // median spacings from a point of the scan
 constexpr double kMostWrongSide = 0.01;
 constexpr double kMostVolume = 0.05;
 const Vector3d kEye = Vector3d(2, 3, 6) / 7;
@@ -111,9 +113,14 @@ double true_volume(const cloud::Shape& shape) {
   return static_cast<double>(inside) / kPlaces * (shape.high - shape.low).prod();
 }
 
-double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth) {
+/// Of places beside the part of the surface that has a point of the scan within `reach`.
+double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth, const field::Nearest& scan,
+                  double reach) {
+  std::vector<field::Neighbour> found;
   std::size_t asked = 0, wrong = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
+    scan.nearest(truth.positions[i], 1, found);
+    if (found[0].squared_distance > reach * reach) continue;
     for (const double off : {-kOff, kOff}) {
       const Vector3d place = truth.positions[i] + off * truth.normals[i];
       const double distance = shape.distance(place);
@@ -147,7 +154,7 @@ DirtyRow measured(const DirtyScan& scan, const OrientedPoints& points, const Dir
     row.surface_rms =
         std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
                   static_cast<double>(truth.size()));
-    row.wrong_side = wrong_side(felt, scan.shape, truth);
+    row.wrong_side = wrong_side(felt, scan.shape, truth, field::Nearest(points.positions), kSeen * cloud::median_spacing(points.positions));
     const cloud::TriangleMesh surface = zero_surface(open.view);
     const std::vector<Piece> parts = pieces(surface);
     row.pieces = parts.size();

@@ -45,8 +45,9 @@ struct DirtyRow {
   double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
   double truth_rms = 0;    ///< from the field's surface to the truth, voxels; 0 for a scan of one side, whose back is invented
   std::size_t pieces = 0;
-  double volume = 1;      ///< over the true volume; 1 for a scan of one side
-  double wrong_side = 0;  ///< share of places two voxels off the scanned surface that are on the wrong side of the field's
+  double volume = 1;  ///< over the true volume; 1 for a scan of one side
+  double wrong_side =
+      0;  ///< share of places two voxels off the scanned surface, not off its holes, that are on the wrong side of the field's
   field::Verdict verdict;
 
   /// More than 1 % of the scanned side on the wrong side, or the volume off by more than 5 %.

@@ -82,6 +82,11 @@ Round described(cloud::OrientedPoints samples, std::vector<std::uint32_t> point,
   return now;
 }
 
+AdaptiveSamples finished(Round round) {
+  round.result.point = std::move(round.point);
+  return std::move(round.result);
+}
+
 /// The coarsest cells that are many enough.
 std::vector<Cell> coarsest_cells(const CellOrder& order) {
   std::vector<Cell> cells = order.cells(0), coarser;
@@ -111,7 +116,7 @@ AdaptiveSamples adaptive_samples(cloud::OrientedPoints points) {
     const std::size_t count = points.size();
     std::vector<std::uint32_t> all(count);
     std::iota(all.begin(), all.end(), 0U);
-    return described(std::move(points), all, {}, count).result;
+    return finished(described(std::move(points), all, {}, count));
   }
   const CellOrder order(points.positions);
   std::vector<Cell> cells = coarsest_cells(order);
@@ -132,7 +137,7 @@ AdaptiveSamples adaptive_samples(cloud::OrientedPoints points) {
     });
     std::size_t coarse = 0;
     for (std::size_t c = 0; c < cells.size(); ++c) coarse += level[c] < cells[c].level ? 1U : 0U;
-    if (coarse == 0 || last) return std::move(round.result);
+    if (coarse == 0 || last) return finished(std::move(round));
     last = coarse < cells.size() / kFewShare;
     std::vector<Cell> finer;
     for (std::size_t c = 0; c < cells.size(); ++c) order.cut(cells[c], last && level[c] < cells[c].level ? 0 : level[c], finer);

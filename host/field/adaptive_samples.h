@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace isotouch::field {
 
 struct AdaptiveSamples {
   std::unique_ptr<Scan> scan;
-  std::vector<LocalModel> models;  ///< one a sample
-  std::size_t isolated = 0;        ///< samples far from all others, left out
-  std::size_t turned = 0;          ///< normals that nearly all neighbours contradicted
+  std::vector<LocalModel> models;    ///< one a sample
+  std::vector<std::uint32_t> point;  ///< which of the points each sample is
+  std::size_t isolated = 0;          ///< samples far from all others, left out
+  std::size_t turned = 0;            ///< normals that nearly all neighbours contradicted
 };
 
 /// A small cloud is taken as it is. A large one is described by one sample a cell of many voxels first; a cell whose points lie off the models of their

@@ -15,7 +15,8 @@ namespace isotouch::field {
 
 namespace {
 
-constexpr double kExplains = 1.5;  // trust of a model: below, its error is above two thirds of a radian
+constexpr std::size_t kWitnesses = 4;  // neighbours whose models say where a sample should lie
+constexpr double kExplains = 1.5;      // trust of a model: below, its error is above two thirds of a radian
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
@@ -32,6 +33,26 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
   return box;
 }
 
+/// How well the models of the measured samples explain their neighbours.
+void describe(const AdaptiveSamples& described, std::size_t measured, Repair& repair) {
+  const Scan& scan = *described.scan;
+  std::size_t asked = 0, unexplained = 0, surprising = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (described.point[i] >= measured) continue;
+    ++asked;
+    unexplained += described.models[i].trust < kExplains ? 1U : 0U;
+    double sum = 0.0;
+    const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
+    for (const Neighbour& n : near) {
+      if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
+    }
+    surprising += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(asked, 1));
+  repair.unexplained = static_cast<double>(unexplained) / count;
+  repair.surprising = static_cast<double>(surprising) / count;
+}
+
 }  // namespace
 
 std::vector<std::string> Repair::warnings() const {
@@ -46,7 +67,8 @@ std::vector<std::string> Repair::warnings() const {
   return list;
 }
 
-BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair) {
+BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair,
+                      std::size_t measured) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
   cloud::OrientedPoints samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
@@ -59,19 +81,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   Repair mended;
   mended.isolated = described.isolated;
   mended.turned = described.turned;
-  std::size_t unexplained = 0;
-  for (const LocalModel& model : described.models) unexplained += model.trust < kExplains ? 1U : 0U;
-  std::size_t surprising = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    double sum = 0.0;
-    const auto near = scan.around(i).first(std::min<std::size_t>(5, scan.around(i).size()));
-    for (const Neighbour& n : near) {
-      if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
-    }
-    surprising += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
-  }
-  mended.surprising = static_cast<double>(surprising) / static_cast<double>(scan.size());
-  mended.unexplained = static_cast<double>(unexplained) / static_cast<double>(scan.size());
+  describe(described, measured, mended);
 
   progress.begin("surface");
   // A scan that is open at a cut goes on along its own direction; the box closes it.

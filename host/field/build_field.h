@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,9 @@ struct Repair {
 /// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside. A stiffness of each
 ///           brick where the points have one
 /// repair    where given, is told what was mended
+/// measured  so many points, the first, were measured; `repair` is about these alone where it speaks of shares
 /// fails     InputError when there are too few points, when the grid is too small, or when the points do not bound a body
-BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr);
+BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr,
+                      std::size_t measured = std::numeric_limits<std::size_t>::max());
 
 }  // namespace isotouch::field

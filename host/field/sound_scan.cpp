@@ -40,6 +40,8 @@ constexpr double kContradicted = 2.0;    // pairs are rougher than positions: th
 constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
 constexpr std::size_t kNear = 7;         // a sample and its six neighbours
 constexpr double kRough = 0.05;          // spacings
+constexpr std::size_t kVotes = 3;
+constexpr double kSettled = 0.03;        // of the pairs may still contradict each other
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
 constexpr double kContradictory = 0.15;  // share of pairs of neighbours
@@ -96,8 +98,23 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     found = facing(scan);
     return Outside::kTurned;
   }
-  // Neighbours may know better; but only a clear answer is taken.
+  // Neighbours may know better; but only a clear answer is taken. First by votes: they follow the file where it is right more often than not.
   OrientedPoints before{scan.positions(), scan.normals(), {}};
+  const auto as_before = [&] {
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      if (scan.normals()[i].dot(before.normals[i]) < 0.0) scan.turn_normal(i);
+    }
+  };
+  if (!options.estimate) {
+    for (std::size_t round = 0; round < kVotes && turn_outvoted(scan) > 0; ++round) {
+    }
+    const Facing voted = facing(scan);
+    if (contradictions(scan) < kSettled && (sheet || (clear(voted) && voted.one_sided < kSheet))) {
+      found = voted;
+      return Outside::kNeighbours;
+    }
+    as_before();
+  }
   const std::size_t turned = orient_by_neighbours(scan, !options.estimate);
   Facing after = facing(scan);
   if (inside_out(after) && after.one_sided < kSheet) {
@@ -116,9 +133,7 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     found = after;
     return Outside::kDoubtful;
   }
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (scan.normals()[i].dot(before.normals[i]) < 0.0) scan.turn_normal(i);
-  }
+  as_before();
   return Outside::kDoubtful;
 }
 
@@ -229,6 +244,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     scan = with_normals_of_positions(*scan, result.noise);
   for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) scan = smoothed(*scan, result.noise);
   result.rim = open_rim(*scan);
+  result.enclosed = field::facing(*scan).enclosed;  // by the normals as they are now
   result.measured = scan->size();
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
   if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {
@@ -247,6 +263,7 @@ void SoundScan::place(const cloud::Placement& placement) {
   rim.length *= placement.scale;
   rim.place = placement.to_workspace(rim.place);
   spacing *= placement.scale;
+  enclosed *= placement.scale * placement.scale * placement.scale;
 }
 
 void SoundScan::drop_invented() {

@@ -29,6 +29,7 @@ struct SoundScan {
   double noise = 0;              ///< standard deviation of the points across the surface, their unit
   double tilt = 0;               ///< sine of the angle between normals and what the positions say, the median
   double spacing = 0;            ///< median distance to the nearest point, their unit
+  double enclosed = 0;           ///< volume that the points enclose by the divergence theorem, their unit cubed
   double one_sided = 0;          ///< 0 for a closed surface, 1 for a flat sheet
   OpenRim rim;                   ///< where the measured points end; their unit
   Outside outside = Outside::kAsGiven;

@@ -27,6 +27,10 @@ constexpr double kMostTurned = 0.25;
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
+constexpr double kMostUnexplained = 0.4;
+constexpr double kMostSurprising = 0.028;
+constexpr double kPerStray = 0.3;      // a stray that was not found lies beside the surface; it surprises, and harms little
+constexpr double kMostVolume = 1.08;   // areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
 constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
 constexpr double kMostOfHull = 1.05;
 constexpr double kMostDebris = 0.05;
@@ -197,6 +201,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.gap_share = far_share(field, sound.points.positions, kGap);
   verdict.surprising_share = repair.surprising;
 
+  const bool closed = sound.measured == sound.points.size();
+  if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;
+
   const Sampled sampled(field);
   const double slack = 1.0 + 2.0 * sound.noise / field.grid.edge;  // voxels
   std::size_t asked = 0, off = 0, opposed = 0;
@@ -214,7 +221,6 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.opposed_share =
       std::max(0.0, static_cast<double>(opposed) / static_cast<double>(asked) - static_cast<double>(repair.turned) / count);
 
-  const bool closed = sound.measured == sound.points.size();
   const auto refuse = [&](bool wrong, const std::string& sentence) {
     if (wrong) verdict.reasons.push_back(sentence);
   };
@@ -232,6 +238,13 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
   refuse(verdict.gap_share > kMostGaps,
          per_cent(verdict.gap_share) + " of the surface closes gaps in which nobody saw anything; scan the missing parts");
+  refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
+                                                           " of the points; estimate the normals again, or scan again with less noise");
+  refuse(verdict.surprising_share > kMostSurprising + kPerStray * verdict.stray_share,
+         per_cent(verdict.surprising_share) +
+             " of the points lie where their neighbours do not expect them; scan more densely, or with less noise");
+  refuse(verdict.volume_of_enclosed > kMostVolume, "the body has " + per_cent(verdict.volume_of_enclosed) +
+                                                       " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   refuse(verdict.debris_share > kMostDebris,

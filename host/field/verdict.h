@@ -22,6 +22,7 @@ struct Verdict {
   double surprising_share = 0;       ///< of the samples: more than a voxel off the surface that their neighbours alone expect
   double rim_mm = 0;                 ///< length of all open rims together
   double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
+  double volume_of_enclosed = 1;     ///< the body's volume over what the points' areas and normals enclose; 1 for a scan of one side
   double off_surface_share = 0;  ///< of the measured points: more than a voxel, and more than the noise explains, off the field's surface
   double rim_of_longest = 0;     ///< the same over the longest side of the points' box
   double unexplained_share = 0;  ///< of the samples: no local surface explains their neighbours
