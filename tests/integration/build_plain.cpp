@@ -1,20 +1,23 @@
 /// Builds fields of the project's own shapes with nothing but the code that makes and encodes a field, for processors that have no host tool.
 ///
-///     build_plain GRID THREADS NAME...        GRID voxels along the longest side
+///     build_plain GRID THREADS NAME[:DIRT]...        GRID voxels along the longest side; DIRT front noise tilt flipped strays or bare
 ///
 /// Prints one line a shape: its name and the hash of its field, which is the same for any number of threads, compiler and processor.
+#include <Eigen/Core>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "host/cloud/placement.h"
+#include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/encoding/write_image.h"
-#include "host/field/build_field.h"
-#include "host/field/make_grid.h"
 #include "host/field/parallel.h"
+#include "host/field/scan_field.h"
 #include "shared/field_view.h"
 
 namespace {
@@ -23,15 +26,39 @@ using namespace isotouch;
 
 constexpr std::size_t kPoints = 1000;
 
-std::uint64_t hash_of(const cloud::Shape& shape, int voxels) {
-  const cloud::OrientedPoints drawn = cloud::sample_shape(shape, kPoints);
-  const cloud::Placement placement = cloud::place(drawn.positions, {std::nullopt, 70.0});
-  const cloud::OrientedPoints points = cloud::placed(drawn, placement);
-  Eigen::Vector3d low = points.positions.front(), high = low;
-  for (const Eigen::Vector3d& p : points.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const field::Grid grid = field::make_grid(low, high, (high - low).maxCoeff() / voxels, field::field_margin(field::kBand));
+/// Every kind of work that `sound_scan` does, for the fields must be the same after it, too.
+void spoil(cloud::OrientedPoints& points, const std::string& dirt) {
+  cloud::Random random(6);
+  if (dirt == "front") {
+    cloud::OrientedPoints seen;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points.normals[i].z() < 0.2) continue;
+      seen.positions.push_back(points.positions[i]);
+      seen.normals.push_back(points.normals[i]);
+    }
+    points = seen;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Eigen::Vector3d off;
+    for (double& x : off) x = random.uniform(-1, 1);  // arguments of one call would come in the compiler's order
+    if (dirt == "noise") points.positions[i] += 2.0 * off;
+    if (dirt == "tilt") points.normals[i] = (points.normals[i] + 0.6 * off).normalized();
+    if (dirt == "flipped" && random.uniform() < 0.3) points.normals[i] = -points.normals[i];
+    if (dirt == "strays" && random.uniform() < 0.1) points.positions[i] += 60.0 * off;
+    if (dirt == "bare") points.normals[i].setZero();
+  }
+}
+
+/// name      of a shape, with :DIRT behind it where it is to be spoilt
+std::uint64_t hash_of(const std::string& name, int voxels) {
+  const std::size_t colon = name.find(':');
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape(name.substr(0, colon)), kPoints);
+  if (colon != std::string::npos) spoil(points, name.substr(colon + 1));
+  field::SoundScan scan = field::sound_scan(std::move(points), {.estimate = name.ends_with(":bare")});
+  scan.place(cloud::place(std::span(scan.points.positions).first(scan.measured), {std::nullopt, 70.0}));
   field::Progress quiet;
-  const field_file::Image image = encoding::write_image(field::build_field(points, grid, field::kBand, quiet), {});
+  const field::ScanField built = field::scan_field(scan, 70.0 / voxels, field::kBand, quiet);
+  const field_file::Image image = encoding::write_image(built.field, {});
   return FieldView::parse(image.bytes())->hash();
 }
 
@@ -42,7 +69,7 @@ int main(int argc, char** argv) {
   try {
     field::threads_wanted = static_cast<unsigned>(std::atoi(argv[2]));
     for (const char* name : std::span(argv + 3, static_cast<std::size_t>(argc - 3))) {
-      std::printf("%s %016llx\n", name, static_cast<unsigned long long>(hash_of(cloud::shape(name), std::atoi(argv[1]))));
+      std::printf("%s %016llx\n", name, static_cast<unsigned long long>(hash_of(name, std::atoi(argv[1]))));
     }
   } catch (const std::exception& error) {
     return std::fprintf(stderr, "build_plain: %s\n", error.what()), 1;
