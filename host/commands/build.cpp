@@ -14,6 +14,7 @@
 #include "host/commands/commands.h"
 #include "host/commands/output_name.h"
 #include "host/commands/quantities.h"
+#include "host/commands/verdict_text.h"
 #include "host/encoding/dense_bytes.h"
 #include "host/trace/hash_text.h"
 
@@ -33,19 +34,6 @@ KindNames names_of(InputKind kind) {
     case InputKind::kLevelSet: break;
   }
   return {"level_set", "voxels"};
-}
-
-nlohmann::ordered_json to_json(const field::Verdict& verdict) {
-  return {{"plausible", verdict.plausible()},
-          {"reasons", verdict.reasons},
-          {"noise_spacing", verdict.noise_spacing},
-          {"stray_share", verdict.stray_share},
-          {"turned_share", verdict.turned_share},
-          {"invented_share", verdict.invented_share},
-          {"rim_mm", verdict.rim_mm},
-          {"volume_of_hull", verdict.volume_of_hull},
-          {"off_surface_share", verdict.off_surface_share},
-          {"opposed_share", verdict.opposed_share}};
 }
 
 /// What is known of a field that was refused.
@@ -82,6 +70,7 @@ void print_text(const BuildReport& report, const FieldView& view, const std::fil
   std::printf("transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   std::printf("grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
   std::printf("inside nodes  %zu\n", report.inside_nodes);
+  if (report.verdict) std::printf("verdict       %s\n", in_words(*report.verdict).c_str());
   std::printf("seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
   std::printf("\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());

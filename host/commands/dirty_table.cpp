@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "host/commands/verdict_text.h"
 #include "host/evaluate/dirty_scan.h"
 
 namespace isotouch::commands {
@@ -18,10 +19,6 @@ void print(const DirtyRow& row) {
     std::printf("refused: %s\n", row.refused.c_str());
     return;
   }
-  const field::Verdict& v = row.verdict;
-  std::printf("[n%.3f s%.3f t%.3f i%.3f r%.2f h%.2f off%.3f opp%.3f unx%.3f deb%.4f g%.4f sur%.4f v%.3f] ", v.noise_spacing, v.stray_share,
-              v.turned_share, v.invented_share, v.rim_of_longest, v.volume_of_hull, v.off_surface_share, v.opposed_share,
-              v.unexplained_share, v.debris_share, v.gap_share, v.surprising_share, v.volume_of_enclosed);
   std::printf("%8.3f %8.3f %7zu %8.3f %9.2f %%  %s", row.surface_rms, row.truth_rms, row.pieces, row.volume, 100 * row.wrong_side,
               row.believed_wrong()      ? "PLAUSIBLE, BUT WRONG"
               : row.verdict.plausible() ? "plausible"
@@ -32,7 +29,7 @@ void print(const DirtyRow& row) {
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json to_json(const DirtyRow& row) {
+nlohmann::ordered_json row_json(const DirtyRow& row) {
   return {{"scan", row.scan},
           {"dirt", row.dirt},
           {"refused", row.refused},
@@ -41,9 +38,8 @@ nlohmann::ordered_json to_json(const DirtyRow& row) {
           {"pieces", row.pieces},
           {"volume", row.volume},
           {"wrong_side", row.wrong_side},
-          {"plausible", row.refused.empty() && row.verdict.plausible()},
           {"wrong", row.wrong()},
-          {"reasons", row.verdict.reasons}};
+          {"verdict", to_json(row.verdict)}};
 }
 
 }  // namespace
@@ -67,7 +63,7 @@ std::size_t print_dirty(const std::string& only, bool json) {
       believed += row.believed_wrong() ? 1U : 0U;
       wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
       doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
-      json ? list.push_back(to_json(row)) : print(row);
+      json ? list.push_back(row_json(row)) : print(row);
     });
   }
   if (json) {

@@ -187,12 +187,6 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
   verdict.turned_share = static_cast<double>(sound.turned + repair.turned) / count;
   verdict.rim_mm = sound.rim.length;
-  Vector3d low = measured[0], high = measured[0];
-  for (const Vector3d& p : measured) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  verdict.rim_of_longest = sound.rim.length / (high - low).maxCoeff();
   verdict.unexplained_share = repair.unexplained;
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none

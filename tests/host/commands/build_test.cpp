@@ -209,6 +209,9 @@ TEST_F(Build, AnImplausibleFieldIsRefusedUnlessAccepted) {
   const auto json = nlohmann::json::parse(run(build + " --accept-implausible"));
   EXPECT_FALSE(json["verdict"]["plausible"].get<bool>());
   EXPECT_GE(json["verdict"]["reasons"].size(), 1U);
+  for (const char* key : {"noise_spacing", "stray_share", "turned_share", "invented_share", "rim_mm", "volume_of_hull"}) {
+    EXPECT_TRUE(json["verdict"][key].is_number()) << key;
+  }
   EXPECT_TRUE(fs::exists(file("b.itf")));
 }
 

@@ -1,0 +1,16 @@
+/// A verdict for programs and for people.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/field/verdict.h"
+
+namespace isotouch::commands {
+
+nlohmann::ordered_json to_json(const field::Verdict& verdict);
+
+/// "plausible; noise 3.1 % of the spacing, …"
+std::string in_words(const field::Verdict& verdict);
+
+}  // namespace isotouch::commands
