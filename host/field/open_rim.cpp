@@ -1,5 +1,6 @@
 #include "host/field/open_rim.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -98,15 +99,33 @@ OpenRim open_rim(const Scan& scan) {
     chain.sum += scan.positions()[i];
   }
   OpenRim rim;
-  double longest = 0;
-  for (const Chain& chain : chains) {
+  std::uint32_t longest = 0;
+  for (std::uint32_t c = 0; c < chains.size(); ++c) {
+    const Chain& chain = chains[c];
     if (chain.samples < kFewest) continue;
     rim.samples += chain.samples;
     rim.length += chain.length + chain.last;
-    if (chain.length <= longest) continue;
-    longest = chain.length;
+    if (chain.length + chain.last <= rim.longest) continue;
+    longest = c;
+    rim.longest = chain.length + chain.last;
     rim.place = chain.sum / static_cast<double>(chain.samples);
   }
+  if (rim.samples == 0) return rim;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
+    if (on_rim[i] == 0 || root(i) != longest) continue;
+    const Vector3d off = scan.positions()[i] - rim.place;
+    spread += off * off.transpose() / static_cast<double>(chains[longest].samples);
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.compute(spread);
+  const Vector3d axis = solver.eigenvectors().col(0);
+  rim.bent = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+  std::size_t above_plane = 0;
+  for (const Vector3d& p : scan.positions()) above_plane += axis.dot(p - rim.place) > 2.0 * rim.bent ? 1U : 0U;
+  std::size_t below_plane = 0;
+  for (const Vector3d& p : scan.positions()) below_plane += axis.dot(p - rim.place) < -2.0 * rim.bent ? 1U : 0U;
+  rim.behind = static_cast<double>(std::min(above_plane, below_plane)) / static_cast<double>(scan.size());
   return rim;
 }
 

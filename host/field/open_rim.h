@@ -12,6 +12,9 @@ struct OpenRim {
   std::size_t samples = 0;                          ///< on rims
   double length = 0;                                ///< of all rims together, the scan's unit; within a fifth or so
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
+  double longest = 0;                               ///< length of the longest rim, the scan's unit
+  double bent = 0;                                  ///< rms distance of its samples from their plane, the scan's unit
+  double behind = 0;                                ///< share of the scan's samples that lie on the smaller side of that plane
 };
 
 /// A sample is on a rim when its neighbours, seen in its tangent plane, leave a wide sector empty and none of them shows that the surface turns

@@ -261,6 +261,8 @@ void SoundScan::place(const cloud::Placement& placement) {
   points = cloud::placed(points, placement);
   noise *= placement.scale;
   rim.length *= placement.scale;
+  rim.longest *= placement.scale;
+  rim.bent *= placement.scale;
   rim.place = placement.to_workspace(rim.place);
   spacing *= placement.scale;
   enclosed *= placement.scale * placement.scale * placement.scale;

@@ -35,6 +35,10 @@ constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
 constexpr double kMostOfHull = 1.05;
 constexpr double kMostDebris = 0.05;
 
+constexpr double kMostOfRim = 0.9;
+constexpr double kPlane = 0.003;  // of a rim's length: a hand cut at the wrist has 0.0007, holes of other kinds 0.005 and more
+constexpr double kBehindCut = 0.002;
+
 constexpr std::size_t kAsked = 20'000;    // points, at most
 constexpr double kGap = 1.5;              // the same, where a gap begins
 constexpr double kFar = 3.0;              // spacings to the sixth neighbour from the nearest point: nobody saw this
@@ -101,6 +105,12 @@ std::size_t inside_samples(const BandField& field) {
     before = &brick;
   }
   return inside;
+}
+
+/// Does the scan end in one plane with all of it on one side, as a hand ends at the wrist? Then the plane is as good an end as any; what a hole in the
+/// middle should look like, nobody knows.
+bool is_cut(const OpenRim& rim) {
+  return rim.samples > 0 && rim.longest > kMostOfRim * rim.length && rim.bent < kPlane * rim.longest && rim.behind < kBehindCut;
 }
 
 /// Volume of the intersection of half spaces that hold all points, one for each of 196 directions: a little more than the convex hull's.
@@ -230,15 +240,17 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
-  refuse(verdict.gap_share > kMostGaps,
+  const bool cut = closed && is_cut(sound.rim);
+  refuse(!cut && verdict.gap_share > kMostGaps,
          per_cent(verdict.gap_share) + " of the surface closes gaps in which nobody saw anything; scan the missing parts");
   refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
                                                            " of the points; estimate the normals again, or scan again with less noise");
   refuse(verdict.surprising_share > kMostSurprising + kPerStray * verdict.stray_share,
          per_cent(verdict.surprising_share) +
              " of the points lie where their neighbours do not expect them; scan more densely, or with less noise");
-  refuse(verdict.volume_of_enclosed > kMostVolume, "the body has " + per_cent(verdict.volume_of_enclosed) +
-                                                       " of the volume that the points enclose; check the normals and scan missing parts");
+  refuse(!cut && verdict.volume_of_enclosed > kMostVolume,
+         "the body has " + per_cent(verdict.volume_of_enclosed) +
+             " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   refuse(verdict.debris_share > kMostDebris,

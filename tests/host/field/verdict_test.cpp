@@ -66,6 +66,19 @@ TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
   EXPECT_GT(verdict.rim_mm, 100);
 }
 
+TEST(Verdict, AScanThatEndsInOnePlaneIsPlausible) {
+  const OrientedPoints whole = of("sphere");
+  OrientedPoints points;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[i].z() > 60) continue;
+    points.positions.push_back(whole.positions[i]);
+    points.normals.push_back(whole.normals[i]);
+  }
+  const Verdict verdict = verdict_of(points);
+  EXPECT_THAT(verdict.reasons, IsEmpty());
+  EXPECT_GT(verdict.gap_share, 0.01);
+}
+
 TEST(Verdict, StraysAreCountedAndDoNotSpoilIt) {
   OrientedPoints points = of("torus");
   Random random(3);
