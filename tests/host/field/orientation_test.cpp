@@ -5,9 +5,11 @@
 #include <Eigen/Geometry>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::field {
 namespace {
@@ -22,7 +24,7 @@ OrientedPoints turned(OrientedPoints points) {
 }
 
 TEST(Facing, KnowsTheOutsideOfEveryShapeAndOfItsReverse) {
-  for (const std::string& name : cloud::shape_names()) {
+  for (const std::string& name : test::examples(cloud::shape_names())) {
     const OrientedPoints points = cloud::scatter_on_shape(cloud::shape(name), 1000, 2);
     const Facing sound = facing(Scan(points)), reverse = facing(Scan(turned(points)));
     EXPECT_GT(sound.outward, 0.9) << name;
@@ -77,7 +79,7 @@ TEST(Agreement, IsFullOnACircleAndAcrossAnEdgeAndOppositeWhereOneNormalIsTurned)
 }
 
 TEST(OrientByNeighbours, MendsAnyShareOfTurnedNormals) {
-  for (const char* name : {"torus", "box", "plate", "owl"}) {
+  for (const char* name : test::examples<const char*>({"torus", "box", "plate", "owl"})) {
     const OrientedPoints sound = cloud::sample_shape(cloud::shape(name), 3756);
     for (const double share : {0.0, 0.06, 0.2, 0.4}) {
       OrientedPoints points = sound;
@@ -94,7 +96,9 @@ TEST(OrientByNeighbours, MendsAnyShareOfTurnedNormals) {
 }
 
 TEST(EstimatedNormals, LieWithinTenDegreesOnSmoothShapes) {
-  for (const auto& [name, least] : {std::pair{"sphere", 1.0}, {"torus", 1.0}, {"capsules", 0.96}, {"jaguar", 0.83}, {"owl", 0.65}}) {
+  using Example = std::pair<const char*, double>;
+  for (const auto& [name, least] :
+       test::examples<Example>({{"torus", 1.0}, {"sphere", 1.0}, {"capsules", 0.96}, {"jaguar", 0.83}, {"owl", 0.65}})) {
     const OrientedPoints sound = cloud::sample_shape(cloud::shape(name), 3756);
     const std::vector<Vector3d> normals = estimated_normals(sound.positions);
     std::size_t near = 0;

@@ -12,6 +12,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::field {
 namespace {
@@ -50,7 +51,7 @@ std::size_t unlike(const SoundScan& scan, const OrientedPoints& truth) {
 }
 
 TEST(SoundScan, LeavesACleanScanAsItIs) {
-  for (const char* name : {"sphere", "torus", "box", "hydrant", "jaguar"}) {
+  for (const char* name : test::examples<const char*>({"torus", "sphere", "box", "hydrant", "jaguar"})) {
     const OrientedPoints points = of(name);
     const SoundScan scan = sound_scan(points);
     EXPECT_EQ(scan.outside, Outside::kAsGiven) << name;
@@ -138,7 +139,7 @@ TEST(SoundScan, NormalsWithoutMeaningAreLeftAndSaidToBeDoubtful) {
 
 TEST(SoundScan, FindsMostStraysAndHardlyASoundPoint) {
   const OrientedPoints points = of("owl");
-  for (const double share : {0.02, 0.1, 0.2}) {
+  for (const double share : test::examples<double>({0.1, 0.02, 0.2})) {
     OrientedPoints more = points;
     Random random(12);
     const auto strays = static_cast<std::size_t>(share * static_cast<double>(points.size()));
@@ -161,7 +162,7 @@ double off(const SoundScan& scan, const char* shape) {
 }
 
 TEST(SoundScan, MeasuresNoiseAndTakesMostOfItBack) {
-  for (const double noise : {0.05, 0.1, 0.25, 0.5}) {
+  for (const double noise : test::examples<double>({0.1, 0.05, 0.25, 0.5})) {
     OrientedPoints points = of("torus");
     Random random(2);
     for (Vector3d& p : points.positions) {
@@ -194,7 +195,7 @@ TEST(SoundScan, TakesNormalsFromThePositionsWhereTheFilesAreOff) {
 }
 
 TEST(SoundScan, FindsNormalsOfAClosedSurfaceWithoutAny) {
-  for (const char* name : {"torus", "box", "capsules", "jaguar"}) {
+  for (const char* name : test::examples<const char*>({"torus", "box", "capsules", "jaguar"})) {
     const OrientedPoints truth = of(name);
     OrientedPoints bare = truth;
     bare.normals.assign(bare.size(), Vector3d::Zero());

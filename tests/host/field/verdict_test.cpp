@@ -10,6 +10,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/scan_field.h"
+#include "tests/support/sanitized.h"
 
 namespace isotouch::field {
 namespace {
@@ -29,7 +30,7 @@ Verdict verdict_of(const OrientedPoints& points) {
 }
 
 TEST(Verdict, CleanScansArePlausible) {
-  for (const char* name : {"sphere", "torus", "box", "owl"}) {
+  for (const char* name : test::examples<const char*>({"torus", "sphere", "box", "owl"})) {
     const Verdict verdict = verdict_of(of(name));
     EXPECT_THAT(verdict.reasons, IsEmpty()) << name;
     EXPECT_LT(verdict.noise_spacing, 0.05) << name;
