@@ -49,19 +49,11 @@ bool unconfirmed(const Scan& scan, std::size_t i, double usual) {
   return confirmed < kConfirmed;
 }
 
-double median_spacing(const Scan& scan) {
-  std::vector<double> spacings(scan.size());
-  for (std::size_t i = 0; i < scan.size(); ++i) spacings[i] = scan.spacing(i);
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> connected(const Scan& scan) {
   std::vector<std::uint8_t> isolated(scan.size(), 0);
-  const double usual = median_spacing(scan);
+  const double usual = scan.median_spacing();
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) isolated[i] = unconfirmed(scan, i, usual) ? 1 : 0;
   });

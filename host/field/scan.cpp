@@ -18,4 +18,12 @@ Scan::Scan(cloud::OrientedPoints points)
   });
 }
 
+double Scan::median_spacing() const {
+  std::vector<double> spacings(size());
+  for (std::size_t i = 0; i < size(); ++i) spacings[i] = spacing(i);
+  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
+  std::nth_element(spacings.begin(), middle, spacings.end());
+  return *middle;
+}
+
 }  // namespace isotouch::field

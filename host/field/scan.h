@@ -31,6 +31,9 @@ class Scan {
   /// The distance to a sample's sixth neighbour, or to the last of a small set: how far apart samples are there.
   double spacing(std::size_t sample) const { return std::sqrt(around(sample)[std::min<std::size_t>(6, listed_ - 1)].squared_distance); }
 
+  /// The median of that.
+  double median_spacing() const;
+
   void turn_normal(std::size_t sample) { points_.normals[sample] = -points_.normals[sample]; }
 
  private:

@@ -93,14 +93,6 @@ class FrontView {
   double cell_ = 0;
 };
 
-double median_spacing(const Scan& scan) {
-  std::vector<double> spacings(scan.size());
-  for (std::size_t i = 0; i < scan.size(); ++i) spacings[i] = scan.spacing(i);
-  const auto middle = spacings.begin() + static_cast<std::ptrdiff_t>(spacings.size() / 2);
-  std::nth_element(spacings.begin(), middle, spacings.end());
-  return *middle;
-}
-
 /// Fills the holes of the body whose rim looks to the front: nobody saw through them, they were missed.
 void fill_missed(Mask& body, const Mask& seen, const std::vector<double>& facing) {
   std::vector<std::uint8_t> visited(body.cells.size(), 0);
@@ -145,7 +137,7 @@ void fill_missed(Mask& body, const Mask& seen, const std::vector<double>& facing
 }  // namespace
 
 cloud::OrientedPoints sheet_back(const Scan& scan, const Vector3d& front) {
-  const double spacing = median_spacing(scan) / 1.4;  // to the sixth neighbour it is that much farther than to the first
+  const double spacing = scan.median_spacing() / 1.4;  // to the sixth neighbour it is that much farther than to the first
   const FrontView view(scan, front, spacing);
   const Mask seen = view.seen();
   Mask body = spread(spread(seen, kFilled, 1), kFilled, 0);
