@@ -29,9 +29,9 @@ using Eigen::Vector3d;
 constexpr double kVoxel = 0.34;  // mm; a shape's unit is a voxel
 constexpr std::size_t kDense = 100'000;
 constexpr std::size_t kTruths = 10'000;
-constexpr double kOff = 2.0;    // voxels from the surface, where sides are asked
-constexpr double kClear = 1.0;  // voxels: nearer to the true surface no side is asked
-constexpr double kSeen = 3.0;   // median spacings from a point of the scan
+constexpr double kOff = 2.0;        // voxels from the surface, where sides are asked
+constexpr double kClear = 1.0;      // voxels: nearer to the true surface no side is asked
+constexpr std::size_t kSpaced = 7;  // a point and its six neighbours: the farthest says how far apart points are there
 constexpr double kMostWrongSide = 0.01;
 constexpr double kMostVolume = 0.05;
 const Vector3d kEye = Vector3d(2, 3, 6) / 7;
@@ -66,7 +66,12 @@ double gaussian(Random& random) {
   return sum;
 }
 
-OrientedPoints dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t seed) {
+struct Dirtied {
+  OrientedPoints points;
+  std::size_t own;  ///< the first so many are of the object, the others strays
+};
+
+Dirtied dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t seed) {
   const double spacing = cloud::median_spacing(clean.positions);
   OrientedPoints points = clean;
   Random random(seed);
@@ -97,7 +102,7 @@ OrientedPoints dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint6
       normal = (normal + size * gaussian(random) * u + size * gaussian(random) * normal.cross(u)).normalized();
     }
   }
-  return damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7);
+  return {damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7), points.size()};
 }
 
 /// Of as many places as hold it to a third of a per cent.
@@ -113,14 +118,17 @@ double true_volume(const cloud::Shape& shape) {
   return static_cast<double>(inside) / kPlaces * (shape.high - shape.low).prod();
 }
 
-/// Of places beside the part of the surface that has a point of the scan within `reach`.
-double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth, const field::Nearest& scan,
-                  double reach) {
+/// Of places beside the scanned part of the surface: no farther from a point than this point's neighbours are.
+double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth,
+                  const std::vector<Vector3d>& measured) {
+  const field::Nearest scan(measured);
   std::vector<field::Neighbour> found;
   std::size_t asked = 0, wrong = 0;
   for (std::size_t i = 0; i < truth.size(); ++i) {
     scan.nearest(truth.positions[i], 1, found);
-    if (found[0].squared_distance > reach * reach) continue;
+    const double away = found[0].squared_distance;
+    scan.nearest(measured[found[0].index], kSpaced, found);
+    if (away > found.back().squared_distance) continue;
     for (const double off : {-kOff, kOff}) {
       const Vector3d place = truth.positions[i] + off * truth.normals[i];
       const double distance = shape.distance(place);
@@ -132,11 +140,12 @@ double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, co
   return asked > 0 ? static_cast<double>(wrong) / static_cast<double>(asked) : 0.0;
 }
 
-DirtyRow measured(const DirtyScan& scan, const OrientedPoints& points, const Dirt& dirt, const OrientedPoints& truth, double volume) {
+DirtyRow measured(const DirtyScan& scan, const Dirtied& dirtied, const Dirt& dirt, const OrientedPoints& truth, double volume) {
   DirtyRow row;
   row.scan = scan.name();
   row.dirt = dirt.name;
   field::Progress progress;
+  const OrientedPoints& points = dirtied.points;
   OrientedPoints placed = points;
   for (Vector3d& p : placed.positions) p *= kVoxel;
   if (dirt.no_normals) placed.normals.assign(placed.size(), Vector3d::UnitZ());
@@ -154,7 +163,8 @@ DirtyRow measured(const DirtyScan& scan, const OrientedPoints& points, const Dir
     row.surface_rms =
         std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
                   static_cast<double>(truth.size()));
-    row.wrong_side = wrong_side(felt, scan.shape, truth, field::Nearest(points.positions), kSeen * cloud::median_spacing(points.positions));
+    row.wrong_side = wrong_side(felt, scan.shape, truth,
+                                {points.positions.begin(), points.positions.begin() + static_cast<std::ptrdiff_t>(dirtied.own)});
     const cloud::TriangleMesh surface = zero_surface(open.view);
     const std::vector<Piece> parts = pieces(surface);
     row.pieces = parts.size();

@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 
 constexpr double kGap = 140 * std::numbers::pi / 180;
 constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is farther off shows that the surface turns away
+constexpr double kBehind = 0.5;      // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
 constexpr std::size_t kFewest = 12;  // samples a rim
 
 /// The widest sector, as an angle, that the neighbours leave empty in the sample's tangent plane; 0 where one of them lies round an edge.
@@ -35,8 +36,10 @@ double widest_gap(const Scan& scan, std::size_t sample) {
   std::size_t count = 0;
   for (const Neighbour& neighbour : scan.around(sample)) {
     if (neighbour.index == sample) continue;
-    if (scan.normals()[neighbour.index].dot(normal) < kTurned) return 0;
     const Vector3d step = scan.positions()[neighbour.index] - scan.positions()[sample];
+    const double alike = scan.normals()[neighbour.index].dot(normal);
+    if (alike < -kTurned && std::abs(step.dot(normal)) > kBehind * scan.spacing(sample)) continue;
+    if (alike < kTurned) return 0;
     angles[count++] = angle_of(step.dot(v), step.dot(u));
   }
   if (count == 0) return 0;
@@ -59,7 +62,7 @@ struct Chain {
   std::size_t samples = 0;
   double length = 0;
   double last = 0;  ///< the longest link, which stands for the one that closes the ring
-  Vector3d sum = Vector3d::Zero();
+  Vector3d sum = Vector3d::Zero(), normals = Vector3d::Zero();
 };
 
 }  // namespace
@@ -97,6 +100,7 @@ OpenRim open_rim(const Scan& scan) {
     Chain& chain = chains[root(i)];
     ++chain.samples;
     chain.sum += scan.positions()[i];
+    chain.normals += scan.normals()[i];
   }
   OpenRim rim;
   std::uint32_t longest = 0;
@@ -105,6 +109,7 @@ OpenRim open_rim(const Scan& scan) {
     if (chain.samples < kFewest) continue;
     rim.samples += chain.samples;
     rim.length += chain.length + chain.last;
+    rim.least_surrounded = std::min(rim.least_surrounded, chain.normals.norm() / static_cast<double>(chain.samples));
     if (chain.length + chain.last <= rim.longest) continue;
     longest = c;
     rim.longest = chain.length + chain.last;

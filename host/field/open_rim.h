@@ -14,7 +14,8 @@ struct OpenRim {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
   double longest = 0;                               ///< length of the longest rim, the scan's unit
   double bent = 0;                                  ///< rms distance of its samples from their plane, the scan's unit
-  double behind = 0;                                ///< share of the scan's samples that lie on the smaller side of that plane
+  double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
+  double behind = 0;            ///< share of the scan's samples that lie on the smaller side of that plane
 };
 
 /// A sample is on a rim when its neighbours, seen in its tangent plane, leave a wide sector empty and none of them shows that the surface turns

@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 
 constexpr int kFilled = 2;         // cells: gaps up to twice as wide are filled
 constexpr double kSideways = 0.5;  // length of a rim normal's part across the front, from which on the wall follows it
+constexpr double kBeyond = 2.5;    // spacings from the last sample to a wall that does not follow it
 constexpr int kMargin = kFilled + 2;
 constexpr int kMaxCells = 2048;  // along a side
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -203,8 +204,18 @@ cloud::OrientedPoints sheet_back(const Scan& scan, const Vector3d& front) {
       if (away.norm() < 0.5) continue;
       const bool follows = across.norm() > kSideways && view.flat(across).dot(away) > 0.0;
       const Vector3d normal = follows ? Vector3d(across.normalized()) : view.solid(away, 0.0);
-      const Vector2d foot = view.flat(p) + (follows ? 0.0 : 0.5 * view.cell()) * away;
-      for (double height = front.dot(p) - spacing; height > back + 0.5 * spacing; height -= spacing) add(view.solid(foot, height), normal);
+      // First on as the sheet runs, so that what lies behind its last samples is inside.
+      const Vector3d along = (normal - normal.dot(scan.normals()[i]) * scan.normals()[i]).normalized();
+      for (const double beyond : {1.0, 2.0}) add(p + beyond * spacing * along, scan.normals()[i]);
+      Vector3d end = p + kBeyond * spacing * along;
+      // A sheet that rises there gets a roof, so that the wall does not cut off what is behind it.
+      while (!follows && normal.dot(end - p) < (kBeyond - 0.5) * spacing) {
+        end += spacing * normal;
+        add(end - 0.5 * spacing * normal, front);
+      }
+      const Vector2d foot = view.flat(end);
+      for (double height = front.dot(end) - spacing; height > back + 0.5 * spacing; height -= spacing)
+        add(view.solid(foot, height), normal);
     }
   }
   if (!scan.stiffness().empty()) {

@@ -38,6 +38,8 @@ constexpr double kMostDebris = 0.05;
 constexpr double kMostOfRim = 0.9;
 constexpr double kPlane = 0.003;  // of a rim's length: a hand cut at the wrist has 0.0007, holes of other kinds 0.005 and more
 constexpr double kBehindCut = 0.002;
+constexpr double kTubeEnd =
+    0.3;  // of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2
 
 constexpr std::size_t kAsked = 20'000;    // points, at most
 constexpr double kGap = 1.5;              // the same, where a gap begins
@@ -243,6 +245,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const bool cut = closed && is_cut(sound.rim);
   refuse(!cut && verdict.gap_share > kMostGaps,
          per_cent(verdict.gap_share) + " of the surface closes gaps in which nobody saw anything; scan the missing parts");
+  refuse(closed && !cut && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
+         "the scan ends round a limb or across a wall, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
+         "off in one plane");
   refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
                                                            " of the points; estimate the normals again, or scan again with less noise");
   refuse(verdict.surprising_share > kMostSurprising + kPerStray * verdict.stray_share,
