@@ -26,6 +26,7 @@ nlohmann::ordered_json to_json(const field::Verdict& verdict) {
           {"volume_of_hull", verdict.volume_of_hull},
           {"volume_of_enclosed", verdict.volume_of_enclosed},
           {"off_surface_share", verdict.off_surface_share},
+          {"contradicted_share", verdict.contradicted_share},
           {"opposed_share", verdict.opposed_share},
           {"unexplained_share", verdict.unexplained_share},
           {"surprising_share", verdict.surprising_share},

@@ -21,8 +21,10 @@ using Eigen::Vector3d;
 constexpr std::size_t kEstimated = 12;  // neighbours of an estimated normal
 constexpr std::size_t kJoined = 11;     // a sample's list as far as it is asked for agreement, itself among them
 constexpr double kClear = 0.5;          // of an agreement
-constexpr double kDoubtful = 0.3;       // less than full agreement
-constexpr std::int64_t kSure = 6;       // squared standard deviations of a vote by chance
+constexpr double kFewestWrong = 0.001;  // share of signs
+constexpr int kPasses = 8;
+constexpr double kLeastGain = 1e-9;  // more than rounding
+constexpr double kVote = 0.25;       // of a normal's log-odds to be right, beside a full agreement of neighbours
 
 /// For 98 directions the outermost sample is asked whether its normal points that way. On a closed surface it does, whatever the sampling, the cavities
 /// or the holes elsewhere. An answer is near 1 or -1, and near 0 at the rim of an open scan, which so counts little.
@@ -54,10 +56,144 @@ double outwardness(const Scan& scan) {
 
 /// An edge of the graph of neighbours.
 struct Pair {
-  double doubt;  ///< 0 to 1
   std::uint32_t a, b;
-  bool opposed;  ///< the normals contradict each other as they stand
-  bool operator<(const Pair& other) const { return std::tie(doubt, a, b) < std::tie(other.doubt, other.a, other.b); }
+  double agreed;  ///< squared, with its sign: agreements near 0 are chance
+};
+
+/// Each once, ascending.
+std::vector<Pair> pairs_of_neighbours(const Scan& scan) {
+  std::vector<Pair> pairs;
+  for (std::uint32_t i = 0; i < scan.size(); ++i) {
+    const auto around = scan.around(i);
+    for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
+      if (n.index == i) continue;
+      const std::uint32_t a = std::min(i, n.index), b = std::max(i, n.index);
+      const double agreed = agreement(scan.normals()[a], scan.normals()[b], scan.positions()[b] - scan.positions()[a]);
+      pairs.push_back({a, b, agreed * std::abs(agreed)});
+    }
+  }
+  const auto place = [](const Pair& pair) { return std::tie(pair.a, pair.b); };
+  std::sort(pairs.begin(), pairs.end(), [&](const Pair& p, const Pair& q) { return place(p) < place(q); });
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), [&](const Pair& p, const Pair& q) { return place(p) == place(q); }), pairs.end());
+  return pairs;
+}
+
+/// The signs of all normals, and how well they suit neighbours and votes.
+class Signs {
+ public:
+  /// vote      what a sample counts that keeps its sign, beside a full agreement of two neighbours
+  Signs(const Scan& scan, double vote) : pairs_(pairs_of_neighbours(scan)), vote_(vote), sign_(scan.size(), 1) {
+    first_.assign(scan.size() + 1, 0);
+    for (const Pair& pair : pairs_) {
+      ++first_[pair.a + 1];
+      ++first_[pair.b + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    beside_.resize(2 * pairs_.size());
+    std::vector<std::uint32_t> filled(first_.begin(), first_.end() - 1);
+    for (std::uint32_t p = 0; p < pairs_.size(); ++p) beside_[filled[pairs_[p].a]++] = beside_[filled[pairs_[p].b]++] = p;
+    order_.resize(pairs_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::uint32_t p, std::uint32_t q) { return std::abs(pairs_[p].agreed) > std::abs(pairs_[q].agreed); });
+  }
+
+  /// Joins samples in the order of their clearest agreements. Two parts that meet are turned against each other as all pairs between them and their
+  /// votes ask for.
+  void grow() {
+    join([&](Part& to, Part& from, double between) {
+      const double votes = 0.5 * static_cast<double>(std::abs(to.votes + from.votes) - std::abs(to.votes - from.votes));
+      if (between + vote_ * votes < 0.0) turn(from);
+    });
+  }
+
+  /// Joins them again, and turns each part that all its neighbours as they stand ask to turn. Returns whether it turned any.
+  bool improve() {
+    bool any = false;
+    join([&](Part& to, Part& from, double) {
+      for (Part* part : {&to, &from}) {
+        if (suits(*part) >= -kLeastGain) continue;
+        turn(*part);
+        any = true;
+      }
+    });
+    return any;
+  }
+
+  bool turned(std::size_t sample) const { return sign_[sample] < 0; }
+
+ private:
+  /// Samples that were joined.
+  struct Part {
+    std::vector<std::uint32_t> members;
+    std::int64_t votes = 0;  ///< how many more of them keep their sign than turn it
+    double cut = 0;          ///< agreement with all samples that are not of the part
+  };
+
+  double suits(const Part& part) const { return part.cut + vote_ * static_cast<double>(part.votes); }
+
+  void turn(Part& part) {
+    for (const std::uint32_t i : part.members) sign_[i] = static_cast<std::int8_t>(-sign_[i]);
+    part.votes = -part.votes;
+    part.cut = -part.cut;
+    for (const std::uint32_t i : part.members) {
+      for (std::uint32_t at = first_[i]; at < first_[i + 1]; ++at) {
+        const Pair& pair = pairs_[beside_[at]];
+        const std::uint32_t other = part_of_[pair.a == i ? pair.b : pair.a];
+        if (other != part_of_[i]) parts_[other].cut += 2.0 * agreed(pair);
+      }
+    }
+  }
+
+  double agreed(const Pair& pair) const { return pair.agreed * sign_[pair.a] * sign_[pair.b]; }
+
+  template <typename Decide>
+  void join(const Decide& decide) {
+    parts_.assign(sign_.size(), {});
+    part_of_.resize(sign_.size());
+    for (std::uint32_t i = 0; i < sign_.size(); ++i) {
+      parts_[i].members = {i};
+      parts_[i].votes = sign_[i];
+      part_of_[i] = i;
+    }
+    for (const Pair& pair : pairs_) {
+      parts_[pair.a].cut += agreed(pair);
+      parts_[pair.b].cut += agreed(pair);
+    }
+    const auto between = [&](const Part& from, std::uint32_t to) {
+      double sum = 0.0;
+      for (const std::uint32_t i : from.members) {
+        for (std::uint32_t at = first_[i]; at < first_[i + 1]; ++at) {
+          const Pair& pair = pairs_[beside_[at]];
+          if (part_of_[pair.a == i ? pair.b : pair.a] == to) sum += agreed(pair);
+        }
+      }
+      return sum;
+    };
+    for (const std::uint32_t p : order_) {
+      std::uint32_t large = part_of_[pairs_[p].a], small = part_of_[pairs_[p].b];
+      if (large == small) continue;
+      if (parts_[large].members.size() < parts_[small].members.size()) std::swap(large, small);
+      Part &to = parts_[large], &from = parts_[small];
+      decide(to, from, between(from, large));
+      to.cut += from.cut - 2.0 * between(from, large);
+      to.votes += from.votes;
+      for (const std::uint32_t i : from.members) part_of_[i] = large;
+      to.members.insert(to.members.end(), from.members.begin(), from.members.end());
+      from = {};
+    }
+    for (Part& part : parts_) {
+      if (part.votes < 0) turn(part);
+    }
+  }
+
+  std::vector<Pair> pairs_;  ///< by their samples
+  double vote_;
+  std::vector<std::uint32_t> order_;           ///< the pairs, clearest first
+  std::vector<std::uint32_t> first_, beside_;  ///< of each sample, its pairs
+  std::vector<std::int8_t> sign_;              ///< -1: turned
+  std::vector<Part> parts_;
+  std::vector<std::uint32_t> part_of_;
 };
 
 }  // namespace
@@ -108,65 +244,20 @@ double contradictions(const Scan& scan) {
 }
 
 std::size_t orient_by_neighbours(Scan& scan, bool heard) {
-  std::vector<Pair> pairs;
-  for (std::uint32_t i = 0; i < scan.size(); ++i) {
-    const auto around = scan.around(i);
-    for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
-      if (n.index == i) continue;
-      const double agreed = agreement(scan.normals()[i], scan.normals()[n.index], scan.positions()[n.index] - scan.positions()[i]);
-      pairs.push_back({1.0 - std::abs(agreed), std::min(i, n.index), std::max(i, n.index), agreed < 0.0});
-    }
+  // Where a share w of the signs is wrong by chance, 2 w (1 - w) of the pairs contradict each other.
+  const double opposed = std::min(0.5, contradictions(scan));
+  const double wrong = std::max(0.5 * (1.0 - std::sqrt(1.0 - 2.0 * opposed)), kFewestWrong);
+  Signs signs(scan, heard ? kVote * std::log((1.0 - wrong) / wrong) : 0.0);
+  signs.grow();
+  for (int pass = 0; pass < kPasses && signs.improve(); ++pass) {
   }
-  std::sort(pairs.begin(), pairs.end());
-  // Union and find; each sample remembers whether it is to be turned when its root is not.
-  std::vector<std::uint32_t> above(scan.size());
-  std::iota(above.begin(), above.end(), 0U);
-  std::vector<std::uint8_t> turned(scan.size(), 0);
-  const auto root = [&](std::uint32_t i) {
-    std::uint32_t top = i;
-    std::uint8_t turn = 0;
-    for (; above[top] != top; top = above[top]) turn ^= turned[top];
-    for (std::uint32_t next = i; above[next] != top && next != top;) {
-      const std::uint32_t up = above[next];
-      const std::uint8_t own = turned[next];
-      above[next] = top;
-      turned[next] = turn;
-      turn ^= own;
-      next = up;
-    }
-    return top;
-  };
-  // Of the samples below a root: how many more keep their normal than turn it, when the root keeps its own.
-  std::vector<std::int64_t> votes(scan.size(), 1), members(scan.size(), 1);
-  const auto sure = [&](std::uint32_t i) { return votes[i] * votes[i] > kSure * members[i]; };
-  for (const Pair& pair : pairs) {
-    const std::uint32_t a = root(pair.a), b = root(pair.b);
-    if (a == b) continue;
-    const std::uint8_t of_a = pair.a == a ? 0 : turned[pair.a], of_b = pair.b == b ? 0 : turned[pair.b];
-    bool turn = (of_a ^ of_b ^ (pair.opposed ? 1 : 0)) != 0;
-    // Where neighbours hardly tell, two parts that each know their side by their own votes keep it.
-    if (heard && pair.doubt > kDoubtful && sure(a) && sure(b)) turn = (votes[a] < 0) != (votes[b] < 0);
-    above[b] = a;
-    turned[b] = turn ? 1 : 0;
-    votes[a] += turn ? -votes[b] : votes[b];
-    members[a] += members[b];
-  }
-  std::vector<std::uint8_t> turn(scan.size());
-  std::vector<std::uint32_t> roots(scan.size()), size(scan.size(), 0), turns(scan.size(), 0);
-  for (std::uint32_t i = 0; i < scan.size(); ++i) {
-    roots[i] = root(i);
-    turn[i] = roots[i] == i ? 0 : turned[i];
-    ++size[roots[i]];
-    turns[roots[i]] += turn[i];
-  }
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < scan.size(); ++i) {
-    const bool most = 2 * turns[roots[i]] > size[roots[i]];
-    if ((turn[i] != 0) == most) continue;
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (!signs.turned(i)) continue;
     scan.turn_normal(i);
-    ++count;
+    ++turned;
   }
-  return count;
+  return turned;
 }
 
 Facing facing(const Scan& scan) {

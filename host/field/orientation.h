@@ -25,9 +25,11 @@ double agreement(const Eigen::Vector3d& normal, const Eigen::Vector3d& other, co
 /// Of the pairs of neighbours whose agreement is clear, the share that contradicts itself: 0 in a sound scan, one half where signs are random.
 double contradictions(const Scan& scan);
 
-/// Turns normals until neighbours agree, along the tree of clearest agreements; in every connected part at least half of the normals stay.
+/// Turns normals until neighbours agree. Samples are joined to parts, clearest agreements first; two parts that meet are turned against each other as
+/// all pairs between them ask for. Then parts that all their neighbours ask to turn are turned, until none is left. In every connected part at least
+/// half of the normals stay.
 ///
-/// heard     the normals' signs are right more often than not: where neighbours hardly tell, the votes of each part decide
+/// heard     the normals' signs are right more often than not: their votes count beside the pairs, the less the more they contradict each other
 /// returns   how many were turned
 std::size_t orient_by_neighbours(Scan& scan, bool heard);
 

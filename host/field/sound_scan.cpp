@@ -40,8 +40,6 @@ constexpr double kContradicted = 2.0;    // pairs are rougher than positions: th
 constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
 constexpr std::size_t kNear = 7;         // a sample and its six neighbours
 constexpr double kRough = 0.05;          // spacings
-constexpr std::size_t kVotes = 3;
-constexpr double kSettled = 0.03;        // of the pairs may still contradict each other
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
 constexpr double kContradictory = 0.15;  // share of pairs of neighbours
@@ -98,24 +96,16 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     found = facing(scan);
     return Outside::kTurned;
   }
-  // Neighbours may know better; but only a clear answer is taken. First by votes: they follow the file where it is right more often than not.
+  // Neighbours may know better; but only a clear answer is taken.
   OrientedPoints before{scan.positions(), scan.normals(), {}};
   const auto as_before = [&] {
     for (std::size_t i = 0; i < scan.size(); ++i) {
       if (scan.normals()[i].dot(before.normals[i]) < 0.0) scan.turn_normal(i);
     }
   };
-  if (!options.estimate) {
-    for (std::size_t round = 0; round < kVotes && turn_outvoted(scan) > 0; ++round) {
-    }
-    const Facing voted = facing(scan);
-    if (contradictions(scan) < kSettled && (sheet || (clear(voted) && voted.one_sided < kSheet))) {
-      found = voted;
-      return Outside::kNeighbours;
-    }
-    as_before();
-  }
-  const std::size_t turned = orient_by_neighbours(scan, !options.estimate);
+  orient_by_neighbours(scan, contradicts && !options.estimate);  // whole sides that are turned outvote their few contradictions
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) turned += scan.normals()[i].dot(before.normals[i]) < 0.0 ? 1U : 0U;
   Facing after = facing(scan);
   if (inside_out(after) && after.one_sided < kSheet) {
     turn_all(scan);
@@ -234,6 +224,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   if (!options.estimate) {
     for (std::size_t i = 0; i < samples.size(); ++i) result.turned += scan->normals()[i].dot(given.normals[samples[i]]) < 0.0 ? 1U : 0U;
   }
+  result.contradicted = contradictions(*scan);
   std::vector<double> nearest;
   for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
   result.spacing = median(std::move(nearest));

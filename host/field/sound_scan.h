@@ -26,6 +26,7 @@ struct SoundScan {
   std::size_t measured = 0;      ///< how many of them were measured
   std::size_t strays = 0;        ///< points far from all others, left out
   std::size_t turned = 0;        ///< normals that point the other way than in the file
+  double contradicted = 0;       ///< of the clear pairs of neighbours: their normals contradict each other still
   double noise = 0;              ///< standard deviation of the points across the surface, their unit
   double tilt = 0;               ///< sine of the angle between normals and what the positions say, the median
   double spacing = 0;            ///< median distance to the nearest point, their unit

@@ -24,6 +24,8 @@ using Eigen::Vector3i;
 constexpr double kMostOffSurface = 0.03;
 constexpr double kMostOpposed = 0.02;
 constexpr double kMostTurned = 0.25;
+constexpr double kMostContradicted =
+    0.01;  // thin and narrow parts contradict themselves in a sound scan too: there neighbours do not know the side
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
@@ -38,8 +40,8 @@ constexpr double kMostDebris = 0.05;
 constexpr double kMostOfRim = 0.9;
 constexpr double kPlane = 0.003;  // of a rim's length: a hand cut at the wrist has 0.0007, holes of other kinds 0.005 and more
 constexpr double kBehindCut = 0.002;
-constexpr double kTubeEnd =
-    0.3;  // of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2
+// Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
+constexpr double kTubeEnd = 0.25;
 
 constexpr std::size_t kAsked = 20'000;    // points, at most
 constexpr double kGap = 1.5;              // the same, where a gap begins
@@ -198,6 +200,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.noise_spacing = sound.spacing > 0.0 ? sound.noise / sound.spacing : 0.0;
   verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
   verdict.turned_share = static_cast<double>(sound.turned + repair.turned) / count;
+  verdict.contradicted_share = sound.contradicted;
   verdict.rim_mm = sound.rim.length;
   verdict.unexplained_share = repair.unexplained;
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
@@ -237,6 +240,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(
       verdict.opposed_share > kMostOpposed,
       per_cent(verdict.opposed_share) + " of the normals point against the surface; estimate the normals again, or try --normals estimate");
+  refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
+         "neighbours had to tell the side of the normals, and in thin or narrow parts they do not know it; save the scan with outward "
+         "normals, or scan more densely");
   refuse(sound.outside != Outside::kNeighbours && verdict.turned_share > kMostTurned,
          per_cent(verdict.turned_share) + " of the normals had to be turned round; estimate the normals again, or try --normals estimate");
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");

@@ -26,6 +26,7 @@ struct Verdict {
   double off_surface_share = 0;  ///< of the measured points: more than a voxel, and more than the noise explains, off the field's surface
   double unexplained_share = 0;  ///< of the samples: no local surface explains their neighbours
   double debris_share = 0;       ///< pieces and cavities that no points stand for, over the number of points
+  double contradicted_share = 0;  ///< of the clear pairs of neighbours: their normals contradict each other still
   double opposed_share = 0;      ///< of the measured normals: against the field's gradient
 
   bool plausible() const { return reasons.empty(); }

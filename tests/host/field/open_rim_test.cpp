@@ -53,6 +53,26 @@ TEST(OpenRim, OfATubeCutLengthwiseIsBothCircles) {
   EXPECT_NEAR(rim.length, circles, 0.2 * circles);
 }
 
+TEST(OpenRim, RoundAHoleItIsSurroundedAndRoundALimbOrAcrossAWallItIsNot) {
+  const auto away_from = [](const std::string& name, const Vector3d& place, double radius) {
+    const cloud::OrientedPoints all = cloud::sample_shape(cloud::shape(name), 4000);
+    cloud::OrientedPoints part;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if ((all.positions[i] - place).norm() < radius) continue;
+      part.positions.push_back(all.positions[i]);
+      part.normals.push_back(all.normals[i]);
+    }
+    return open_rim(Scan(part));
+  };
+  EXPECT_GT(away_from("sphere", {0, 0, 80}, 40).least_surrounded, 0.7);
+  const OpenRim tube = away_from("torus", {70, 0, 0}, 60);
+  EXPECT_GT(tube.samples, 30U);
+  EXPECT_LT(tube.least_surrounded, 0.2);
+  const OpenRim wall = away_from("plate", {80, 60, 0}, 70);
+  EXPECT_GT(wall.samples, 30U);
+  EXPECT_LT(wall.least_surrounded, 0.2);
+}
+
 TEST(OpenRim, AHoleOfAFewSamplesIsNone) {
   cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 4000);
   cloud::OrientedPoints pricked;

@@ -83,9 +83,10 @@ TEST(SoundScan, BelievesAReliefAndGivesItABack) {
     const Vector3d& p = scan.points.positions[i];
     lowest = std::min(lowest, p.z());
     flux += scan.points.normals[i].dot(Vector3d(p.x(), p.y(), p.z() + 10));
-    EXPECT_LE(scan.points.normals[i].z(), 0.03);
-    EXPECT_LT(std::abs(p.x()), 54);
-    EXPECT_LT(std::abs(p.y()), 44);
+    const bool beyond = std::max(std::abs(p.x()) - 50, std::abs(p.y()) - 40) > -2;  // the sheet goes on a little
+    EXPECT_TRUE(beyond || scan.points.normals[i].z() <= 0.03);
+    EXPECT_LT(std::abs(p.x()), 55.5);
+    EXPECT_LT(std::abs(p.y()), 45.5);
   }
   EXPECT_NEAR(lowest, -6 - 10, 2.0);  // the front is a little askew; a tenth of the longest side behind the deepest point
   EXPECT_GT(flux, 0);                 // walls and back look away from the body
