@@ -1,4 +1,5 @@
-/// Level sets of OpenVDB: fields from other programs in, ours out. No header of that library is seen from here: they are slow to compile.
+/// Level sets of OpenVDB: fields from other programs in, ours out. Nothing of that library is seen from here: its headers are slow to compile, and it is
+/// slow to load.
 ///
 /// A level set of OpenVDB is a sparse grid of distances in world units, negative inside, known up to the grid's background on both sides;
 /// beyond stands plus or minus the background.
@@ -22,6 +23,9 @@ namespace isotouch::vdb {
 /// Does the file begin as an OpenVDB file, or its name end in .vdb?
 bool is_vdb_file(const std::filesystem::path& file);
 
+/// A grid as the library holds it.
+struct LibraryGrid;
+
 /// A level set from a file. Lengths and places in its world units.
 class LevelSet {
  public:
@@ -31,7 +35,7 @@ class LevelSet {
   ///
   /// grid_name which grid; empty = the first level set
   /// fails     InputError: cannot be read; no grid of that name; none that is a level set, and what it is instead; unequal scales, shear or a
-  ///           frustum; empty; values that are not finite; a background that is no distance; a surface that is not closed within its band
+  ///           frustum; empty; values that are not finite; a background that is no distance; a surface that is not closed within its band; OpenVDB is not there
   static LevelSet read(const std::filesystem::path& file, const std::string& grid_name = {});
 
   std::string format;                      ///< "OpenVDB level set 'ls_sphere'"
@@ -45,10 +49,7 @@ class LevelSet {
       samples;  ///< values in voxels on the file's own samples, the grid in world units; none when its axes are not the
                 ///< world's, however permuted or mirrored
 
- private:
-  friend class Interpolation;
-  struct Grid;  // the library's
-  std::shared_ptr<const Grid> grid_;
+  std::shared_ptr<const LibraryGrid> grid;  ///< for `Interpolation`
 };
 
 /// A level set at any place, by parabolas between its samples. It is first widened by four voxels on each side, by a first-order sweep that
@@ -56,7 +57,6 @@ class LevelSet {
 /// within 1 of the surface, 0.02 within 3, 0.1 up to the reach.
 class Interpolation {
  public:
-  /// fails     never
   explicit Interpolation(const LevelSet& set);
 
   /// How far from the surface the values are distances, voxels of the level set.
@@ -66,7 +66,7 @@ class Interpolation {
   void distances(std::span<const Eigen::Vector3d> places, std::span<double> values) const;
 
  private:
-  std::shared_ptr<const LevelSet::Grid> grid_;
+  std::shared_ptr<const LibraryGrid> grid_;
   double reach_;
 };
 
@@ -77,7 +77,7 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 /// |distance| < band are active; what is not listed and inside is minus the background, by tiles.
 ///
 /// field     bricks sorted by cell
-/// fails     InputError when this program was built without OpenVDB
+/// fails     InputError when OpenVDB is not there
 std::vector<std::uint8_t> write_level_set(const field::BandField& field, const std::string& name, const Notes& notes);
 
 }  // namespace isotouch::vdb

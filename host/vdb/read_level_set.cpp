@@ -13,11 +13,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "host/cloud/forked_call.h"
 #include "host/error.h"
-#include "host/files/whole_file.h"
-#include "host/vdb/level_set.h"
-#include "shared/hash64.h"
+#include "host/vdb/library.h"
 
 namespace isotouch::vdb {
 
@@ -233,88 +230,80 @@ class Samples {
 FloatGrid::ConstPtr constant(const FloatGrid::Ptr& grid) { return grid; }
 DoubleGrid::ConstPtr constant(const DoubleGrid::Ptr& grid) { return grid; }
 
-/// What reading a file may take: level sets shrink to a hundredth at most when they are saved, and a gigabyte is read within a minute.
-cloud::ForkLimits limits_for(std::size_t file_bytes) {
-  return {(std::uint64_t{512} << 20U) + 200 * std::uint64_t{file_bytes}, 20 + static_cast<unsigned>(file_bytes >> 22U)};
+/// Runs `read`; what the library throws becomes an InputError.
+template <class Read>
+auto guarded(const std::string& name, const Read& read) {
+  try {
+    openvdb::initialize();
+    return read();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    throw InputError(name + ": OpenVDB cannot read it: " + e.what());
+  }
 }
-
-constexpr int kWidened = 4;
-constexpr double kStencil = 2.5;  ///< how far the samples of an interpolation that carry weight may lie from its place
 
 }  // namespace
 
-struct LevelSet::Grid {
+struct LibraryGrid {
   std::variant<FloatGrid::ConstPtr, DoubleGrid::ConstPtr> values;
   Axes axes;
 };
 
-LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& grid_name) {
-  const std::string name = file.string();
-  LevelSet set;
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  set.source_hash = hash64(bytes.data(), bytes.size());
-  try {
-    openvdb::initialize();
-    // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
-    const cloud::ForkedCall trial = cloud::call_in_fork(
-        [&] {
-          try {
-            static_cast<void>(new openvdb::GridBase::Ptr(read_grid(name, grid_name, set.warnings)));
-          } catch (const std::bad_alloc&) {
-            throw InputError(name + ": the file is damaged: it asks for far more memory than a level set of its size needs; save it again");
-          }
-          return std::string();
-        },
-        limits_for(bytes.size()));
-    if (trial.crashed) throw InputError(name + ": the file is damaged: reading it crashes OpenVDB; save it again");
-    if (!trial.thrown.empty()) throw std::runtime_error(trial.thrown);
-    const openvdb::GridBase::Ptr base = read_grid(name, grid_name, set.warnings);
-    const Axes axes = axes_of(*base, name);
+void attempt_with_openvdb(const std::string& file, const std::string& grid_name) {
+  guarded(file, [&] {
+    std::vector<std::string> warnings;
+    static_cast<void>(new openvdb::GridBase::Ptr(read_grid(file, grid_name, warnings)));
+  });
+}
+
+LevelSet read_with_openvdb(const std::string& file, const std::string& grid_name) {
+  return guarded(file, [&] {
+    LevelSet set;
+    const openvdb::GridBase::Ptr base = read_grid(file, grid_name, set.warnings);
+    const Axes axes = axes_of(*base, file);
     set.format = "OpenVDB level set '" + base->getName() + "'";
     set.active_voxels = static_cast<std::size_t>(base->activeVoxelCount());
     set.edge = axes.edge;
     const auto take = [&](const auto& grid) {
-      const Samples own(grid->tree(), axes, name, base->getName());
+      const Samples own(grid->tree(), axes, file, base->getName());
       own.check();
       set.half_width = static_cast<double>(grid->background()) / axes.edge;
       set.crossings = own.crossings();
-      if (set.crossings.empty()) throw InputError(name + ": grid '" + base->getName() + "' has no surface: all of it is on one side");
+      if (set.crossings.empty()) throw InputError(file + ": grid '" + base->getName() + "' has no surface: all of it is on one side");
       if (const auto turn = permutation(axes)) set.samples = own.bricks(*turn);
-      set.grid_ = std::make_shared<Grid>(Grid{grid, axes});
+      set.grid = std::make_shared<LibraryGrid>(LibraryGrid{grid, axes});
     };
     if (const auto floats = openvdb::gridConstPtrCast<FloatGrid>(base))
       take(floats);
     else
       take(openvdb::gridConstPtrCast<DoubleGrid>(base));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& e) {
-    const std::string what = e.what();  // ours, from the trial, or the library's
-    throw InputError(what.starts_with(name) ? what : name + ": OpenVDB cannot read it: " + what);
-  }
-  return set;
+    return set;
+  });
 }
 
-Interpolation::Interpolation(const LevelSet& set) : reach_(set.half_width + kWidened - kStencil) {
-  const auto widened = [&](const auto& grid) -> std::shared_ptr<const LevelSet::Grid> {
-    return std::make_shared<LevelSet::Grid>(
-        LevelSet::Grid{constant(openvdb::tools::dilateSdf(*grid, kWidened, openvdb::tools::NN_FACE_EDGE_VERTEX)), set.grid_->axes});
+std::shared_ptr<const LibraryGrid> widened_with_openvdb(const LibraryGrid& grid, int voxels) {
+  const auto widen = [&](const auto& values) -> std::shared_ptr<const LibraryGrid> {
+    return std::make_shared<LibraryGrid>(
+        LibraryGrid{constant(openvdb::tools::dilateSdf(*values, voxels, openvdb::tools::NN_FACE_EDGE_VERTEX)), grid.axes});
   };
-  grid_ = std::visit(widened, set.grid_->values);
+  return std::visit(widen, grid.values);
 }
 
-void Interpolation::distances(std::span<const Vector3d> places, std::span<double> values) const {
-  const Matrix3d back = grid_->axes.linear.inverse();
+void distances_with_openvdb(const LibraryGrid& grid, std::span<const Vector3d> places, std::span<double> values) {
+  const Matrix3d back = grid.axes.linear.inverse();
   std::visit(
-      [&](const auto& grid) {
-        const auto access = grid->getConstUnsafeAccessor();  // unregistered: the tree does not change
+      [&](const auto& samples) {
+        const auto access = samples->getConstUnsafeAccessor();  // unregistered: the tree does not change
         for (std::size_t i = 0; i < places.size(); ++i) {
-          const Vector3d index = back * (places[i] - grid_->axes.offset);
+          const Vector3d index = back * (places[i] - grid.axes.offset);
           values[i] =
               static_cast<double>(openvdb::tools::QuadraticSampler::sample(access, openvdb::Vec3d(index.x(), index.y(), index.z())));
         }
       },
-      grid_->values);
+      grid.values);
 }
 
 }  // namespace isotouch::vdb

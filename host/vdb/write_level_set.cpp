@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "host/vdb/level_set.h"
+#include "host/vdb/library.h"
 
 namespace isotouch::vdb {
 
@@ -19,7 +19,7 @@ openvdb::math::Transform::Ptr transform_of(const field::Grid& grid) {
 
 }  // namespace
 
-std::vector<std::uint8_t> write_level_set(const field::BandField& field, const std::string& name, const Notes& notes) {
+std::vector<std::uint8_t> write_with_openvdb(const field::BandField& field, const std::string& name, const Notes& notes) {
   openvdb::initialize();
   const auto background = static_cast<float>(field.band * field.grid.edge);
   const auto grid = openvdb::FloatGrid::create(background);
