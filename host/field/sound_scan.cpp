@@ -36,6 +36,8 @@ constexpr std::size_t kAsked = 4096;   // samples for the noise, about
 constexpr double kUsual = 0.6;         // of the samples deviate less than what counts as the noise: edges deviate more
 constexpr double kTilted = 0.12;       // 7 degrees
 constexpr double kNoisy = 0.65;
+constexpr double kPairsOfTilt =
+    0.5;  // spacings of `of_pairs` for each unit of tilt: tilts of 5, 15 and 30 degrees gave 0.51, 0.50 and 0.47
 constexpr double kContradicted = 2.0;    // pairs are rougher than positions: the normals are to blame
 constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
 constexpr std::size_t kNear = 7;         // a sample and its six neighbours
@@ -132,14 +134,20 @@ struct Roughness {
   double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
   double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
   double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
+  double spacing = 0;       ///< median distance to the nearest sample
 
+  /// `of_pairs` without what bad normals add: they are tilted more than detail of that size lets paraboloids err.
+  double of_pairs_untilted() const {
+    const double added = kPairsOfTilt * std::sqrt(std::max(0.0, tilt * tilt - of_positions * of_positions / (spacing * spacing))) * spacing;
+    return std::sqrt(std::max(0.0, of_pairs * of_pairs - added * added));
+  }
   /// At most so much: detail contradicts no normal, and a wrong normal no position.
-  double noise() const { return std::min(of_positions, of_pairs); }
+  double noise() const { return std::min(of_positions, of_pairs_untilted()); }
   /// Noise is as rough for pairs as for positions; detail is smoother for pairs.
-  bool is_noise() const { return of_pairs > kNoisy * of_positions; }
+  bool is_noise() const { return of_pairs_untilted() > kNoisy * of_positions; }
 };
 
-Roughness roughness(const Scan& scan) {
+Roughness roughness(const Scan& scan, double spacing) {
   const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
   std::vector<double> deviations, tilts, heights;
   for (std::size_t i = 0; i < scan.size(); i += step) {
@@ -154,6 +162,7 @@ Roughness roughness(const Scan& scan) {
     }
   }
   Roughness result;
+  result.spacing = spacing;
   result.of_positions = quantile(std::move(deviations), kUsual);
   if (!heights.empty()) result.of_pairs = quantile(std::move(heights), kUsual) / (kNormalUsual * std::sqrt(2.0));
   result.tilt = quantile(std::move(tilts), 0.5);
@@ -228,7 +237,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   std::vector<double> nearest;
   for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
   result.spacing = median(std::move(nearest));
-  const Roughness rough = roughness(*scan);
+  const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;
   if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions)
