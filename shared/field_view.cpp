@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 #include "shared/bytes.h"
 #include "shared/crc32.h"
@@ -52,22 +53,26 @@ bool is_stiffness_table(const FieldView& view) {
          std::none_of(parts + kInside + 1, parts + view.brick_count, [](std::uint8_t part) { return part == 0; });
 }
 
-}  // namespace
-
-Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
-  const std::uint8_t* at = image.data();
-  if (reinterpret_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
-  if (image.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
-  if (image.size() < kHeaderBytes) return Error::kTruncated;
+/// What must hold before the checksum of an image is worth computing; nothing when all of it does.
+std::optional<Error> outline_error(std::span<const std::uint8_t> header, std::uint64_t image_bytes) {
+  const std::uint8_t* at = header.data();
+  if (header.size() < kMagic.size() || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
+  if (header.size() < kHeaderBytes) return Error::kTruncated;
   if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
   if (load_le<std::uint32_t>(at + kHeaderBytesAt) != kHeaderBytes) return Error::kBadHeader;
   const auto total = load_le<std::uint64_t>(at + kTotalBytesAt);
-  if (total > image.size()) return Error::kTruncated;
-  if (total != image.size() || total > 0xFFFFFFFFU) return Error::kBadSize;
-  if (crc32(at + kTotalBytesAt, image.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
+  if (total > image_bytes) return Error::kTruncated;
+  if (total != image_bytes || total > 0xFFFFFFFFU) return Error::kBadSize;
 
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<FieldView> FieldView::of_header(std::span<const std::uint8_t> header, std::uint64_t image_bytes) {
+  if (const auto wrong = outline_error(header, image_bytes)) return *wrong;
+  const std::uint8_t* at = header.data();
   FieldView view;
-  view.image = image;
   const auto field = [at](std::size_t offset) { return load_le<std::int32_t>(at + offset); };
   view.origin = {Mm::from_raw(field(kOriginAt)), Mm::from_raw(field(kOriginAt + 4)), Mm::from_raw(field(kOriginAt + 8))};
   view.edge = MmPerVoxel::from_raw(field(kEdgeAt));
@@ -105,15 +110,31 @@ Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
   const auto table_at = load_le<std::uint32_t>(at + kStiffnessTableAt);
   if (load_le<std::uint32_t>(at + kRootOffsetAt) != kHeaderBytes || load_le<std::uint32_t>(at + kNodeOffsetAt) != nodes_at ||
       load_le<std::uint32_t>(at + kBrickOffsetAt) != bricks_at || (table_at != 0 && table_at != bricks_end) ||
-      total != bricks_end + (table_at != 0 ? view.brick_count : 0)) {
+      image_bytes != bricks_end + (table_at != 0 ? view.brick_count : 0)) {
     return Error::kBadSize;
   }
-  view.root = reinterpret_cast<const std::uint32_t*>(at + kHeaderBytes);
-  view.nodes = reinterpret_cast<const std::uint32_t*>(at + nodes_at);
-  view.bricks = reinterpret_cast<const std::int16_t*>(at + bricks_at);
-  if (table_at != 0) view.stiffness_parts = at + table_at;
+  return view;
+}
 
-  if (!std::all_of(view.root, view.root + root_cells, [&](std::uint32_t n) { return n < view.node_count; })) return Error::kBadIndex;
+Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
+  const std::uint8_t* at = image.data();
+  if (reinterpret_cast<std::uintptr_t>(at) % 8 != 0) return Error::kMisaligned;
+  const auto header = image.first(std::min(image.size(), kHeaderBytes));
+  if (const auto wrong = outline_error(header, image.size())) return *wrong;
+  if (crc32(at + kTotalBytesAt, image.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
+  const Result<FieldView> described = of_header(header, image.size());
+  if (!described) return described.error();
+
+  FieldView view = *described;
+  view.image = image;
+  view.root = reinterpret_cast<const std::uint32_t*>(at + kHeaderBytes);
+  view.nodes = reinterpret_cast<const std::uint32_t*>(at + load_le<std::uint32_t>(at + kNodeOffsetAt));
+  view.bricks = reinterpret_cast<const std::int16_t*>(at + load_le<std::uint32_t>(at + kBrickOffsetAt));
+  if (const auto table_at = load_le<std::uint32_t>(at + kStiffnessTableAt); table_at != 0) view.stiffness_parts = at + table_at;
+
+  const std::uint32_t* root_end =
+      view.root + std::size_t(view.root_size[0]) * std::size_t(view.root_size[1]) * std::size_t(view.root_size[2]);
+  if (!std::all_of(view.root, root_end, [&](std::uint32_t n) { return n < view.node_count; })) return Error::kBadIndex;
   const std::uint32_t* nodes_end = view.nodes + std::size_t{view.node_count} * kBricksPerNode;
   if (!std::all_of(view.nodes, nodes_end, [&](std::uint32_t b) { return b < view.brick_count; })) return Error::kBadIndex;
   if (!all_equal(view.nodes, kOutside) || !all_equal(view.nodes + kBricksPerNode, kInside)) return Error::kBadIndex;

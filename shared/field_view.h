@@ -90,6 +90,14 @@ struct FieldView {
   const std::uint8_t* stiffness_parts = nullptr;  ///< of each brick, in 255ths of `stiffness`, 0 for bricks 0 and 1; nullptr = one for all
   std::span<const std::uint8_t> image;
 
+  /// Checks a header before there is memory for what it describes. The view has no tables and no bricks yet.
+  ///
+  /// header       the first bytes of the image
+  /// image_bytes  of the whole image
+  /// fails        as `parse`, without what it finds behind the header
+  /// tick         no
+  static Result<FieldView> of_header(std::span<const std::uint8_t> header, std::uint64_t image_bytes);
+
   /// Checks `image` completely and returns the view on it.
   ///
   /// image     8-byte aligned, stays alive and unchanged as long as the view is used

@@ -47,6 +47,7 @@ Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
       frame->dictionary != 0) {
     return Error::kBadFrame;
   }
+  if (const auto header = FieldView::of_header(packed.image_header, packed.image_bytes); !header) return header.error();
   return packed;
 }
 

@@ -45,8 +45,8 @@ struct PackedField {
 
   /// Checks everything that can be checked without unpacking.
   ///
-  /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader, kBadSize (sizes that contradict each other, or an image larger than the frame can
-  ///           hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it)
+  /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader (of the image, too), kBadSize (sizes that contradict each other, or an image larger than the
+  ///           frame can hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it)
   /// tick      no: it reads all bytes
   static Result<PackedField> parse(std::span<const std::uint8_t> bytes);
 
