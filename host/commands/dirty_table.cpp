@@ -2,10 +2,13 @@
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
+#include "host/cloud/read_mesh.h"
 #include "host/commands/verdict_text.h"
 #include "host/evaluate/dirty_scan.h"
+#include "host/evaluate/mesh_shape.h"
 
 namespace isotouch::commands {
 
@@ -44,7 +47,10 @@ nlohmann::ordered_json row_json(const DirtyRow& row) {
 
 }  // namespace
 
-std::size_t print_dirty(const std::string& only, bool json) {
+std::size_t print_dirty(const DirtyChoice& choice, bool json) {
+  std::vector<cloud::Shape> bodies;
+  for (const std::filesystem::path& mesh : choice.meshes)
+    bodies.push_back(evaluate::mesh_shape(cloud::read_mesh(mesh), mesh.stem().string()));
   std::size_t believed = 0, wrong = 0, doubted = 0, all = 0;
   auto list = nlohmann::ordered_json::array();
   if (!json) {
@@ -53,18 +59,21 @@ std::size_t print_dirty(const std::string& only, bool json) {
     std::printf("  %-19s %-16s %8s %8s %7s %8s %11s  %s\n", "scan", "dirt", "surface", "truth", "pieces", "volume", "wrong side",
                 "verdict");
   }
-  for (const evaluate::DirtyScan& scan : evaluate::dirty_scans()) {
+  for (const evaluate::DirtyScan& scan : evaluate::dirty_scans(std::move(bodies))) {
     std::vector<evaluate::Dirt> dirt;
     for (evaluate::Dirt& kind : evaluate::all_dirt()) {
-      if (only.empty() || (scan.name() + ' ' + kind.name).find(only) != std::string::npos) dirt.push_back(std::move(kind));
+      if ((scan.name() + ' ' + kind.name).find(choice.only) != std::string::npos) dirt.push_back(std::move(kind));
     }
-    evaluate::dirty_rows(scan, dirt, [&](const DirtyRow& row) {
-      ++all;
-      believed += row.believed_wrong() ? 1U : 0U;
-      wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
-      doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
-      json ? list.push_back(row_json(row)) : print(row);
-    });
+    evaluate::dirty_rows(
+        scan, dirt,
+        [&](const DirtyRow& row) {
+          ++all;
+          believed += row.believed_wrong() ? 1U : 0U;
+          wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
+          doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
+          json ? list.push_back(row_json(row)) : print(row);
+        },
+        choice.seed);
   }
   if (json) {
     std::printf("%s\n", nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}}.dump(2).c_str());

@@ -1,13 +1,23 @@
 /// `isotouch evaluate --dirty`: what dirty scans become, and whether the tool knows it.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace isotouch::commands {
 
+struct DirtyChoice {
+  std::string only;                           ///< a part of a row's names, to measure a part of the table; empty = all
+  std::vector<std::filesystem::path> meshes;  ///< closed; empty = our own objects
+  std::uint64_t seed = 1;
+};
+
 /// Prints one row a scan and a kind of dirt; returns how many builds were wrong and called plausible.
 ///
-/// only      a part of a row's names, to measure a part of the table; empty = all
-std::size_t print_dirty(const std::string& only, bool json);
+/// fails     InputError: a mesh that cannot be read or is not closed
+std::size_t print_dirty(const DirtyChoice& choice, bool json);
 
 }  // namespace isotouch::commands

@@ -165,7 +165,7 @@ void add_evaluate(CLI::App& app) {
     bool json = false;
     bool published = false;
     bool dirty = false;
-    std::string only;
+    DirtyChoice choice;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -175,11 +175,14 @@ void add_evaluate(CLI::App& app) {
   CLI::Option* dirty = command->add_flag(
       "--dirty", options->dirty,
       "measure dirty scans instead: strays, noise, turned normals, holes; exit code 3 when a wrong field is called plausible");
-  command->add_option("--only", options->only, "of the dirty scans, those whose row contains this text, such as 'owl strays'")
+  command->add_option("--only", options->choice.only, "of the dirty scans, those whose row contains this text, such as 'owl strays'")
       ->needs(dirty);
+  command->add_option("--mesh", options->choice.meshes, "dirty scans of these closed meshes instead of the project's own objects")
+      ->needs(dirty);
+  command->add_option("--seed", options->choice.seed, "for other points and other dirt of the same kinds; 1 unless given")->needs(dirty);
   command->callback([options] {
     if (!options->dirty) return run(options->json, options->published);
-    const std::size_t wrong = print_dirty(options->only, options->json);
+    const std::size_t wrong = print_dirty(options->choice, options->json);
     if (wrong > 0) throw ComparisonFailed(std::to_string(wrong) + " wrong fields were called plausible");
   });
 }

@@ -210,10 +210,13 @@ std::vector<Dirt> all_dirt() {
   return all;
 }
 
-std::vector<DirtyScan> dirty_scans() {
+std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies) {
+  if (bodies.empty()) {
+    for (const std::string& name : cloud::shape_names()) bodies.push_back(cloud::shape(name));
+  }
   std::vector<DirtyScan> scans;
   for (const bool one_sided : {false, true}) {
-    for (const std::string& name : cloud::shape_names()) scans.push_back({cloud::shape(name), one_sided});
+    for (const cloud::Shape& body : bodies) scans.push_back({body, one_sided});
   }
   return scans;
 }

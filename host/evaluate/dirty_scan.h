@@ -37,7 +37,8 @@ struct DirtyScan {
   bool one_sided = false;
   std::string name() const { return shape.name + (one_sided ? ", one side" : ""); }
 };
-std::vector<DirtyScan> dirty_scans();
+/// Each body whole, then each from one side; of our own shapes without others.
+std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies = {});
 
 struct DirtyRow {
   std::string scan, dirt;

@@ -97,8 +97,8 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   for (const auto& p : scan.positions()) seeds.emplace_back((p * 0.25).array().floor().cast<int>());
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
-  if (field.bricks.empty()) throw InputError("the points do not bound a body");
   mended.debris = drop_unsupported(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
+  if (field.bricks.empty()) throw InputError("the points do not bound a body");
   if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;

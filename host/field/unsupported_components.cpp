@@ -7,36 +7,22 @@
 #include <cstdint>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "host/field/brick_mask.h"
+#include "host/field/brick_neighbours.h"
+#include "host/field/dips.h"
+#include "host/field/remaining_distance.h"
+#include "host/field/unlisted_regions.h"
 
 namespace isotouch::field {
 
 namespace {
 
-constexpr std::uint32_t kFewest = 4;  // points that a piece stands on
-constexpr std::uint32_t kFew = 64;    // with so few the others are asked too
-constexpr float kClear = 1.0F;        // voxels: what is left of a dropped piece, and
-constexpr float kBeside = 0.5F;       // of what lay beside it, is no surface, and none for a spline that swings below its samples
-constexpr std::uint32_t kNone = 0xFFFFFFFF;
+constexpr std::uint32_t kFew = 64;  // with so few the others are asked too
+constexpr float kTaken = 1.0F;      // until the distance to the rest is known
 
 auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
-
-using Following = std::vector<std::array<std::uint32_t, 3>>;
-
-/// Of every brick the one that follows it along each axis, kNone where there is none.
-Following following(const std::vector<Brick>& bricks) {
-  Following next(bricks.size(), {kNone, kNone, kNone});
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::size_t ahead = 0;
-    for (std::size_t b = 0; b < bricks.size(); ++b) {
-      const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis));
-      while (ahead < bricks.size() && place(bricks[ahead].cell) < place(wanted)) ++ahead;
-      if (ahead < bricks.size() && bricks[ahead].cell == wanted) next[b][axis] = static_cast<std::uint32_t>(ahead);
-    }
-  }
-  return next;
-}
 
 /// Samples of one sign that hang together within a brick.
 struct Part {
@@ -45,10 +31,11 @@ struct Part {
   BrickMask samples;
 };
 
-/// Parts joined face to face to pieces; two more pieces for what lies beyond the listed bricks, inside and outside.
+/// Parts joined face to face to pieces, also across regions without bricks; each of these counts as two parts more, one inside and one outside.
 class Pieces {
  public:
-  Pieces(const std::vector<Brick>& bricks, const Following& next) {
+  Pieces(const BandField& field, const Following& next) : regions_(field) {
+    const std::vector<Brick>& bricks = field.bricks;
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       first_.push_back(static_cast<std::uint32_t>(parts_.size()));
       BrickMask inside = 0;
@@ -57,22 +44,22 @@ class Pieces {
       add_parts(b, false, ~inside);
     }
     first_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    parent_.resize(parts_.size() + 2);
+    parent_.resize(parts_.size() + 2 * regions_.count());
     std::iota(parent_.begin(), parent_.end(), 0U);
     std::vector<std::array<bool, 3>> has_before(bricks.size(), {false, false, false});
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (next[b][axis] != kNone) {
+        if (next[b][axis] != kNoBrick) {
           has_before[next[b][axis]][axis] = true;
           join_across(b, next[b][axis], axis);
         } else {
-          join_beyond(b, axis, 1);
+          join_beyond(b, bricks[b].cell, axis, 1);
         }
       }
     }
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!has_before[b][axis]) join_beyond(b, axis, 0);
+        if (!has_before[b][axis]) join_beyond(b, bricks[b].cell, axis, 0);
       }
     }
   }
@@ -89,8 +76,33 @@ class Pieces {
     while ((parts_[part].samples >> sample & 1U) == 0) ++part;
     return of(part);
   }
-  std::uint32_t beyond(bool inside) { return of(static_cast<std::uint32_t>(parent_.size() - (inside ? 1 : 2))); }
+  /// The piece that a region without bricks belongs to, where its neighbours are of one sign or the other.
+  std::uint32_t beyond(std::uint32_t region, bool inside) {
+    return of(static_cast<std::uint32_t>(parts_.size()) + 2 * region + (inside ? 1U : 0U));
+  }
   std::size_t count() const { return parent_.size(); }
+
+  /// Calls use(piece, other) for pieces that lie face to face; they have different signs. Some more than once.
+  template <class Use>
+  void for_each_contact(const Following& next, const Use& use) {
+    for (std::uint32_t b = 0; b + 1 < first_.size(); ++b) {
+      for (std::uint32_t part = first_[b]; part < first_[b + 1]; ++part) {
+        const BrickMask beside = grown(parts_[part].samples);
+        for (std::uint32_t other = part + 1; other < first_[b + 1]; ++other) {
+          if ((beside & parts_[other].samples) != 0) use(of(part), of(other));
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const std::uint32_t ahead = next[b][axis];
+          if (ahead == kNoBrick) continue;
+          for (std::uint32_t other = first_[ahead]; other < first_[ahead + 1]; ++other) {
+            if (parts_[part].inside != parts_[other].inside &&
+                (face(parts_[part].samples, axis, 1) & face(parts_[other].samples, axis, 0)) != 0)
+              use(of(part), of(other));
+          }
+        }
+      }
+    }
+  }
 
  private:
   void add_parts(std::uint32_t brick, bool inside, BrickMask samples) {
@@ -107,16 +119,18 @@ class Pieces {
       }
     }
   }
-  void join_beyond(std::uint32_t brick, std::size_t axis, int end) {
+  void join_beyond(std::uint32_t brick, const Eigen::Vector3i& cell, std::size_t axis, int end) {
+    const std::uint32_t region = regions_.of(cell + (end == 0 ? -1 : 1) * Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis)));
     for (std::uint32_t a = first_[brick]; a < first_[brick + 1]; ++a) {
-      if (face(parts_[a].samples, axis, end) != 0) join(a, beyond(parts_[a].inside));
+      if (face(parts_[a].samples, axis, end) != 0) join(a, beyond(region, parts_[a].inside));
     }
   }
   void join(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t first = of(a), second = of(b);
-    parent_[std::min(first, second)] = std::max(first, second);  // the last ones, beyond, stay roots
+    parent_[std::max(first, second)] = std::min(first, second);  // the first part of a piece is its root
   }
 
+  UnlistedRegions regions_;
   std::vector<Part> parts_;
   std::vector<std::uint32_t> first_;  ///< of every brick, and their end
   std::vector<std::uint32_t> parent_;
@@ -150,7 +164,7 @@ std::vector<std::int64_t> contradiction(const std::vector<Brick>& bricks, Pieces
   std::vector<std::int64_t> doubt(pieces.count(), 0);
   for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
     const std::uint32_t piece = pieces.of(n);
-    if (voices[piece] < kFewest || voices[piece] >= kFew) continue;
+    if (voices[piece] < kFewestVoices || voices[piece] >= kFew) continue;
     const Part& part = pieces.parts()[n];
     for (BrickMask rest = part.samples; rest != 0; rest &= rest - 1) {
       const int s = std::countr_zero(rest);
@@ -161,24 +175,29 @@ std::vector<std::int64_t> contradiction(const std::vector<Brick>& bricks, Pieces
   return doubt;
 }
 
-/// What lies face to face with a set of samples, given brick by brick, and the set itself.
-std::vector<BrickMask> with_neighbours(const std::vector<BrickMask>& sets, const Following& next) {
-  std::vector<BrickMask> all(sets.size());
-  std::transform(sets.begin(), sets.end(), all.begin(), grown);
-  for (std::size_t b = 0; b < sets.size(); ++b) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::uint32_t ahead = next[b][axis];
-      if (ahead == kNone) continue;
-      all[ahead] |= face(sets[b], axis, 1);
-      all[b] |= face(sets[ahead], axis, 0) << kAcross[axis];
+/// Which of the dropped pieces change their sign to that of what lies round them: those beside a piece that stays. What is enclosed by a dropped piece
+/// alone, as a bubble in a shard, has the right sign once the other has changed, and so on inwards.
+std::vector<std::uint8_t> turned_pieces(Pieces& pieces, const Following& next, const std::vector<std::uint8_t>& is_dropped) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts;
+  pieces.for_each_contact(next, [&](std::uint32_t a, std::uint32_t b) {
+    if (is_dropped[a] != 0) contacts.emplace_back(b, a);
+    if (is_dropped[b] != 0) contacts.emplace_back(a, b);
+  });
+  std::sort(contacts.begin(), contacts.end());
+  contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+  std::vector<std::uint8_t> known(pieces.count()), turned(pieces.count(), 0);
+  for (std::size_t piece = 0; piece < known.size(); ++piece) known[piece] = is_dropped[piece] == 0 ? 1 : 0;
+  for (bool found = true; found;) {
+    std::vector<std::uint32_t> reached;
+    for (const auto& [from, to] : contacts) {
+      if (known[from] == 0 || known[to] != 0) continue;
+      turned[to] = turned[from] == 0 ? 1 : 0;
+      reached.push_back(to);
     }
+    for (const std::uint32_t piece : reached) known[piece] = 1;
+    found = !reached.empty();
   }
-  return all;
-}
-
-template <class Action>
-void for_each_sample(BrickMask samples, std::array<float, 64>& distances, const Action& action) {
-  for (; samples != 0; samples &= samples - 1) action(distances[static_cast<std::size_t>(std::countr_zero(samples))]);
+  return turned;
 }
 
 }  // namespace
@@ -187,27 +206,30 @@ UnsupportedComponents drop_unsupported(BandField& field, const std::vector<Eigen
                                        const std::function<bool(const Eigen::Vector3d&)>& enclosed) {
   UnsupportedComponents dropped;
   const Following next = following(field.bricks);
-  Pieces pieces(field.bricks, next);
+  Pieces pieces(field, next);
   std::vector<std::uint32_t> voices = support(field.bricks, pieces, points);
-  voices[pieces.beyond(true)] = voices[pieces.beyond(false)] = kFew;
+  for (const bool inside : {false, true}) voices[pieces.beyond(UnlistedRegions::kOuter, inside)] = kFew;
   const std::vector<std::int64_t> doubt = contradiction(field.bricks, pieces, voices, enclosed);
-  std::vector<BrickMask> is_dropped(field.bricks.size(), 0);
+  std::vector<std::uint8_t> is_dropped(pieces.count(), 0);
+  for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
+    const std::uint32_t piece = pieces.of(n);
+    if (voices[piece] >= kFewestVoices && doubt[piece] <= 0) continue;
+    is_dropped[piece] = 1;
+    if (piece == n) ++(pieces.parts()[n].inside ? dropped.pieces : dropped.cavities);
+  }
+  std::vector<BrickMask> taken = unsupported_dips(field.bricks, next, points);
+  const bool dipped = std::any_of(taken.begin(), taken.end(), [](BrickMask set) { return set != 0; });
+  if (dropped.pieces + dropped.cavities == 0 && !dipped) return dropped;
+  const std::vector<std::uint8_t> turned = turned_pieces(pieces, next, is_dropped);
   for (std::uint32_t n = 0; n < pieces.parts().size(); ++n) {
     const Part& part = pieces.parts()[n];
-    const std::uint32_t piece = pieces.of(n);
-    if (voices[piece] >= kFewest && doubt[piece] <= 0) continue;
-    if (piece == n) ++(part.inside ? dropped.pieces : dropped.cavities);
-    is_dropped[part.brick] |= part.samples;
-    for_each_sample(part.samples, field.bricks[part.brick].distance,
-                    [&](float& distance) { distance = part.inside ? std::max(-distance, kClear) : std::min(-distance, -kClear); });
+    if (is_dropped[pieces.of(n)] == 0) continue;
+    taken[part.brick] |= part.samples;
+    const bool inside = part.inside != (turned[pieces.of(n)] != 0);
+    for (BrickMask rest = part.samples; rest != 0; rest &= rest - 1)
+      field.bricks[part.brick].distance[static_cast<std::size_t>(std::countr_zero(rest))] = inside ? -kTaken : kTaken;
   }
-  if (dropped.pieces + dropped.cavities == 0) return dropped;
-  const std::vector<BrickMask> beside = with_neighbours(is_dropped, next);
-  for (std::size_t b = 0; b < beside.size(); ++b) {
-    for_each_sample(beside[b] & ~is_dropped[b], field.bricks[b].distance, [](float& distance) {
-      if (std::abs(distance) < kBeside) distance = std::copysign(kBeside, distance);
-    });
-  }
+  restore_distances(field, taken);
   return dropped;
 }
 

@@ -21,7 +21,8 @@ struct UnsupportedComponents {
 /// field      bricks sorted by cell; of unlisted bricks each has the sign of the samples that face it
 /// points     of the scan, index coordinates
 /// enclosed   of a place, index coordinates: does the scan as a whole hold it for inside?
-/// returns    what was dropped
+/// returns    what was dropped; of what it enclosed, each piece gets the sign of what lies round it. Places where the field almost touches zero and no
+///            points lie are filled as well, and are not counted. The distances beside it are those to what is left.
 /// source     connected components by union and find: Tarjan, Efficiency of a good but not linear set union algorithm, 1975
 UnsupportedComponents drop_unsupported(BandField& field, const std::vector<Eigen::Vector3d>& points,
                                        const std::function<bool(const Eigen::Vector3d&)>& enclosed);

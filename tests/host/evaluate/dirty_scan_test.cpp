@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,12 +19,13 @@ const Dirt& dirt(const std::vector<Dirt>& all, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-std::vector<DirtyRow> rows(const std::string& shape, bool one_sided, const std::vector<std::string>& names) {
+std::vector<DirtyRow> rows(const std::string& shape, bool one_sided, const std::vector<std::string>& names, std::uint64_t seed = 1) {
   const std::vector<Dirt> all = all_dirt();
   std::vector<Dirt> chosen;
   for (const std::string& name : names) chosen.push_back(dirt(all, name));
   std::vector<DirtyRow> found;
-  dirty_rows({cloud::shape(shape), one_sided}, chosen, [&](const DirtyRow& row) { found.push_back(row); });
+  dirty_rows(
+      {cloud::shape(shape), one_sided}, chosen, [&](const DirtyRow& row) { found.push_back(row); }, seed);
   return found;
 }
 
@@ -51,6 +53,20 @@ TEST(DirtyScans, OfOneSideAreFeltFromTheirFront) {
     EXPECT_EQ(row.refused, "") << row.dirt;
     EXPECT_LT(row.wrong_side, 0.005) << row.dirt;
     EXPECT_LT(row.surface_rms, 0.3) << row.dirt;
+  }
+}
+
+TEST(DirtyScans, OfOtherBodiesAreEachWholeAndFromOneSide) {
+  const std::vector<DirtyScan> scans = dirty_scans({cloud::shape("box"), cloud::shape("owl")});
+  ASSERT_EQ(scans.size(), 4U);
+  EXPECT_EQ(scans[1].name(), "owl");
+  EXPECT_EQ(scans[3].name(), "owl, one side");
+}
+
+TEST(DirtyScans, StraysLeaveNothingInTheAir) {
+  for (const DirtyRow& row : rows("sphere", false, {"strays 2 %", "strays 5 %"}, 2)) {
+    EXPECT_EQ(row.pieces, 1U) << row.dirt;
+    EXPECT_LT(row.truth_rms, 0.06) << row.dirt;
   }
 }
 
