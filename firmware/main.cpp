@@ -33,7 +33,7 @@ int run(const Options& options) {
       return 0;
     }
     systemd.busy();
-    std::puts("device: calibrated, beginning again with it");
+    std::puts("device: calibrated; the controller starts again with the new angles");
     std::fflush(stdout);
   }
 }

@@ -21,7 +21,7 @@ void add_commands(CLI::App& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return isotouch::commands::run(
-      "isotouchctl", "Speaks with a haptic controller, and replays what it recorded: the commands of isotouch that a board needs.",
-      add_commands, argc, argv);
+  return isotouch::commands::run("isotouchctl",
+                                 "Talks to a haptic controller, and replays what it recorded: the commands of isotouch that a board needs.",
+                                 add_commands, argc, argv);
 }

@@ -16,15 +16,15 @@ struct FaultName {
 };
 
 inline constexpr std::array<FaultName, 9> kFaultNames = {{
-    {kFaultStopped, "stopped", "it was told to stop"},
+    {kFaultStopped, "stopped", "a stop was requested"},
     {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},
-    {kFaultPenetration, "penetration", "the hand was deeper in the object than it may be; let go, and move out of it"},
-    {kFaultEncoders, "encoders", "the encoders jumped while there were forces; unplug the device, so that it is homed anew"},
+    {kFaultPenetration, "penetration", "the hand was too deep in the object; let go, and move out of it"},
+    {kFaultEncoders, "encoders", "the encoders jumped while there was force; unplug the device, so that it is homed again"},
     {kFaultPose, "pose", "the grip was where the arms cannot reach; check geometry and homing of the device"},
-    {kFaultSpeed, "speed", "the grip moved faster than it may for too long; hold it"},
+    {kFaultSpeed, "speed", "the grip moved too fast for too long; hold it still"},
     {kFaultLate, "late", "ticks came too late for too long; give the controller its priority and a core, or a lower rate"},
     {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or the watchdog no longer reads it; release it"},
-    {kFaultEnable, "enable", "the motors' enable does not read back as it was set; check relay and wires"},
+    {kFaultEnable, "enable", "the enable line of the motors does not read back as it was set; check its relay and wires"},
 }};
 
 }  // namespace isotouch

@@ -42,12 +42,13 @@ constexpr const char* describe(Error error) {
     case Error::kBadRecord: return "a record holds an undefined value";
     case Error::kWrongField: return "the trace was recorded on another field";
     case Error::kNoOutputs: return "the trace holds inputs only, there is nothing to compare with";
-    case Error::kBadFrame: return "its compressed part does not hold what its header promises";
+    case Error::kBadFrame: return "its compressed part does not match its header";
     case Error::kTooStiff: return "its stiffness would feed energy into the hand";
-    case Error::kTooSteep: return "its distances rise by more than 2 voxels between neighbours, the most for a field without a certificate";
+    case Error::kTooSteep:
+      return "its distances rise by more than 2 voxels between neighbours, which a field without a certificate may not";
     case Error::kBadCertificate: return "its certificate contradicts itself or the samples";
     case Error::kBadPacket: return "the device packet is malformed";
-    case Error::kBadMessage: return "a message is not as both sides agreed";
+    case Error::kBadMessage: return "a message does not follow the protocol";
     case Error::kBadModel: return "the device model holds a number outside its range";
   }
   return "unknown error";

@@ -49,10 +49,11 @@ inline constexpr SettingRow kPeriod{"period", "ns", 0, 100'000, 4'000'000, 1'000
 inline constexpr double kFieldMib = 16;
 
 // How the field feels. The first eight may change while it is felt.
-inline constexpr SettingRow kStiffness{
-    "stiffness", "N/mm", 16, 0.001, 100, 0, "stiffness of the surface, where it is largest; unset = the field's own", true};
+inline constexpr SettingRow kStiffness{"stiffness", "N/mm", 16, 0.001, 100, 0, "largest stiffness of the surface; unset = the field's own",
+                                       true};
 inline constexpr SettingRow kDamping{"damping", "N s/mm", 24, 0, 0.1, 0, "damping between proxy and hand"};
-inline constexpr SettingRow kForceLimit{"force_limit_n", "N", 16, 0, 50, 8, "largest force of the field; the weight held up comes on top"};
+inline constexpr SettingRow kForceLimit{
+    "force_limit_n", "N", 16, 0, 50, 8, "largest force of the object; the force that holds the handle's weight is added to it"};
 inline constexpr SettingRow kFriction{"friction", "", 30, 0, 1.5, 0, "Coulomb friction between hand and surface"};
 inline constexpr SettingRow kFrictionDamping{"friction_damping", "N s/mm", 24, 0, 0.1, 0, "viscous friction of a hand that slides"};
 inline constexpr SettingRow kHandDamping{"hand_damping", "N s/mm", 24, 0, 0.1, 0, "damping of a hand in contact, in every direction"};
@@ -63,9 +64,10 @@ inline constexpr SettingRow kPassivity{"passivity_damping",
                                        0.1,
                                        0,
                                        "largest damping that the passivity controller may add against trembling; 0 = off, 0.012 works"};
-inline constexpr SettingRow kWeight{"weight_n", "N", 16, -5, 5, 0, "weight of the handle that is held up; a Falcon's is 0.75 to 0.85 N"};
+inline constexpr SettingRow kWeight{
+    "weight_n", "N", 16, -5, 5, 0, "weight of the handle that the motors hold up; a Falcon's is 0.75 to 0.85 N"};
 inline constexpr SettingRow kRampTicks{
-    "ramp_ticks", "ticks", 0, 0, 100'000, 50, "ticks from no force to full force where contact did not begin at rest"};
+    "ramp_ticks", "ticks", 0, 0, 100'000, 50, "ticks from no force to full force if contact did not begin at rest"};
 inline constexpr SettingRow kDeviceDamping{
     "damping_n_s_mm", "N s/mm", 24, 0.0001, 0.1, 0, "damping of the device itself at the grip; it limits how stiff a field may be", true};
 inline constexpr SettingRow kDelayTicks{"delay_ticks", "ticks", 0, 0, 7, 0, "ticks from a reply of the device to the force made of it"};
@@ -82,23 +84,25 @@ inline constexpr SettingRow kWorkspaceOrigin{"workspace_origin_mm", "mm", 20, -3
 inline constexpr SettingRow kWordLimit{"word", "", 0, 0, 4095, 4095, "largest motor command"};
 inline constexpr SettingRow kWordSlew{
     "word_slew", "1/s", 0, 1'000, 100'000'000, 1'000'000, "largest change of a motor command in a second; at least one unit a tick"};
-inline constexpr SettingRow kPenetration{"penetration_mm", "mm", 20, 0.1, 200, 20, "a hand deeper in the surface than this is a fault"};
+inline constexpr SettingRow kPenetration{"penetration_mm", "mm", 20, 0.1, 200, 20, "a hand deeper in the object than this causes a fault"};
 inline constexpr SettingRow kSpeed{"speed_mm_s", "mm/s", 12, 1, 100'000, 2000, "a hand faster than this gets no force"};
-inline constexpr SettingRow kHoldTicks{"hold_ticks", "ticks", 0, 1, 1000, 3, "ticks without a fresh packet until forces rest"};
+inline constexpr SettingRow kHoldTicks{"hold_ticks", "ticks", 0, 1, 1000, 3, "ticks without a fresh packet until the force stops"};
 inline constexpr SettingRow kFaultAge{
     "fault_age", "ns", 0, 1'000'000, 1'000'000'000, 100'000'000, "time without a fresh packet until the supervisor is in fault"};
-inline constexpr SettingRow kCountJump{"count_jump", "counts", 0, 10, 4000, 400, "a change of an encoder in one tick that no hand makes"};
+inline constexpr SettingRow kCountJump{
+    "count_jump", "counts", 0, 10, 4000, 400, "largest change of an encoder in one tick that a hand can make"};
 inline constexpr SettingRow kRestRampTicks{
-    "rest_ramp_ticks", "ticks", 0, 1, 100'000, 200, "ticks from no force to full force after a rest"};
+    "rest_ramp_ticks", "ticks", 0, 1, 100'000, 200, "ticks from no force to full force after the force was stopped"};
 inline constexpr SettingRow kPlay{
-    "play_mm", "mm", 20, 0, 1, 0.046, "way of the HIP of one encoder count: less is taken for a hand at rest"};
+    "play_mm", "mm", 20, 0, 1, 0.046, "movement of the hand in one encoder count; a smaller movement counts as rest"};
 inline constexpr SettingRow kFlags{"flags", "", 0, 0, 15, 0, "flags of a command packet"};
 inline constexpr SettingRow kHeatWord{
-    "heat_word", "", 0, 1, 4095, 2000, "rms of a motor command that a motor can bear for ever; our own estimate", true};
+    "heat_word", "", 0, 1, 4095, 2000, "root mean square of a command that a motor can bear without end; our own estimate", true};
 inline constexpr SettingRow kHeatTime{
-    "heat_time", "ms", 0, 1'000, 1'000'000, 20'000, "time constant of the motors' warming; an estimate of ours", true};
-inline constexpr SettingRow kButtonMask{"mask", "", 0, 0, 15, 15, "buttons of the grip that resume from a fault, and run: bits 1, 2, 4, 8"};
-inline constexpr SettingRow kHoldToRun{"hold_to_run", "", 0, 0, 1, 0, "forces only while one of these buttons is held"};
+    "heat_time", "ms", 0, 1'000, 1'000'000, 20'000, "time constant with which the motors warm; our own estimate", true};
+inline constexpr SettingRow kButtonMask{
+    "mask", "", 0, 0, 15, 15, "buttons of the grip that resume from a fault, and that hold_to_run needs: the sum of 1, 2, 4, 8"};
+inline constexpr SettingRow kHoldToRun{"hold_to_run", "", 0, 0, 1, 0, "true: there is force only while one of these buttons is held"};
 
 }  // namespace rows
 

@@ -44,10 +44,10 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (serial_.empty() || serial != serial_) return "another device than the measured one is plugged in; calibrate again";
   }
-  if (store_ == nullptr) return "this controller keeps nothing; start it with a state folder, [files] state";
+  if (store_ == nullptr) return "this controller has no state folder to store it in; set [files] state and start it again";
   if (by_settings_(serial).source == protocol::AnglesFrom::kSettings) {
-    return "the controller's settings name a calibration for this device, and that outweighs a measured one; take [calibration." + serial +
-           "] out of them";
+    return "the controller's settings have a calibration for this device, which is used instead of a measured one; remove [calibration." +
+           serial + "] from the settings";
   }
   store::AnglesAtZero angles;
   for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);

@@ -22,8 +22,8 @@ constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seco
 constexpr std::int64_t kMeasuringNs = 1'000'000'000;
 constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
 
-constexpr std::string_view kMeasuringNow = "a calibration is measured at this moment; ask again in a second";
-constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller on one";
+constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
+constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
 constexpr std::string_view kBusy = "another client is sending a field; try again when that has ended";
 
 }  // namespace
@@ -103,7 +103,7 @@ void ControlServer::admit() {
   const auto place = std::find_if(clients_.begin(), clients_.end(), [](const ControlClient& c) { return !c.is_open(); });
   Refusal refusal = refusal_of(settings_.peer(socket), settings_.admission);
   if (!refusal && place == clients_.end()) {
-    refusal = std::to_string(clients_.size()) + " clients are connected, which is as many as there may be; close one of them";
+    refusal = std::to_string(clients_.size()) + " clients are connected, the most that are allowed; close one of them";
   }
   if (!refusal) return place->open(socket, now);
   stranger_.open(socket, now);
@@ -117,8 +117,8 @@ void ControlServer::serve(ControlClient& client) {
   while (client.has_unread() && !client.waiting && !client.leaving && client.has_room()) {
     const Result<protocol::Frame> frame = client.frame();
     if (!frame) {
-      client.refuse(Kind::kHello,
-                    std::string("this connection cannot be understood: ") + describe(frame.error()) + "; connect anew with isotouch");
+      client.refuse(Kind::kHello, std::string("the bytes received are no message of the protocol: ") + describe(frame.error()) +
+                                      "; connect again with isotouch");
       client.leaving = true;
       return;
     }
@@ -137,7 +137,7 @@ bool ControlServer::must_wait(const protocol::Frame& frame) const {
 
 void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) {
   const auto malformed = [&] {
-    client.refuse(frame.kind, "the request is shorter than its kind demands; install the same release on both sides");
+    client.refuse(frame.kind, "the request is too short for its kind; install the same release on both sides");
   };
   if (frame.kind == Kind::kHello) return hello(client, frame);
   if (!client.greeted) {
@@ -171,7 +171,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
       const auto wanted = protocol::decode<protocol::Subscribe>(frame.body);
       if (!wanted) return malformed();
       if (!feed_.is_there()) return client.refuse(frame.kind, "this controller shows no ticks; start it with its trace ring");
-      if (client.records) return client.refuse(frame.kind, "this connection records; watch on another one");
+      if (client.records) return client.refuse(frame.kind, "this connection is recording; use another connection to watch");
       feed_.subscribe(client, wanted->every);
       return client.say(Kind::kDone);
     }
@@ -322,7 +322,7 @@ void ControlServer::measure(ControlClient& client) {
   if (!feed_.is_there()) return client.refuse(Kind::kPosture, "this controller shows no ticks; start it with its trace ring");
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
   if (neighbours_.calibration->report().serial.size == 0)
-    return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and look at isotouchd's lines");
+    return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kBusy);
   // The tick under way may not have heard of a stop yet.

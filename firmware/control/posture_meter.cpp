@@ -16,12 +16,12 @@ constexpr std::int64_t kCountFraction = 256;
 const char* objection(const loop::TickRecord& tick) {
   const auto& words = tick.out.commands;
   if (std::any_of(words.begin(), words.end(), [](std::int16_t word) { return word != 0; }))
-    return "the motors push; take the force away first with isotouch stop";
+    return "the motors push; run isotouch stop first";
   switch (static_cast<SupervisorState>(tick.out.state)) {
     case SupervisorState::kReady:
     case SupervisorState::kHold:  // from where the force returns by itself
-    case SupervisorState::kActive: return "force is active; take it away first with isotouch stop";
-    case SupervisorState::kBoot: return "no device answers; plug it in, and look at isotouchd's lines";
+    case SupervisorState::kActive: return "force is active; run isotouch stop first";
+    case SupervisorState::kBoot: return "no device answers; plug it in, and see what isotouchd prints";
     default: return nullptr;
   }
 }

@@ -46,7 +46,8 @@ Controller::Controller(const Options& options, settings::LiveSettings& live, Ser
       watched_(ticks_in(4)) {}
 
 Refusal Controller::build(bool again) {
-  if (!settings::device_model(settings_, {})) return "the settings' numbers make no device together";
+  if (!settings::device_model(settings_, {}))
+    return "the numbers in the settings contradict each other: no device can have them; check [device] and [limits]";
   if (Refusal refusal = make_hardware(options_, stop_exchange_, hardware_)) return refusal;
   if (Refusal refusal = open_state()) return refusal;
   choose_calibration();
@@ -129,10 +130,10 @@ void Controller::mark_run() {
   mark_.emplace(*folder_);
   if (mark_->was_left()) {
     requests_.ask(kRequestStop);
-    say("the run before had no orderly end; no force until 'resume'");
+    say("the previous run crashed, was killed or lost power; no force until 'resume'");
   }
   if (const store::StoreResult<void> set = mark_->set(); !set)
-    say(settings_.state + ": a crash of this run will not be known to the next: " + describe(set.error()));
+    say(settings_.state + ": cannot be written, so the next start will not know if this run crashed: " + describe(set.error()));
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.

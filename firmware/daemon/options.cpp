@@ -39,19 +39,21 @@ bool read_device(const std::string& text, Options& options) {
 }  // namespace
 
 bool read_options(int argc, char** argv, Options& options, int& exit_code) {
-  CLI::App app("The controller: renders a field to a force-feedback device", "isotouchd");
+  CLI::App app("The controller: lets a hand feel a field through a force-feedback device", "isotouchd");
   std::string config, check, device = "usb", control, field, record, relay_socket = "/run/isotouch/control";
   bool print = false, list = false;
   app.set_version_flag("--version", files::version_text("isotouchd"), "print version, commit, formats and compiler");
-  app.add_option("--config", config, "settings, a TOML file; see --print-config");
-  app.add_option("--check-config", check, "only check this settings file");
-  app.add_flag("--print-config", print, "only print every setting with its default");
-  app.add_flag("--list", list, "only list the devices that are plugged in");
-  app.add_option("--device", device, "usb, usb:SERIAL, sim:SOCKET (a simulated Falcon), replay:FILE (a recording)")->capture_default_str();
+  app.add_option("--config", config, "file with the settings (TOML); see --print-config");
+  app.add_option("--check-config", check, "check this settings file and exit");
+  app.add_flag("--print-config", print, "print every setting with its default and exit");
+  app.add_flag("--list", list, "list the devices that are plugged in and exit");
+  app.add_option("--device", device, "the device: usb, usb:SERIAL, sim:SOCKET (a simulated Falcon) or replay:FILE (a recording)")
+      ->capture_default_str();
   app.add_option("--control", control, "listen for the host tool at this local socket");
   app.add_option("--field", field, "load this field at the start");
   app.add_option("--record", record, "record to this file from the first tick on");
-  app.add_flag("--lockstep", options.lockstep, "one tick for every packet and no clock: a run depends only on what the device answers");
+  app.add_flag("--lockstep", options.lockstep,
+               "start one tick for every packet and use no clock, so that a run depends only on the device's answers");
   app.add_option("--ticks", options.ticks, "end after this many ticks");
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
@@ -73,7 +75,8 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   const std::string& file = check.empty() ? config : check;
   if (!file.empty()) {
     Refusal refusal = settings::read_settings(file, options.settings);
-    if (!refusal && !settings::device_model(options.settings, {})) refusal = file + ": these numbers make no device together";
+    if (!refusal && !settings::device_model(options.settings, {}))
+      refusal = file + ": the numbers contradict each other: no device can have them; check [device] and [limits]";
     if (refusal) return exit_code = complain(refusal.sentence()), false;
   }
   if (!check.empty()) return std::printf("%s: good\n", check.c_str()), false;

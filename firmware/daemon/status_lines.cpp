@@ -42,10 +42,10 @@ std::string supervisor_line(SupervisorState state, std::uint16_t faults) {
     case SupervisorState::kBoot: return "state: boot, no packet yet";
     case SupervisorState::kHoming: return "state: homing; pull the grip out as far as it goes, then push it in";
     case SupervisorState::kIdle: return "state: idle, no field";
-    case SupervisorState::kReady: return "state: ready; hold a button for forces, if they need one";
+    case SupervisorState::kReady: return "state: ready; hold a button of the grip, if the settings require one for force";
     case SupervisorState::kActive: return "state: active";
     case SupervisorState::kHold:
-      return "state: hold, no force for a moment: samples are missing, ticks late, the pose uncertain or the hand too fast";
+      return "state: hold, no force for a moment: samples are missing, ticks are late, the pose is uncertain or the hand is too fast";
     case SupervisorState::kFault: break;
   }
   std::string text = "state: fault, no force until resumed by a button or 'isotouch resume'";
@@ -64,7 +64,7 @@ std::string refusal_line(unsigned refused) {
   add(loop::kRefusedPriority, "a real-time priority");
   add(loop::kRefusedCore, "the processor core");
   add(loop::kRefusedMemory, "locked memory");
-  return "runs without " + text + ", which this user or machine may not have: ticks may be late; see packaging/isotouchd.service";
+  return "runs without " + text + ", because this user or machine may not have it: ticks may be late; see packaging/isotouchd.service";
 }
 
 std::string no_lines_line() {
@@ -80,7 +80,7 @@ std::string figures(const loop::TickStats& stats) {
                 whole(stats.late), whole(stats.missed));
   std::string all = text;
   all += row("wake delay", stats.wake_delay) + row("tick", stats.tick_time) + row("round trip", stats.round_trip) +
-         row("reply to word", stats.word_delay);
+         row("reply to motor", stats.word_delay);
   std::snprintf(text, sizeof text, "since the first tick: page faults %llu, allocations %llu\n", whole(stats.page_faults),
                 whole(stats.allocations));
   return all + text;

@@ -226,16 +226,17 @@ std::string explain(const BootReport& report) {
     case BootOutcome::kAlreadyRunning: return "the Falcon's firmware runs already";
     case BootOutcome::kLoaded: return "the Falcon's firmware runs" + tries;
     case BootOutcome::kNoImage:
-      return "the Falcon has no firmware, and no image was given: give the file of one, it came with the device's software";
-    case BootOutcome::kBadImage: return "the firmware image is not usable: " + explain(report.image) + "; take a fresh copy of it";
+      return "the Falcon has no firmware, and no firmware file was given: name one in [boot] firmware; it came with the device's software";
+    case BootOutcome::kBadImage: return "the firmware file is not usable: " + explain(report.image) + "; take a fresh copy of it";
     case BootOutcome::kNoHandshake:
       return "no wall power? USB works, but the Falcon behind it does not answer" + tries +
              ": plug in the Falcon's own power supply and try again";
     case BootOutcome::kNoAutobaud:
       return "the Falcon answers, but its boot loader does not" + tries + ": take its wall power away for a few seconds and try again";
     case BootOutcome::kEchoDiffers:
-      return "the Falcon repeats its firmware wrongly" + tries + ": try another port or cable, or ignore the echo";
-    case BootOutcome::kSilent: return "the firmware was loaded, but does not answer" + tries + ": is the image one for this device?";
+      return "the Falcon echoes its firmware wrongly" + tries + ": try another port or cable, or set [boot] ignore_echo";
+    case BootOutcome::kSilent:
+      return "the firmware was loaded, but does not answer" + tries + ": check that the firmware file is one for this device";
     case BootOutcome::kLinkFailed: return std::string("the Falcon was lost on the way: ") + describe(report.error) + "; plug it in again";
     case BootOutcome::kStopped: return "stopped before the Falcon's firmware ran";
   }

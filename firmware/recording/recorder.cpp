@@ -113,7 +113,7 @@ void Recorder::save() {
   Refusal refusal = writer.begin(path, settings_.header);
   for (std::size_t i = from; i < to && !refusal; ++i) refusal = writer.append(at(i));
   if (Refusal unfinished = writer.finish(faulted_hash_)) refusal = std::move(unfinished);
-  tell_(refusal ? refusal.sentence() : path + ": the fault and what was around it");
+  tell_(refusal ? refusal.sentence() : path + ": the ticks around the fault");
 }
 
 }  // namespace isotouch::recording

@@ -102,7 +102,7 @@ std::uint32_t period_ns(const Settings& settings) { return static_cast<std::uint
 Refusal refusal_of(const FieldView& field, const Settings& settings, std::uint32_t measured_delay) {
   const CertificateCheck check = check_certificate(field, loop_of(settings, measured_delay), tick_settings(settings).stiffness);
   if (check.accepted) return {};
-  if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it anew";
+  if (check.error != Error::kTooStiff) return std::string("the field is not usable: ") + describe(check.error) + "; build it again";
   return "the field is too stiff for this device at this rate" + and_the_delay(settings, measured_delay) +
          "; set feel.stiffness to at most " + n_mm(check.stiffness) + " N/mm";
 }

@@ -62,7 +62,7 @@ std::string add_all(const std::string& list, std::optional<Id> (*id_of)(const st
 Refusal apply_control(const Settings& settings, control::ControlSettings& control) {
   control.path = settings.control;
   const std::optional<unsigned> mode = number(settings.control_mode, 8);
-  if (!mode || *mode > 0777) return "[control] mode = \"" + settings.control_mode + "\": is no mode of a file; write one like \"0660\"";
+  if (!mode || *mode > 0777) return "[control] mode = \"" + settings.control_mode + "\": is not a file mode; write one like \"0660\"";
   control.mode = *mode;
   if (!settings.control_group.empty()) {
     control.group = group(settings.control_group);

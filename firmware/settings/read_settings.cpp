@@ -181,7 +181,7 @@ Refusal parse_settings(std::string_view text, const std::string& name, Settings&
   }
   if (Refusal refusal = Reader(name, settings).read(result.table())) return refusal;
   if (settings.word_slew < settings.tick_hz) {
-    return name + ": limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again";
+    return name + ": limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall";
   }
   return {};
 }

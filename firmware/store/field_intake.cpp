@@ -103,7 +103,7 @@ bool FieldIntake::check_again(Refusal& refusal) {
   if (!why) return true;
   if (!slots_.clear()) return false;
   show_published(0);
-  refusal = "the field was taken away: " + why.sentence() + " and choose it again";
+  refusal = "the field was unloaded: " + why.sentence() + " and load it again";
   return true;
 }
 
@@ -128,7 +128,7 @@ Refusal FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t h
 Refusal FieldIntake::unpack(const PackedField& packed) {
   if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
   const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
-  if (!slots_.free()) return "the controller's loop has not taken over the field before this one; try again in a moment";
+  if (!slots_.free()) return "the controller is still loading the previous field; try again in a moment";
   const std::span<std::uint8_t> image = slots_.begin(image_bytes);
   const auto residuals = std::span(residuals_).first(static_cast<std::size_t>(packed.residual_bytes()));
   const auto unpacked = isotouch::unpack(packed, residuals, image, [this](auto frame, auto out) {
@@ -175,8 +175,8 @@ void FieldIntake::show_published(std::uint64_t hash) {
 Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
   if (!slots_.take_back()) return {};
   show_published(felt);
-  std::string refusal = "the field is good, but the controller's loop does not run and has not taken it over";
-  if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", and the next start may begin with it";
+  std::string refusal = "the field is good, but the controller's loop does not run, so the field is not loaded";
+  if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", although the next start may load it";
   return refusal + "; restart the controller";
 }
 

@@ -42,7 +42,7 @@ void check(const File& file, const std::string& name) {
   const std::array<unsigned char, 4> magic = {'I', 'T', 'R', 'C'};
   if (file.size() < kHeaderBytes || !std::equal(magic.begin(), magic.end(), file.begin()))
     refuse("is no trace; make one with isotouch trace make");
-  if (number(file, kMajorAt, 2) != 1) refuse("is a trace of another version than 1");
+  if (number(file, kMajorAt, 2) != 1) refuse("is a trace of another version than this program reads");
   if (number(file, kChecksumAt, 4) != checksum(file, kChecksumAt))
     refuse("the header's checksum is wrong; the file is damaged, make it again");
   const std::uint64_t count = number(file, kCountAt, 8);

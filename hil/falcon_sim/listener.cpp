@@ -59,11 +59,12 @@ Listener::Listener(std::filesystem::path path, int type)
   const auto kind = std::filesystem::symlink_status(path_, ignored).type();
   if (kind == std::filesystem::file_type::socket) {
     if (somebody_listens(address, type))
-      throw std::runtime_error(name + ": somebody listens there already; choose another path or end the other one");
+      throw std::runtime_error(name + ": another program listens there; choose another path or end that program");
     std::filesystem::remove(path_, ignored);
   }
-  if (::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) refuse(name, "cannot be made a socket");
-  if (::listen(socket_.get(), 4) != 0) refuse(name, "cannot be listened at");
+  if (::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+    refuse(name, "a socket cannot be made there");
+  if (::listen(socket_.get(), 4) != 0) refuse(name, "nothing can listen there");
 }
 
 Listener::~Listener() {

@@ -41,13 +41,14 @@ std::string list(const std::vector<std::string>& names) {
 void add_options(CLI::App& app, Options& o) {
   app.add_option("--socket", o.socket, "listen at this local socket");
   app.add_option("--usbredir", o.usbredir, "listen at this local socket for QEMU's usb-redir");
-  app.add_option("--vhci", o.vhci,
-                 "appear on this machine's own USB; the virtual host controller's folder, /sys/devices/platform/vhci_hcd.0");
+  app.add_option(
+      "--vhci", o.vhci,
+      "connect to this machine's own USB through the virtual host controller in this folder, such as /sys/devices/platform/vhci_hcd.0");
   app.add_option("--hand", o.hand, "what the hand does once the device is homed: " + list(motion_names()) + ", none, or a trace file")
       ->capture_default_str();
-  app.add_option("--faults", o.faults, "a file with one fault a line: at PACKET FAULT [ARGUMENTS]");
-  app.add_option("--quirk", o.quirks, "deviations seen on real devices; may be given several times: " + list(quirk_names()));
-  app.add_option("--pace", o.pace, "real: on frames of 1 ms; lockstep: at once")
+  app.add_option("--faults", o.faults, "a file with faults, one a line: at PACKET FAULT [ARGUMENTS]");
+  app.add_option("--quirk", o.quirks, "a deviation that was seen on real devices; may be given several times: " + list(quirk_names()));
+  app.add_option("--pace", o.pace, "real: replies come at frames of 1 ms; lockstep: replies come at once")
       ->check(CLI::IsMember({"real", "lockstep"}))
       ->capture_default_str();
   app.add_option("--serial", o.device.strings.serial, "the serial number, letters and digits")->capture_default_str();
@@ -108,7 +109,7 @@ Settings settings_of(const Options& o) {
 
 void run(const Options& o) {
   if (o.socket.empty() && o.usbredir.empty() && o.vhci.empty())
-    throw std::runtime_error("no way in: give --socket PATH, --usbredir PATH or --vhci FOLDER");
+    throw std::runtime_error("nothing could connect to the device: give --socket PATH, --usbredir PATH or --vhci FOLDER");
   const Pace pace = o.pace == "real" ? Pace::kReal : Pace::kLockstep;
   if ((!o.usbredir.empty() || !o.vhci.empty()) && pace == Pace::kLockstep)
     throw std::runtime_error("--usbredir and --vhci need --pace real: a kernel's USB has frames of its own");

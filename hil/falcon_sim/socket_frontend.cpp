@@ -80,8 +80,7 @@ bool SocketFrontend::serve_one(Time now) {
   }
   const Bytes reply = answer(message, device_, now);
   if (reply.empty()) {
-    std::fprintf(stderr, "falcon-sim: a request that begins with %d and has %zd bytes is none of the socket's; its client is dropped\n",
-                 message[0], size);
+    std::fprintf(stderr, "falcon-sim: unknown request, first byte %d, %zd bytes; its client is disconnected\n", message[0], size);
     client_.close();
     return false;
   }

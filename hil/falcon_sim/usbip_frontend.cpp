@@ -89,7 +89,7 @@ class UsbipFrontend final : public Frontend {
     if (!device_.falcon().open()) return;
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-      throw std::runtime_error(std::string("no pair of sockets for the kernel: ") + std::strerror(errno));
+      throw std::runtime_error(std::string("the sockets for the kernel cannot be made: ") + std::strerror(errno));
     kernel_ = Descriptor(ends[0]);
     if (!attach_(Descriptor(ends[1]))) kernel_.close();
   }

@@ -55,7 +55,7 @@ void run(const Options& options) {
       [&] { return interruption.has_come() || (writer && writer->is_full()); });
   if (taken == 0 && !(writer && writer->is_full())) throw InputError(options.to + ": interrupted before a tick came; nothing was recorded");
   const trace::TraceWriter::Kept kept = writer->finish_with_what_fits();
-  if (kept.records < taken) ended = "no more could be written: free space on that disk";
+  if (kept.records < taken) ended = "the disk is full; free space on it";
   if (options.json) {
     const nlohmann::ordered_json json{{"ticks", kept.records}, {"hash", trace::hash_text(kept.chain)}};
     std::printf("%s\n", json.dump(2).c_str());

@@ -92,7 +92,7 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
 int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
   CLI::App app{about, program};
   app.set_version_flag("--version", files::version_text(program), "print version, commit, formats and compiler");
-  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early, what was done until then is kept.");
+  app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early; what was done until then is kept.");
   app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   add(app);  // last: a sub-command takes over what is said before it is made

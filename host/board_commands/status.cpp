@@ -70,7 +70,7 @@ void print_text(const protocol::StatusReport& status, const protocol::DeviceRepo
   std::printf("%-17s%s, arms at count 0 at %.3f, %.3f, %.3f degrees (%s)%s\n", "device",
               device.serial.size == 0 ? "none" : std::string(device.serial.view()).c_str(), degrees_of(device.at_zero[0]),
               degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), angles_from(device).c_str(),
-              device.waits != 0 ? "; others are kept and wait for the next start" : "");
+              device.waits != 0 ? "; other angles are stored and take effect at the next start" : "");
 }
 
 void run(const Options& options) {
@@ -86,7 +86,7 @@ void run(const Options& options) {
 
 void add_status(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("status", "Print how a running controller is: state, faults, field, times");
+  CLI::App* command = app.add_subcommand("status", "Print the state of a running controller, its faults, field and times");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");
   command->add_option("--field", options->field, "print only the value with this key of the JSON object, such as tick_us.p999");

@@ -52,7 +52,7 @@ void require_closed(const TriangleMesh& mesh, const std::string& name) {
                      " face edges have not exactly one opposite, the first from " + text(mesh.vertices[first_open.first]) + " to " +
                      text(mesh.vertices[first_open.second]) + "; repair it first");
   }
-  if (!(signed_volume(mesh) > 0.0)) throw InputError(name + ": the mesh is closed but its faces turn inward; turn them round first");
+  if (!(signed_volume(mesh) > 0.0)) throw InputError(name + ": the mesh is closed but its faces point inwards; reverse them first");
 }
 
 double signed_volume(const TriangleMesh& mesh) {

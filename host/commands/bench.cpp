@@ -194,7 +194,7 @@ void add_bench(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("bench", "Measure what the tool's parts cost on this machine");
+  CLI::App* command = app.add_subcommand("bench", "Measure the time and memory that the tool takes on this machine");
   command->require_subcommand(1);
   CLI::App* tick = command->add_subcommand("tick",
                                            "Time of one tick, from HIP to force and from counts to motor commands, with warm caches, "

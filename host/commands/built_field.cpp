@@ -122,7 +122,7 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
   if (!options.as && repair.holes > 0 && !read.format.starts_with("STL")) {  // more likely a scan with some faces than a body
     throw InputError(
         options.input.string() + ": its " + std::to_string(file.vertices.size()) +
-        " points have no normals, and its faces do not close; say --as cloud to have normals estimated from the points, or --as mesh to "
+        " points have no normals, and its faces are not closed; use --as cloud to have normals estimated from the points, or --as mesh to "
         "have the holes closed");
   }
   report.placement = placement(options, in_file.vertices);
@@ -146,8 +146,8 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
 double band_within(const BuildOptions& options, double known) {
   known = std::min(known, 7.99);
   if (known < 1.0 || options.band.value_or(1.0) > known) {
-    throw InputError(options.input.string() + ": the level set is known " + std::to_string(known) +
-                     " of these voxels to each side of its surface, " + (known < 1.0 ? "at least 1 is" : "more are") +
+    throw InputError(options.input.string() + ": the level set has distances only " + std::to_string(known) +
+                     " of these voxels to each side of its surface, but " + (known < 1.0 ? "at least 1 is" : "more are") +
                      " needed; choose a smaller --band or --voxel, or make its band wider");
   }
   return options.band.value_or(std::min(field::kBand, known));
@@ -255,7 +255,7 @@ BuiltField built_field(const BuildOptions& options) {
   field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)
-    throw InputError(options.input.string() + ": the field is empty: the points do not bound a body; check their normals");
+    throw InputError(options.input.string() + ": the field is empty: the points do not enclose a body; check their normals");
   warn_of_limits(field.view, options, report);
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);

@@ -58,7 +58,7 @@ void print(const Options& options, const protocol::Calibrate& calibration, const
   std::printf("%s: arms at count 0 at %.3f, %.3f, %.3f degrees (top, right, left), %+.3f, %+.3f, %+.3f from before\n", serial.c_str(),
               degrees[0], degrees[1], degrees[2], found.turned_deg[0], found.turned_deg[1], found.turned_deg[2]);
   if (options.at.size() > 1) std::printf("the places contradict each other by at most %.3f degrees\n", found.apart_deg);
-  std::printf("kept; it holds at once while the controller is idle, else from its next start\n");
+  std::printf("stored; it takes effect at once if the controller is idle, otherwise at its next start\n");
 }
 
 void run(Options options) {
@@ -73,7 +73,7 @@ void run(Options options) {
   for (const double turned : found->turned_deg) {
     if (std::abs(turned) > kFarthestTurnDeg) {
       throw InputError(options.to + ": an arm would stand " + std::to_string(std::lround(turned)) +
-                       " degrees from where it is taken to be; hold the grip where --at says, or home the device again");
+                       " degrees away from its present angle; hold the grip where --at says, or home the device again");
     }
   }
   if (found->apart_deg > kFarthestApartDeg) {

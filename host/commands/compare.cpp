@@ -110,7 +110,7 @@ void add_compare(CLI::App& app) {
                                          "normals, the worst place of both surfaces, the volume on the wrong side");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
-  command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the field's grid");
+  command->add_flag("--floor", options->floor, "also compare the mesh's exact distances on the field's grid: the errors of the grid alone");
   command->add_option("--worst", options->worst, "draw the worst place of the field (.png)");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

@@ -41,7 +41,7 @@ struct PictureOptions {
     std::array<int, 2> parsed{};
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &parsed[0], &parsed[1], &rest) != 2)
-      throw CLI::ValidationError("--size", "wants WxH, as 960x720");
+      throw CLI::ValidationError("--size", "must be WxH, such as 960x720");
     for (const int side : parsed) {
       if (side < 320 || side > 8192) throw CLI::ValidationError("--size", "each side is 320 to 8192 pixels");
     }

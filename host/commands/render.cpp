@@ -127,7 +127,8 @@ struct ForceRun {
   double stiffness_of(const trace::Trace& recorded, const FieldView* touched) const {
     const Stiffness set = recorded.header().settings.stiffness;
     if (set.raw() != 0) return to_double(set);
-    if (touched == nullptr) throw InputError(trace.string() + ": its stiffness is that of the field; name the field with --field");
+    if (touched == nullptr)
+      throw InputError(trace.string() + ": it states no stiffness, because that of the field was used; name the field with --field");
     return to_double(touched->stiffness);
   }
 };
@@ -155,7 +156,7 @@ void add_render(CLI::App& app) {
   const auto [surface, surface_run] = add<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
   surface->add_option("FIELD", surface_run->field, "the field (.itf)")->required();
   CLI::Option* trace = surface->add_option("--trace", surface_run->trace, "show the touch of a recorded hand");
-  surface->add_option("--tick", surface_run->tick, "which tick of it: a number, or deepest")->needs(trace)->capture_default_str();
+  surface->add_option("--tick", surface_run->tick, "tick of the trace: a number, or deepest")->needs(trace)->capture_default_str();
   surface_run->picture.add_view_to(*surface);
 
   const auto [slice, slice_run] = add<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
@@ -165,8 +166,9 @@ void add_render(CLI::App& app) {
 
   const auto [force, force_run] = add<ForceRun>(*render, "force", "Force over time of a recorded hand");
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
-  force->add_option("--field,--blob", force_run->field, "for a trace that holds inputs only, or takes its stiffness from the field");
-  force->add_option("--exact-sphere", force_run->sphere_mm, "beside it the exact answer of a sphere of this radius (mm) round the origin")
+  force->add_option("--field,--blob", force_run->field,
+                    "the field; needed if the trace holds inputs only, or takes its stiffness from the field");
+  force->add_option("--exact-sphere", force_run->sphere_mm, "also draw the exact force of a sphere of this radius (mm) around the origin")
       ->check(CLI::PositiveNumber);
 }
 

@@ -113,9 +113,8 @@ void add_sample(CLI::App& app) {
   command->add_option("FIELD", run->field, "the field (.itf)")->required();
   command->add_option("POINTS", run->points, "the points: PLY, or text with x,y,z in each line; - reads text from standard input")
       ->required();
-  command->add_option("-o,--out", run->out, "the table to write (.csv); by default, or as -, standard output");
-  command->add_flag("--input-frame", run->input_frame,
-                    "the points are in the scan's coordinates; the answer is in workspace mm all the same");
+  command->add_option("-o,--out", run->out, "the table to write (.csv); by default, or with -, it goes to standard output");
+  command->add_flag("--input-frame", run->input_frame, "the points are in the scan's coordinates; the answer is always in workspace mm");
   command->callback([run] { (*run)(); });
 }
 

@@ -270,15 +270,17 @@ void add_import(CLI::App& trace) {
   command->add_option("CSV", options->csv, "the table; its first line names the columns")->required();
   command->add_option("--columns", options->columns,
                       "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
-  command->add_flag("--forces", options->forces, "also the forces on the hand, N, for isotouch scan; name the wall's --stiffness");
+  command->add_flag("--forces", options->forces,
+                    "also read the forces on the hand, N, for isotouch scan; give the wall's stiffness with --stiffness");
   command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
   command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
-  command->add_option("--offset", options->offset, "then move by x,y,z mm")->delimiter(',')->expected(3);
+  command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);
   command
-      ->add_option("--into", options->into,
-                   "instead of these: centre the motion in this field's box and make its longest side as long as the box's")
+      ->add_option(
+          "--into", options->into,
+          "instead of --centre, --scale and --offset: centre the motion in this field's box and make its longest side as long as the box's")
       ->excludes("--centre")
       ->excludes("--scale")
       ->excludes("--offset");
@@ -289,12 +291,12 @@ void add_import(CLI::App& trace) {
 void add_to_packets(CLI::App& trace) {
   auto options = std::make_shared<ToPacketsOptions>();
   CLI::App* command = trace.add_subcommand(
-      "to-packets", "Turn the positions of a hand into the packets of a device that the hand moves, with the tick's answers");
+      "to-packets", "Turn the positions of a hand into the packets of a device that the hand moves, and compute the tick's outputs");
   command->alias("wire");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();
-  command->add_option("--device", options->device, "the published numbers of the device")
+  command->add_option("--device", options->device, "the published model of the device")
       ->check(one_of({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();
   command->callback([options] { make_packets(*options); });

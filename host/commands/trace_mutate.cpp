@@ -97,12 +97,12 @@ std::string list_of_mutations() {
 
 void add_mutate(CLI::App& trace) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = trace.add_subcommand("mutate", "Derive a hostile trace from a harmless one");
+  CLI::App* command = trace.add_subcommand("mutate", "Make a difficult trace out of a harmless one");
   command->alias("mine");
   command->footer(list_of_mutations());
   std::vector<std::string> names;
   for (const motion::Mutation& mutation : motion::mutations()) names.emplace_back(mutation.name);
-  command->add_option("MUTATION", options->name, "what to do with it")->required()->check(one_of(names));
+  command->add_option("MUTATION", options->name, "the change to make")->required()->check(one_of(names));
   command->add_option("FIELD", options->field, "the field that was or will be touched (.itf)")->required();
   command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();
   command->add_option("-o,--out", options->out, "the trace to write")->required();

@@ -156,7 +156,7 @@ field_file::Image write_image(field::BandField field, const FieldInfo& info) {
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, bytes - kTotalBytesAt));
 
   if (!FieldView::parse(image.bytes())) {  // the one thing that a field can still have wrong
-    throw InputError("the surface reaches the border of the grid: the points do not bound a body, check their normals");
+    throw InputError("the surface reaches the border of the grid: the points do not enclose a body, check their normals");
   }
   return image;
 }

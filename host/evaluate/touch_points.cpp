@@ -122,9 +122,9 @@ OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& optio
   const TraceHeader& header = trace.header();
   if (!header.has_outputs) throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
   const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : to_double(header.settings.stiffness);
-  if (!(stiffness > 0)) throw InputError(name + ": its stiffness is that of the field that was felt; name it with --stiffness");
+  if (!(stiffness > 0)) throw InputError(name + ": it states no stiffness, because that of the field was used; give it with --stiffness");
   if (header.settings.damping > Damping{}) {
-    throw InputError(name + ": it was felt with damping, so its forces do not tell how deep the hand was; replay it without");
+    throw InputError(name + ": it was recorded with damping, so its forces do not show how deep the hand was; replay it without damping");
   }
 
   report = {};

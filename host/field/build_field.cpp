@@ -61,9 +61,9 @@ std::vector<std::string> Repair::warnings() const {
   };
   std::vector<std::string> list;
   if (isolated > 0) list.push_back(times(isolated, "point", "points") + " far from all others left out");
-  if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
-  if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points stand for left out");
-  if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points stand for filled");
+  if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned because the neighbours contradict");
+  if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points support left out");
+  if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points support filled");
   return list;
 }
 
@@ -98,7 +98,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   mended.debris = drop_unsupported(field, scan.positions(), [&](const Eigen::Vector3d& x) { return surface.enclosure()(x) > 0.5; });
-  if (field.bricks.empty()) throw InputError("the points do not bound a body");
+  if (field.bricks.empty()) throw InputError("the points do not enclose a body");
   if (!scan.stiffness().empty()) field.stiffness = brick_stiffness(field.bricks, scan.stiffness(), scan.tree());
   progress.end();
   if (repair != nullptr) *repair = mended;

@@ -35,7 +35,7 @@ struct Repair {
 ///           brick where the points have one
 /// repair    where given, is told what was mended
 /// measured  so many points, the first, were measured; `repair` is about these alone where it speaks of shares
-/// fails     InputError when there are too few points, when the grid is too small, or when the points do not bound a body
+/// fails     InputError when there are too few points, when the grid is too small, or when the points do not enclose a body
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr,
                       std::size_t measured = std::numeric_limits<std::size_t>::max());
 

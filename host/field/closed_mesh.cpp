@@ -75,8 +75,9 @@ std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& 
     for (std::size_t i = forward; i < back; ++i) rim.emplace_back(high, low);
   }
   if (against > 0) {
-    throw InputError(name + ": at " + count_of(against, "edge", "edges") + " neighbouring faces turn against each other, first near " +
-                     text(first_against) + "; make the faces' directions consistent in a mesh program");
+    throw InputError(name + ": at " + count_of(against, "edge", "edges") +
+                     " neighbouring faces are oriented against each other, first near " + text(first_against) +
+                     "; make the faces' directions consistent in a mesh program");
   }
   std::sort(rim.begin(), rim.end());
   return rim;
@@ -176,7 +177,7 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
     const Vector3d middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
     if (winding(middle + 1e-6 * size * cloud::face_normal(mesh, piece.largest)) < -0.5) {
       throw InputError(name + ": a closed piece of " + count_of(piece.faces, "face", "faces") + " near " + text(middle) +
-                       " turns inward and lies in no other one; turn its faces round");
+                       " has faces that point inwards, and it lies in no other piece; reverse its faces");
     }
   }
 }
@@ -190,7 +191,7 @@ cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& nam
   const double volume = cloud::signed_volume(mesh);
   if (!(std::abs(volume) > kLeastVolume * size * size * size)) {
     throw InputError(name + ": the faces enclose nothing" + (repair.holes > 0 ? ", also when its rim is closed" : "") +
-                     "; a body has a surface all round");
+                     "; a body needs a surface on all sides");
   }
   repair.turned = volume < 0;
   if (repair.turned) {
@@ -214,7 +215,7 @@ std::vector<std::string> MeshRepair::warnings() const {
     list.push_back("the mesh runs through itself: " + count_of(crossing, "face crosses", "faces cross") + " others, the first near " +
                    text(cross) + "; inside is what the faces wind round");
   }
-  if (turned) list.push_back("the faces turned inward and were all turned round");
+  if (turned) list.push_back("the faces pointed inwards; all were reversed");
   return list;
 }
 

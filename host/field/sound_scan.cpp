@@ -282,15 +282,15 @@ std::vector<std::string> SoundScan::warnings() const {
   if (strays > 0) list.push_back(times(strays, "point", "points") + " far from all others left out");
   switch (outside) {
     case Outside::kAsGiven:
-      if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned round because the neighbours contradict");
+      if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned because the neighbours contradict");
       break;
     case Outside::kViewpoint: break;
-    case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inward and were all turned round"); break;
+    case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inwards; all were turned"); break;
     case Outside::kNeighbours:
-      list.push_back("the normals contradicted each other: " + times(turned, "was", "were") + " turned round so that neighbours agree");
+      list.push_back("the normals contradicted each other: " + times(turned, "was", "were") + " turned so that neighbours agree");
       break;
     case Outside::kDoubtful:
-      list.emplace_back("the normals do not agree where outside is, and neighbours do not tell; they are used as they are");
+      list.emplace_back("the normals do not agree on which side is outside, and neighbours do not decide it; they are used as they are");
       break;
   }
   const bool sheet = measured < points.size();

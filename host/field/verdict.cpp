@@ -234,25 +234,25 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
     if (wrong) verdict.reasons.push_back(sentence);
   };
   refuse(sound.outside == Outside::kDoubtful,
-         "the normals do not agree where outside is; save the scan with outward normals, or try --normals estimate or --viewpoint");
+         "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals estimate or --viewpoint");
   refuse(verdict.off_surface_share > kMostOffSurface,
          per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
   refuse(
       verdict.opposed_share > kMostOpposed,
       per_cent(verdict.opposed_share) + " of the normals point against the surface; estimate the normals again, or try --normals estimate");
   refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
-         "neighbours had to tell the side of the normals, and in thin or narrow parts they do not know it; save the scan with outward "
+         "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
          "normals, or scan more densely");
   refuse(sound.outside != Outside::kNeighbours && verdict.turned_share > kMostTurned,
-         per_cent(verdict.turned_share) + " of the normals had to be turned round; estimate the normals again, or try --normals estimate");
+         per_cent(verdict.turned_share) + " of the normals had to be turned; estimate the normals again, or try --normals estimate");
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
   const bool cut = closed && is_cut(sound.rim);
   refuse(!cut && verdict.gap_share > kMostGaps,
-         per_cent(verdict.gap_share) + " of the surface closes gaps in which nobody saw anything; scan the missing parts");
+         per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
   refuse(closed && !cut && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
-         "the scan ends round a limb or across a wall, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
+         "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
   refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
                                                            " of the points; estimate the normals again, or scan again with less noise");
@@ -266,7 +266,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   refuse(verdict.debris_share > kMostDebris,
          std::to_string(repair.debris.pieces + repair.debris.cavities) +
-             " pieces and cavities that no points stand for had to be removed; check the normals and remove strays");
+             " pieces and cavities that no points support had to be removed; check the normals and remove strays");
   return verdict;
 }
 

@@ -39,7 +39,7 @@ void BoardShell::send(const std::string& lines) {
   for (std::size_t sent = 0; sent < lines.size();) {
     const ssize_t taken = ::send(stream_, lines.data() + sent, lines.size() - sent, MSG_NOSIGNAL);
     if (taken < 0 && errno == EINTR) continue;
-    if (taken < 0) throw InputError(text_ + ": there is no shell to ask; see what ssh said");
+    if (taken < 0) throw InputError(text_ + ": no shell could be started there; see the messages of ssh");
     sent += static_cast<std::size_t>(taken);
   }
 }
@@ -71,7 +71,7 @@ BoardShell::Answer BoardShell::run(const std::string& command, double patience_s
     char more[4096];
     const ssize_t size = ::recv(stream_, more, sizeof more, 0);
     if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) throw InputError(text_ + ": the shell there has ended; see what ssh said");
+    if (size <= 0) throw InputError(text_ + ": the shell there has ended; see the messages of ssh");
     unread_.append(more, static_cast<std::size_t>(size));
   }
 }

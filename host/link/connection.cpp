@@ -60,14 +60,14 @@ protocol::Frame Connection::receive(int patience_ms) {
   for (;;) {
     const auto frame = protocol::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
     if (!frame) {
-      throw InputError(address_.text + ": what answers is no controller of this release (" + describe(frame.error()) +
-                       "); check the address, and that nothing else is printed there at login");
+      throw InputError(address_.text + ": what answers is not a controller of this release (" + describe(frame.error()) +
+                       "); check the address, and check that the login there prints nothing");
     }
     if (frame->size > 0) {
       used_ += frame->size;
       return *frame;
     }
-    if (!read_more(patience_ms)) throw InputError(address_.text + ": the controller does not answer; see whether it runs");
+    if (!read_more(patience_ms)) throw InputError(address_.text + ": the controller does not answer; check whether it runs");
   }
 }
 
@@ -101,10 +101,10 @@ void Connection::complain_of_the_end() {
     child_ = -1;
     if (WIFEXITED(status) && WEXITSTATUS(status) != 0) {
       throw InputError(address_.text + ": ssh ended with status " + std::to_string(WEXITSTATUS(status)) +
-                       " before the controller had answered; see what it said, and that isotouchd is installed there");
+                       " before the controller had answered; see its messages, and check that isotouchd is installed there");
     }
   }
-  throw InputError(address_.text + ": the controller closed the connection; see whether it still runs");
+  throw InputError(address_.text + ": the controller closed the connection; check whether it still runs");
 }
 
 }  // namespace isotouch::link

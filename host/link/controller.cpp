@@ -189,13 +189,13 @@ protocol::Frame Controller::expect(Kind kind, int patience_ms) {
   const protocol::Frame frame = connection_.receive(patience_ms);
   if (frame.kind == kind) return frame;
   if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));
-  complain("the controller answered something else than was asked; install the same release on both sides");
+  complain("the controller's answer does not fit the request; install the same release on both sides");
 }
 
 template <class Message>
 Message Controller::read(const protocol::Frame& frame) {
   const Result<Message> message = protocol::decode<Message>(frame.body);
-  if (!message) complain("an answer is shorter than its kind demands; install the same release on both sides");
+  if (!message) complain("an answer is too short for its kind; install the same release on both sides");
   return *message;
 }
 

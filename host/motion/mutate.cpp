@@ -14,18 +14,18 @@ namespace {
 constexpr InputKind kHand = InputKind::kPosition, kDevice = InputKind::kPacket;
 
 constexpr std::array<Mutation, 12> kMutations = {{
-    {"fast", kHand, "time runs so that the fastest touch, or without one the fastest moment, has 1 m/s"},
-    {"mirror", kHand, "mirrored on the middle of the object's grid, along an axis that the seed draws"},
-    {"jitter", kHand, "every sample moved by up to an encoder count along each axis, three in a hundred lost"},
-    {"dwell", kHand, "where the surface is bent most, the hand presses, rests with flickering counts, and stirs"},
+    {"fast", kHand, "the motion runs faster: its fastest touch, or without a touch its fastest moment, has 1 m/s"},
+    {"mirror", kHand, "mirrored at the middle of the object's grid, along an axis that the seed chooses"},
+    {"jitter", kHand, "every sample moved by up to an encoder count along each axis, three percent lost"},
+    {"dwell", kHand, "where the surface is bent most, the hand presses, rests with flickering counts, and moves a little"},
     {"medial", kHand, "where the object is thinnest, the hand crosses its middle to and fro, then along it"},
     {"graze", kHand, "near the surface the hand follows it, within a tenth of a voxel in and out"},
-    {"leave", kHand, "six times the hand leaves the grid out of a touch, three times also ±512 mm, and comes back"},
+    {"leave", kHand, "six times the hand leaves the grid from a touch and comes back, three times from beyond ±512 mm"},
     {"wrap", kDevice, "the encoders' 16 bits wrap in the middle of the motion"},
     {"faults", kDevice, "missing and malformed packets, late ticks, stops, lines, jumps, lost homing, power cuts, restarts"},
-    {"settings", kDevice, "every 40 to 200 ticks one of the settings that may change takes a drawn value"},
-    {"resume", kDevice, "every 200 to 300 ticks a person resumes, whatever there was"},
-    {"grip", kDevice, "the device gives forces only while a button is held, which it is not always"},
+    {"settings", kDevice, "every 40 to 200 ticks one of the settings that may change takes a random value"},
+    {"resume", kDevice, "every 200 to 300 ticks a person resumes, whatever the state is"},
+    {"grip", kDevice, "the device gives force only while a button is held, and the hand lets it go now and then"},
 }};
 
 }  // namespace

@@ -47,7 +47,7 @@ std::string quantiles(const link::Histogram& histogram, double unit_ns, const ch
 std::string worst_table(const Figures& figures) {
   if (figures.worst.empty())
     return "<p>" + escaped(figures.worst_unknown.empty() ? "There were no ticks." : figures.worst_unknown) + "</p>\n";
-  std::string html = "<table><tr><th>tick</th><th>began late by</th><th>took</th><th>what had its processor</th></tr>\n";
+  std::string html = "<table><tr><th>tick</th><th>began late by</th><th>took</th><th>what ran on its processor</th></tr>\n";
   for (const WorstTick& worst : figures.worst) {
     html += "<tr><td class=\"n\">" + std::to_string(worst.tick.number) + "</td><td class=\"n\">" +
             short_number(worst.tick.wake_ns / 1000.0) + " us</td><td class=\"n\">" + short_number(worst.tick.tick_ns / 1000.0) +

@@ -25,11 +25,11 @@ Json json_of(const link::Histogram& histogram, double unit_ns) {
 MeasureText text_of(protocol::Measure measure) {
   switch (measure) {
     case protocol::Measure::kWakeup: return {"wakeup_us", "Wake-up: how late a tick begins", "us"};
-    case protocol::Measure::kTick: return {"tick_us", "Tick: from its begin to its words", "us"};
-    case protocol::Measure::kRoundTrip: return {"round_trip_us", "USB round trip: from words handed over to the reply", "us"};
+    case protocol::Measure::kTick: return {"tick_us", "Tick: from its begin to its motor commands", "us"};
+    case protocol::Measure::kRoundTrip: return {"round_trip_us", "USB round trip: from motor commands to the reply", "us"};
     case protocol::Measure::kDelay: break;
   }
-  return {"delay_ticks", "Sensor to word: from a reply to the words made of it", "ticks"};
+  return {"delay_ticks", "Sensor to motor command: from a reply to the motor commands made from it", "ticks"};
 }
 
 Json json_report(const Figures& figures, const std::vector<Judgement>& judgements) {

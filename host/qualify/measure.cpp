@@ -42,14 +42,13 @@ class Causes {
  public:
   Causes(link::BoardShell& shell, bool wanted) : shell_(shell) {
     if (!wanted) {
-      why_ = "the kernel's tracer was not asked";
+      why_ = "the kernel's tracer was not used";
       return;
     }
     shell_.at_end(end_tracing_command());
     tracing_ = shell_.run(begin_tracing_command(), kPatience).status == 0;
     if (!tracing_) {
-      why_ =
-          "the kernel's tracer may not be used by this user there (root may, as a rule), so it is unknown what the worst ticks waited for";
+      why_ = "this user may not use the kernel's tracer there (root usually may), so the causes of the worst ticks are unknown";
     }
   }
   ~Causes() {
@@ -68,7 +67,7 @@ class Causes {
     if (fresh.empty()) return;
     const link::BoardShell::Answer answer = shell_.run(trace_command(fresh), kPatience);
     if (answer.status != 0) {
-      why_ = "the kernel's tracer could not be read in time, so it is unknown what some of the worst ticks waited for";
+      why_ = "the kernel's tracer could not be read in time, so the causes of some of the worst ticks are unknown";
       return;
     }
     const std::vector<std::string> causes = read_causes(answer.text, fresh.size());
@@ -152,7 +151,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
   for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
   if (controller.welcome().minor < 2)
-    figures.worst_unknown = "this controller does not tell its worst ticks; install the same release on both sides";
+    figures.worst_unknown = "this controller does not report its worst ticks; install the same release on both sides";
   figures.cause_unknown = causes.why();
 
   if (wish.priority > 0) tell("cyclictest, as long again");

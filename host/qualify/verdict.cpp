@@ -57,14 +57,14 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
       against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, protocol::Measure::kWakeup, 0.999, 1000)),
       against("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
               quantile(figures, protocol::Measure::kRoundTrip, 0.999, 1000)),
-      against("word_max_ticks", "largest sensor to word", "ticks", limits.word_ticks,
+      against("word_max_ticks", "longest sensor to motor command", "ticks", limits.word_ticks,
               quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
       against("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
       against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
       against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
       against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
-      against("faults", "looks in fault", "", limits.faults, looks_in(SupervisorState::kFault, figures.moments)),
-      against("inactive", "looks without force", "%", limits.inactive, inactive(figures.moments)),
+      against("faults", "checks that find a fault", "", limits.faults, looks_in(SupervisorState::kFault, figures.moments)),
+      against("inactive", "checks that find no force", "%", limits.inactive, inactive(figures.moments)),
   };
 }
 

@@ -123,7 +123,7 @@ std::vector<Case> cases() {
        false},
       {"emergency stop, enable stuck on", "", during(kStrike, 400, [](FaultBench& b, bool on) { b.lines.pressed = b.lines.stuck_on = on; }),
        line, S::kFault, kFaultEmergency | kFaultEnable, false},
-      {"told to stop", "",
+      {"stop requested", "",
        [](FaultBench& b, int t) {
          if (t == kStrike) b.commands.ask(kRequestStop);
        },

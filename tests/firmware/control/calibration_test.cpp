@@ -64,7 +64,7 @@ TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");
   EXPECT_FALSE(calibration.waits());
-  EXPECT_THAT(calibration.keep(measured("SET")).sentence(), HasSubstr("take [calibration.SET] out of them"));
+  EXPECT_THAT(calibration.keep(measured("SET")).sentence(), HasSubstr("remove [calibration.SET] from the settings"));
 }
 
 TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {

@@ -51,7 +51,7 @@ TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {
   speaker.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("B2"), {}});
   expect_sentence(speaker.hear(), "another device");
   speaker.say(Kind::kCalibrate);
-  expect_sentence(speaker.hear(), "shorter");
+  expect_sentence(speaker.hear(), "too short");
 
   rig.tick.sway = 50;
   expect_sentence(ask(speaker, Kind::kPosture), "the hand moves");
@@ -68,9 +68,9 @@ TEST(ControlServerCalibration, NothingThatLeadsToForceIsTakenMeanwhile) {
   third.greet();
   rig.tick.rests = true;
   measurer.say(Kind::kPosture);
-  expect_sentence(upload(other, store::packed_ball(1)), "is measured at this moment");
-  expect_sentence(ask(third, Kind::kPosture), "is measured at this moment");
-  expect_sentence(ask(third, Kind::kResume), "is measured at this moment");
+  expect_sentence(upload(other, store::packed_ball(1)), "is being measured");
+  expect_sentence(ask(third, Kind::kPosture), "is being measured");
+  expect_sentence(ask(third, Kind::kResume), "is being measured");
   EXPECT_EQ(ask(third, Kind::kStop).kind, Kind::kDone) << "but stop is always heard";
   rig.tick.rests = false;
   EXPECT_EQ(measurer.hear().kind, Kind::kPostureReport);

@@ -138,7 +138,7 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
   speaker.say(Kind::kCommit);
   expect_sentence(speaker.hear(), "no upload is under way");
   speaker.say(Kind::kBegin);
-  expect_sentence(speaker.hear(), "shorter than its kind demands");
+  expect_sentence(speaker.hear(), "too short for its kind");
   speaker.say(static_cast<Kind>(100));
   expect_sentence(speaker.hear(), "does not know the request");
   EXPECT_EQ(rig.tick.generation, 0U);
@@ -177,7 +177,7 @@ TEST(ControlServer, AnotherVersionIsToldWhatToDo) {
   Speaker other(rig.settings.path);
   const std::string request = "GET / HTTP/1.1\r\n\r\n";
   other.send({reinterpret_cast<const std::uint8_t*>(request.data()), request.size()});
-  expect_sentence(other.hear(), "cannot be understood");
+  expect_sentence(other.hear(), "no message of the protocol");
 }
 
 TEST(ControlServer, StopAndResumeReachTheTick) {
@@ -328,7 +328,7 @@ TEST(ControlServer, ARecordingBeginsAnewAndItsChainHolds) {
   // Another field would be another trace.
   ASSERT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted);
   while (heard.kind == Kind::kRecords) heard = speaker.hear();
-  expect_sentence(heard, "another field was taken over");
+  expect_sentence(heard, "another field was loaded");
   other.say(Kind::kRecord);
   EXPECT_EQ(other.hear().kind, Kind::kRecording) << "the next may record";
   other.say(Kind::kRecordEnd);

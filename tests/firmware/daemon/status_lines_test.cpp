@@ -17,7 +17,7 @@ TEST(StatusLines, EveryStateHasALineOfItsOwn) {
   for (const std::string& line : lines) EXPECT_EQ(line.find("state: "), 0U);
   EXPECT_EQ(
       supervisor_line(SupervisorState::kFault, kFaultSilent | kFaultStopped),
-      "state: fault, no force until resumed by a button or 'isotouch resume': it was told to stop: the device did not answer in time; "
+      "state: fault, no force until resumed by a button or 'isotouch resume': a stop was requested: the device did not answer in time; "
       "check its cable and power supply");
   std::set<std::string> sentences;
   for (const FaultName& fault : kFaultNames) sentences.insert(supervisor_line(SupervisorState::kFault, fault.fault));
@@ -43,7 +43,7 @@ TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
 
 TEST(StatusLines, ARefusalNamesWhatIsMissing) {
   EXPECT_EQ(refusal_line(0), "");
-  EXPECT_EQ(refusal_line(loop::kRefusedPriority | loop::kRefusedMemory).find("runs without a real-time priority, locked memory, which"),
+  EXPECT_EQ(refusal_line(loop::kRefusedPriority | loop::kRefusedMemory).find("runs without a real-time priority, locked memory, because"),
             0U);
 }
 

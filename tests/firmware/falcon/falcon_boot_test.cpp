@@ -131,7 +131,7 @@ TEST(FalconBoot, AsksForAnImageWhenNoFirmwareAnswers) {
   desk.image.clear();
   const BootReport report = desk.run();
   EXPECT_EQ(report.outcome, BootOutcome::kNoImage);
-  EXPECT_THAT(explain(report), HasSubstr("no image was given"));
+  EXPECT_THAT(explain(report), HasSubstr("no firmware file was given"));
 }
 
 TEST(FalconBoot, LoadsPastStrayBytes) {
@@ -202,7 +202,7 @@ TEST(FalconBoot, SaysAfterAllAttemptsWhereTheyEnded) {
   cases[0].faults.wall_power = false;
   cases[1] = {{}, BootOutcome::kNoAutobaud, "boot loader"};
   cases[1].faults.lost_autobauds = 1000;
-  cases[2] = {{}, BootOutcome::kEchoDiffers, "repeats its firmware wrongly"};
+  cases[2] = {{}, BootOutcome::kEchoDiffers, "echoes its firmware wrongly"};
   cases[2].faults.wrong_echoes = 1000;
   cases[3] = {{}, BootOutcome::kSilent, "does not answer"};
   cases[3].faults.mute_firmware = true;

@@ -128,7 +128,7 @@ TEST(ReadSettings, AWordThatCouldNotChangeByOneInATickIsRefused) {
   Settings settings;
   EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5000\n[limits]\nword_slew = 5000\n", "a.toml", settings).sentence(), "");
   EXPECT_EQ(parse_settings("[loop]\ntick_hz = 5001\n[limits]\nword_slew = 5000\n", "a.toml", settings).sentence(),
-            "a.toml: limits.word_slew must be at least loop.tick_hz, one unit a tick: words would rise and not come down again");
+            "a.toml: limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall");
 }
 
 TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {

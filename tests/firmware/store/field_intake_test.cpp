@@ -124,7 +124,7 @@ TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
 
   verdict = "too stiff; set less";
   EXPECT_TRUE(rig.intake.check_again(said));
-  EXPECT_EQ(said.sentence(), "the field was taken away: too stiff; set less and choose it again");
+  EXPECT_EQ(said.sentence(), "the field was unloaded: too stiff; set less and load it again");
   EXPECT_EQ(rig.felt(), 0U);
   EXPECT_EQ(rig.intake.hash(), 0U);
   EXPECT_EQ(rig.intake.generation(), 0U);
@@ -148,7 +148,7 @@ TEST(FieldIntake, ALoopThatDoesNotRunIsTold) {
   ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
   rig.clock.runs = false;
   EXPECT_THAT(rig.upload(packed_ball(2)).refusal.sentence(), HasSubstr("loop does not run"));
-  EXPECT_THAT(rig.upload(packed_ball(3)).refusal.sentence(), HasSubstr("has not taken over"));
+  EXPECT_THAT(rig.upload(packed_ball(3)).refusal.sentence(), HasSubstr("still loading the previous field"));
   rig.clock.runs = true;
   (void)rig.slots.field();
   EXPECT_EQ(rig.upload(packed_ball(3)).refusal.sentence(), "");

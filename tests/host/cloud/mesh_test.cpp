@@ -60,7 +60,7 @@ TEST(Mesh, AHoleAFinAndAnInsideOutMeshAreRefused) {
               ::testing::StartsWith("a.obj: the mesh is not closed: 3 of its 9 face edges"));
   EXPECT_THAT(complaint(kTetrahedron + "v 9 9 9\nf 1 2 5\n"), ::testing::HasSubstr("not closed"));
   EXPECT_THAT(complaint(kTetrahedron + "f 1 3 2\n"), ::testing::HasSubstr("not closed"));
-  EXPECT_THAT(complaint(vertices + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"), ::testing::HasSubstr("turn inward"));
+  EXPECT_THAT(complaint(vertices + "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"), ::testing::HasSubstr("point inwards"));
 }
 
 TEST(Mesh, WithoutFacesIsRefused) {

@@ -140,7 +140,7 @@ TEST_F(TouchPoints, ATraceThatCannotTellIsRefusedWithTheReason) {
   refused("with damping");
   header_.settings.damping = {};
   header_.settings.stiffness = {};
-  refused("name it with --stiffness");
+  refused("give it with --stiffness");
   EXPECT_NO_THROW(touch_points(trace(50), {.stiffness_n_per_mm = kStiffness}, report_));
   header_.has_outputs = false;
   refused("holds no forces", {}, [](std::size_t, TraceRecord& record) { record.output = {}; });

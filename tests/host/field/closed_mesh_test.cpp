@@ -70,7 +70,7 @@ TEST(ClosedMesh, RimsThatMeetAtACornerAreClosedOneByOne) {
 TEST(ClosedMesh, OneThatIsInsideOutIsTurnedRound) {
   MeshRepair repair;
   EXPECT_DOUBLE_EQ(cloud::signed_volume(closed_mesh(turned(cube()), "a.stl", repair)), 1);
-  EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("turned inward")));
+  EXPECT_THAT(repair.warnings(), ElementsAre(HasSubstr("pointed inwards")));
 }
 
 TEST(ClosedMesh, ADoubledFaceDoesNotOpenIt) {
@@ -84,7 +84,7 @@ TEST(ClosedMesh, ADoubledFaceDoesNotOpenIt) {
 TEST(ClosedMesh, WhatBoundsNoBodyIsRefusedWithItsPlace) {
   auto against = cube();
   std::swap(against.faces[0][0], against.faces[0][1]);
-  EXPECT_THAT(refusal(against), StartsWith("a.stl: at 3 edges neighbouring faces turn against each other, first near ("));
+  EXPECT_THAT(refusal(against), StartsWith("a.stl: at 3 edges neighbouring faces are oriented against each other, first near ("));
   auto flat = cube();
   flat.faces.resize(2);
   EXPECT_THAT(refusal(flat), StartsWith("a.stl: the faces enclose nothing, also when its rim is closed"));

@@ -67,7 +67,7 @@ TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {
   const SoundScan scan = sound_scan(turned(points));
   EXPECT_EQ(scan.outside, Outside::kTurned);
   EXPECT_EQ(unlike(scan, points), 0U);
-  EXPECT_THAT(scan.warnings(), Contains(HasSubstr("pointed inward")));
+  EXPECT_THAT(scan.warnings(), Contains(HasSubstr("pointed inwards")));
 }
 
 TEST(SoundScan, BelievesAReliefAndGivesItABack) {

@@ -63,7 +63,7 @@ TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
     points.normals.push_back(whole.normals[i]);
   }
   const Verdict verdict = verdict_of(points);
-  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("nobody saw")));
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("nobody scanned")));
   EXPECT_GT(verdict.rim_mm, 100);
 }
 

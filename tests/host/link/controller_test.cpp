@@ -100,9 +100,9 @@ TEST(Controller, EveryEndAndEveryOddAnswerHasItsSentence) {
   const auto status = [](Controller& c) { (void)c.status(); };
   EXPECT_THAT(complaint({}, status), HasSubstr("closed the connection"));
   EXPECT_THAT(complaint(kWelcome, status), HasSubstr("closed the connection"));
-  EXPECT_THAT(complaint(Bytes{'W', 'e', 'l', 'c', 'o', 'm', 'e'}, status), HasSubstr("nothing else is printed there at login"));
-  EXPECT_THAT(complaint(kWelcome + frame(Kind::kDone), status), HasSubstr("something else than was asked"));
-  EXPECT_THAT(complaint(kWelcome + frame(Kind::kStatusReport), status), HasSubstr("shorter than its kind demands"));
+  EXPECT_THAT(complaint(Bytes{'W', 'e', 'l', 'c', 'o', 'm', 'e'}, status), HasSubstr("the login there prints nothing"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kDone), status), HasSubstr("does not fit the request"));
+  EXPECT_THAT(complaint(kWelcome + frame(Kind::kStatusReport), status), HasSubstr("too short for its kind"));
   EXPECT_THAT(complaint(kWelcome + frame(Kind::kFieldList, protocol::FieldList{3, {}}), [](Controller& c) { (void)c.fields(); }),
               HasSubstr("shorter than it says"));
 }

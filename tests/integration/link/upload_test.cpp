@@ -183,7 +183,7 @@ TEST(Upload, ARecordingThatIsEndedByAnotherFieldKeepsWhatCame) {
   const Recorded recorded(
       controller, 1'000'000, [&] { (void)another.upload(ball.promise, ball.packed); }, kNeverEnough);
   EXPECT_GE(recorded.records, 100U);
-  EXPECT_EQ(recorded.ended, "unix:" + rig.settings.path + ": the recording ended: another field was taken over; record again");
+  EXPECT_EQ(recorded.ended, "unix:" + rig.settings.path + ": the recording ended: another field was loaded; record again");
 }
 
 TEST(Upload, ARecordingThatIsCutKeepsWhatCame) {
@@ -193,7 +193,7 @@ TEST(Upload, ARecordingThatIsCutKeepsWhatCame) {
   const Recorded recorded(
       controller, 1'000'000, [&] { rig.server->stop(); }, kNeverEnough);
   EXPECT_GE(recorded.records, 100U);
-  EXPECT_THAT(recorded.ended, HasSubstr("the controller closed the connection; see whether it still runs"));
+  EXPECT_THAT(recorded.ended, HasSubstr("the controller closed the connection; check whether it still runs"));
 }
 
 TEST(Upload, ARecordingEndsWhenItIsEnoughAlsoWithoutTicks) {
