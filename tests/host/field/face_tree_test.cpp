@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "host/cloud/random.h"
@@ -22,19 +23,21 @@ double square_to(const FaceTree& tree, const Vector3d& point, std::uint32_t face
 
 TEST(FaceTree, TheNearestPlaceIsThatOfAllFacesToTheLastBitWhereverTheSearchBegins) {
   for (const std::size_t count : {1U, 2U, 4U, 5U, 16U, 17U, 64U, 1000U}) {
-    for (const double away : {0.0, 300.0, 1e5}) {  // from the origin: there boxes in floats are coarser
+    // About the origin, away from it, and so small there that the floats of the boxes are as coarse as the faces.
+    for (const auto& [size, away] : {std::pair(1.0, 0.0), std::pair(1.0, 300.0), std::pair(1e-4, 300.0)}) {
       cloud::TriangleMesh mesh = soup(count);
-      for (Vector3d& vertex : mesh.vertices) vertex += Vector3d(away, -away, away);
+      for (std::size_t face = 0; face < count; ++face) mesh.faces.push_back(mesh.faces[face]);  // each twice: equally near
+      for (Vector3d& vertex : mesh.vertices) vertex = size * vertex + Vector3d(away, -away, away);
       const FaceTree tree(mesh);
       cloud::Random random(8);
       for (int i = 0; i < 200; ++i) {
-        const Vector3d point = draw(random, i % 2 == 0 ? 14 : 2000) + Vector3d(away, -away, away);
+        const Vector3d point = size * draw(random, i % 2 == 0 ? 14 : 2000) + Vector3d(away, -away, away);
         double least = std::numeric_limits<double>::max();
         std::uint32_t nearest = 0;
-        for (std::uint32_t face = 0; face < count; ++face) {
+        for (std::uint32_t face = 0; face < tree.faces().size(); ++face) {
           if (const double square = square_to(tree, point, face); square < least) least = square, nearest = face;
         }
-        const FaceTree::Place place = tree.nearest(point, static_cast<std::uint32_t>(random.bits() % count), tree.whole());
+        const FaceTree::Place place = tree.nearest(point, static_cast<std::uint32_t>(random.bits() % tree.faces().size()), tree.whole());
         ASSERT_EQ(place.square, least);
         ASSERT_EQ(place.face, nearest);
         ASSERT_EQ(place.offset.squaredNorm(), least);
