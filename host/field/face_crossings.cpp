@@ -33,6 +33,7 @@ bool pierces(const Corners& a, const Corners& b) {
   return false;
 }
 
+/// A face and the box round it, along the coordinates.
 struct BoxedFace {
   const FaceTree::Face* face;
   std::uint32_t number;

@@ -85,7 +85,7 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
   std::array<double, 64>& result = block.points.emplace();
   std::array<std::uint32_t, 64> faces{};
   std::optional<TurnsAlong> turns;  // along the row, once it is asked for
-  // Between two points of which one is farther from the mesh than they are from each other lies no face.
+  // Between two points of which one is farther from the mesh than they are from each other lies no face: they have one sign.
   const double faceless = step * (1 + 1e-9);
   for (std::size_t n = 0; n < result.size(); ++n) {
     const std::array<std::size_t, 3> index = {n & 3, n >> 2 & 3, n >> 4};
@@ -96,7 +96,7 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
     const FaceTree::Place found = tree_.nearest(point, n == 0 ? place.face : faces[n - kBack[axis]], part);
     faces[n] = found.face;
     const double distance = std::sqrt(found.square);
-    double alike = 0;
+    double alike = 0;  // at a point before it that has the same sign, if there is one
     for (axis = 0; axis < 3; ++axis) {
       if (index[axis] > 0 && std::max(distance, std::abs(result[n - kBack[axis]])) > faceless) alike = result[n - kBack[axis]];
     }
