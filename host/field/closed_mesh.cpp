@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/field/face_tree.h"
-#include "host/field/winding_number.h"
+#include "host/field/face_edges.h"
+#include "host/field/line_crossings.h"
 
 namespace isotouch::field {
 
@@ -44,31 +44,19 @@ double diagonal(const cloud::TriangleMesh& mesh) {
 
 /// The edges that are run more often in this direction than in the other, as often as that, sorted; with the checks on all others.
 std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& name, MeshRepair& repair) {
-  struct Run {
-    Edge edge;  // lower vertex first
-    bool back;
-    auto operator<=>(const Run&) const = default;
-  };
-  std::vector<Run> runs;
-  runs.reserve(3 * mesh.faces.size());
-  for (const auto& f : mesh.faces) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(f[i], f[(i + 1) % 3]);
-      runs.push_back({{low, high}, low != f[i]});
-    }
-  }
-  std::sort(runs.begin(), runs.end());
+  const std::vector<FaceEdge> edges = face_edges(mesh);
   std::vector<Edge> rim;
   std::size_t against = 0;
   Vector3d first_against = Vector3d::Zero();
-  for (std::size_t begin = 0, end = 0; begin < runs.size(); begin = end) {
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     std::size_t back = 0;
-    for (; end < runs.size() && runs[end].edge == runs[begin].edge; ++end)
-      if (runs[end].back) ++back;
-    const auto [low, high] = runs[begin].edge;
-    const Vector3d middle = (mesh.vertices[low] + mesh.vertices[high]) / 2;
+    for (; end < edges.size() && edges[end].same_edge(edges[begin]); ++end)
+      if (edges[end].is_back(mesh)) ++back;
+    const std::uint32_t low = edges[begin].low, high = edges[begin].high;
     const std::size_t faces = end - begin;
     const std::size_t forward = faces - back;
+    if (faces == 2 && forward == back) continue;
+    const Vector3d middle = (mesh.vertices[low] + mesh.vertices[high]) / 2;
     if (faces == 2 && forward != back && against++ == 0) first_against = middle;
     if (faces > 2 && repair.branching++ == 0) repair.branch = middle;
     for (std::size_t i = back; i < forward; ++i) rim.emplace_back(low, high);
@@ -169,13 +157,12 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   const double noise = 6 * kLeastVolume * size * size * size;
   const auto inward = [=](const Piece& piece) { return piece.six_volumes < -noise; };
   if (std::none_of(pieces.begin(), pieces.end(), inward)) return;
-  const FaceTree tree(mesh);
-  const WindingNumber winding(tree);
+  const TriangleTree tree(mesh);
   for (const Piece& piece : pieces) {
     if (!inward(piece)) continue;
     const auto& [a, b, c] = mesh.faces[piece.largest];
     const Vector3d middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
-    if (winding(middle + 1e-6 * size * cloud::face_normal(mesh, piece.largest)) < -0.5) {
+    if (turns_round(tree, middle + 1e-6 * size * cloud::face_normal(mesh, piece.largest)) < 0) {
       throw InputError(name + ": a closed piece of " + count_of(piece.faces, "face", "faces") + " near " + text(middle) +
                        " has faces that point inwards, and it lies in no other piece; reverse its faces");
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/field/parallel.h"
@@ -13,7 +14,6 @@ namespace isotouch::field {
 namespace {
 
 using Eigen::Vector3d;
-using Corners = std::array<Vector3d, 3>;
 
 /// Six times the volume of a tetrahedron.
 double volume(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) { return (b - a).cross(c - a).dot(d - a); }
@@ -33,43 +33,59 @@ bool pierces(const Corners& a, const Corners& b) {
   return false;
 }
 
-bool crosses_another(const cloud::TriangleMesh& mesh, const FaceTree& tree, const FaceTree::Face& face) {
-  const auto& own = mesh.faces[face.number];
-  const auto share_a_corner = [&](std::uint32_t other) {
-    return std::any_of(own.begin(), own.end(), [&](std::uint32_t v) {
-      const auto& f = mesh.faces[other];
-      return f[0] == v || f[1] == v || f[2] == v;
-    });
-  };
-  const Vector3d low = face.corners[0].cwiseMin(face.corners[1]).cwiseMin(face.corners[2]);
-  const Vector3d high = face.corners[0].cwiseMax(face.corners[1]).cwiseMax(face.corners[2]);
-  std::array<std::uint32_t, 64> waiting;
-  std::size_t count = 0;
-  waiting[count++] = 0;
-  while (count > 0) {
-    const std::uint32_t number = waiting[--count];
-    const FaceTree::Node& node = tree.nodes[number];
-    if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
-    if (node.right != 0) {
-      waiting[count++] = node.right;
-      waiting[count++] = number + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const FaceTree::Face& other = tree.faces[i];
-      if (other.number <= face.number || share_a_corner(other.number)) continue;
-      if (pierces(face.corners, other.corners) || pierces(other.corners, face.corners)) return true;
-    }
+/// A face and the box round it, along the coordinates.
+struct BoxedFace {
+  const FaceTree::Face* face;
+  std::uint32_t number;
+  Vector3d low, high;
+
+  explicit BoxedFace(const FaceTree::Face& of)
+      : face(&of),
+        number(of.number),
+        low(of.corners[0].cwiseMin(of.corners[1]).cwiseMin(of.corners[2])),
+        high(of.corners[0].cwiseMax(of.corners[1]).cwiseMax(of.corners[2])) {}
+};
+
+bool boxes_meet(const BoxedFace& a, const BoxedFace& b) {
+  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+}
+
+/// All faces near to some that lie together, these among them.
+void faces_near(const FaceTree& tree, std::span<const FaceTree::Face> together, std::vector<BoxedFace>& near) {
+  Vector3d middle = Vector3d::Zero();
+  for (const auto& [corners, number] : together)
+    middle += (corners[0] + corners[1] + corners[2]) / (3.0 * static_cast<double>(together.size()));
+  double square = 0;
+  for (const auto& [corners, number] : together) {
+    for (const Vector3d& corner : corners) square = std::max(square, (corner - middle).squaredNorm());
   }
-  return false;
+  near.clear();
+  tree.each_near(middle, square, tree.whole(), [&](std::uint32_t face) { near.emplace_back(tree.faces()[face]); });
 }
 
 }  // namespace
 
 FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree) {
+  const auto share_a_corner = [&](std::uint32_t a, std::uint32_t b) {
+    const auto& f = mesh.faces[b];
+    return std::any_of(mesh.faces[a].begin(), mesh.faces[a].end(), [&](std::uint32_t v) { return f[0] == v || f[1] == v || f[2] == v; });
+  };
+  constexpr std::size_t kTogether = 8;  // faces that follow each other lie together
   std::vector<std::uint8_t> crosses(mesh.faces.size());
-  in_parallel(tree.faces.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) crosses[tree.faces[i].number] = crosses_another(mesh, tree, tree.faces[i]) ? 1 : 0;
+  const std::span faces(tree.faces());
+  in_parallel((faces.size() + kTogether - 1) / kTogether, 32, [&](std::size_t begin, std::size_t end) {
+    std::vector<BoxedFace> near;
+    for (std::size_t group = begin; group < end; ++group) {
+      const auto together = faces.subspan(kTogether * group, std::min(kTogether, faces.size() - kTogether * group));
+      faces_near(tree, together, near);
+      for (const FaceTree::Face& face : together) {
+        const BoxedFace boxed(face);
+        crosses[face.number] = std::any_of(near.begin(), near.end(), [&](const BoxedFace& other) {
+          return other.number > face.number && boxes_meet(boxed, other) && !share_a_corner(face.number, other.number) &&
+                 (pierces(face.corners, other.face->corners) || pierces(other.face->corners, face.corners));
+        });
+      }
+    }
   });
   FaceCrossings result;
   for (std::size_t face = 0; face < crosses.size(); ++face) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "host/field/triangle_tree.h"
 
@@ -38,11 +39,32 @@ void each_crossing(const TriangleTree& tree, double y, double z, const Use& use)
   });
 }
 
-/// Does the surface turn round the point once or more? So parts that run through each other are inside, and no normal has to be trusted.
-inline bool is_inside(const TriangleTree& tree, const Eigen::Vector3d& point) {
-  int turns = 0;
-  each_crossing(tree, point.y(), point.z(), [&](double x, int turn) { turns += x < point.x() ? turn : 0; });
-  return turns > 0;
+/// How often the surface turns round the points of one line: their winding numbers.
+class TurnsAlong {
+ public:
+  TurnsAlong(const TriangleTree& tree, double y, double z) {
+    each_crossing(tree, y, z, [&](double x, int turn) { crossings_.push_back({x, turn}); });
+  }
+  int at(double x) const {
+    int turns = 0;
+    for (const Crossing& crossing : crossings_) turns += crossing.x < x ? crossing.turn : 0;
+    return turns;
+  }
+
+ private:
+  struct Crossing {
+    double x;
+    int turn;
+  };
+  std::vector<Crossing> crossings_;
+};
+
+/// How often it turns round one point.
+inline int turns_round(const TriangleTree& tree, const Eigen::Vector3d& point) {
+  return TurnsAlong(tree, point.y(), point.z()).at(point.x());
 }
+
+/// Does it turn round the point once or more? So parts that run through each other are inside, and no normal has to be trusted.
+inline bool is_inside(const TriangleTree& tree, const Eigen::Vector3d& point) { return turns_round(tree, point) > 0; }
 
 }  // namespace isotouch::field

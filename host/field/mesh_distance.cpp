@@ -3,11 +3,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <utility>
 
 #include "host/field/angle.h"
-#include "host/field/on_triangle.h"
+#include "host/field/face_edges.h"
+#include "host/field/line_crossings.h"
 
 namespace isotouch::field {
 
@@ -26,19 +27,13 @@ double angle_at(const Vector3d& corner, const Vector3d& b, const Vector3d& c) {
 MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {
   const bool two_faces_an_edge = make_pseudonormals();
   crossings_ = face_crossings(mesh_, tree_);
-  if (!two_faces_an_edge || crossings_.faces > 0) winding_.emplace(tree_);
+  if (!two_faces_an_edge || crossings_.faces > 0) turns_.emplace(mesh_);
 }
 
 /// Are there two faces at every edge?
 bool MeshDistance::make_pseudonormals() {
-  struct Edge {
-    std::uint32_t low, high, face, side;
-    auto operator<=>(const Edge&) const = default;
-  };
   vertex_normals_.assign(mesh_.vertices.size(), Vector3d::Zero());
   normals_.resize(mesh_.faces.size());
-  std::vector<Edge> edges;
-  edges.reserve(3 * mesh_.faces.size());
   for (std::uint32_t face = 0; face < mesh_.faces.size(); ++face) {
     const Vector3d normal = cloud::face_normal(mesh_, face);
     normals_[face][3] = normal;
@@ -48,100 +43,69 @@ bool MeshDistance::make_pseudonormals() {
       const std::uint32_t next = f[(i + 1) % 3];
       const std::uint32_t last = f[(i + 2) % 3];
       vertex_normals_[here] += angle_at(mesh_.vertices[here], mesh_.vertices[next], mesh_.vertices[last]) * normal;
-      edges.push_back({std::min(here, next), std::max(here, next), face, i});
     }
   }
-  std::sort(edges.begin(), edges.end());
+  const std::vector<FaceEdge> edges = face_edges(mesh_);
   bool two = true;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     Vector3d sum = Vector3d::Zero();
-    for (; end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high; ++end)
-      sum += normals_[edges[end].face][3];
+    for (; end < edges.size() && edges[end].same_edge(edges[begin]); ++end) sum += normals_[edges[end].face][3];
     for (std::size_t i = begin; i < end; ++i) normals_[edges[i].face][edges[i].side] = sum;
     two = two && end - begin == 2;
   }
   return two;
 }
 
-MeshDistance::Found MeshDistance::on_face(const Vector3d& point, std::uint32_t face) const {
-  const auto& [a, b, c] = tree_.faces[face].corners;
-  const OnTriangle place = nearest_on_triangle(point, {a, b, c});
-  const Vector3d offset = point - place.point;
-  return {offset.squaredNorm(), offset, face, place.feature};
-}
-
-MeshDistance::Found MeshDistance::nearest(const Vector3d& point, Found best) const {
-  const auto square_to_box = [&](std::uint32_t number) {
-    const FaceTree::Node& node = tree_.nodes[number];
-    return (node.low - point).cwiseMax(point - node.high).cwiseMax(0).squaredNorm();
-  };
-  std::array<std::pair<std::uint32_t, double>, 64> waiting;
-  std::size_t count = 0;
-  waiting[count++] = {0, square_to_box(0)};
-  while (count > 0) {
-    const auto [number, square] = waiting[--count];
-    if (square >= best.square) continue;
-    const FaceTree::Node& node = tree_.nodes[number];
-    if (node.right != 0) {
-      std::pair<std::uint32_t, double> near{number + 1, square_to_box(number + 1)};
-      std::pair<std::uint32_t, double> far{node.right, square_to_box(node.right)};
-      if (far.second < near.second) std::swap(near, far);
-      if (far.second < best.square) waiting[count++] = far;
-      if (near.second < best.square) waiting[count++] = near;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Found found = on_face(point, i);
-      if (found.square < best.square) best = found;
-    }
-  }
-  return best;
-}
-
-bool MeshDistance::behind(const Found& found) const {
-  const std::uint32_t number = tree_.faces[found.face].number;
-  const auto feature = static_cast<std::size_t>(found.feature);
+/// Is the point that this place is nearest to on the inner side of the pseudonormal?
+bool MeshDistance::is_behind(const FaceTree::Place& place) const {
+  const std::uint32_t number = tree_.faces()[place.face].number;
+  const auto feature = static_cast<std::size_t>(place.feature);
   const Vector3d& normal = feature < 3 ? vertex_normals_[mesh_.faces[number][feature]] : normals_[number][feature - 3];
-  return found.offset.dot(normal) < 0;
+  return place.offset.dot(normal) < 0;
 }
 
 double MeshDistance::operator()(const Vector3d& point) const {
-  const Found found = nearest(point, on_face(point, 0));
-  const bool inside = winding_ ? (*winding_)(point) > 0.5 : behind(found);
-  return inside ? -std::sqrt(found.square) : std::sqrt(found.square);
+  const FaceTree::Place place = tree_.nearest(point);
+  const double distance = std::sqrt(place.square);
+  const bool inside = turns_ ? is_inside(*turns_, point) : is_behind(place);
+  return inside ? -distance : distance;
 }
 
-std::array<double, 64> MeshDistance::distances(const Vector3d& first, double step) const {
-  constexpr std::array<std::size_t, 3> kBack = {1, 4, 16};  // to the sample before along each axis
-  std::array<double, 64> result{};
+MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, double reach) const {
+  const Vector3d middle = first + Vector3d::Constant(1.5 * step);
+  const FaceTree::Place place = tree_.nearest(middle);
+  const double to_middle = std::sqrt(place.square);
+  const bool middle_inside = turns_ ? is_inside(*turns_, middle) : is_behind(place);
+  Block block{middle_inside ? -to_middle : to_middle, std::nullopt};
+  if (to_middle / step > reach) return block;
+  // The nearest place of a corner is at most a half diagonal farther from it than the middle's, and from the middle a whole one.
+  const FaceTree::Part part = tree_.part(middle, to_middle + 3 * std::sqrt(3.0) * step);
+
+  constexpr std::array<std::size_t, 3> kBack = {1, 4, 16};  // to the point before along each axis
+  std::array<double, 64>& result = block.points.emplace();
   std::array<std::uint32_t, 64> faces{};
-  // Between two samples of which one is farther from the mesh than they are from each other lies no face.
-  const double alike = step * (1 + 1e-9);
-  for (std::size_t s = 0; s < result.size(); ++s) {
-    const std::array<std::size_t, 3> index = {s & 3, s >> 2 & 3, s >> 4};
+  std::optional<TurnsAlong> turns;  // along the row, once it is asked for
+  // Between two points of which one is farther from the mesh than they are from each other lies no face: they have one sign.
+  const double faceless = step * (1 + 1e-9);
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    const std::array<std::size_t, 3> index = {n & 3, n >> 2 & 3, n >> 4};
     const Vector3d point =
         first + step * Vector3d(static_cast<double>(index[0]), static_cast<double>(index[1]), static_cast<double>(index[2]));
     std::size_t axis = 0;
     while (axis < 2 && index[axis] == 0) ++axis;
-    const Found found = nearest(point, on_face(point, s == 0 ? 0 : faces[s - kBack[axis]]));
-    faces[s] = found.face;
+    const FaceTree::Place found = tree_.nearest(point, n == 0 ? place.face : faces[n - kBack[axis]], part);
+    faces[n] = found.face;
     const double distance = std::sqrt(found.square);
-    bool inside = false;
-    if (!winding_) {
-      inside = behind(found);
-    } else {
-      bool known = false;
-      for (axis = 0; axis < 3 && !known; ++axis) {
-        if (index[axis] == 0) continue;
-        const double before = result[s - kBack[axis]];
-        known = std::max(distance, std::abs(before)) > alike;
-        inside = before < 0;
-      }
-      if (!known) inside = (*winding_)(point) > 0.5;
+    double alike = 0;  // at a point before it that has the same sign, if there is one
+    for (axis = 0; axis < 3; ++axis) {
+      if (index[axis] > 0 && std::max(distance, std::abs(result[n - kBack[axis]])) > faceless) alike = result[n - kBack[axis]];
     }
-    result[s] = inside ? -distance : distance;
+    if (index[0] == 0) turns.reset();
+    if (turns_ && alike == 0 && !turns) turns.emplace(*turns_, point.y(), point.z());
+    const bool inside = alike != 0 ? alike < 0 : turns ? turns->at(point.x()) > 0 : is_behind(found);
+    result[n] = inside ? -distance : distance;
   }
-  return result;
+  return block;
 }
 
 }  // namespace isotouch::field

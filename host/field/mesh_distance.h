@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,16 +10,15 @@
 #include "host/cloud/mesh.h"
 #include "host/field/face_crossings.h"
 #include "host/field/face_tree.h"
-#include "host/field/winding_number.h"
+#include "host/field/triangle_tree.h"
 
 namespace isotouch::field {
 
 /// The nearest place of the mesh is found through a tree of boxes. The sign is the side of the pseudonormal there: of the face, the sum of both
 /// faces' at an edge, the sum weighted by the angles at a corner. That is right for every mesh whose edges have two faces each and that does not run
-/// through itself. On any other, inside is where the winding number is above 1/2: the union of what its parts enclose.
+/// through itself. On any other, inside is what the mesh turns round at least once: the union of what its parts enclose.
 ///
-/// source    Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005;
-///           nearest point of a triangle: Ericson, Real-Time Collision Detection, 2005, section 5.1.5
+/// source    Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005
 class MeshDistance {
  public:
   /// mesh      closed: every edge is run as often in one direction as in the other; at least one face, no face without area (it counts as its
@@ -32,24 +30,20 @@ class MeshDistance {
   /// In the mesh's unit, negative inside. May be called from several threads.
   double operator()(const Eigen::Vector3d& point) const;
 
-  /// The same at the 4x4x4 points first + step * (i, j, k), x fastest: each search begins with the face that was nearest to the last point.
-  std::array<double, 64> distances(const Eigen::Vector3d& first, double step) const;
+  /// The same at a block of 4x4x4 points and at its middle.
+  struct Block {
+    double middle;
+    std::optional<std::array<double, 64>> points;  ///< x fastest
+  };
+  /// points    first + step * (i, j, k)
+  /// reach     in steps: when the middle is farther from the mesh, the points are left out
+  Block block(const Eigen::Vector3d& first, double step, double reach) const;
 
   const cloud::TriangleMesh& mesh() const { return mesh_; }
   const FaceCrossings& crossings() const { return crossings_; }
 
  private:
-  /// The nearest place that is known so far.
-  struct Found {
-    double square;
-    Eigen::Vector3d offset;  ///< from it to the point
-    std::uint32_t face;      ///< in the tree
-    int feature;             ///< 0 to 2 a corner, 3 to 5 an edge (corner 0 to 1, 1 to 2, 2 to 0), 6 the face
-  };
-
-  Found on_face(const Eigen::Vector3d& point, std::uint32_t face) const;
-  Found nearest(const Eigen::Vector3d& point, Found best) const;
-  bool behind(const Found& found) const;
+  bool is_behind(const FaceTree::Place& nearest) const;
   bool make_pseudonormals();
 
   cloud::TriangleMesh mesh_;
@@ -57,7 +51,7 @@ class MeshDistance {
   std::vector<std::array<Eigen::Vector3d, 4>> normals_;  ///< of a face's three edges and of itself, in the mesh's order
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
-  std::optional<WindingNumber> winding_;  ///< where pseudonormals do not tell
+  std::optional<TriangleTree> turns_;  ///< where pseudonormals do not tell
 };
 
 }  // namespace isotouch::field

@@ -1,6 +1,5 @@
 #include "host/field/mesh_field.h"
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -12,13 +11,12 @@ namespace isotouch::field {
 BandField mesh_field(const MeshDistance& mesh, const Grid& grid, double band) {
   const SampledDistance distance{[&](const Eigen::Vector3d& index) { return mesh(grid.origin + grid.edge * index) / grid.edge; },
                                  [&](const Eigen::Vector3i& cell, double reach) {
-                                   const Eigen::Vector3d first = grid.position(4 * cell);
-                                   BrickDistances found{mesh(first + Eigen::Vector3d::Constant(1.5 * grid.edge)) / grid.edge, std::nullopt};
-                                   if (std::abs(found.middle) > reach) return found;
-                                   const auto distances = mesh.distances(first, grid.edge);
+                                   const auto block = mesh.block(grid.position(4 * cell), grid.edge, reach);
+                                   BrickDistances found{block.middle / grid.edge, std::nullopt};
+                                   if (!block.points) return found;
                                    auto& samples = found.samples.emplace();
                                    for (std::size_t s = 0; s < samples.size(); ++s)
-                                     samples[s] = static_cast<float>(distances[s] / grid.edge);
+                                     samples[s] = static_cast<float>((*block.points)[s] / grid.edge);
                                    return found;
                                  },
                                  1.0 + 1e-6};

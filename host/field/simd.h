@@ -78,5 +78,15 @@ static inline bool any(Vector v) {
   for (const std::uint64_t part : std::bit_cast<std::array<std::uint64_t, sizeof v / 8>>(v)) bits |= part;
   return bits != 0;
 }
+/// The lanes of a comparison that are true, the first in the lowest bit.
+template <class Vector>
+static inline unsigned true_lanes(Vector v) {
+#ifdef __SSE2__
+  if constexpr (sizeof v == 16) return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Four>(v)));
+#endif
+  unsigned bits = 0;
+  for (std::size_t i = 0; i < sizeof v / sizeof v[0]; ++i) bits |= (v[i] != 0 ? 1U : 0U) << i;
+  return bits;
+}
 
 }  // namespace isotouch::field

@@ -55,10 +55,14 @@ TEST(MeshDistance, ABlockOfSamplesIsTheSameAsOneByOne) {
   for (int i = 0; i < 300; ++i) {
     const Vector3d first = any_point(random);
     for (const MeshDistance* distance : {&plain, &crossed}) {
-      const auto block = distance->distances(first, 0.31);
+      const double middle = (*distance)(first + Vector3d::Constant(1.5 * 0.31));
+      const auto block = distance->block(first, 0.31, std::abs(middle) / 0.31 + 1e-9);
+      ASSERT_EQ(block.middle, middle);
+      ASSERT_TRUE(block.points);
+      ASSERT_FALSE(distance->block(first, 0.31, std::abs(middle) / 0.31 - 1e-9).points);
       for (int s = 0; s < 64; ++s) {
         const double d = (*distance)(first + 0.31 * Vector3d(s & 3, s >> 2 & 3, s >> 4));
-        ASSERT_EQ(block[static_cast<std::size_t>(s)], d);
+        ASSERT_EQ((*block.points)[static_cast<std::size_t>(s)], d);
         inside += d < 0 ? 1 : 0;
       }
     }

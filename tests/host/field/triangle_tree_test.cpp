@@ -9,25 +9,12 @@
 
 #include "host/cloud/random.h"
 #include "tests/host/field/random_places.h"
+#include "tests/host/field/triangle_soup.h"
 
 namespace isotouch::field {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Triangles of all sizes anywhere, some of them without area.
-cloud::TriangleMesh soup(std::size_t count) {
-  cloud::Random random(7);
-  cloud::TriangleMesh mesh;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const Vector3d middle = draw(random, 10);
-    const double size = random.uniform() * random.uniform() * 4;
-    for (int corner = 0; corner < 3; ++corner) mesh.vertices.push_back(middle + size * draw(random, 1));
-    if (i % 17 == 0) mesh.vertices.back() = mesh.vertices[mesh.vertices.size() - 2];
-    mesh.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  return mesh;
-}
 
 TEST(TriangleTree, TheNearestPlaceIsThatOfAllFacesAskedInTurn) {
   for (const std::size_t count : {1U, 2U, 5U, 64U, 1000U}) {
