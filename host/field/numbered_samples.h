@@ -13,7 +13,7 @@
 
 namespace isotouch::field {
 
-/// A step to one of the 26 samples around.
+/// A step to one of the 26 samples around, and its length, voxels.
 struct Step {
   Eigen::Vector3i way;
   float length;

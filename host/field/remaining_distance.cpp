@@ -16,7 +16,8 @@ namespace isotouch::field {
 namespace {
 
 constexpr std::uint32_t kNone = NumberedSamples::kNone;
-constexpr float kNearest = 0.1F;  // voxels, to a surface that passes between diagonal neighbours
+constexpr float kShorter = 0.92F;  // a way over such steps is up to 8.2 % longer than the straight one: so it never is
+constexpr float kNearest = 0.1F;   // voxels, to a surface that passes between diagonal neighbours
 
 /// The taken samples, and those from which the way to the nearest surface led to them. A 1 a sample.
 std::vector<std::uint8_t> lost_samples(const NumberedSamples& samples, const std::vector<BrickMask>& taken, float band,
@@ -75,7 +76,7 @@ void restore_distances(BandField& field, const std::vector<BrickMask>& taken) {
       const float there = samples.distance(other);
       if (std::abs(there) > band) continue;  // beyond the band only its sign is true
       const bool across = opposite(there, samples.distance(sample));
-      offer(sample, across ? std::max(step.length - std::abs(there), kNearest) : step.length + std::abs(there));
+      offer(sample, across ? std::max(kShorter * step.length - std::abs(there), kNearest) : kShorter * step.length + std::abs(there));
     }
   }
   while (!ways.empty()) {
@@ -84,7 +85,7 @@ void restore_distances(BandField& field, const std::vector<BrickMask>& taken) {
     if (way > shortest[sample]) continue;
     for (const Step& step : steps) {
       const std::uint32_t other = samples.beside(sample, step.way);
-      if (other != kNone && lost[other] != 0) offer(other, way + step.length);
+      if (other != kNone && lost[other] != 0) offer(other, way + kShorter * step.length);
     }
   }
   for (std::uint32_t sample = 0; sample < lost.size(); ++sample) {

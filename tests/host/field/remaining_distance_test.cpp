@@ -52,8 +52,8 @@ TEST(RemainingDistance, IsThatToTheBallAloneWithinAFewPerCent) {
       ASSERT_EQ(found < 0.0, truth < 0.0);
       if (std::abs(truth) > kBand) continue;
       ++asked;
-      EXPECT_GT(std::abs(found), std::abs(truth) - 1e-5);  // nothing is left of the shard
-      largest = std::max(largest, std::abs(found - truth));
+      EXPECT_LT(std::abs(found), std::abs(truth) + 0.06);
+      largest = std::max(largest, std::abs(truth) - std::abs(found));  // as large as 3 where something is left of the shard
     }
   }
   EXPECT_GT(asked, 8000U);
