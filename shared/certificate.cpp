@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 
 #include "shared/bytes.h"
 
@@ -42,13 +43,13 @@ std::int32_t largest_difference(const FieldView& field) {
   std::int32_t most = 0;
   const std::int16_t* end = field.bricks + std::size_t{field.brick_count} * kSamplesPerBrick;
   for (const std::int16_t* brick = field.bricks + 2 * kSamplesPerBrick; brick != end; brick += kSamplesPerBrick) {
-    for (std::size_t n = 0; n < kSamplesPerBrick; ++n) {
-      const auto rise = [&](std::size_t step) {
-        return brick[n + step] > brick[n] ? brick[n + step] - brick[n] : brick[n] - brick[n + step];
-      };
-      if ((n & 3) < 3) most = std::max<std::int32_t>(most, rise(1));
-      if ((n & 12) < 12) most = std::max<std::int32_t>(most, rise(4));
-      if (n < 48) most = std::max<std::int32_t>(most, rise(16));
+    const auto hear = [&](std::size_t n, std::size_t step) { most = std::max(most, std::abs(brick[n + step] - brick[n])); };
+    for (std::size_t n = 0; n < 48; ++n) hear(n, 16);
+    for (std::size_t layer = 0; layer < kSamplesPerBrick; layer += 16) {
+      for (std::size_t n = 0; n < 12; ++n) hear(layer + n, 4);
+    }
+    for (std::size_t row = 0; row < kSamplesPerBrick; row += 4) {
+      for (std::size_t n = 0; n < 3; ++n) hear(row + n, 1);
     }
   }
   return most;

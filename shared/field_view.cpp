@@ -33,13 +33,23 @@ bool all_equal(const std::int16_t* values, std::int32_t expected) {
 
 /// True when the two outermost layers on all sides are far outside: nothing is open towards the border.
 bool border_is_outside(const FieldView& view) {
-  const auto [nx, ny, nz] = view.size;
-  const auto outermost = [](std::int32_t index, std::int32_t size) { return index < 2 || index >= size - 2; };
-  for (std::int32_t k = 0; k < nz; ++k) {
-    for (std::int32_t j = 0; j < ny; ++j) {
-      const bool whole_row = outermost(k, nz) || outermost(j, ny);
-      for (std::int32_t i = 0; i < nx; i += (whole_row || i != 1) ? 1 : nx - 3) {
-        if (view.coefficient(i, j, k) != view.band.raw()) return false;
+  const auto outermost = [&](std::int32_t index, std::size_t axis) { return index < 2 || index >= view.size[axis] - 2; };
+  const auto holds_outermost = [&](std::int32_t first, std::size_t axis) { return first == 0 || outermost(first + 3, axis); };
+  const auto is_outside = [&](std::int32_t i, std::int32_t j, std::int32_t k) {
+    if (view.brick_number(i, j, k) == kOutside) return true;
+    const std::int16_t* coefficient = view.brick(i, j, k);
+    for (std::int32_t n = 0; n < static_cast<std::int32_t>(kSamplesPerBrick); ++n) {
+      const std::int32_t x = i + (n & 3), y = j + (n >> 2 & 3), z = k + (n >> 4);
+      if (x >= view.size[0] || y >= view.size[1] || z >= view.size[2]) continue;
+      if ((outermost(x, 0) || outermost(y, 1) || outermost(z, 2)) && coefficient[n] != view.band.raw()) return false;
+    }
+    return true;
+  };
+  for (std::int32_t k = 0; k < view.size[2]; k += 4) {
+    for (std::int32_t j = 0; j < view.size[1]; j += 4) {
+      const bool whole_row = holds_outermost(k, 2) || holds_outermost(j, 1);
+      for (std::int32_t i = 0; i < view.size[0]; i += 4) {
+        if ((whole_row || holds_outermost(i, 0)) && !is_outside(i, j, k)) return false;
       }
     }
   }

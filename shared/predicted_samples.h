@@ -38,6 +38,16 @@ struct Mean {
   std::int32_t value() const { return count == 1 ? sum : count == 2 ? sum / 2 : sum / 3; }
 };
 
+/// Four numbers at once.
+using Four = std::int32_t __attribute__((vector_size(16)));
+
+/// What the rows before a row of four samples tell of it; the first of these samples it does not know.
+struct RowAhead {
+  Four corner;  ///< the corner's formula without the sample before on x
+  Four known;   ///< are all others that it takes known?
+  Four blank;   ///< are neither of the samples before on y and z known?
+};
+
 /// A brick behind the two layers before it on each axis: 6 samples a side, x fastest.
 class Window {
  public:
@@ -45,6 +55,7 @@ class Window {
   static constexpr std::size_t index(int x, int y, int z) { return static_cast<std::size_t>(x + kY * y + kZ * z); }
 
   std::int16_t* at(int x, int y, int z) { return &samples_[index(x, y, z)]; }
+  const std::int16_t* at(int x, int y, int z) const { return &samples_[index(x, y, z)]; }
   void fill(std::int32_t value) { samples_.fill(static_cast<std::int16_t>(value)); }
 
   /// Copies the layers before the brick out of the seven bricks before it.
@@ -59,6 +70,31 @@ class Window {
         if (pair != 6) std::memcpy(at(2, y, z), before[pair | 1U] + row, 4 * sizeof(std::int16_t));
       }
     }
+  }
+
+  /// Puts the brick's own samples in.
+  void put(const std::int16_t* brick) {
+    for (int z = 2; z < 6; ++z) {
+      for (int y = 2; y < 6; ++y, brick += 4) std::memcpy(at(2, y, z), brick, 4 * sizeof *brick);
+    }
+  }
+
+  /// Four samples of a row.
+  static Four load(const std::int16_t* at) {
+    std::int16_t __attribute__((vector_size(8))) row;
+    std::memcpy(&row, at, sizeof row);
+    return __builtin_convertvector(row, Four);
+  }
+
+  static Four known(Four row, std::int32_t band) { return (row < band) & (row > -band); }
+
+  /// at        the first sample of a row of the brick; the rows before it are there
+  static RowAhead row_ahead(const std::int16_t* at, std::int32_t band) {
+    const Four y = load(at - kY), z = load(at - kZ), xy = load(at - 1 - kY), xz = load(at - 1 - kZ), yz = load(at - kY - kZ),
+               xyz = load(at - 1 - kY - kZ);
+    const Four has_y = known(y, band), has_z = known(z, band);
+    return {y + z - xy - xz - yz + xyz, has_y & has_z & known(xy, band) & known(xz, band) & known(yz, band) & known(xyz, band),
+            ~(has_y | has_z)};
   }
 
   /// What SPEC.md 4.3 expects at `at`, a sample of the brick; those before it are there.
@@ -90,7 +126,7 @@ class Window {
   std::array<std::int16_t, 6 * 6 * 6> samples_{};
 };
 
-/// Visits the samples in SPEC's order with their predictions. `Sample` is const where the image is read, and written by `visit` where it is restored.
+/// Visits the bricks in SPEC's order. `Sample` is const where the image is read, and written by `visit` where it is restored.
 template <class Sample>
 class PredictedSamples {
  public:
@@ -100,13 +136,13 @@ class PredictedSamples {
         nodes_(reinterpret_cast<const std::uint32_t*>(image + parts.nodes_at)),
         bricks_(bricks) {}
 
-  /// visit     (Prediction, Sample&), for every sample of every brick
+  /// visit     (Window&, Sample*): the window of a brick, whose own samples `visit` has to put in, and these samples
   template <class Visit>
-  void for_each(Visit&& visit) {
+  void for_each_brick(Visit&& visit) {
     window_.fill(parts_.band);
-    visit_brick(visit);
+    visit(window_, brick(next_++));
     window_.fill(-parts_.band);
-    visit_brick(visit);
+    visit(window_, brick(next_++));
     const auto [nx, ny, nz] = signed_root_size();
     std::uint32_t next_node = 2;
     const std::uint32_t* cell = root_;
@@ -118,7 +154,7 @@ class PredictedSamples {
       }
     }
     window_.fill(parts_.band);
-    while (next_ < parts_.brick_count) visit_brick(visit);
+    while (next_ < parts_.brick_count) visit(window_, brick(next_++));
   }
 
  private:
@@ -132,22 +168,7 @@ class PredictedSamples {
       if (nodes_[std::size_t{node} * image_layout::kBricksPerNode + static_cast<std::size_t>(slot)] != next_ || next_ >= parts_.brick_count)
         continue;
       window_.gather(bricks_before(x + (slot & 3), y + ((slot >> 2) & 3), z + (slot >> 4)));
-      visit_brick(visit);
-    }
-  }
-
-  /// Predicts and visits the next brick, whose window is ready.
-  template <class Visit>
-  void visit_brick(Visit&& visit) {
-    Sample* sample = brick(next_++);
-    for (int z = 2; z < 6; ++z) {
-      for (int y = 2; y < 6; ++y) {
-        for (int x = 2; x < 6; ++x, ++sample) {
-          std::int16_t* at = window_.at(x, y, z);
-          visit(Window::predict(at, parts_.band), *sample);
-          *at = *sample;
-        }
-      }
+      visit(window_, brick(next_++));
     }
   }
 

@@ -1,7 +1,11 @@
 #include "shared/residuals.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
+#include <cstdlib>
+#include <cstring>
 
 #include "shared/bytes.h"
 #include "shared/field_view.h"
@@ -70,6 +74,82 @@ constexpr std::uint32_t zigzag(std::int32_t difference) {
 
 constexpr std::int32_t unzigzag(std::uint32_t code) { return static_cast<std::int32_t>(code >> 1) ^ -static_cast<std::int32_t>(code & 1); }
 
+bool any(Four mask) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
+  return (halves[0] | halves[1]) != 0;
+}
+
+/// What can be told of four samples; as `Mean`, but of two at most.
+struct FourMeans {
+  Four sum{}, count{};
+
+  void add_if(Four known, Four value) {
+    sum += known & value;
+    count -= known;
+  }
+  Four value() const { return count == 2 ? (sum - (sum < 0)) >> 1 : sum; }
+};
+
+/// Codes rows of four samples. A row in which a sample is the mean of three is coded sample by sample; there are few.
+class RowCoder {
+ public:
+  explicit RowCoder(std::int32_t band) : band_(band) {}
+
+  /// at        the row in its window, which holds its samples
+  void code(const std::int16_t* at, std::uint32_t* code) {
+    const auto s = [at](int x, int y, int z) { return Window::load(at - (x + Window::kY * y + Window::kZ * z)); };
+    const auto known = [this](Four row) { return Window::known(row, band_); };
+    const Four x = s(1, 0, 0), y = s(0, 1, 0), z = s(0, 0, 1), xy = s(1, 1, 0), xz = s(1, 0, 1), yz = s(0, 1, 1), xyz = s(1, 1, 1);
+    const Four xx = s(2, 0, 0), yy = s(0, 2, 0), zz = s(0, 0, 2);
+    const Four has_x = known(x), has_y = known(y), has_z = known(z);
+    FourMeans planes, lines;
+    planes.add_if(has_x & has_y & known(xy), x + y - xy);
+    planes.add_if(has_x & has_z & known(xz), x + z - xz);
+    planes.add_if(has_y & has_z & known(yz), y + z - yz);
+    lines.add_if(has_x & known(xx), 2 * x - xx);
+    lines.add_if(has_y & known(yy), 2 * y - yy);
+    lines.add_if(has_z & known(zz), 2 * z - zz);
+    const Four by_corner = (planes.count == 3) & known(xyz);
+    const Four by_planes = (planes.count > 0) & ~by_corner, by_lines = (planes.count == 0) & (lines.count > 0);
+    if (any((by_planes & (planes.count == 3)) | (by_lines & (lines.count == 3)))) return code_singly(at, code);
+
+    Four value = x + y + z - xy - xz - yz + xyz;
+    value = by_planes ? planes.value() : by_lines ? lines.value() : value;
+    value = value > band_ ? Four{} + band_ : value;
+    value = value < -band_ ? Four{} - band_ : value;
+    const Four wrapped = ((Window::load(at) - value) << 16) >> 16;
+    const Four folded = ((wrapped * 2) ^ (wrapped >> 15)) & 0xFFFF;
+    const auto four = [](std::int32_t number) { return Four{} + number; };
+    const Four rule = by_corner ? four(kCorner) : by_planes ? four(kPlanes) : by_lines ? four(kLines) : four(kNothing);
+    const Four codes = folded << kRuleBits | rule;
+    std::memcpy(code, &codes, sizeof codes);
+    corners_ -= by_corner, planes_ -= by_planes, lines_ -= by_lines;
+    rows_ += 4;
+  }
+
+  StreamSizes sizes() const {
+    StreamSizes all = singly_;
+    const auto sum = [](Four counts) { return static_cast<std::uint32_t>(counts[0] + counts[1] + counts[2] + counts[3]); };
+    const std::uint32_t corners = sum(corners_), planes = sum(planes_), lines = sum(lines_);
+    all[kCorner] += corners, all[kPlanes] += planes, all[kLines] += lines, all[kNothing] += rows_ - corners - planes - lines;
+    return all;
+  }
+
+ private:
+  void code_singly(const std::int16_t* at, std::uint32_t* code) {
+    for (int n = 0; n < 4; ++n) {
+      const Prediction p = Window::predict(at + n, band_);
+      ++singly_[p.rule];
+      code[n] = zigzag(at[n] - p.value) << kRuleBits | static_cast<std::uint32_t>(p.rule);
+    }
+  }
+
+  std::int32_t band_;
+  Four corners_{}, planes_{}, lines_{};  ///< samples that each rule predicted, in each place of a row
+  std::uint32_t rows_ = 0;               ///< samples in these rows
+  StreamSizes singly_{};                 ///< in the others
+};
+
 }  // namespace
 
 StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t> codes, std::span<std::uint8_t> residuals) {
@@ -84,12 +164,15 @@ StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t
   predict_table(out(parts.nodes_at), parts.node_entries());
 
   const auto* bricks = reinterpret_cast<const std::int16_t*>(image.data() + parts.bricks_at);
-  StreamSizes sizes{};
+  RowCoder coder(parts.band);
   std::uint32_t* code = codes.data();
-  PredictedSamples(parts, image.data(), bricks).for_each([&](Prediction p, std::int16_t sample) {
-    ++sizes[p.rule];
-    *code++ = zigzag(sample - p.value) << kRuleBits | static_cast<std::uint32_t>(p.rule);
+  PredictedSamples(parts, image.data(), bricks).for_each_brick([&](Window& window, const std::int16_t* samples) {
+    window.put(samples);
+    for (int z = 2; z < 6; ++z) {
+      for (int y = 2; y < 6; ++y, code += 4) coder.code(window.at(2, y, z), code);
+    }
   });
+  const StreamSizes sizes = coder.sizes();
   Streams<std::uint8_t> streams(out(parts.bricks_at), sizes);
   for (const std::uint32_t coded : codes) {
     const std::size_t rule = coded & (kRules - 1);
@@ -114,15 +197,25 @@ Result<std::span<const std::uint8_t>> restore(std::span<const std::uint8_t> resi
 
   Streams<const std::uint8_t> streams(&residuals[parts.bricks_at - kHeaderBytes], sizes);
   bool complete = true;
+  const auto next_sample = [&](const std::int16_t* at, const RowAhead& ahead, int n) -> std::int16_t {
+    const bool has_before = std::abs(at[-1]) < parts.band;
+    const bool corner = has_before && ahead.known[n] != 0;
+    const Prediction p = corner || (!has_before && ahead.blank[n] != 0)
+                             ? Prediction{corner ? kCorner : kNothing, std::clamp(ahead.corner[n] + at[-1], -parts.band, parts.band)}
+                             : Window::predict(at, parts.band);
+    if (streams.low[p.rule] == streams.end[p.rule]) return complete = false, std::int16_t{0};
+    const std::uint32_t code = *streams.low[p.rule]++ | static_cast<std::uint32_t>(*streams.high[p.rule]++) << 8;
+    return static_cast<std::int16_t>(p.value + unzigzag(code));
+  };
   PredictedSamples(parts, image.data(), reinterpret_cast<std::int16_t*>(image.data() + parts.bricks_at))
-      .for_each([&](Prediction p, std::int16_t& sample) {
-        if (streams.low[p.rule] == streams.end[p.rule]) {
-          complete = false;
-          sample = 0;
-          return;
+      .for_each_brick([&](Window& window, std::int16_t* sample) {
+        for (int z = 2; z < 6; ++z) {
+          for (int y = 2; y < 6; ++y) {
+            std::int16_t* at = window.at(2, y, z);
+            const RowAhead ahead = Window::row_ahead(at, parts.band);
+            for (int n = 0; n < 4; ++n) at[n] = *sample++ = next_sample(at + n, ahead, n);
+          }
         }
-        const std::uint32_t code = *streams.low[p.rule]++ | static_cast<std::uint32_t>(*streams.high[p.rule]++) << 8;
-        sample = static_cast<std::int16_t>(p.value + unzigzag(code));
       });
   if (!complete) return Error::kBadSize;
   return std::span<const std::uint8_t>(image);

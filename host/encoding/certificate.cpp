@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <tuple>
 
 #include "host/encoding/apron.h"
@@ -56,16 +58,20 @@ Apron spread(const Apron& values, std::size_t step) {
   return most;
 }
 
-/// A bound of |∇φ|² in the cells around the brick's samples, or what is given. A cell reaches half a sample to each side and knows 3x3x3
-/// coefficients.
-float steepest(const Apron& coefficients, float known) {
+/// At least |∇φ|² in the cells around the brick's samples: of each axis the largest step anywhere.
+float steepest_at_most(const Apron& coefficients) {
   float at_most = 0.0F;
   for (const std::size_t step : kStep) at_most += squared(largest_rise(coefficients, step));
-  if (at_most <= known) return known;
+  return at_most;
+}
+
+/// A bound of |∇φ|² in the same cells: of each cell its own steps. A cell reaches half a sample to each side and knows 3x3x3 coefficients. It is never
+/// above `steepest_at_most`.
+float steepest(const Apron& coefficients) {
   std::array<Apron, 3> rise;
   for (std::size_t axis = 0; axis < 3; ++axis)
     rise[axis] = spread(spread(rises(coefficients, kStep[axis]), kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
-  Four most = all(known);
+  Four most{};
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
       Four sum{};
@@ -77,6 +83,27 @@ float steepest(const Apron& coefficients, float known) {
     }
   }
   return largest(most);
+}
+
+/// The largest `steepest` of all bricks. Those that may be the steepest are asked first; few others can then be steeper.
+float steepest_of_all(const std::vector<Samples>& splines, const std::vector<Neighbours>& around) {
+  std::vector<float> at_most(splines.size());
+  field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) at_most[b] = steepest_at_most(gather(splines, around[b]));
+  });
+  std::vector<std::uint32_t> order(splines.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto first = order.begin() + static_cast<std::ptrdiff_t>(std::min(kGrain, order.size()));
+  std::nth_element(order.begin(), first, order.end(), [&](std::uint32_t a, std::uint32_t b) { return at_most[a] > at_most[b]; });
+  float known = 0.0F;
+  for (auto brick = order.begin(); brick != first; ++brick) known = std::max(known, steepest(gather(splines, around[*brick])));
+
+  const auto last = std::remove_if(first, order.end(), [&](std::uint32_t brick) { return at_most[brick] <= known; });
+  std::vector<float> slopes(static_cast<std::size_t>(last - first), known);
+  field::in_parallel(slopes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) slopes[n] = steepest(gather(splines, around[first[static_cast<std::ptrdiff_t>(n)]]));
+  });
+  return std::accumulate(slopes.begin(), slopes.end(), known, [](float a, float b) { return std::max(a, b); });
 }
 
 /// A brick with two rings around it, 8 samples a side.
@@ -165,25 +192,26 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients) {
   std::vector<Samples> splines(field.bricks.size());
-  std::vector<float> slopes(field.bricks.size()), walls(field.bricks.size());
-  for (std::size_t b = 0; b < splines.size(); ++b) {
-    std::transform(coefficients[b].begin(), coefficients[b].end(), splines[b].begin(),
-                   [](std::int16_t c) { return static_cast<float>(c) / (1 << Distance::kFractionBits); });
-  }
+  std::vector<float> walls(field.bricks.size());
+  field::in_parallel(splines.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      std::transform(coefficients[b].begin(), coefficients[b].end(), splines[b].begin(),
+                     [](std::int16_t c) { return static_cast<float>(c) / (1 << Distance::kFractionBits); });
+    }
+  });
   const auto ways = directions();
   const float none = 2.0F * static_cast<float>(field.band);
   field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    float slope = 0.0F, wall = none;
+    float wall = none;
     for (std::size_t b = begin; b < end; ++b) {
-      slopes[b] = slope = steepest(gather(splines, around[b]), slope);
       if (has_inside(field.bricks[b].distance)) wall = thinnest(surroundings(field.bricks, around[b]), ways, wall);
       walls[b] = wall;
     }
   });
   Certificate certificate;
-  if (!slopes.empty()) {
+  if (!walls.empty()) {
     const float wall = *std::min_element(walls.begin(), walls.end());
-    certificate.largest_slope = std::sqrt(static_cast<double>(*std::max_element(slopes.begin(), slopes.end())));
+    certificate.largest_slope = std::sqrt(static_cast<double>(steepest_of_all(splines, around)));
     certificate.thinnest_wall_voxel = wall < none ? static_cast<double>(std::max(wall, 0.0F)) : 0.0;
   }
   certificate.quantisation_voxel = 0.5 / (1 << Distance::kFractionBits);  // the spline is a mean of coefficients

@@ -44,10 +44,12 @@ bool step(const Apron& apron, float sharpest, Samples& samples) {
 field::BandField round_creases(field::BandField field, const std::vector<Neighbours>& around, float sharpest) {
   const auto band = static_cast<float>(field.band);
   std::vector<Samples> now(field.bricks.size());
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    std::transform(field.bricks[b].distance.begin(), field.bricks[b].distance.end(), now[b].begin(),
-                   [=](float d) { return std::abs(d) <= band ? d : NAN; });
-  }
+  field::in_parallel(now.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      std::transform(field.bricks[b].distance.begin(), field.bricks[b].distance.end(), now[b].begin(),
+                     [=](float d) { return std::abs(d) <= band ? d : NAN; });
+    }
+  });
   std::vector<std::uint32_t> active(now.size());
   std::iota(active.begin(), active.end(), 0U);
   std::vector<Samples> next = now;

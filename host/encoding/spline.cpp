@@ -28,7 +28,8 @@ Samples blur(const Apron& apron) {
   return inner;
 }
 
-constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
+constexpr std::size_t kGrain = 64;        // bricks a thread takes at once
+constexpr std::size_t kMaskGrain = 1024;  // the same, of light work
 
 constexpr double kScale = 1 << 12;
 
@@ -49,11 +50,13 @@ std::vector<BrickMask> thinned(const std::vector<BrickMask>& sets, const std::ve
   const BrickMask low = kLowFace[axis], high = low << kAcross[axis];
   const auto set_of = [&](std::uint32_t brick) { return brick == kAbsent ? 0 : sets[brick]; };
   std::vector<BrickMask> left(sets.size());
-  for (std::size_t b = 0; b < sets.size(); ++b) {
-    const BrickMask before = set_of(around[b][13 - kStep[axis]]), behind = set_of(around[b][13 + kStep[axis]]);
-    left[b] = sets[b] & ((sets[b] & ~high) << kNext[axis] | face(before, axis, 1)) &
-              ((sets[b] & ~low) >> kNext[axis] | face(behind, axis, 0) << kAcross[axis]);
-  }
+  field::in_parallel(sets.size(), kMaskGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      const BrickMask before = set_of(around[b][13 - kStep[axis]]), behind = set_of(around[b][13 + kStep[axis]]);
+      left[b] = sets[b] & ((sets[b] & ~high) << kNext[axis] | face(before, axis, 1)) &
+                ((sets[b] & ~low) >> kNext[axis] | face(behind, axis, 0) << kAcross[axis]);
+    }
+  });
   return left;
 }
 
@@ -61,9 +64,11 @@ std::vector<BrickMask> thinned(const std::vector<BrickMask>& sets, const std::ve
 std::vector<BrickMask> correctable(const field::BandField& field, const std::vector<Neighbours>& around) {
   const float band = rounded_band(field);
   std::vector<BrickMask> known(field.bricks.size(), 0);
-  for (std::size_t b = 0; b < known.size(); ++b) {
-    for (std::size_t n = 0; n < 64; ++n) known[b] |= BrickMask{std::abs(field.bricks[b].distance[n]) <= band} << n;
-  }
+  field::in_parallel(known.size(), kMaskGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      for (std::size_t n = 0; n < 64; ++n) known[b] |= BrickMask{std::abs(field.bricks[b].distance[n]) <= band} << n;
+    }
+  });
   return thinned(thinned(thinned(known, around, 0), around, 1), around, 2);
 }
 
@@ -74,9 +79,11 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, con
   const std::vector<BrickMask> masks = correctable(field, around);
 
   std::vector<Samples> now(field.bricks.size());
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    for (std::size_t n = 0; n < 64; ++n) now[b][n] = std::clamp(field.bricks[b].distance[n], -band, band);
-  }
+  field::in_parallel(now.size(), kMaskGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      for (std::size_t n = 0; n < 64; ++n) now[b][n] = std::clamp(field.bricks[b].distance[n], -band, band);
+    }
+  });
   std::vector<Samples> next = now;
   for (int step = 0; step < steps; ++step) {
     field::in_parallel(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -40,15 +40,16 @@ Model as_floats(const Eigen::Vector3d& sample, const LocalModel& model, const Em
   return result;
 }
 
-bool has_eight_lanes() {
-#ifdef __x86_64__
-  return __builtin_cpu_supports("avx2") != 0;
-#else
-  return false;
-#endif
-}
-
 }  // namespace
+
+std::size_t blend_lanes() {
+#ifdef __x86_64__
+  // The first machines with AVX-512 slowed down for it, and did not know VBMI2.
+  if (__builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vbmi2") != 0) return 16;
+  if (__builtin_cpu_supports("avx2") != 0) return 8;
+#endif
+  return 4;
+}
 
 BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector<LocalModel>& models, const std::vector<EmptyBalls>& balls)
     : positions_(std::move(positions)) {
@@ -61,7 +62,8 @@ std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::
   thread_local std::vector<BlendCandidate> near;  // keeps its memory
   near.clear();
   for (const Neighbour& c : candidates) near.push_back({&models_[c.index], as_floats(positions_[c.index] - middle)});
-  static const auto blend = has_eight_lanes() ? blend_by_eights : blend_by_fours;
+  static const std::size_t lanes = blend_lanes();
+  static const auto blend = lanes == 16 ? blend_by_sixteens : lanes == 8 ? blend_by_eights : blend_by_fours;
   return blend(near, doubt);
 }
 

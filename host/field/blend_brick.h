@@ -1,4 +1,4 @@
-/// The blend of local models at the 64 samples of a brick, four or eight at a time.
+/// The blend of local models at the 64 samples of a brick, four, eight or sixteen at a time.
 ///
 /// The formulas are those of `Surface::distance`, in single precision and relative to the samples. Every lane is rounded by itself, so the
 /// vector width of a machine changes the time and not the bits.
@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -59,15 +60,19 @@ class BrickBlend {
   std::vector<Model> models_;
 };
 
+/// Numbers that this machine has in a vector: 4, 8 or 16.
+std::size_t blend_lanes();
+
 /// A sample near a brick, relative to the brick's middle.
 struct BlendCandidate {
   const BrickBlend::Model* model;
   BrickBlend::Point own;
 };
 
-/// What `BrickBlend` does with its candidates, by any machine, and where there are vectors of eight numbers (on x86-64: AVX2) by such a one. Both
-/// give the same bits.
+/// What `BrickBlend` does with its candidates: by any machine, by one with vectors of eight numbers (on x86-64: AVX2), and by one with vectors of
+/// sixteen (AVX-512). All give the same bits.
 std::array<float, 64> blend_by_fours(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 std::array<float, 64> blend_by_eights(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
+std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 
 }  // namespace isotouch::field

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "host/field/brick_mask.h"
 #include "host/field/parallel.h"
@@ -99,9 +100,15 @@ class Walk {
     return front;
   }
 
-  std::vector<Brick> bricks() {
-    std::sort(bricks_.begin(), bricks_.end(), [](const Brick& a, const Brick& b) { return key_of(a.cell) < key_of(b.cell); });
-    return std::move(bricks_);
+  std::vector<Brick> bricks() const {
+    std::vector<std::pair<Key, std::size_t>> order;
+    order.reserve(bricks_.size());
+    for (std::size_t b = 0; b < bricks_.size(); ++b) order.emplace_back(key_of(bricks_[b].cell), b);
+    std::sort(order.begin(), order.end());
+    std::vector<Brick> sorted;
+    sorted.reserve(order.size());
+    for (const auto& [key, b] : order) sorted.push_back(bricks_[b]);
+    return sorted;
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "host/field/build_field.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "host/field/adaptive_samples.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
+#include "host/field/parallel.h"
 #include "host/field/surface.h"
 
 namespace isotouch::field {
@@ -36,19 +38,25 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
 /// How well the models of the measured samples explain their neighbours.
 void describe(const AdaptiveSamples& described, std::size_t measured, Repair& repair) {
   const Scan& scan = *described.scan;
-  std::size_t asked = 0, unexplained = 0, surprising = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (described.point[i] >= measured) continue;
-    ++asked;
-    unexplained += described.models[i].trust < kExplains ? 1U : 0U;
-    double sum = 0.0;
-    const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
-    for (const Neighbour& n : near) {
-      if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
+  std::atomic<std::size_t> asked{0}, unexplained{0}, surprising{0};
+  in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::size_t asked_here = 0, unexplained_here = 0, surprising_here = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (described.point[i] >= measured) continue;
+      ++asked_here;
+      unexplained_here += described.models[i].trust < kExplains ? 1U : 0U;
+      double sum = 0.0;
+      const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
+      for (const Neighbour& n : near) {
+        if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
+      }
+      surprising_here += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
     }
-    surprising += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(asked, 1));
+    asked += asked_here;
+    unexplained += unexplained_here;
+    surprising += surprising_here;
+  });
+  const auto count = static_cast<double>(std::max<std::size_t>(asked.load(), 1));
   repair.unexplained = static_cast<double>(unexplained) / count;
   repair.surprising = static_cast<double>(surprising) / count;
 }

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "host/field/numbered_samples.h"
+#include "host/field/parallel.h"
 
 namespace isotouch::field {
 
@@ -17,13 +18,15 @@ constexpr std::uint32_t kNone = NumberedSamples::kNone;
 /// Samples near to zero of which none hangs together with one beside the surface.
 std::vector<BrickMask> dips(const std::vector<Brick>& bricks, const Following& next) {
   std::vector<BrickMask> inside(bricks.size(), 0), outside(bricks.size(), 0), near(bricks.size(), 0);
-  for (std::size_t b = 0; b < bricks.size(); ++b) {
-    for (std::size_t s = 0; s < 64; ++s) {
-      inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
-      near[b] |= BrickMask{std::abs(bricks[b].distance[s]) < kDip} << s;
+  in_parallel(bricks.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b) {
+      for (std::size_t s = 0; s < 64; ++s) {
+        inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
+        near[b] |= BrickMask{std::abs(bricks[b].distance[s]) < kDip} << s;
+      }
+      outside[b] = ~inside[b];
     }
-    outside[b] = ~inside[b];
-  }
+  });
   const std::vector<BrickMask> beside_inside = with_neighbours(inside, next), beside_outside = with_neighbours(outside, next);
   std::vector<BrickMask> reached(bricks.size());
   for (std::size_t b = 0; b < bricks.size(); ++b) reached[b] = near[b] & beside_inside[b] & beside_outside[b];

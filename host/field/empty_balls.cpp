@@ -27,7 +27,7 @@ double radius(const Scan& scan, std::size_t i, const Eigen::Vector3d& normal, do
     }
   };
   shrink_to(scan.around(i));
-  scan.tree().within(own + least * normal, least, found);
+  scan.tree().within_in_any_order(own + least * normal, least, found);
   shrink_to(found);
   return least;
 }

@@ -26,11 +26,26 @@ constexpr double kHopeless =
 
 using Samples = std::vector<WeightedSample>;  ///< the sample itself first, then its neighbours by distance
 
-/// Values of all patches at all samples.
+/// What each patch says of each sample: it costs the same whichever joining lets it speak.
 struct Predictions {
-  std::size_t pieces;
-  std::vector<ToroidalPatch::Value> values;
-  const ToroidalPatch::Value& at(std::size_t sample, std::size_t piece) const { return values[sample * pieces + piece]; }
+  std::size_t pieces = 0;
+  std::array<std::array<double, kMaxPieces>, kNeighbours + 1> distance;
+  std::array<std::array<double, kMaxPieces>, kNeighbours + 1> error;  ///< squared, weighted; none of the sample itself
+  double weights = 0.0;                                               ///< of all samples but itself
+
+  /// How far each normal is off, and the angle under which the sample seems to lie off the surface, in radians.
+  Predictions(const Samples& samples, const LocalModel& model) : pieces(model.count) {
+    for (std::size_t j = 0; j < samples.size(); ++j) {
+      const double reach = (samples[j].position - samples[0].position).squaredNorm();
+      for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const ToroidalPatch::Value value = model.pieces[piece].value(samples[j].position);
+        distance[j][piece] = value.distance;
+        const double off_surface = reach > 0.0 ? 4.0 * value.distance * value.distance / reach : 0.0;
+        error[j][piece] = samples[j].weight * ((value.gradient - samples[j].normal).squaredNorm() + off_surface);
+      }
+      if (j > 0) weights += samples[j].weight;
+    }
+  }
 };
 
 /// An order of the pieces and the joints between them.
@@ -64,29 +79,23 @@ std::vector<Joining> joinings(std::size_t count) {
 
 /// The piece that speaks for `sample` under a joining.
 std::size_t speaker(const Predictions& predicted, const Joining& joining, std::size_t sample) {
+  const auto& distance = predicted.distance[sample];
   std::size_t chosen = joining.order[0];
   for (std::size_t k = 1; k < predicted.pieces; ++k) {
     const std::size_t next = joining.order[k];
-    const double a = predicted.at(sample, chosen).distance, b = predicted.at(sample, next).distance;
+    const double a = distance[chosen], b = distance[next];
     if ((joining.concave >> k & 1) != 0 ? b < a : b > a) chosen = next;
   }
   return chosen;
 }
 
-/// Mean square error in radians: how far each normal is off, and the angle under which the sample seems to lie off the surface. The model
-/// must pass through its own sample.
+/// Mean square error in radians. The model must pass through its own sample.
 double squared_error(const Samples& samples, const Predictions& predicted, const Joining& joining) {
-  double sum = 0.0, weights = 0.0;
-  for (std::size_t j = 1; j < samples.size(); ++j) {
-    const auto& value = predicted.at(j, speaker(predicted, joining, j));
-    const double reach = (samples[j].position - samples[0].position).squaredNorm();
-    const double off_surface = reach > 0.0 ? 4.0 * value.distance * value.distance / reach : 0.0;
-    sum += samples[j].weight * ((value.gradient - samples[j].normal).squaredNorm() + off_surface);
-    weights += samples[j].weight;
-  }
+  double sum = 0.0;
+  for (std::size_t j = 1; j < samples.size(); ++j) sum += predicted.error[j][speaker(predicted, joining, j)];
   const double reach = (samples.back().position - samples[0].position).squaredNorm();
-  const double own = predicted.at(0, speaker(predicted, joining, 0)).distance;
-  return sum / weights + (reach > 0.0 ? 32.0 * own * own / reach : 0.0);
+  const double own = predicted.distance[0][speaker(predicted, joining, 0)];
+  return sum / predicted.weights + (reach > 0.0 ? 32.0 * own * own / reach : 0.0);
 }
 
 /// How many parameters a fit of these pieces takes from the data.
@@ -101,7 +110,7 @@ std::size_t parameters_of(const std::vector<std::size_t>& piece_of, std::size_t 
 /// Every piece becomes the patch at its member nearest to the sample.
 void fit_pieces(const Samples& samples, const std::vector<std::size_t>& piece_of, std::size_t count, LocalModel& model) {
   const double reach = (samples.back().position - samples[0].position).norm();
-  Samples members;
+  static thread_local Samples members;  // keeps its memory
   for (std::size_t piece = 0; piece < count; ++piece) {
     members.clear();
     for (std::size_t j = 0; j < samples.size(); ++j) {
@@ -139,10 +148,7 @@ LocalModel best_model(const Samples& samples) {
     return (error + kExplained * kExplained) / (freedom * freedom);
   };
   const auto consider = [&](const LocalModel& model, std::size_t parameters) {
-    Predictions predicted{model.count, {}};
-    for (const auto& sample : samples) {
-      for (std::size_t piece = 0; piece < model.count; ++piece) predicted.values.push_back(model.pieces[piece].value(sample.position));
-    }
+    const Predictions predicted(samples, model);
     for (const auto& joining : kJoinings[model.count]) {
       const double error = penalised(squared_error(samples, predicted, joining), parameters);
       if (error < least) {

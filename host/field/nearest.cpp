@@ -1,94 +1,235 @@
 #include "host/field/nearest.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <limits>
-#include <nanoflann.hpp>
+#include <numeric>
+#include <span>
 
 namespace isotouch::field {
 
 namespace {
 
-// nanoflann prunes by sums of rounded numbers and drops ties at the border, so it searches a little further than needed; `addPoint`
-// decides.
-constexpr double kSlack = 1.0 + 1e-9;
+using Eigen::Vector3d;
 
-struct Positions {
-  const std::vector<Eigen::Vector3d>& at;
+constexpr std::size_t kLeaf = 8;
+constexpr std::size_t kMaxDepth = 32;  // of 2^32 positions
 
-  std::size_t kdtree_get_point_count() const { return at.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return at[i][static_cast<Eigen::Index>(axis)]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
+/// Two numbers at once.
+using Two = double __attribute__((vector_size(16)));
+
+Two larger(Two a, Two b) {
+#ifdef __SSE2__
+  return __builtin_ia32_maxpd(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+/// The boxes of two nodes that hang together.
+struct Boxes {
+  std::array<Two, 3> low, high;
+
+  /// At most the squared distances of every position in each, also as these are rounded: each step rounds larger numbers to larger ones.
+  Two away(const std::array<Two, 3>& point) const {
+    const auto beyond = [&](std::size_t axis) { return larger(larger(low[axis] - point[axis], point[axis] - high[axis]), Two{}); };
+    const Two x = beyond(0), y = beyond(1), z = beyond(2);
+    return (x * x + y * y) + z * z;
   }
 };
 
-/// Keeps the `capacity` smallest.
+/// Positions beside each other in memory; places that are left over are no numbers, and so are distances to them.
+struct Leaf {
+  std::array<Two, kLeaf / 2> x, y, z;
+  std::array<std::uint32_t, kLeaf> index;
+};
+
+struct Box {
+  Vector3d low, high;
+};
+
+/// Keeps the smallest, ascending, in as many places as it is given.
 class NearestFew {
  public:
-  using DistanceType = double;
-  NearestFew(std::size_t capacity, std::vector<Neighbour>& found) : capacity_(capacity), found_(found) { found_.clear(); }
-  std::size_t size() const { return found_.size(); }
-  bool full() const { return found_.size() == capacity_; }
-  double worstDist() const { return full() ? found_.back().squared_distance * kSlack : std::numeric_limits<double>::max(); }
-  bool addPoint(double squared_distance, std::uint32_t index) {
-    const Neighbour candidate{squared_distance, index};
-    if (full()) {
-      if (!(candidate < found_.back())) return true;
-      found_.pop_back();
-    }
-    found_.insert(std::upper_bound(found_.begin(), found_.end(), candidate), candidate);
-    return true;
+  explicit NearestFew(std::vector<Neighbour>& found) : found_(found.data()), capacity_(found.size()) {}
+  double worst() const { return size_ == capacity_ ? found_[size_ - 1].squared_distance : std::numeric_limits<double>::max(); }
+  void add(const Neighbour& candidate) {
+    if (size_ < capacity_)
+      ++size_;
+    else if (!(candidate < found_[size_ - 1]))
+      return;
+    std::size_t place = size_ - 1;
+    for (; place > 0 && candidate < found_[place - 1]; --place) found_[place] = found_[place - 1];
+    found_[place] = candidate;
   }
-  void sort() {}  // asked for by nanoflann 1.5 and later; they are in order at any time
 
  private:
-  std::size_t capacity_;
-  std::vector<Neighbour>& found_;
+  Neighbour* found_;
+  std::size_t capacity_, size_ = 0;
 };
 
 class Within {
  public:
-  using DistanceType = double;
   Within(double radius, std::vector<Neighbour>& found) : squared_radius_(radius * radius), found_(found) { found_.clear(); }
-  std::size_t size() const { return found_.size(); }
-  bool full() const { return true; }
-  double worstDist() const { return squared_radius_ * kSlack; }
-  bool addPoint(double squared_distance, std::uint32_t index) {
-    if (squared_distance <= squared_radius_) found_.push_back({squared_distance, index});
-    return true;
-  }
-  void sort() { std::sort(found_.begin(), found_.end()); }
+  double worst() const { return squared_radius_; }
+  void add(const Neighbour& candidate) { found_.push_back(candidate); }
 
  private:
   double squared_radius_;
   std::vector<Neighbour>& found_;
 };
 
-}  // namespace
-
-struct Nearest::Tree {
-  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Positions>, Positions, 3, std::uint32_t>;
-
-  explicit Tree(const std::vector<Eigen::Vector3d>& at) : positions{at}, index(3, positions, nanoflann::KDTreeSingleIndexAdaptorParams(8)) {
-    index.buildIndex();
+/// Keeps what is at most `margin` farther away than the `count` nearest, as far as these are known, and some more.
+class NearestAndBeyond {
+ public:
+  NearestAndBeyond(std::size_t count, double margin, std::vector<Neighbour>& found) : count_(count), margin_(margin), found_(found) {
+    found_.clear();
+    nearest_.fill(std::numeric_limits<double>::max());
   }
-  Positions positions;
-  Index index;
+  double worst() const { return worst_; }
+  void add(const Neighbour& candidate) {
+    found_.push_back(candidate);
+    if (!(candidate.squared_distance < nearest_[count_ - 1])) return;
+    std::size_t place = count_ - 1;
+    for (; place > 0 && candidate.squared_distance < nearest_[place - 1]; --place) nearest_[place] = nearest_[place - 1];
+    nearest_[place] = candidate.squared_distance;
+    if (found_.size() < count_) return;
+    const double radius = std::sqrt(nearest_[count_ - 1]) + margin_;
+    worst_ = radius * radius;
+  }
+
+ private:
+  std::size_t count_;
+  double margin_, worst_ = std::numeric_limits<double>::max();
+  std::array<double, Nearest::kMaxWithBeyond> nearest_{};  ///< squared distances, ascending
+  std::vector<Neighbour>& found_;
 };
 
-Nearest::Nearest(const std::vector<Eigen::Vector3d>& positions) : tree_(std::make_unique<Tree>(positions)) {}
+}  // namespace
+
+/// A complete binary tree: node n has the children 2n and 2n + 1, node 1 is the root, and the last half of the nodes are leaves.
+class Nearest::Tree {
+ public:
+  explicit Tree(const std::vector<Vector3d>& positions) {
+    std::size_t leaves = 1;
+    while (leaves * kLeaf < positions.size()) leaves *= 2;
+    children_.resize(leaves);
+    leaves_.resize(leaves);
+    std::vector<std::uint32_t> order(positions.size());
+    std::iota(order.begin(), order.end(), 0U);
+    build(1, positions, order.data(), order.data() + order.size());
+  }
+
+  template <class Result>
+  void search(const Vector3d& point, Result& result) const {
+    struct Later {
+      std::size_t node;
+      double away;
+    };
+    std::array<Later, kMaxDepth> later;
+    std::size_t waiting = 0;
+    const std::array<Two, 3> twice = {Two{} + point.x(), Two{} + point.y(), Two{} + point.z()};
+    for (std::size_t node = 1;;) {
+      while (node < leaves_.size()) {
+        const Two away = children_[node].away(twice);
+        const std::size_t near = away[1] < away[0] ? 1 : 0;
+        const double far = near == 1 ? away[0] : away[1];
+        later[waiting] = {2 * node + 1 - near, far};
+        waiting += far <= result.worst() ? 1U : 0U;
+        node = 2 * node + near;
+      }
+      add(leaves_[node - leaves_.size()], twice, result);
+      do {
+        if (waiting == 0) return;
+        --waiting;
+      } while (later[waiting].away > result.worst());
+      node = later[waiting].node;
+    }
+  }
+
+ private:
+  template <class Result>
+  static void add(const Leaf& leaf, const std::array<Two, 3>& point, Result& result) {
+    std::array<double, kLeaf> away;
+    for (std::size_t n = 0; n < kLeaf; n += 2) {
+      const Two x = leaf.x[n / 2] - point[0], y = leaf.y[n / 2] - point[1], z = leaf.z[n / 2] - point[2];
+      const Two square = (x * x + y * y) + z * z;
+      std::memcpy(&away[n], &square, sizeof square);
+    }
+    for (std::size_t n = 0; n < kLeaf; ++n) {
+      if (away[n] <= result.worst()) result.add({away[n], leaf.index[n]});
+    }
+  }
+
+  /// Of the positions from `first` on, returns their box.
+  Box build(std::size_t node, const std::vector<Vector3d>& positions, std::uint32_t* first, std::uint32_t* last) {
+    Box box{positions[*first], positions[*first]};
+    for (const std::uint32_t* i = first; i != last; ++i) {
+      box.low = box.low.cwiseMin(positions[*i]);
+      box.high = box.high.cwiseMax(positions[*i]);
+    }
+    if (node >= leaves_.size()) {
+      fill(leaves_[node - leaves_.size()], positions, {first, last});
+      return box;
+    }
+    Eigen::Index axis = 0;
+    (box.high - box.low).maxCoeff(&axis);
+    std::uint32_t* const middle = first + (last - first + 1) / 2;
+    std::nth_element(first, middle, last, [&](std::uint32_t a, std::uint32_t b) { return positions[a][axis] < positions[b][axis]; });
+    const std::array<Box, 2> halves = {build(2 * node, positions, first, middle), build(2 * node + 1, positions, middle, last)};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto along = static_cast<Eigen::Index>(a);
+      children_[node].low[a] = Two{halves[0].low[along], halves[1].low[along]};
+      children_[node].high[a] = Two{halves[0].high[along], halves[1].high[along]};
+    }
+    return box;
+  }
+
+  static void fill(Leaf& leaf, const std::vector<Vector3d>& positions, std::span<const std::uint32_t> indices) {
+    leaf.x.fill(Two{} + std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t n = 0; n < indices.size(); ++n) {
+      const Vector3d& position = positions[indices[n]];
+      leaf.x[n / 2][n % 2] = position.x();
+      leaf.y[n / 2][n % 2] = position.y();
+      leaf.z[n / 2][n % 2] = position.z();
+      leaf.index[n] = indices[n];
+    }
+  }
+
+  std::vector<Boxes> children_;  ///< of each node that is no leaf
+  std::vector<Leaf> leaves_;
+};
+
+Nearest::Nearest(const std::vector<Vector3d>& positions) : tree_(std::make_unique<Tree>(positions)), size_(positions.size()) {}
 Nearest::~Nearest() = default;
 
-void Nearest::nearest(const Eigen::Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const {
-  NearestFew result(count, found);
-  if (count > 0) tree_->index.findNeighbors(result, point.data(), {});
+void Nearest::nearest(const Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const {
+  found.resize(std::min(count, size_));
+  if (found.empty()) return;
+  NearestFew result(found);
+  tree_->search(point, result);
 }
 
-void Nearest::within(const Eigen::Vector3d& point, double radius, std::vector<Neighbour>& found) const {
+void Nearest::nearest_and_beyond(const Vector3d& point, std::size_t count, double margin, std::vector<Neighbour>& found) const {
+  assert(count > 0 && count <= kMaxWithBeyond);
+  NearestAndBeyond result(std::min(count, size_), margin, found);
+  tree_->search(point, result);
+  std::erase_if(found, [&](const Neighbour& n) { return n.squared_distance > result.worst(); });
+  std::sort(found.begin(), found.end());
+}
+
+void Nearest::within(const Vector3d& point, double radius, std::vector<Neighbour>& found) const {
+  within_in_any_order(point, radius, found);
+  std::sort(found.begin(), found.end());
+}
+
+void Nearest::within_in_any_order(const Vector3d& point, double radius, std::vector<Neighbour>& found) const {
   Within result(radius, found);
-  tree_->index.findNeighbors(result, point.data(), {});
-  result.sort();  // nanoflann 1.4 does not
+  tree_->search(point, result);
 }
 
 }  // namespace isotouch::field

@@ -44,10 +44,15 @@ bool contradicted(const Scan& scan, std::size_t i) {
 }  // namespace
 
 std::size_t turn_outvoted(Scan& scan) {
-  std::vector<std::uint8_t> wrong(scan.size(), 0), turned(scan.size(), 0);
+  std::vector<std::uint8_t> wrong(scan.size(), 0), before, turned(scan.size(), 0);
   for (std::size_t pass = 0; pass < kPasses; ++pass) {
+    before = wrong;
+    const auto has_news = [&](std::size_t i) {
+      const auto around = scan.around(i);
+      return pass == 0 || std::any_of(around.begin(), around.end(), [&](const Neighbour& n) { return before[n.index] != 0; });
+    };
     in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) wrong[i] = contradicted(scan, i);
+      for (std::size_t i = begin; i < end; ++i) wrong[i] = has_news(i) && contradicted(scan, i);
     });
     std::size_t count = 0;
     for (std::size_t i = 0; i < wrong.size(); ++i) {

@@ -1,6 +1,8 @@
 #include "host/field/orientation.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -29,27 +31,33 @@ constexpr double kVote = 0.25;       // of a normal's log-odds to be right, besi
 /// For 98 directions the outermost sample is asked whether its normal points that way. On a closed surface it does, whatever the sampling, the cavities
 /// or the holes elsewhere. An answer is near 1 or -1, and near 0 at the rim of an open scan, which so counts little.
 double outwardness(const Scan& scan) {
-  double agreed = 0.0, asked = 0.0;
-  const auto ask = [&](double answer) {
-    agreed += answer;
-    asked += std::abs(answer);
-  };
-  for (const Vector3d& direction : half_directions()) {
-    std::size_t first = 0, last = 0;
-    double least = scan.positions()[0].dot(direction);
-    double greatest = least;
-    for (std::size_t i = 1; i < scan.size(); ++i) {
-      const double reach = scan.positions()[i].dot(direction);
-      if (reach > greatest) {
-        greatest = reach;
-        last = i;
-      } else if (reach < least) {
-        least = reach;
-        first = i;
+  const std::vector<Vector3d> directions = half_directions();
+  std::vector<std::array<double, 2>> answers(directions.size());
+  in_parallel(directions.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t d = begin; d < end; ++d) {
+      const Vector3d& direction = directions[d];
+      std::size_t first = 0, last = 0;
+      double least = scan.positions()[0].dot(direction);
+      double greatest = least;
+      for (std::size_t i = 1; i < scan.size(); ++i) {
+        const double reach = scan.positions()[i].dot(direction);
+        if (reach > greatest) {
+          greatest = reach;
+          last = i;
+        } else if (reach < least) {
+          least = reach;
+          first = i;
+        }
       }
+      answers[d] = {scan.normals()[last].dot(direction), -scan.normals()[first].dot(direction)};
     }
-    ask(scan.normals()[last].dot(direction));
-    ask(-scan.normals()[first].dot(direction));
+  });
+  double agreed = 0.0, asked = 0.0;
+  for (const auto& both : answers) {
+    for (const double answer : both) {
+      agreed += answer;
+      asked += std::abs(answer);
+    }
   }
   return asked > 0.0 ? agreed / asked : 0.0;
 }
@@ -230,16 +238,21 @@ double agreement(const Vector3d& normal, const Vector3d& other, const Vector3d& 
 }
 
 double contradictions(const Scan& scan) {
-  std::size_t clear = 0, opposed = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    const auto around = scan.around(i);
-    for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
-      if (n.index == i) continue;
-      const double agreed = agreement(scan.normals()[i], scan.normals()[n.index], scan.positions()[n.index] - scan.positions()[i]);
-      clear += std::abs(agreed) > kClear ? 1U : 0U;
-      opposed += agreed < -kClear ? 1U : 0U;
+  std::atomic<std::size_t> clear{0}, opposed{0};
+  in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::size_t clear_here = 0, opposed_here = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto around = scan.around(i);
+      for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
+        if (n.index == i) continue;
+        const double agreed = agreement(scan.normals()[i], scan.normals()[n.index], scan.positions()[n.index] - scan.positions()[i]);
+        clear_here += std::abs(agreed) > kClear ? 1U : 0U;
+        opposed_here += agreed < -kClear ? 1U : 0U;
+      }
     }
-  }
+    clear += clear_here;
+    opposed += opposed_here;
+  });
   return clear > 0 ? static_cast<double>(opposed) / static_cast<double>(clear) : 0.0;
 }
 

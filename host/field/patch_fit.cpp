@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace isotouch::field {
@@ -72,12 +74,19 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// One Gauss-Newton step. Near the patch its distance is w - t - αu - βv + ½(Au² + 2Buv + Cv²) for small t, α, β, A, B, C.
 ToroidalPatch corrected(const ToroidalPatch& patch, std::span<const WeightedSample> samples, double reach) {
-  Matrix6 squares = Matrix6::Zero();
+  Matrix6 squares = Matrix6::Zero();  // the lower half, which is all that the solver reads
   Vector6 right = Vector6::Zero();
-  const auto add = [&](double weight, const Vector6& row, double wanted) {
-    squares += weight * row * row.transpose();
-    right += weight * wanted * row;
+  // An equation's numbers where it has any, in ascending places.
+  const auto add = [&]<std::size_t N>(double weight, const std::array<Eigen::Index, N>& places, const std::array<double, N>& row,
+                                      double wanted) {
+    for (std::size_t i = 0; i < N; ++i) {
+      const double weighted = weight * row[i];
+      for (std::size_t k = 0; k <= i; ++k) squares(places[i], places[k]) += weighted * row[k];
+      right[places[i]] += weight * wanted * row[i];
+    }
   };
+  constexpr std::array<Eigen::Index, 6> kAll = {0, 1, 2, 3, 4, 5};
+  constexpr std::array<Eigen::Index, 3> kAcross = {1, 3, 4}, kAlong = {2, 4, 5};
   double weights = 0.0;
   for (std::size_t j = 0; j < samples.size(); ++j) {
     const auto& sample = samples[j];
@@ -88,9 +97,9 @@ ToroidalPatch corrected(const ToroidalPatch& patch, std::span<const WeightedSamp
     const double weight = sample.weight * sample.weight * sample.weight;  // nearer ones decide: linear weights were 10 % worse
     const double position_weight = weight * kPositionWeight / (reach * reach) * (j == 0 ? kOwnPosition : 1.0);
     const double normal_weight = weight * (j == 0 ? kOwnNormal : 1.0);
-    add(position_weight, (Vector6() << -1.0, -u, -v, 0.5 * u * u, u * v, 0.5 * v * v).finished(), -there.distance);
-    add(normal_weight, (Vector6() << 0.0, -1.0, 0.0, u, v, 0.0).finished(), turn.dot(patch.across));
-    add(normal_weight, (Vector6() << 0.0, 0.0, -1.0, 0.0, u, v).finished(), turn.dot(patch.along));
+    add(position_weight, kAll, std::array{-1.0, -u, -v, 0.5 * u * u, u * v, 0.5 * v * v}, -there.distance);
+    add(normal_weight, kAcross, std::array{-1.0, u, v}, turn.dot(patch.across));
+    add(normal_weight, kAlong, std::array{-1.0, u, v}, turn.dot(patch.along));
     weights += weight;
   }
   const double flat = weights * kKeepTilt, bent = weights * kKeepCurvature * reach * reach;

@@ -23,20 +23,27 @@ double jump_between(const WeightedSample& a, const WeightedSample& b) {
 }  // namespace
 
 JumpTree::JumpTree(std::span<const WeightedSample> samples) : samples_(samples.size()) {
-  std::vector<Edge> all;
-  all.reserve(samples.size() * (samples.size() - 1) / 2);
-  for (std::size_t a = 0; a < samples.size(); ++a) {
-    for (std::size_t b = a + 1; b < samples.size(); ++b) all.push_back({jump_between(samples[a], samples[b]), a, b});
+  // Grown from the first sample: of each other one, the smallest jump to those that are joined.
+  struct Way {
+    Edge edge;
+    std::size_t to;
+  };
+  std::vector<Way> ways;
+  ways.reserve(samples.size() - 1);
+  for (std::size_t b = 1; b < samples.size(); ++b) ways.push_back({{jump_between(samples[0], samples[b]), 0, b}, b});
+  edges_.reserve(ways.size());
+  while (!ways.empty()) {
+    const auto least = std::min_element(ways.begin(), ways.end(), [](const Way& v, const Way& w) { return v.edge < w.edge; });
+    const std::size_t joined = least->to;
+    edges_.push_back(least->edge);
+    *least = ways.back();
+    ways.pop_back();
+    for (Way& way : ways) {
+      const std::size_t a = std::min(joined, way.to), b = std::max(joined, way.to);
+      way.edge = std::min(way.edge, Edge{jump_between(samples[a], samples[b]), a, b});
+    }
   }
-  std::sort(all.begin(), all.end());
-  std::vector<std::size_t> parent(samples.size());
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (const auto& edge : all) {
-    const std::size_t a = root_of(parent, edge.a), b = root_of(parent, edge.b);
-    if (a == b) continue;
-    parent[a] = b;
-    edges_.push_back(edge);
-  }
+  std::sort(edges_.begin(), edges_.end());
 }
 
 void JumpTree::split(std::size_t count, std::vector<std::size_t>& piece_of) const {

@@ -39,7 +39,9 @@ QuadricFit fit_quadric(const std::vector<Vector3d>& positions, std::span<const N
   for (const Neighbour& n : neighbours) {
     const Vector3d step = positions[n.index] - own;
     const Form terms = row(step);
-    products += terms * terms.transpose();
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      for (Eigen::Index k = 0; k <= i; ++k) products(i, k) += terms[i] * terms[k];  // the lower half is all that the solver reads
+    }
     right += terms * normal.dot(step);
   }
   products.diagonal().array() += 1e-9 * products.trace();

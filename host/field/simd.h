@@ -15,8 +15,11 @@ namespace isotouch::field {
 
 using Four = float __attribute__((vector_size(16)));
 using Eight = float __attribute__((vector_size(32)));
+using Sixteen = float __attribute__((vector_size(64)));
 /// What the machine does at once that a source is compiled for.
-#ifdef __AVX2__
+#if defined(__AVX512DQ__)
+using Lanes = Sixteen;
+#elif defined(__AVX2__)
 using Lanes = Eight;
 #else
 using Lanes = Four;
@@ -68,6 +71,10 @@ static inline float largest(Vector v) {
 /// Is any lane of a comparison true?
 template <class Vector>
 static inline bool any(Vector v) {
+#ifdef __AVX512DQ__
+  using Numbers = int __attribute__((vector_size(64)));
+  if constexpr (sizeof v == 64) return __builtin_ia32_cvtd2mask512(std::bit_cast<Numbers>(v)) != 0;
+#endif
 #ifdef __AVX__
   if constexpr (sizeof v == 32) return __builtin_ia32_movmskps256(std::bit_cast<Eight>(v)) != 0;
 #endif

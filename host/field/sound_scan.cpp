@@ -149,11 +149,16 @@ struct Roughness {
 
 Roughness roughness(const Scan& scan, double spacing) {
   const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
-  std::vector<double> deviations, tilts, heights;
+  const std::size_t asked = (scan.size() + step - 1) / step;
+  std::vector<double> deviations(asked), tilts(asked), heights;
+  in_parallel(asked, 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const QuadricFit fit = fit_quadric(scan.positions(), scan.around(n * step));
+      deviations[n] = fit.deviation;
+      tilts[n] = fit.normal.cross(scan.normals()[n * step]).norm();
+    }
+  });
   for (std::size_t i = 0; i < scan.size(); i += step) {
-    const QuadricFit fit = fit_quadric(scan.positions(), scan.around(i));
-    deviations.push_back(fit.deviation);
-    tilts.push_back(fit.normal.cross(scan.normals()[i]).norm());
     for (const Neighbour& n : scan.around(i).first(std::min(kNear, scan.around(i).size()))) {
       if (n.index == i) continue;
       // Half the sum of the heights of two samples, each over the other's tangent plane, is zero on every circle.
@@ -229,7 +234,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
   result.one_sided = facing.one_sided;
-  if (!options.estimate) turn_outvoted(*scan);
+  bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
   if (!options.estimate) {
     for (std::size_t i = 0; i < samples.size(); ++i) result.turned += scan->normals()[i].dot(given.normals[samples[i]]) < 0.0 ? 1U : 0U;
   }
@@ -240,11 +245,16 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;
-  if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions)
+  if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions) {
     scan = with_normals_of_positions(*scan, result.noise);
-  for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) scan = smoothed(*scan, result.noise);
+    as_faced = false;
+  }
+  for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) {
+    scan = smoothed(*scan, result.noise);
+    as_faced = false;
+  }
   result.rim = open_rim(*scan);
-  result.enclosed = field::facing(*scan).enclosed;  // by the normals as they are now
+  result.enclosed = as_faced ? facing.enclosed : field::facing(*scan).enclosed;  // by the normals as they are now
   result.measured = scan->size();
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
   if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {

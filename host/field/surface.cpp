@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace isotouch::field {
@@ -66,17 +67,20 @@ bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<cons
 
 bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates,
                    std::array<float, 64>& samples) const {
-  thread_local std::vector<double> away;  // squared; keeps its memory
   bool turned = false;
   for (; places != 0; places &= places - 1) {
     const auto s = static_cast<std::size_t>(std::countr_zero(places));
     const Eigen::Vector3d x = place(first, s);
-    away.clear();
-    for (const Neighbour& c : candidates) away.push_back((scan_.positions()[c.index] - x).squaredNorm());
-    const auto ninth = away.begin() + kBlended;
-    std::nth_element(away.begin(), ninth, away.end());
-    const auto held = static_cast<float>(
-        signed_by_winding(static_cast<double>(samples[s]), x, *std::min_element(away.begin(), ninth), *ninth, enclosure_));
+    std::array<double, kBlended + 1> away;  // squared, of the nearest, ascending
+    away.fill(std::numeric_limits<double>::max());
+    for (const Neighbour& c : candidates) {
+      const double square = (scan_.positions()[c.index] - x).squaredNorm();
+      if (!(square < away.back())) continue;
+      std::size_t rank = kBlended;
+      for (; rank > 0 && square < away[rank - 1]; --rank) away[rank] = away[rank - 1];
+      away[rank] = square;
+    }
+    const auto held = static_cast<float>(signed_by_winding(static_cast<double>(samples[s]), x, away.front(), away.back(), enclosure_));
     turned = turned || (held < 0.0F) != (samples[s] < 0.0F);
     samples[s] = held;
   }
@@ -86,10 +90,11 @@ bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span
 BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const {
   const Eigen::Vector3d centre = first + Eigen::Vector3d::Constant(1.5);
   thread_local std::vector<Neighbour> candidates;  // keeps its memory
-  scan_.tree().nearest(centre, kBlended + 1, candidates);
-  BrickDistances result{blend(centre, candidates, false), {}};
-  const bool astray = contradicted(result.middle < 0.0, centre, candidates);
-  if (astray) result.middle = blend(centre, candidates, true);
+  scan_.tree().nearest_and_beyond(centre, kBlended + 1, 2.0 * kBrickReach, candidates);
+  const auto nearest = std::span(candidates).first(std::min(kBlended + 1, candidates.size()));
+  BrickDistances result{blend(centre, nearest, false), {}};
+  const bool astray = contradicted(result.middle < 0.0, centre, nearest);
+  if (astray) result.middle = blend(centre, nearest, true);
   if (std::abs(result.middle) > reach) return result;
 
   auto& samples = result.samples.emplace();
@@ -97,7 +102,6 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
     for (std::size_t s = 0; s < samples.size(); ++s) samples[s] = static_cast<float>(distance(place(first, s)));
     return result;
   }
-  scan_.tree().within(centre, std::sqrt(candidates.back().squared_distance) + 2.0 * kBrickReach, candidates);
   BrickBlend::Doubt doubt;
   samples = brick_(first, candidates, doubt);
   if (hold(first, doubt.suspect, candidates, samples) || astray) hold(first, doubt.far & ~doubt.suspect, candidates, samples);

@@ -12,6 +12,7 @@
 #include "host/field/brick_mask.h"
 #include "host/field/brick_neighbours.h"
 #include "host/field/dips.h"
+#include "host/field/parallel.h"
 #include "host/field/remaining_distance.h"
 #include "host/field/unlisted_regions.h"
 
@@ -36,12 +37,16 @@ class Pieces {
  public:
   Pieces(const BandField& field, const Following& next) : regions_(field) {
     const std::vector<Brick>& bricks = field.bricks;
+    std::vector<BrickMask> inside(bricks.size(), 0);
+    in_parallel(bricks.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b) {
+        for (std::size_t s = 0; s < 64; ++s) inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
+      }
+    });
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       first_.push_back(static_cast<std::uint32_t>(parts_.size()));
-      BrickMask inside = 0;
-      for (std::size_t s = 0; s < 64; ++s) inside |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
-      add_parts(b, true, inside);
-      add_parts(b, false, ~inside);
+      add_parts(b, true, inside[b]);
+      add_parts(b, false, ~inside[b]);
     }
     first_.push_back(static_cast<std::uint32_t>(parts_.size()));
     parent_.resize(parts_.size() + 2 * regions_.count());
@@ -143,11 +148,14 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
     const Eigen::Vector3i low = point.array().floor().cast<int>();
     std::array<std::uint32_t, 8> heard{};
     std::size_t count = 0;
+    auto brick = bricks.end();
     for (int corner = 0; corner < 8; ++corner) {
       const Eigen::Vector3i sample = low + Eigen::Vector3i(corner & 1, corner >> 1 & 1, corner >> 2);
       const Eigen::Vector3i cell(sample.x() >> 2, sample.y() >> 2, sample.z() >> 2);
-      const auto brick = std::lower_bound(bricks.begin(), bricks.end(), cell,
-                                          [](const Brick& b, const Eigen::Vector3i& c) { return place(b.cell) < place(c); });
+      if (brick == bricks.end() || brick->cell != cell) {  // most corners lie in one brick
+        brick = std::lower_bound(bricks.begin(), bricks.end(), cell,
+                                 [](const Brick& b, const Eigen::Vector3i& c) { return place(b.cell) < place(c); });
+      }
       if (brick == bricks.end() || brick->cell != cell) continue;
       const auto in_brick = static_cast<std::size_t>(((sample.z() & 3) * 4 + (sample.y() & 3)) * 4 + (sample.x() & 3));
       const std::uint32_t piece = pieces.at(static_cast<std::size_t>(brick - bricks.begin()), in_brick);

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <optional>
 #include <tuple>
 
-#include "host/field/nearest.h"
-#include "host/field/orientation.h"
+#include "host/field/hull_volume.h"
 #include "host/field/parallel.h"
+#include "host/field/unseen_share.h"
 
 namespace isotouch::field {
 
@@ -43,10 +42,9 @@ constexpr double kBehindCut = 0.002;
 // Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
 constexpr double kTubeEnd = 0.25;
 
-constexpr std::size_t kAsked = 20'000;    // points, at most
-constexpr double kGap = 1.5;              // the same, where a gap begins
-constexpr double kFar = 3.0;              // spacings to the sixth neighbour from the nearest point: nobody saw this
-constexpr std::size_t kSurfaceStep = 16;  // one of so many samples beside the surface is asked
+constexpr std::size_t kAsked = 20'000;  // points, at most
+constexpr double kGap = 1.5;            // the same, where a gap begins
+constexpr double kFar = 3.0;            // spacings to the sixth neighbour from the nearest point: nobody saw this
 
 auto place(const Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
@@ -117,76 +115,10 @@ bool is_cut(const OpenRim& rim) {
   return rim.samples > 0 && rim.longest > kMostOfRim * rim.length && rim.bent < kPlane * rim.longest && rim.behind < kBehindCut;
 }
 
-/// Volume of the intersection of half spaces that hold all points, one for each of 196 directions: a little more than the convex hull's.
-double hull_volume(const std::vector<Vector3d>& points) {
-  struct Slab {
-    Vector3d direction;
-    double low, high;
-  };
-  std::vector<Slab> slabs;
-  for (const Vector3d& direction : half_directions()) {
-    Slab slab{direction, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    for (const Vector3d& p : points) {
-      const double along = direction.dot(p);
-      slab.low = std::min(slab.low, along);
-      slab.high = std::max(slab.high, along);
-    }
-    slabs.push_back(slab);
-  }
-  Vector3d low = points[0], high = points[0];
-  for (const Vector3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  constexpr int kCells = 40;
-  const Vector3d cell = (high - low) / kCells;
-  std::size_t held = 0;
-  for (int z = 0; z < kCells; ++z) {
-    for (int y = 0; y < kCells; ++y) {
-      for (int x = 0; x < kCells; ++x) {
-        const Vector3d p = low + cell.cwiseProduct(Vector3d(x + 0.5, y + 0.5, z + 0.5));
-        held += std::all_of(slabs.begin(), slabs.end(),
-                            [&](const Slab& slab) {
-                              const double along = slab.direction.dot(p);
-                              return along >= slab.low && along <= slab.high;
-                            })
-                    ? 1U
-                    : 0U;
-      }
-    }
-  }
-  return static_cast<double>(held) * cell.prod();
-}
-
 std::string per_cent(double share) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f %%", share < 0.1 ? 1 : 0, 100.0 * share);
   return text;
-}
-
-/// Share of the surface that is farther from every measured point than its neighbours explain.
-double far_share(const BandField& field, const std::vector<Vector3d>& measured, double limit) {
-  const Nearest tree(measured);
-  std::vector<Vector3d> asked;
-  std::size_t beside = 0;
-  for (const Brick& brick : field.bricks) {
-    for (int s = 0; s < 64; ++s) {
-      if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kSurfaceStep != 0) continue;
-      asked.push_back(field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)));
-    }
-  }
-  if (asked.empty()) return 0.0;
-  std::vector<std::uint8_t> far(asked.size());
-  in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbour> found;
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(asked[i], 1, found);
-      const double away = std::sqrt(found[0].squared_distance);
-      tree.nearest(measured[found[0].index], 7, found);
-      far[i] = away > limit * std::sqrt(found.back().squared_distance) + field.grid.edge ? 1 : 0;
-    }
-  });
-  return static_cast<double>(std::count(far.begin(), far.end(), 1)) / static_cast<double>(far.size());
 }
 
 }  // namespace
@@ -196,6 +128,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   Verdict verdict;
   const std::vector<Vector3d> measured(sound.points.positions.begin(),
                                        sound.points.positions.begin() + static_cast<std::ptrdiff_t>(sound.measured));
+  const bool closed = sound.measured == sound.points.size();
   const auto count = static_cast<double>(sound.measured);
   verdict.noise_spacing = sound.spacing > 0.0 ? sound.noise / sound.spacing : 0.0;
   verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
@@ -206,25 +139,28 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
-  verdict.invented_share = far_share(field, measured, kFar);
-  verdict.gap_share = far_share(field, sound.points.positions, kGap);
+  const std::array<double, 2> unseen = unseen_shares(field, measured, {kFar, kGap});
+  verdict.invented_share = unseen[0];
+  verdict.gap_share = closed ? unseen[1] : unseen_shares(field, sound.points.positions, {kFar, kGap})[1];
   verdict.surprising_share = repair.surprising;
 
-  const bool closed = sound.measured == sound.points.size();
   if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;
 
   const Sampled sampled(field);
   const double slack = 1.0 + 2.0 * sound.noise / field.grid.edge;  // voxels
-  std::size_t asked = 0, off = 0, opposed = 0;
   const std::size_t step = std::max<std::size_t>(1, measured.size() / kAsked);
-  for (std::size_t i = 0; i < measured.size(); i += step, ++asked) {
-    const auto here = sampled.at(measured[i]);
-    if (!here || std::abs(here->first) > slack) {
-      ++off;
-    } else if (here->second.dot(sound.points.normals[i]) < 0.0) {
-      ++opposed;
+  const std::size_t asked = (measured.size() + step - 1) / step;
+  std::atomic<std::size_t> off{0}, opposed{0};
+  in_parallel(asked, 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = step * begin; i < step * end && i < measured.size(); i += step) {
+      const auto here = sampled.at(measured[i]);
+      if (!here || std::abs(here->first) > slack) {
+        ++off;
+      } else if (here->second.dot(sound.points.normals[i]) < 0.0) {
+        ++opposed;
+      }
     }
-  }
+  });
   verdict.off_surface_share = static_cast<double>(off) / static_cast<double>(asked);
   // What the neighbours turned round lies with them now.
   verdict.opposed_share =

@@ -41,15 +41,22 @@ class Cell {
   /// Takes away what is nearer to q than to the origin.
   void cut(const Vector2d& q) {
     const double limit = 0.5 * q.squaredNorm();
+    std::array<double, kMax> over{};
+    bool any = false;
+    for (std::size_t n = 0; n < count_; ++n) {
+      over[n] = corners_[n].dot(q) - limit;
+      any = any || over[n] > 0.0;
+    }
+    if (!any) return;
     std::array<Vector2d, kMax> kept;
     std::size_t count = 0;
     for (std::size_t n = 0; n < count_; ++n) {
-      const Vector2d &a = corners_[n], &b = corners_[n + 1 == count_ ? 0 : n + 1];
-      const double over_a = a.dot(q) - limit, over_b = b.dot(q) - limit;
-      if (over_a <= 0.0) kept[count++] = a;
-      if ((over_a <= 0.0) != (over_b <= 0.0)) kept[count++] = a + over_a / (over_a - over_b) * (b - a);
+      const std::size_t next = n + 1 == count_ ? 0 : n + 1;
+      const Vector2d &a = corners_[n], &b = corners_[next];
+      if (over[n] <= 0.0) kept[count++] = a;
+      if ((over[n] <= 0.0) != (over[next] <= 0.0)) kept[count++] = a + over[n] / (over[n] - over[next]) * (b - a);
     }
-    corners_ = kept;
+    std::copy_n(kept.begin(), count, corners_.begin());
     count_ = count;
   }
 

@@ -44,7 +44,7 @@ BrickBlend::Model model(Numbers& number, std::uint32_t count) {
   return result;
 }
 
-TEST(BrickBlend, EightAtATimeGiveTheBitsOfFour) {
+TEST(BrickBlend, WiderVectorsGiveTheBitsOfFour) {
   Numbers number;
   std::size_t doubts = 0;
   for (int brick = 0; brick < 60; ++brick) {
@@ -56,6 +56,12 @@ TEST(BrickBlend, EightAtATimeGiveTheBitsOfFour) {
     EXPECT_EQ(blend_by_fours(candidates, by_four), blend_by_eights(candidates, by_eight)) << brick;
     EXPECT_EQ(by_four.far, by_eight.far);
     EXPECT_EQ(by_four.suspect, by_eight.suspect);
+    if (blend_lanes() == 16) {
+      BrickBlend::Doubt by_sixteen;
+      EXPECT_EQ(blend_by_fours(candidates, by_four), blend_by_sixteens(candidates, by_sixteen)) << brick;
+      EXPECT_EQ(by_four.far, by_sixteen.far);
+      EXPECT_EQ(by_four.suspect, by_sixteen.suspect);
+    }
     doubts += by_four.far != 0 ? 1U : 0U;
   }
   EXPECT_GT(doubts, 10U);

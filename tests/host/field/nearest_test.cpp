@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/cloud/random.h"
 
@@ -55,6 +56,36 @@ TEST(Nearest, FindsEverythingWithinARadiusAndNothingElse) {
   }
 }
 
+TEST(Nearest, GoesBeyondTheNearestByAMargin) {
+  const auto positions = lattice();
+  const Nearest tree(positions);
+  std::vector<Neighbour> found;
+  cloud::Random random(5);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Eigen::Vector3d x(random.uniform(-1, 7), random.uniform(-1, 7), random.uniform(-1, 7));
+    const double margin = random.uniform(0, 2);
+    tree.nearest_and_beyond(x, 9, margin, found);
+    auto all = all_sorted(positions, x);
+    const double radius = std::sqrt(all[8].squared_distance) + margin;
+    all.erase(std::find_if(all.begin(), all.end(), [&](const Neighbour& n) { return n.squared_distance > radius * radius; }), all.end());
+    ASSERT_EQ(found.size(), all.size());
+    EXPECT_GT(found.size(), 8U);
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), all.begin(), same));
+  }
+}
+
+TEST(Nearest, FindsTheSameInAnyOrder) {
+  const auto positions = lattice();
+  const Nearest tree(positions);
+  std::vector<Neighbour> found, sorted;
+  tree.within_in_any_order({2.0, 2.5, 3.0}, 2.0, found);
+  tree.within({2.0, 2.5, 3.0}, 2.0, sorted);
+  std::sort(found.begin(), found.end());
+  EXPECT_GT(found.size(), 8U);
+  ASSERT_EQ(found.size(), sorted.size());
+  EXPECT_TRUE(std::equal(found.begin(), found.end(), sorted.begin(), same));
+}
+
 TEST(Nearest, GivesAllOfASmallSet) {
   const std::vector<Eigen::Vector3d> positions = {{0, 0, 0}, {1, 0, 0}};
   const Nearest tree(positions);
@@ -62,6 +93,8 @@ TEST(Nearest, GivesAllOfASmallSet) {
   tree.nearest({0.9, 0, 0}, 12, found);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].index, 1U);
+  tree.nearest_and_beyond({0.9, 0, 0}, 9, 0.0, found);
+  ASSERT_EQ(found.size(), 2U);
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#include "host/field/unseen_share.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+
+#include "host/field/nearest.h"
+#include "host/field/parallel.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+constexpr std::size_t kStep = 16;
+constexpr std::size_t kSixth = 7;  // the point itself is the first
+
+std::vector<Vector3d> beside_surface(const BandField& field) {
+  std::vector<Vector3d> places;
+  std::size_t beside = 0;
+  for (const Brick& brick : field.bricks) {
+    for (int s = 0; s < 64; ++s) {
+      if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kStep != 0) continue;
+      places.push_back(field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)));
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+std::array<double, 2> unseen_shares(const BandField& field, const std::vector<Vector3d>& points, const std::array<double, 2>& limits) {
+  const std::vector<Vector3d> places = beside_surface(field);
+  if (places.empty()) return {};
+  const Nearest tree(points);
+  std::array<std::atomic<std::size_t>, 2> unseen{};
+  in_parallel(places.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found;
+    std::array<std::size_t, 2> count{};
+    for (std::size_t i = begin; i < end; ++i) {
+      tree.nearest(places[i], 1, found);
+      const double away = std::sqrt(found[0].squared_distance);
+      if (away <= field.grid.edge) continue;
+      tree.nearest(points[found[0].index], kSixth, found);
+      const double spacing = std::sqrt(found.back().squared_distance);
+      for (std::size_t n = 0; n < limits.size(); ++n) count[n] += away > limits[n] * spacing + field.grid.edge ? 1U : 0U;
+    }
+    for (std::size_t n = 0; n < count.size(); ++n) unseen[n] += count[n];
+  });
+  const auto all = static_cast<double>(places.size());
+  return {static_cast<double>(unseen[0]) / all, static_cast<double>(unseen[1]) / all};
+}
+
+}  // namespace isotouch::field

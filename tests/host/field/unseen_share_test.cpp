@@ -1,0 +1,54 @@
+#include "host/field/unseen_share.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+#include "host/cloud/shapes.h"
+#include "host/field/make_grid.h"
+#include "host/field/sample_distance.h"
+
+namespace isotouch::field {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 20.0;
+
+BandField ball() {
+  const Grid grid = make_grid(Vector3d::Constant(-kRadius), Vector3d::Constant(kRadius), 1.0, kBand + 3);
+  return sample_distance([](const Vector3d& p) { return p.norm() - kRadius; }, grid, kBand);
+}
+
+std::vector<Vector3d> seen(double lowest) {
+  const cloud::OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 3000);
+  std::vector<Vector3d> points;
+  for (const Vector3d& p : sphere.positions) {
+    if (p.normalized().z() > lowest) points.push_back(kRadius * p.normalized());
+  }
+  return points;
+}
+
+TEST(UnseenShare, IsNothingWherePointsAreEverywhere) {
+  const std::array<double, 2> shares = unseen_shares(ball(), seen(-2.0), {3.0, 1.5});
+  EXPECT_EQ(shares[0], 0.0);
+  EXPECT_LT(shares[1], 0.001);
+}
+
+TEST(UnseenShare, IsThePartWithoutPointsLessItsRim) {
+  // Below z = -0.5 of a unit sphere lies a quarter of its area. A point's sixth neighbour is 1.9 mm away, at the rim 2.7 mm: the limits take 7 to 9 mm
+  // and 4 to 5 mm of that.
+  const std::array<double, 2> shares = unseen_shares(ball(), seen(-0.5), {3.0, 1.5});
+  EXPECT_NEAR(shares[0], 0.10, 0.02);
+  EXPECT_NEAR(shares[1], 0.16, 0.02);
+}
+
+TEST(UnseenShare, OfNoSurfaceIsNothing) {
+  BandField empty = ball();
+  empty.bricks.clear();
+  EXPECT_EQ(unseen_shares(empty, seen(-2.0), {3.0, 1.5})[1], 0.0);
+}
+
+}  // namespace
+}  // namespace isotouch::field
