@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "host/commands/progress_bar.h"
 #include "host/commands/verdict_text.h"
 #include "host/evaluate/dirty_scan.h"
 
@@ -53,7 +54,12 @@ std::size_t print_dirty(const std::string& only, bool json) {
     std::printf("  %-19s %-16s %8s %8s %7s %8s %11s  %s\n", "scan", "dirt", "surface", "truth", "pieces", "volume", "wrong side",
                 "verdict");
   }
-  for (const evaluate::DirtyScan& scan : evaluate::dirty_scans()) {
+  const std::vector<evaluate::DirtyScan> scans = evaluate::dirty_scans();
+  std::vector<PlannedStage> plan;
+  for (const evaluate::DirtyScan& scan : scans) plan.push_back({scan.name(), 1});
+  ProgressBar bar(plan);
+  for (const evaluate::DirtyScan& scan : scans) {
+    bar.begin(scan.name());
     std::vector<evaluate::Dirt> dirt;
     for (evaluate::Dirt& kind : evaluate::all_dirt()) {
       if (only.empty() || (scan.name() + ' ' + kind.name).find(only) != std::string::npos) dirt.push_back(std::move(kind));
@@ -63,9 +69,10 @@ std::size_t print_dirty(const std::string& only, bool json) {
       believed += row.believed_wrong() ? 1U : 0U;
       wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
       doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
-      json ? list.push_back(row_json(row)) : print(row);
+      json ? list.push_back(row_json(row)) : bar.aside([&] { print(row); });
     });
   }
+  bar.end();
   if (json) {
     std::printf("%s\n", nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}}.dump(2).c_str());
   } else {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "host/motion/felt_surface.h"
 #include "tests/support/accuracy.h"
@@ -61,6 +63,31 @@ TEST(ZeroSurface, AJumpBetweenFarInsideAndFarOutsideIsASurfaceToo) {
   const cloud::TriangleMesh surface = zero_surface(image.view());
   ASSERT_NO_THROW(cloud::require_closed(surface, "block"));
   EXPECT_NEAR(volume(pieces(surface)) / std::pow(16 * kVoxel, 3), 1, 0.02);
+}
+
+/// Places that two corners share, and faces without area.
+std::size_t degenerate(const cloud::TriangleMesh& surface) {
+  std::vector<std::array<double, 3>> places;
+  for (const Eigen::Vector3d& v : surface.vertices) places.push_back({v.x(), v.y(), v.z()});
+  std::sort(places.begin(), places.end());
+  std::size_t found = places.size() - static_cast<std::size_t>(std::unique(places.begin(), places.end()) - places.begin());
+  for (std::size_t face = 0; face < surface.faces.size(); ++face) found += cloud::face_normal(surface, face).norm() < 0.5 ? 1U : 0U;
+  return found;
+}
+
+TEST(ZeroSurface, CornersThatAreKeptApartShareNoPlaceAndAreHardlyMoved) {
+  // Its walls lie exactly on lattice points.
+  const test::FieldImage box({48, 48, 48}, [](const test::Point& p) {
+    return std::max({std::abs(p[0] - 23) - 10, std::abs(p[1] - 23.5) - 10, std::abs(p[2] - 24) - 10});
+  });
+  EXPECT_GT(degenerate(zero_surface(box.view())), 100U) << "a test of nothing";
+  const cloud::TriangleMesh apart = zero_surface(box.view(), Corners::kApart);
+  EXPECT_EQ(degenerate(apart), 0U);
+  ASSERT_NO_THROW(cloud::require_closed(apart, "box"));
+  const motion::FeltSurface felt(box.view());
+  double worst = 0;
+  for (const Eigen::Vector3d& vertex : apart.vertices) worst = std::max(worst, std::abs(felt.sample(vertex).distance) / kVoxel);
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.0034));
 }
 
 TEST(ZeroSurface, NothingInsideIsNoSurface) {
