@@ -19,10 +19,11 @@ namespace {
 using Eigen::Vector3d;
 using Face = std::array<std::uint32_t, 3>;
 
-constexpr double kFirstSide = 0.5;  // voxels: the longest side that the first round draws together
-constexpr double kGrowth = 1.5;     // of it from round to round
+constexpr double kFirstSide =
+    0.125;                     // voxels: the longest side in the first round, which clears what lies round a lattice point, slivers or not
+constexpr double kGrowth = 2;  // of it from round to round
 constexpr double kLongestSide = 8;
-constexpr double kTurn = 0.75;        // cosine between a face's normal before and after
+constexpr double kTurn = 0.75;        // cosine between a face's normal and the field's gradient
 constexpr double kSliver = 0.1;       // twice the area over the longest side's square; a triangle of equal sides has 0.87
 constexpr double kFewerShare = 0.02;  // a round that takes out fewer of the corners is the last one
 
@@ -33,7 +34,8 @@ class Thinner {
         origin_(to_double(field.origin)),
         edge_(to_double(field.edge)),
         mesh_(std::move(mesh)),
-        star_(mesh_.vertices.size()) {
+        star_(mesh_.vertices.size()),
+        changed_(mesh_.vertices.size(), 0) {
     for (std::uint32_t f = 0; f < mesh_.faces.size(); ++f) {
       for (const std::uint32_t v : mesh_.faces[f]) star_[v].push_back(f);
     }
@@ -41,8 +43,11 @@ class Thinner {
 
   cloud::TriangleMesh run() {
     std::size_t left = mesh_.vertices.size();
+    double asked = 0;  // the longest side of the round before
     for (double side = kFirstSide;; side = std::min(kLongestSide, side * kGrowth)) {
-      const std::size_t gone = round(side * edge_);
+      ++round_;
+      const std::size_t gone = round(side * edge_, asked * edge_);
+      asked = side;
       left -= gone;
       if (side >= kLongestSide && static_cast<double>(gone) < kFewerShare * static_cast<double>(left)) return rest();
     }
@@ -61,15 +66,16 @@ class Thinner {
   const Vector3d& at(std::uint32_t v) const { return mesh_.vertices[v]; }
   bool is_gone(const Face& face) const { return face[0] == face[1]; }
 
-  /// Draws sides up to a length together; how many corners went.
-  std::size_t round(double longest) {
+  /// Draws sides up to a length together; how many corners went. Sides that were asked in the round before are asked again where something changed.
+  std::size_t round(double longest, double asked) {
     std::vector<Side> sides;
     for (const Face& face : mesh_.faces) {
       if (is_gone(face)) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = face[i], b = face[(i + 1) % 3];
         const double squared = (at(a) - at(b)).squaredNorm();
-        if (a < b && squared <= longest * longest) sides.push_back({squared, a, b});  // the face beyond runs it the other way
+        if (a > b || squared > longest * longest) continue;  // the face beyond runs it the other way
+        if (squared > asked * asked || std::max(changed_[a], changed_[b]) + 1U >= round_) sides.push_back({squared, a, b});
       }
     }
     std::sort(sides.begin(), sides.end());
@@ -85,10 +91,12 @@ class Thinner {
     if (!is_free(stays, goes)) return false;
     for (const std::uint32_t f : star_[goes]) {
       const Face& before = mesh_.faces[f];
-      if (std::find(before.begin(), before.end(), stays) == before.end() && !fits(before, replaced(before, goes, stays))) return false;
+      if (std::find(before.begin(), before.end(), stays) == before.end() && !fits(before, replaced(before, goes, stays), stays))
+        return false;
     }
     for (const std::uint32_t f : star_[goes]) {
       Face& face = mesh_.faces[f];
+      for (const std::uint32_t v : face) changed_[v] = round_;
       if (std::find(face.begin(), face.end(), stays) == face.end()) {
         face = replaced(face, goes, stays);
         star_[stays].push_back(f);
@@ -142,21 +150,34 @@ class Thinner {
 
   Vector3d across(const Face& face) const { return (at(face[1]) - at(face[0])).cross(at(face[2]) - at(face[0])); }
 
-  bool fits(const Face& before, const Face& after) const {
-    const Vector3d was = across(before), is = across(after);
-    const double squared = is.squaredNorm();
-    if (!(was.dot(is) > 0) || was.dot(is) * was.dot(is) < kTurn * kTurn * was.squaredNorm() * squared) return false;
-    const auto& [a, b, c] = after;
+  /// How far a triangle is from a sliver: twice its area over its longest side's square.
+  double shape(const Face& face) const {
+    const auto& [a, b, c] = face;
     const double longest = std::max({(at(b) - at(a)).squaredNorm(), (at(c) - at(b)).squaredNorm(), (at(a) - at(c)).squaredNorm()});
-    if (longest > kLongestSide * kLongestSide * edge_ * edge_ || squared < kSliver * kSliver * longest * longest) return false;
-    return is_near((at(a) + at(b) + at(c)) / 3) && is_near((at(a) + at(b)) / 2) && is_near((at(b) + at(c)) / 2) &&
-           is_near((at(c) + at(a)) / 2);
+    return longest > kLongestSide * kLongestSide * edge_ * edge_ ? 0 : across(face).norm() / longest;
   }
 
-  bool is_near(const Vector3d& place) const {
-    const Vec3<Voxel> index = to_fixed<Voxel>(Vector3d((place - origin_) / edge_));
-    return std::abs(to_double(core::sample_field(field_, index).distance)) <= kSurfaceTolerance;
+  /// May a face become another one that has one new corner?
+  bool fits(const Face& before, const Face& after, std::uint32_t corner) const {
+    const double is = shape(after);
+    if (!(is > 0) || (round_ > 1 && is < kSliver && is < shape(before))) return false;
+    const auto& [a, b, c] = after;
+    const core::FieldSample middle = sample((at(a) + at(b) + at(c)) / 3);
+    if (!is_near(middle)) return false;
+    const Vector3d gradient = to_double(middle.gradient);
+    const double turned = cosine(across(after), gradient);
+    if (!(turned > 0) || (turned < kTurn && turned < cosine(across(before), gradient))) return false;
+    // Of the new sides the one that leads on: the other is that of the face beyond it.
+    const std::uint32_t next = corner == a ? b : corner == b ? c : a;
+    return is_near(sample((at(corner) + at(next)) / 2));
   }
+
+  static double cosine(const Vector3d& a, const Vector3d& b) { return a.dot(b) / std::sqrt(a.squaredNorm() * b.squaredNorm()); }
+
+  core::FieldSample sample(const Vector3d& place) const {
+    return core::sample_field(field_, to_fixed<Voxel>(Vector3d((place - origin_) / edge_)));
+  }
+  static bool is_near(const core::FieldSample& sample) { return std::abs(to_double(sample.distance)) <= kSurfaceTolerance; }
 
   /// What is left, with new numbers.
   cloud::TriangleMesh rest() const {
@@ -177,6 +198,8 @@ class Thinner {
   double edge_;
   cloud::TriangleMesh mesh_;
   std::vector<std::vector<std::uint32_t>> star_;  // faces at each corner; none: it has gone
+  std::vector<std::uint16_t> changed_;            // the last round in which a face at the corner changed
+  std::uint16_t round_ = 0;
   std::vector<std::uint32_t> beside_goes_, beside_stays_;
 };
 

@@ -6,12 +6,12 @@
 
 namespace isotouch::evaluate {
 
-/// How far a triangle's middle and the middles of its sides may lie from the field's surface, voxels, unless they did before.
-inline constexpr double kSurfaceTolerance = 0.02;
+/// How far a triangle's middle and the middles of its sides may lie from the field's surface, voxels, where corners were taken out.
+inline constexpr double kSurfaceTolerance = 0.05;
 
 /// Takes corners out, those of short sides first, by drawing a side together to one of its ends. A corner goes when what closes behind it lies within
-/// kSurfaceTolerance of the field's surface, turns no face by more than about 40°, has no side above eight voxels and no sliver, and when the surface
-/// stays a closed manifold with all its handles. So edges and small features keep their triangles, and flat parts lose nearly all.
+/// kSurfaceTolerance of the field's surface, faces outwards, has no side above eight voxels and no new sliver, and when the surface stays a closed
+/// manifold with all its handles. So edges and small features keep their triangles, and flat parts lose nearly all.
 ///
 /// mesh      as `zero_surface` returns it, with its corners apart
 /// returns   closed, faces counter-clockwise seen from outside; its corners are some of the mesh's, unmoved and in their order

@@ -51,7 +51,7 @@ TEST(FewerTriangles, ABallKeepsItsShapeWithAFiftiethOfThem) {
   EXPECT_LT(fewer.faces.size(), all.faces.size() / 20);
   EXPECT_GT(fewer.faces.size(), all.faces.size() / 100);
   EXPECT_THAT(farthest_middle(fewer, image.view()), test::IsAccuracyOf(kSurfaceTolerance + 1e-4));
-  EXPECT_NEAR(volume(pieces(fewer)) / volume(pieces(all)), 1, 3e-3);
+  EXPECT_NEAR(volume(pieces(fewer)) / volume(pieces(all)), 1, 5e-3);
 }
 
 TEST(FewerTriangles, HandlesHollowsAndSpecksStay) {
