@@ -124,7 +124,7 @@ double ProgressBar::done(double now) const {
   const double doubt = kDoubt * whole;
   const double slowness = (began_ + doubt) / (before_ + doubt);
   const double expected = std::max(1e-3, slowness * seconds_);
-  const double share = stage_.empty() ? 0 : told_ ? *told_ : likely((now - began_) / expected);
+  const double share = stage_.empty() ? 0 : told_ ? *told_ : likely(std::max(0.0, now - began_) / expected);
   return std::max(least_, (before_ + seconds_ * share) / whole);
 }
 
