@@ -12,6 +12,7 @@
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
+#include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/trace/hash_text.h"
@@ -60,7 +61,8 @@ void run(const Options& options) {
     const nlohmann::ordered_json json{{"ticks", kept.records}, {"hash", trace::hash_text(kept.chain)}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("%llu ticks, replay hash %s\n", static_cast<unsigned long long>(kept.records), trace::hash_text(kept.chain).c_str());
+    std::fprintf(text_stream(options.out), "%llu ticks, replay hash %s\n", static_cast<unsigned long long>(kept.records),
+                 trace::hash_text(kept.chain).c_str());
   }
   if (!ended.empty())
     throw EndedEarly(ended + "; " + options.out.string() + " holds the " + std::to_string(kept.records) + " ticks before");
@@ -73,10 +75,13 @@ void add_record(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "record", "Record the ticks of a running controller as a trace that replays to the bit; Ctrl-C ends the recording and keeps it");
   add_address(*command, options->to);
-  command->add_option("-o,--out", options->out, "the trace to write (.trace)")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "the trace to write")->required();
   command->add_option("--seconds", options->seconds, "how long at most")->check(CLI::Range(0.001, 86400.0))->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    require_apart(options->out, options->json);
+    run(*options);
+  });
 }
 
 }  // namespace isotouch::commands

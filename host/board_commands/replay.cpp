@@ -8,6 +8,7 @@
 #include <string>
 
 #include "host/board_commands/commands.h"
+#include "host/board_commands/output.h"
 #include "host/board_commands/print_field.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
@@ -37,12 +38,12 @@ nlohmann::ordered_json to_json(const trace::ReplayReport& report) {
   return json;
 }
 
-void print_text(const trace::ReplayReport& report, bool checked) {
-  std::printf("ticks        %llu\n", static_cast<unsigned long long>(report.ticks));
-  std::printf("seconds      %.3f\n", report.seconds);
-  if (report.seconds > 0) std::printf("ticks/s      %.0f\n", static_cast<double>(report.ticks) / report.seconds);
-  std::printf("replay hash  %s\n", trace::hash_text(report.hash).c_str());
-  if (checked && !report.first_difference) std::printf("check        equal to the recorded outputs, every bit\n");
+void print_text(std::FILE* to, const trace::ReplayReport& report, bool checked) {
+  std::fprintf(to, "ticks        %llu\n", static_cast<unsigned long long>(report.ticks));
+  std::fprintf(to, "seconds      %.3f\n", report.seconds);
+  if (report.seconds > 0) std::fprintf(to, "ticks/s      %.0f\n", static_cast<double>(report.ticks) / report.seconds);
+  std::fprintf(to, "replay hash  %s\n", trace::hash_text(report.hash).c_str());
+  if (checked && !report.first_difference) std::fprintf(to, "check        equal to the recorded outputs, every bit\n");
 }
 
 /// Says so where this field with these settings would feed energy into the hand, on the device that its certificate assumes.
@@ -73,7 +74,7 @@ void run(const Options& options) {
   } else if (options.json) {
     std::printf("%s\n", to_json(report).dump(2).c_str());
   } else {
-    print_text(report, options.check);
+    print_text(text_stream(options.out), report, options.check);
   }
   if (report.first_difference) {
     throw ComparisonFailed(options.trace.string() + ": differs first at tick " + std::to_string(report.first_difference->tick) + " in " +
@@ -90,10 +91,13 @@ void add_replay(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
-  command->add_option("-o,--out", options->out, "write the trace with this run's outputs");
+  add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");
   command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    require_apart(options->out, options->json || !options->key.empty());
+    run(*options);
+  });
 }
 
 }  // namespace isotouch::commands

@@ -14,6 +14,7 @@
 #include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/field_file/packed.h"
+#include "host/files/whole_file.h"
 #include "host/link/controller.h"
 #include "host/trace/hash_text.h"
 
@@ -30,7 +31,8 @@ struct Options {
 void run(const Options& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);
-  const std::string name = options.name.empty() ? options.field.stem().string() : options.name;
+  const std::string file_name = is_standard(options.field) ? "field" : options.field.stem().string();
+  const std::string name = options.name.empty() ? file_name : options.name;
   const std::uint64_t hash = field.view.hash();
   link::Controller controller(options.to);
   const protocol::Accepted accepted = controller.upload({packed.size(), field.view.image.size(), hash, protocol::Text::of(name)}, packed);

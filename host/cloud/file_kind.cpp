@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "host/cloud/content_kind.h"
+
 namespace isotouch::cloud {
 
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
@@ -29,7 +31,7 @@ FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8
   for (const auto& [known, kind] : kEndings) {
     if (ending == known) return kind;
   }
-  return FileKind::kUnknown;
+  return ending.empty() ? content_kind(bytes) : FileKind::kUnknown;
 }
 
 }  // namespace isotouch::cloud

@@ -9,7 +9,8 @@ namespace isotouch::cloud {
 
 enum class FileKind { kPly, kObj, kStl, kText, kUnknown };
 
-/// A file that begins as a PLY file is one, whatever its name; for all others the ending tells, in any case of letters.
+/// A file that begins as a PLY file is one, whatever its name; for all others the ending tells, in any case of letters. Without an ending it is the
+/// content (content_kind.h).
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

@@ -12,7 +12,10 @@
 
 namespace isotouch::cloud {
 
-SourceFile::SourceFile(std::filesystem::path file) : file_(std::move(file)), bytes_(read_file(file_)), kind_(file_kind(file_, bytes_)) {
+SourceFile::SourceFile(std::filesystem::path file) : SourceFile(file, read_file(file)) {}
+
+SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes)
+    : file_(std::move(file)), bytes_(std::move(bytes)), kind_(file_kind(file_, bytes_)) {
   if (bytes_.empty()) throw InputError(name() + ": the file is empty");
   if (kind_ == FileKind::kPly) ply_ = read_ply_header(name(), bytes_);
 }

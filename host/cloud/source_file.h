@@ -18,6 +18,9 @@ class SourceFile {
   /// fails     InputError naming the file: it cannot be read, is empty, or begins with a PLY header that is none
   SourceFile(std::filesystem::path file);  // NOLINT(google-explicit-constructor): a path names its file
 
+  /// What was read already.
+  SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes);
+
   std::string name() const { return file_.string(); }
   /// Of the file's bytes, as a field stores it.
   std::uint64_t hash() const;

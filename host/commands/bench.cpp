@@ -11,6 +11,7 @@
 #include "host/commands/commands.h"
 #include "host/commands/field_bench.h"
 #include "host/commands/growth_bench.h"
+#include "host/commands/progress_bar.h"
 #include "host/commands/tick_bench.h"
 #include "host/encoding/write_image.h"
 #include "host/evaluate/force_error.h"
@@ -88,17 +89,24 @@ void print(const std::string& what, const TickTimes& times) {
 }
 
 void bench_tick(const std::vector<std::filesystem::path>& fields, bool as_json) {
+  ProgressBar bar({{"motion", 0.5}, {"core", 1}, {"device", 1}, {"published", 3}, {"wide", 3}}, ProgressBar::Drawn::kAtBegins);
+  bar.begin("motion");
   const Sphere small(186);
   const Sphere large(1024);
   const Motion motion = small.slide();
   const field_file::OpenField field = small.field();
   const field_file::OpenField varied = small.field(true);
+  bar.begin("core");
   const TickTimes core = time_core(field.view, motion);
   const TickTimes felt = time_core(varied.view, motion, every_feature());
+  bar.begin("device");
   const TickTimes device = time_device(field.view, motion);
   const TickTimes device_felt = time_device(varied.view, motion, every_feature());
+  bar.begin("published");
   const TickTimes published = time_published(small.levels(), to_double(field.view.stiffness), motion);
+  bar.begin("wide");
   const TickTimes wide = time_core(large.field().view, large.slide());
+  bar.end();
 
   nlohmann::ordered_json json = {{"median_ns", core.median_ns},
                                  {"p99_ns", core.p99_ns},
@@ -130,7 +138,9 @@ void bench_tick(const std::vector<std::filesystem::path>& fields, bool as_json) 
 }
 
 void bench_field(bool as_json) {
-  const std::vector<FieldTimes> all = time_fields();
+  ProgressBar bar({{"hydrant", 1}, {"owl", 1}, {"boy", 1}, {"bomberman", 1}, {"jaguar", 1}}, ProgressBar::Drawn::kAtBegins);
+  const std::vector<FieldTimes> all = time_fields(bar);
+  bar.end();
   nlohmann::ordered_json json = {{"objects", nlohmann::ordered_json::array()}};
   for (const FieldTimes& times : all) {
     const double ratio = times.published_seconds / times.seconds;
@@ -176,7 +186,16 @@ void print(const char* title, const std::vector<GrowthRow>& rows) {
 }
 
 void bench_growth(bool as_json) {
-  const Growth growth = measure_growth();
+  ProgressBar bar({{"4000 points", 1},
+                   {"40000 points", 2},
+                   {"400000 points", 8},
+                   {"grid of 128", 0.5},
+                   {"grid of 256", 1.5},
+                   {"grid of 512", 5},
+                   {"grid of 1024", 18}},
+                  ProgressBar::Drawn::kAtBegins);
+  const Growth growth = measure_growth(bar);
+  bar.end();
   if (as_json) {
     const nlohmann::ordered_json json = {{"points", to_json(growth.points)}, {"grids", to_json(growth.grids)}};
     std::printf("%s\n", json.dump(2).c_str());

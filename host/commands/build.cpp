@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/output.h"
 #include "host/commands/built_field.h"
 #include "host/commands/commands.h"
-#include "host/commands/output_name.h"
 #include "host/commands/quantities.h"
 #include "host/commands/verdict_text.h"
 #include "host/encoding/dense_bytes.h"
@@ -64,18 +64,19 @@ void print_json(const BuildReport& report, const FieldView& view) {
 }
 
 void print_text(const BuildReport& report, const FieldView& view, const std::filesystem::path& out) {
+  std::FILE* to = text_stream(out);
   const auto& [scale, offset] = report.placement;
   const double edge = static_cast<double>(view.edge.raw()) / (1 << MmPerVoxel::kFractionBits);
-  std::printf("%-13s %zu (%s)\n", names_of(report.kind).items, report.points, report.format.c_str());
-  std::printf("transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
-  std::printf("grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
-  std::printf("inside nodes  %zu\n", report.inside_nodes);
-  if (report.verdict) std::printf("verdict       %s\n", in_words(*report.verdict).c_str());
-  std::printf("seconds       %.3f:", report.seconds);
-  for (const auto& [stage, seconds] : report.stages) std::printf(" %s %.3f", stage.c_str(), seconds);
-  std::printf("\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
-  std::printf("bytes         %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", view.image.size(),
-              report.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::fprintf(to, "%-13s %zu (%s)\n", names_of(report.kind).items, report.points, report.format.c_str());
+  std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  std::fprintf(to, "grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
+  std::fprintf(to, "inside nodes  %zu\n", report.inside_nodes);
+  if (report.verdict) std::fprintf(to, "verdict       %s\n", in_words(*report.verdict).c_str());
+  std::fprintf(to, "seconds       %.3f:", report.seconds);
+  for (const auto& [stage, seconds] : report.stages) std::fprintf(to, " %s %.3f", stage.c_str(), seconds);
+  std::fprintf(to, "\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
+  std::fprintf(to, "bytes         %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n",
+               view.image.size(), report.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
 }
 
 }  // namespace
@@ -94,7 +95,9 @@ void add_build(CLI::App& app) {
                    "what INPUT is. By default a file with faces and without normals is a mesh, and a file with normals is a cloud, whose "
                    "faces are ignored")
       ->transform(one_of(kinds));
-  command->add_option("-o,--out", options->out, "the field file to write (.itf)")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kField}, "the field file to write",
+             "build it first, then write other forms with `isotouch export`")
+      ->required();
   const std::map<std::string, encoding::Method> methods = {{"default", encoding::Method::kDefault},
                                                            {"published", encoding::Method::kPublished}};
   command->add_option("--method", options->method, "'published' builds integer levels inside the object, as the paper does")
@@ -139,7 +142,7 @@ void add_build(CLI::App& app) {
     if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
-    require_form(options->out, ".itf", "a field", "build it first, then write other forms with `isotouch export`");
+    require_apart(options->out, *json);
     const BuiltField built = [&] {
       try {
         return built_field(*options);

@@ -4,10 +4,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
+#include "host/board_commands/output.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
+#include "host/commands/progress_bar.h"
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
@@ -37,10 +40,27 @@ struct Measured {
   TruthComparison whole;
 };
 
-Measured measure(const FieldView& field, const cloud::TriangleMesh& mesh) {
-  Measured measured{evaluate::compare_with_mesh(field, mesh), evaluate::zero_surface(field), {}};
+Measured measure(const FieldView& field, const cloud::TriangleMesh& mesh, ProgressBar& bar) {
+  Measured measured;
+  bar.begin("offsets");
+  measured.at_points = evaluate::compare_with_mesh(field, mesh);
+  bar.begin("surface");
+  measured.surface = evaluate::zero_surface(field);
+  bar.begin("distances");
   measured.whole = evaluate::compare_surfaces(field, measured.surface, mesh);
+  bar.end();
   return measured;
+}
+
+/// How long the stages take, about.
+std::vector<PlannedStage> plan_for(bool floor) {
+  const std::vector<PlannedStage> one = {{"offsets", 1}, {"surface", 1}, {"distances", 8}};
+  std::vector<PlannedStage> all = one;
+  if (floor) {
+    all.push_back({"floor", 3});
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
 }
 
 nlohmann::ordered_json to_json(const Measured& measured) {
@@ -65,31 +85,35 @@ std::string text(const Eigen::Vector3d& place) {
   return digits;
 }
 
-void print(const char* name, const Measured& measured) {
+void print(std::FILE* to, const char* name, const Measured& measured) {
   const auto& [error, surface, whole] = measured;
-  std::printf("%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
-              error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
-  std::printf("       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
-              whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(), text(whole.from_field.place).c_str());
-  std::printf("       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
-              whole.wrong_side_pct, whole.too_much_pct, whole.wrong_side_pct - whole.too_much_pct, whole.volume_ratio, whole.pieces.size(),
-              whole.pieces.size() == 1 ? "" : "s");
+  std::fprintf(to, "%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
+               error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
+  std::fprintf(to, "       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
+               whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(),
+               text(whole.from_field.place).c_str());
+  std::fprintf(to, "       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
+               whole.wrong_side_pct, whole.too_much_pct, whole.wrong_side_pct - whole.too_much_pct, whole.volume_ratio, whole.pieces.size(),
+               whole.pieces.size() == 1 ? "" : "s");
 }
 
 void run(const Options& options) {
+  std::FILE* to = text_stream(options.worst);
   const field_file::OpenField field = field_file::open_field(options.field);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
   const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
-  const Measured measured = measure(field.view, mesh);
+  ProgressBar bar(plan_for(options.floor));
+  const Measured measured = measure(field.view, mesh, bar);
 
   nlohmann::ordered_json json = to_json(measured);
-  if (!options.json) print("field", measured);
+  if (!options.json) print(to, "field", measured);
   if (options.floor) {
+    bar.begin("floor");
     const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
-    const Measured floor = measure(exact.view, mesh);
+    const Measured floor = measure(exact.view, mesh, bar);
     json["floor"] = to_json(floor);
-    if (!options.json) print("floor", floor);
+    if (!options.json) print(to, "floor", floor);
   }
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
@@ -111,9 +135,12 @@ void add_compare(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "also compare the mesh's exact distances on the field's grid: the errors of the grid alone");
-  command->add_option("--worst", options->worst, "draw the worst place of the field (.png)");
+  add_output(*command, "--worst", options->worst, {&forms::kPicture}, "draw the worst place of the field");
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    require_apart(options->worst, options->json);
+    run(*options);
+  });
 }
 
 }  // namespace isotouch::commands

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/output.h"
 #include "host/cloud/check.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
@@ -19,6 +20,7 @@
 #include "host/error.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/shape_trial.h"
+#include "host/files/whole_file.h"
 #include "host/motion/motion.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
@@ -172,7 +174,7 @@ void run(const DemoOptions& options) {
   fs::create_directories(options.folder, failed);
   if (failed) throw InputError(options.folder.string() + ": the folder cannot be made: " + failed.message());
   const fs::path cloud = options.cloud.empty() ? hydrant(options.folder) : options.cloud;
-  const std::string title = cloud.stem().string();
+  const std::string title = is_standard(cloud) ? "scan" : cloud.stem().string();
 
   say("building the field");
   BuildOptions build;
@@ -200,7 +202,9 @@ void add_demo(CLI::App& app) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = app.add_subcommand("demo", "Do all steps from points to forces and pictures; takes a few seconds");
   command->add_option("CLOUD", options->cloud, "oriented points: PLY, OBJ or text; by default a built-in hydrant");
-  command->add_option("-o,--out", options->folder, "folder for the field, traces and pictures")->capture_default_str();
+  command->add_option("-o,--out", options->folder, "folder for the field, traces and pictures")
+      ->capture_default_str()
+      ->each(require_folder);
   command->add_option("--up", options->up, "the cloud's axis that points upwards on the pictures: x, y or z")
       ->check(one_of({"x", "y", "z"}))
       ->capture_default_str();

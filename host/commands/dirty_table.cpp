@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/cloud/read_mesh.h"
+#include "host/commands/progress_bar.h"
 #include "host/commands/verdict_text.h"
 #include "host/evaluate/dirty_scan.h"
 #include "host/evaluate/mesh_shape.h"
@@ -59,7 +60,12 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
     std::printf("  %-19s %-16s %8s %8s %7s %8s %11s  %s\n", "scan", "dirt", "surface", "truth", "pieces", "volume", "wrong side",
                 "verdict");
   }
-  for (const evaluate::DirtyScan& scan : evaluate::dirty_scans(std::move(bodies))) {
+  const std::vector<evaluate::DirtyScan> scans = evaluate::dirty_scans(std::move(bodies));
+  std::vector<PlannedStage> plan;
+  for (const evaluate::DirtyScan& scan : scans) plan.push_back({scan.name(), 1});
+  ProgressBar bar(plan);
+  for (const evaluate::DirtyScan& scan : scans) {
+    bar.begin(scan.name());
     std::vector<evaluate::Dirt> dirt;
     for (evaluate::Dirt& kind : evaluate::all_dirt()) {
       if ((scan.name() + ' ' + kind.name).find(choice.only) != std::string::npos) dirt.push_back(std::move(kind));
@@ -71,10 +77,11 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
           believed += row.believed_wrong() ? 1U : 0U;
           wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
           doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
-          json ? list.push_back(row_json(row)) : print(row);
+          json ? list.push_back(row_json(row)) : bar.aside([&] { print(row); });
         },
         choice.seed);
   }
+  bar.end();
   if (json) {
     std::printf("%s\n", nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}}.dump(2).c_str());
   } else {

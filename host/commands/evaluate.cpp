@@ -11,6 +11,7 @@
 #include "host/commands/commands.h"
 #include "host/commands/damage_table.h"
 #include "host/commands/dirty_table.h"
+#include "host/commands/progress_bar.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/published_table.h"
 #include "host/evaluate/shape_trial.h"
@@ -42,10 +43,10 @@ struct MethodResult {
 };
 
 /// One method on all shapes; the published one feels the sphere with its own tick.
-MethodResult measure(encoding::Method method) {
+MethodResult measure(encoding::Method method, ProgressBar& bar) {
   MethodResult result;
   for (const char* name : kShapes) {
-    std::fprintf(stderr, "%s %s\n", method == encoding::Method::kPublished ? "published" : "default", name);
+    bar.begin(name);
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
     const field_file::OpenField built = evaluate::trial_field(trial, method);
     const field_file::OpenField floor = evaluate::floor_field(trial);
@@ -134,14 +135,28 @@ void print(const std::vector<evaluate::PublishedRow>& table) {
   }
 }
 
+/// One stage a shape and method; the published method builds once, ours also from damaged scans.
+std::vector<PlannedStage> plan_for(bool published) {
+  std::vector<PlannedStage> plan;
+  for (const char* name : kShapes) plan.push_back({name, 1});
+  for (const char* name : kShapes) {
+    if (published) plan.push_back({name, 1});
+  }
+  if (published) plan.push_back({"Table 1", 5});
+  return plan;
+}
+
 void run(bool json, bool published) {
-  const MethodResult ours = measure(encoding::Method::kDefault);
+  ProgressBar bar(plan_for(published));
+  const MethodResult ours = measure(encoding::Method::kDefault, bar);
   std::optional<MethodResult> theirs;
   std::vector<evaluate::PublishedRow> table;
   if (published) {
-    theirs = measure(encoding::Method::kPublished);
+    theirs = measure(encoding::Method::kPublished, bar);
+    bar.begin("Table 1");
     table = evaluate::published_table();
   }
+  bar.end();
   if (json) {
     Json all = to_json(ours);
     if (theirs) {

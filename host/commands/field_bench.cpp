@@ -19,10 +19,11 @@ double seconds_of(BuildOptions options, encoding::Method method) {
 
 }  // namespace
 
-std::vector<FieldTimes> time_fields() {
+std::vector<FieldTimes> time_fields(ProgressBar& bar) {
   const TemporaryFolder folder;
   std::vector<FieldTimes> all;
   for (const char* name : {"hydrant", "owl", "boy", "bomberman", "jaguar"}) {
+    bar.begin(name);
     const cloud::Shape shape = cloud::shape(name);
     BuildOptions options;
     options.quiet = true;

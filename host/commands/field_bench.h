@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "host/commands/progress_bar.h"
+
 namespace isotouch::commands {
 
 struct FieldTimes {
@@ -18,6 +20,6 @@ inline constexpr int kFieldRuns = 5;
 /// The five objects at their point counts on the default grid, one after the other on this machine.
 ///
 /// fails     InputError when the temporary folder cannot be written
-std::vector<FieldTimes> time_fields();
+std::vector<FieldTimes> time_fields(ProgressBar& bar);
 
 }  // namespace isotouch::commands

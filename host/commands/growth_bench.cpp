@@ -77,18 +77,20 @@ GrowthRow median_run(BuildOptions options) {
 
 }  // namespace
 
-Growth measure_growth() {
+Growth measure_growth(ProgressBar& bar) {
   const TemporaryFolder folder;
   BuildOptions options;
   options.out = folder.path / "sphere.itf";
   Growth growth;
   for (const std::size_t points : kClouds) {
     options.input = folder.path / (std::to_string(points) + ".ply");
+    bar.begin(std::to_string(points) + " points");
     write_sphere(options.input, points);
     growth.points.push_back(median_run(options));
   }
   options.input = folder.path / (std::to_string(kClouds[0]) + ".ply");
   for (const int samples : kGrids) {
+    bar.begin("grid of " + std::to_string(samples));
     options.grid = samples - 1 - static_cast<int>(2 * field::field_margin(options.band_voxels()));
     growth.grids.push_back(median_run(options));
   }

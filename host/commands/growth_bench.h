@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/commands/progress_bar.h"
+
 namespace isotouch::commands {
 
 /// One cloud on one grid: the build whose time is the median of kGrowthRuns, each in a process of its own.
@@ -33,6 +35,6 @@ inline constexpr int kGrowthRuns = 3;
 /// Points on a sphere, which has the most surface in its cube, from a cloud's file to a field's.
 ///
 /// fails     InputError when the temporary folder cannot be written or a build does not end
-Growth measure_growth();
+Growth measure_growth(ProgressBar& bar);
 
 }  // namespace isotouch::commands

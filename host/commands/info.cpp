@@ -13,6 +13,7 @@
 
 #include "host/board_commands/print_field.h"
 #include "host/commands/commands.h"
+#include "host/commands/progress_bar.h"
 #include "host/encoding/certificate.h"
 #include "host/encoding/dense_bytes.h"
 #include "host/encoding/write_image.h"
@@ -37,21 +38,27 @@ std::string version(const FieldView& view) {
 }
 
 /// The size of the file where it is packed, and what it would be where it is the image.
-std::size_t packed_bytes(const std::filesystem::path& file, const FieldView& view) {
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  return PackedField::has_magic(bytes) ? bytes.size() : field_file::pack(view).size();
+std::size_t packed_bytes(const std::vector<std::uint8_t>& file, const FieldView& view) {
+  return PackedField::has_magic(file) ? file.size() : field_file::pack(view).size();
+}
+
+std::vector<evaluate::Piece> surface_pieces(const FieldView& view) {
+  constexpr double kSecondsABrick = 3e-5;
+  ProgressBar bar({{"surface", kSecondsABrick * view.brick_count}});
+  bar.begin("surface");
+  return evaluate::pieces(evaluate::zero_surface(view));
 }
 
 /// What --surface adds.
 void add_surface(const FieldView& view, nlohmann::ordered_json& json) {
-  const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
+  const std::vector<evaluate::Piece> pieces = surface_pieces(view);
   json["components"] = pieces.size();
   json["volume_mm3"] = evaluate::volume(pieces);
   json["area_mm2"] = evaluate::area(pieces);
 }
 
 void print_surface(const FieldView& view) {
-  const std::vector<evaluate::Piece> pieces = evaluate::pieces(evaluate::zero_surface(view));
+  const std::vector<evaluate::Piece> pieces = surface_pieces(view);
   std::printf("surface      %zu component%s, %.6g mm³ inside, %.6g mm²\n", pieces.size(), pieces.size() == 1 ? "" : "s",
               evaluate::volume(pieces), evaluate::area(pieces));
   constexpr std::size_t kShown = 8;
@@ -157,8 +164,10 @@ void add_info(CLI::App& app) {
   command->add_flag("--json", options->json, "print one JSON object");
   command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
-    const field_file::OpenField field = field_file::open_field(options->field);
-    const std::size_t packed = packed_bytes(options->field, field.view);
+    const std::vector<std::uint8_t> file = read_file(options->field);
+    const field_file::OpenField field =
+        field_file::open_field(field_file::read_image(file, options->field.string()), options->field.string());
+    const std::size_t packed = packed_bytes(file, field.view);
     if (!options->key.empty()) return print_field(to_json(field.view, packed, options->surface), options->key);
     if (options->json) {
       std::printf("%s\n", to_json(field.view, packed, options->surface).dump(2).c_str());

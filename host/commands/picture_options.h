@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host/commands/output_name.h"
+#include "host/board_commands/output.h"
 #include "host/view/camera.h"
 
 namespace isotouch::commands {
@@ -20,9 +20,7 @@ struct PictureOptions {
   char up = 'y';
 
   void add_to(CLI::App& command) {
-    command.add_option("-o,--out", out, "the picture to write (.png)")->required()->each([](const std::string& name) {
-      require_form(name, ".png", "a picture");
-    });
+    add_output(command, "-o,--out", out, {&forms::kPicture}, "the picture to write")->required();
     command.add_option_function<std::string>(
         "--size", [this](const std::string& text) { size = parse_size(text); }, "WxH, pixels (960x720)");
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/output.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
@@ -27,14 +28,14 @@ struct Options {
   std::filesystem::path page, json;
 };
 
-void print(const qualify::Figures& figures, const std::vector<qualify::Judgement>& judgements) {
+void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qualify::Judgement>& judgements) {
   for (const qualify::Judgement& j : judgements) {
     const bool known = j.outcome != qualify::Judgement::Outcome::kNotMeasured;
-    std::printf("%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
-                qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
+    std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
+                 qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
   }
   for (const std::string& remark : {figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
-    if (!remark.empty()) std::printf("%s\n", remark.c_str());
+    if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }
 
@@ -51,17 +52,18 @@ void check_folder(const std::filesystem::path& file) {
 }
 
 void run(const Options& options) {
+  std::FILE* to = is_standard(options.json) ? stderr : text_stream(options.page);
   check_folder(options.page);
   check_folder(options.json);
   const qualify::Figures figures =
       qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
   const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
-  print(figures, judgements);
-  std::fflush(stdout);  // known, even where no file can be written
+  print(to, figures, judgements);
+  std::fflush(to);  // known, even where no file can be written
   write(options.page, qualify::html_report(figures, judgements));
   write(options.json, qualify::json_report(figures, judgements).dump(2) + "\n");
   if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));
-  std::printf("%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
+  std::fprintf(to, "%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
 }
 
 }  // namespace
@@ -71,8 +73,8 @@ void add_qualify(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "qualify", "Check whether a board can render forces: measures its ticks, timers and temperature; exit code 3 if it cannot");
   add_address(*command, options->to);
-  command->add_option("-o,--out", options->page, "write the report as a page (.html)");
-  command->add_option("--json", options->json, "write the same figures as JSON (.json)");
+  add_output(*command, "-o,--out", options->page, {&forms::kPage}, "write the report as a page");
+  add_output(*command, "--json", options->json, {&forms::kJson}, "write the same figures as an object");
   command->add_option("--seconds", options->wish.seconds, "how long to measure the ticks, and as long again with cyclictest, s")
       ->check(CLI::Range(1.0, 86400.0))
       ->capture_default_str();
@@ -99,7 +101,10 @@ void add_qualify(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--inactive", limits.inactive, "limit: checks that find it in a state other than active, percent")
       ->capture_default_str();
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    require_apart(options->page, is_standard(options->json));
+    run(*options);
+  });
 }
 
 }  // namespace isotouch::commands

@@ -13,6 +13,7 @@
 #include "host/cloud/read_cloud.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
+#include "host/commands/progress_bar.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
 #include "host/field/sound_scan.h"
@@ -38,6 +39,8 @@ struct PointsRun {
 
   void operator()() const {
     cloud::CloudReport report;
+    ProgressBar bar({{"points", 1}});
+    bar.begin("points");
     cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
     if (!report.has_normals) {
       field::SoundScan sound = field::sound_scan(std::move(points), {.estimate = true});
@@ -71,7 +74,11 @@ struct SurfaceRun {
       const trace::Trace recorded = trace::read_trace(trace);
       options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
     }
-    view::write_png(picture.out, view::surface_picture(open.view, options));
+    ProgressBar bar({{"surface", 1e-6 * picture.size[0] * picture.size[1]}});
+    bar.begin("surface");
+    const view::Image drawn = view::surface_picture(open.view, options);
+    bar.end();
+    view::write_png(picture.out, drawn);
   }
 
   std::size_t parse_tick(std::size_t count) const {

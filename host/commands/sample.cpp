@@ -5,20 +5,19 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/core/field_sampler.h"
 #include "firmware/core/stiffness_at.h"
+#include "host/board_commands/output.h"
+#include "host/cloud/file_kind.h"
 #include "host/cloud/source_file.h"
 #include "host/cloud/text_lines.h"
 #include "host/commands/commands.h"
-#include "host/commands/output_name.h"
 #include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
@@ -31,7 +30,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr const char* kStandard = "-";
 constexpr double kFarthest = 8191;  // voxels from the grid's origin: see core::sample_field
 
 /// Lines of three numbers or more, of which the first three count; a line of names may come first.
@@ -53,12 +51,9 @@ std::vector<Vector3d> places_of_text(const std::string& name, const std::vector<
 }
 
 std::vector<Vector3d> read_places(const std::filesystem::path& file) {
-  if (file == kStandard) {
-    return places_of_text("standard input", {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()});
-  }
-  const std::string ending = file.extension().string();
-  if (ending == ".ply" || ending == ".PLY") return cloud::SourceFile(file).points().positions;
-  return places_of_text(file.string(), read_file(file));
+  std::vector<std::uint8_t> bytes = read_file(file);
+  if (cloud::file_kind(file, bytes) == cloud::FileKind::kPly) return cloud::SourceFile(file, std::move(bytes)).points().positions;
+  return places_of_text(file.string(), bytes);
 }
 
 /// As short as it can be for the number to be read back as it is.
@@ -83,11 +78,10 @@ std::string row(const FieldView& field, const Vector3d& place) {
 struct SampleRun {
   std::filesystem::path field;
   std::filesystem::path points;
-  std::filesystem::path out = kStandard;
+  std::filesystem::path out = "-";
   bool input_frame = false;
 
   void operator()() const {
-    if (out != kStandard) require_form(out, ".csv", "a table");
     const field_file::OpenField open = field_file::open_field(field);
     std::vector<Vector3d> places = read_places(points);
     if (places.empty()) throw InputError(points.string() + ": there are no points in it; give lines of x,y,z");
@@ -97,11 +91,7 @@ struct SampleRun {
     }
     std::string table = "x_mm,y_mm,z_mm,distance_mm,gradient_x,gradient_y,gradient_z,stiffness_n_mm,in_band\n";
     for (const Vector3d& place : places) table += row(open.view, place);
-    if (out == kStandard) {
-      if (std::fwrite(table.data(), 1, table.size(), stdout) != table.size()) throw InputError("standard output cannot be written");
-    } else {
-      write_file(out, reinterpret_cast<const std::uint8_t*>(table.data()), table.size());
-    }
+    write_file(out, reinterpret_cast<const std::uint8_t*>(table.data()), table.size());
   }
 };
 
@@ -111,9 +101,8 @@ void add_sample(CLI::App& app) {
   auto run = std::make_shared<SampleRun>();
   CLI::App* command = app.add_subcommand("sample", "Print a field's distance, gradient and stiffness at given points");
   command->add_option("FIELD", run->field, "the field (.itf)")->required();
-  command->add_option("POINTS", run->points, "the points: PLY, or text with x,y,z in each line; - reads text from standard input")
-      ->required();
-  command->add_option("-o,--out", run->out, "the table to write (.csv); by default, or with -, it goes to standard output");
+  command->add_option("POINTS", run->points, "the points: PLY, or text with x,y,z in each line; - is standard input")->required();
+  add_output(*command, "-o,--out", run->out, {&forms::kTable}, "the table to write, by default to standard output");
   command->add_flag("--input-frame", run->input_frame, "the points are in the scan's coordinates; the answer is always in workspace mm");
   command->callback([run] { (*run)(); });
 }

@@ -1,5 +1,6 @@
 /// isotouch scan: touch → points. A recorded trace of positions and forces, or a mesh that a simulated hand strokes first.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
@@ -9,11 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "host/board_commands/output.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/placement.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
+#include "host/commands/progress_bar.h"
 #include "host/commands/quantities.h"
 #include "host/error.h"
 #include "host/evaluate/compare_mesh.h"
@@ -21,6 +24,7 @@
 #include "host/evaluate/touch_points.h"
 #include "host/field/nearest.h"
 #include "host/field/triangle_tree.h"
+#include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
 #include "shared/trace.h"
@@ -54,12 +58,18 @@ TraceHeader scan_header(double stiffness) {
 evaluate::MeshScanReport record_scan(const field::TriangleTree& tree, const Options& options) {
   const TraceHeader header = scan_header(options.scan.stiffness_n_per_mm);
   trace::TraceWriter writer(options.trace, header);
+  ProgressBar bar({{"strokes", 1}});
+  field::Progress progress(bar.show());
+  progress.begin("strokes");
+  const double ticks = options.scan.seconds / (evaluate::kScanPeriodNs * 1e-9);
   Chain chain(header);
   std::uint64_t tick = 0;
   const auto report = evaluate::scan_mesh(tree, options.scan, [&](const Input& input, const Output& output) {
     writer.append({input, output, chain.extend(input, output), header.period_ns * tick++});
+    if (tick % 1024 == 0) progress.report(std::min(0.99, static_cast<double>(tick) / ticks));
   });
   writer.finish();
+  progress.end();
   return report;
 }
 
@@ -129,7 +139,10 @@ void scan_mesh(const Options& options) {
   std::fprintf(stderr, "coverage: %.2f %% of the surface within %.3f mm of a point\n", 100 * covered, report.spacing_mm);
 }
 
-bool is_trace(const fs::path& file) {
+/// Standard input is a mesh where the trace to record is named, as a mesh wants it.
+bool is_trace(const Options& options) {
+  const fs::path& file = options.input;
+  if (is_standard(file)) return options.trace.empty();
   std::FILE* in = std::fopen(file.c_str(), "rb");
   std::array<std::uint8_t, 4> magic{};
   const bool read = in != nullptr && std::fread(magic.data(), 1, magic.size(), in) == magic.size();
@@ -144,7 +157,8 @@ void add_scan(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "scan", "Turn touches into oriented points: from a trace with forces, or from a mesh that a simulated hand strokes");
   command->add_option("INPUT", options->input, "a .trace with positions and forces, or a closed mesh: PLY, OBJ or STL")->required();
-  command->add_option("-o,--out", options->out, "the cloud to write, as PLY; from a mesh in its frame, from a trace in workspace mm")
+  add_output(*command, "-o,--out", options->out, {&forms::kPly},
+             "the cloud to write, from a mesh in its frame, from a trace in workspace mm")
       ->required();
   command->add_option("--points", options->touch.points, "largest number of points; they are spread evenly")
       ->check(CLI::Range(8, 1000000))
@@ -156,15 +170,17 @@ void add_scan(CLI::App& app) {
   command->add_option("--least-force", options->touch.least_force_n, "leave out touches weaker than this, N")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  command->add_option("--trace", options->trace, "with a mesh: also write the simulated hand's trace");
+  add_output(*command, "--trace", options->trace, {&forms::kTrace}, "with a mesh: also write the simulated hand's trace");
   command->add_option("--seconds", options->scan.seconds, "with a mesh: how long the hand strokes it at most, s")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "with a mesh: seed of the hand's random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
+    require_apart(options->out, options->json);
+    if (is_standard(options->trace)) throw CLI::ValidationError("--trace", "the trace is read again after it was written; name a file");
     if (options->touch.stiffness_n_per_mm > 0) options->scan.stiffness_n_per_mm = options->touch.stiffness_n_per_mm;
-    is_trace(options->input) ? scan_trace(*options) : scan_mesh(*options);
+    is_trace(*options) ? scan_trace(*options) : scan_mesh(*options);
   });
 }
 

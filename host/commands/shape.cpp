@@ -7,9 +7,11 @@
 #include <string>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/output.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/commands.h"
+#include "host/commands/progress_bar.h"
 
 namespace isotouch::commands {
 
@@ -25,7 +27,12 @@ struct ShapeOptions {
 
 void make_shape(const ShapeOptions& options) {
   const cloud::Shape shape = cloud::shape(options.name);
-  const cloud::OrientedPoints points = sample_shape(shape, options.points > 0 ? options.points : shape.default_points, options.seed);
+  const std::size_t count = options.points > 0 ? options.points : shape.default_points;
+  constexpr double kSecondsAPoint = 5e-5;
+  ProgressBar bar({{"points", kSecondsAPoint * static_cast<double>(count)}});
+  bar.begin("points");
+  const cloud::OrientedPoints points = sample_shape(shape, count, options.seed);
+  bar.end();
   const std::string origin =
       "isotouch shape " + shape.name + " --points " + std::to_string(points.size()) + " --seed " + std::to_string(options.seed);
   cloud::write_ply(options.out, points, origin);
@@ -47,11 +54,14 @@ void add_shape(CLI::App& app) {
   CLI::App* command = app.add_subcommand("shape", "Sample points with exact normals from one of the built-in objects");
   auto options = std::make_shared<ShapeOptions>();
   command->add_option("name", options->name, "the object")->required()->check(one_of(cloud::shape_names()));
-  command->add_option("-o,--out", options->out, "the cloud to write, as PLY")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kPly}, "the cloud to write")->required();
   command->add_option("--points", options->points, "number of points; each object has its own default")->check(CLI::Range(8, 1000000));
   command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] { make_shape(*options); });
+  command->callback([options] {
+    require_apart(options->out, options->json);
+    make_shape(*options);
+  });
 }
 
 }  // namespace isotouch::commands

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/output.h"
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
 #include "host/commands/commands.h"
@@ -52,7 +53,7 @@ struct NewTrace {
   }
 
   void add_to(CLI::App& command) {
-    command.add_option("-o,--out", out, "the trace to write")->required();
+    add_output(command, "-o,--out", out, {&forms::kTrace}, "the trace to write")->required();
     command.add_option("--period", period_ms, "tick period")
         ->transform(quantity({{"ms", 1.0}, {"us", 0.001}, {"s", 1000.0}}, rows::kPeriod.low / kNsPerMs, rows::kPeriod.high / kNsPerMs))
         ->capture_default_str();
@@ -295,7 +296,7 @@ void add_to_packets(CLI::App& trace) {
   command->alias("wire");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("HAND", options->hand, "the recorded positions (.trace)")->required();
-  command->add_option("-o,--out", options->out, "the trace to write")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "the trace to write")->required();
   command->add_option("--device", options->device, "the published model of the device")
       ->check(one_of({"libnifalcon", "martin-hillier"}))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/motion/mutate.h"
@@ -105,7 +106,7 @@ void add_mutate(CLI::App& trace) {
   command->add_option("MUTATION", options->name, "the change to make")->required()->check(one_of(names));
   command->add_option("FIELD", options->field, "the field that was or will be touched (.itf)")->required();
   command->add_option("TRACE", options->trace, "the trace to derive it from (.trace)")->required();
-  command->add_option("-o,--out", options->out, "the trace to write")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "the trace to write")->required();
   command->add_option("--seed", options->seed, "seed of the random numbers")->capture_default_str();
   command->callback([options] { run(*options); });
 }

@@ -26,6 +26,7 @@ constexpr int kReach = 7;                       // coefficients that they touch,
 constexpr std::int32_t kScale = 512 << 12;      // of a lattice value: 8³ from the weights, 12 fraction bits
 constexpr std::int32_t kUnsure = kScale >> 13;  // twice the core's own error, sample_field
 constexpr std::int32_t kEdgeSteps = 1 << 15;    // the core's resolution along half a voxel
+constexpr std::int32_t kApartSteps = kEdgeSteps / 256;
 
 /// A lattice edge that the surface crosses: from a lattice point, along every axis that has a bit in `along`.
 struct Crossing {
@@ -293,7 +294,7 @@ std::int32_t zero_along(const FieldView& field, const Vector3i& point, const Vec
 
 }  // namespace
 
-cloud::TriangleMesh zero_surface(const FieldView& field) {
+cloud::TriangleMesh zero_surface(const FieldView& field, Corners corners) {
   const std::vector<Vector3i> bricks = candidate_bricks(field);
   const Lattice lattice(field);
   std::vector<Part> parts(bricks.size());
@@ -313,11 +314,13 @@ cloud::TriangleMesh zero_surface(const FieldView& field) {
   surface.vertices.resize(crossings.size());
   const Vector3d origin = to_double(field.origin);
   const double edge = to_double(field.edge);
+  const std::int32_t margin = corners == Corners::kApart ? kApartSteps : 0;
   field::in_parallel(crossings.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vector3i point = lattice.point(crossings[i].key / 8);
       const Vector3i along = axes(crossings[i].key & 7);
-      const Vector3i steps = point * kEdgeSteps + along * zero_along(field, point, along, crossings[i]);
+      const std::int32_t zero = std::clamp(zero_along(field, point, along, crossings[i]), margin, kEdgeSteps - margin);
+      const Vector3i steps = point * kEdgeSteps + along * zero;
       surface.vertices[i] = origin + edge / 65536 * steps.cast<double>();
     }
   });

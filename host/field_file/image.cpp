@@ -8,9 +8,10 @@
 
 namespace isotouch::field_file {
 
-Image read_image(const std::filesystem::path& file) {
-  const std::vector<std::uint8_t> bytes = read_file(file);
-  if (PackedField::has_magic(bytes)) return unpack(bytes, file.string());
+Image read_image(const std::filesystem::path& file) { return read_image(read_file(file), file.string()); }
+
+Image read_image(const std::vector<std::uint8_t>& bytes, const std::string& name) {
+  if (PackedField::has_magic(bytes)) return unpack(bytes, name);
   Image image(bytes.size());
   std::copy(bytes.begin(), bytes.end(), image.data());
   return image;

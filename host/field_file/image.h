@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace isotouch::field_file {
@@ -27,5 +28,7 @@ class Image {
 ///
 /// fails     InputError naming the file when it cannot be read or unpacked
 Image read_image(const std::filesystem::path& file);
+/// The same of a file's bytes.
+Image read_image(const std::vector<std::uint8_t>& bytes, const std::string& name);
 
 }  // namespace isotouch::field_file

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "host/error.h"
 
@@ -26,27 +27,44 @@ bool write_all(std::FILE* stream, const std::uint8_t* data, std::size_t size) {
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
 
-}  // namespace
-
-std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw refusal(file, "cannot be read: it is a folder, name a file");
-  const Stream stream(std::fopen(file.c_str(), "rb"));
-  if (!stream) throw refusal(file, "cannot be read: " + reason(errno));
+std::vector<std::uint8_t> read_to_end(const std::filesystem::path& file, std::FILE* stream) {
   std::vector<std::uint8_t> bytes;
   std::size_t filled = 0;
   for (;;) {  // in growing pieces: the size that a file system states is not to be trusted for pipes and devices
     bytes.resize(filled + filled / 2 + (std::size_t{1} << 16));
-    const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, stream.get());
+    const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, stream);
     filled += got;
     if (got == 0) break;
   }
-  if (std::ferror(stream.get()) != 0) throw refusal(file, "cannot be read to its end: " + reason(errno));
+  if (std::ferror(stream) != 0) throw refusal(file, "cannot be read to its end: " + reason(errno));
   bytes.resize(filled);
   return bytes;
 }
 
+}  // namespace
+
+void claim_standard_input() {
+  static bool claimed = false;
+  if (std::exchange(claimed, true)) throw InputError("-: standard input can be read only once; name a file for the other input");
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
+  if (is_standard(file)) {
+    claim_standard_input();
+    return read_to_end(file, stdin);
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw refusal(file, "cannot be read: it is a folder, name a file");
+  const Stream stream(std::fopen(file.c_str(), "rb"));
+  if (!stream) throw refusal(file, "cannot be read: " + reason(errno));
+  return read_to_end(file, stream.get());
+}
+
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size) {
+  if (is_standard(file)) {
+    if (!write_all(stdout, data, size) || std::fflush(stdout) != 0) throw refusal(file, "cannot be written: " + reason(errno));
+    return;
+  }
   std::error_code failed;
   if (std::filesystem::is_directory(file, failed)) throw refusal(file, "cannot be written: it is a folder, name a file");
   if (std::filesystem::exists(file, failed) &&

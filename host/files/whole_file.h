@@ -1,4 +1,5 @@
-/// Whole files in and out.
+/// Whole files in and out. The name `-` stands for standard input where a file is read, and for standard output where one is written; a file of that
+/// name is `./-`.
 #pragma once
 
 #include <cstddef>
@@ -8,12 +9,20 @@
 
 namespace isotouch {
 
-/// All bytes of a regular file.
+/// Is it standard input or output that is meant?
+inline bool is_standard(const std::filesystem::path& file) { return file == "-"; }
+
+/// Standard input can be read once: whoever reads it by another way than `read_file` says so.
 ///
-/// fails     InputError naming the file: missing, a folder, not readable
+/// fails     InputError when it was claimed before
+void claim_standard_input();
+
+/// All bytes of a file, a pipe, or standard input.
+///
+/// fails     InputError naming the file: missing, a folder, not readable; standard input for the second time
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 
-/// Writes to a temporary beside `file`, then renames: the old file or the new one, never half of one.
+/// Writes to a temporary beside `file`, then renames: the old file or the new one, never half of one. What is no regular file is written as it is.
 ///
 /// fails     InputError naming the file
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size);

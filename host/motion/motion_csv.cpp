@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host/error.h"
+#include "host/files/whole_file.h"
 
 namespace isotouch::motion {
 
@@ -60,7 +61,8 @@ double unit_factor(const Factors& factors, const std::string& stated, std::strin
 /// Lines with their numbers, and the sentences that name them.
 class Table {
  public:
-  explicit Table(const std::filesystem::path& file) : name_(file.string()), in_(file) {
+  explicit Table(const std::filesystem::path& file) : name_(file.string()), in_(is_standard(file) ? "/dev/stdin" : file) {
+    if (is_standard(file)) claim_standard_input();
     if (!in_ || std::filesystem::is_directory(file)) throw InputError(name_ + ": cannot be read; check the path and its permissions");
   }
 

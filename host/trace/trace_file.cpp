@@ -1,8 +1,13 @@
 #include "host/trace/trace_file.h"
 
+#include <unistd.h>
+
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include "host/error.h"
+#include "host/files/whole_file.h"
 
 namespace isotouch::trace {
 
@@ -12,11 +17,15 @@ void or_throw(const Refusal& refusal) {
   if (refusal) throw InputError(refusal.sentence());
 }
 
+/// A file of this process's own.
+std::filesystem::path aside() { return std::filesystem::temp_directory_path() / ("isotouch-" + std::to_string(::getpid()) + ".trace"); }
+
 }  // namespace
 
 Trace read_trace(const std::filesystem::path& file) {
   Trace trace;
-  or_throw(files::read_trace(file.string(), trace));
+  if (is_standard(file)) claim_standard_input();
+  or_throw(files::read_trace(is_standard(file) ? "/dev/stdin" : file.string(), trace));
   return trace;
 }
 
@@ -29,13 +38,27 @@ Trace read_trace(const std::filesystem::path& file, InputKind kind) {
                         : ": holds the packets of a device, this needs positions of a hand"));
 }
 
-TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& header) { or_throw(writer_.begin(file.string(), header)); }
+TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& header) : to_standard_(is_standard(file)) {
+  or_throw(writer_.begin(to_standard_ ? aside().string() : file.string(), header));
+}
 
-void TraceWriter::finish() { or_throw(writer_.finish(files::Keep::kAllOrNothing)); }
+void TraceWriter::finish() {
+  or_throw(writer_.finish(files::Keep::kAllOrNothing));
+  pass_on();
+}
+
+void TraceWriter::pass_on() const {
+  if (!to_standard_) return;
+  const std::vector<std::uint8_t> bytes = read_file(aside());
+  std::error_code ignored;
+  std::filesystem::remove(aside(), ignored);
+  write_file("-", bytes.data(), bytes.size());
+}
 
 TraceWriter::Kept TraceWriter::finish_with_what_fits() {
   const Refusal refusal = writer_.finish(files::Keep::kWhatFits);
   if (writer_.records() == 0) throw InputError(refusal ? refusal.sentence() : writer_.path() + ": nothing was recorded");
+  pass_on();
   return {writer_.records(), writer_.chain()};
 }
 

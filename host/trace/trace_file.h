@@ -11,6 +11,7 @@ namespace isotouch::trace {
 
 using Trace = files::TraceFile;
 
+/// file      `-` is standard input
 /// fails     InputError naming the file, and the record and its byte where there is one
 Trace read_trace(const std::filesystem::path& file);
 
@@ -19,7 +20,8 @@ Trace read_trace(const std::filesystem::path& file);
 /// fails     also InputError: the inputs are of the other kind
 Trace read_trace(const std::filesystem::path& file, InputKind kind);
 
-/// Writes records beside `file` and renames at the end: the old file or the whole new one, never a part.
+/// Writes records beside `file` and renames at the end: the old file or the whole new one, never a part. Standard output (`-`) gets it at the end:
+/// the header says how many records follow.
 class TraceWriter {
  public:
   /// header    its record count is ignored and counted instead
@@ -41,7 +43,10 @@ class TraceWriter {
   Kept finish_with_what_fits();
 
  private:
+  void pass_on() const;
+
   files::TraceWriter writer_;
+  bool to_standard_;
 };
 
 }  // namespace isotouch::trace

@@ -1,8 +1,12 @@
 #include "host/vdb/level_set.h"
 
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
-#include <fstream>
 #include <new>
+#include <system_error>
 
 #include "host/cloud/forked_call.h"
 #include "host/error.h"
@@ -19,28 +23,49 @@ cloud::ForkLimits limits_for(std::size_t file_bytes) {
   return {(std::uint64_t{512} << 20U) + 200 * std::uint64_t{file_bytes}, 20 + static_cast<unsigned>(file_bytes >> 22U)};
 }
 
+/// A file that has no place on a disk, for a library that wants a name.
+class MemoryFile {
+ public:
+  /// fails     InputError naming the file that it is a copy of
+  MemoryFile(const std::string& name, std::span<const std::uint8_t> bytes) : descriptor_(::memfd_create("isotouch", MFD_CLOEXEC)) {
+    for (std::size_t done = 0; done < bytes.size();) {
+      const ssize_t wrote = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
+      if (wrote <= 0) throw InputError(name + ": there is no memory for a copy of it; save it as a file and name that");
+      done += static_cast<std::size_t>(wrote);
+    }
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { ::close(descriptor_); }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
 constexpr int kWidened = 4;
 constexpr double kStencil = 2.5;  ///< how far the samples of an interpolation that carry weight may lie from its place
 
 }  // namespace
 
-bool is_vdb_file(const std::filesystem::path& file) {
-  constexpr std::array<char, 8> kMagic = {' ', 'B', 'D', 'V', 0, 0, 0, 0};
-  std::array<char, 8> begin{};
-  std::ifstream stream(file, std::ios::binary);
-  if (stream.read(begin.data(), begin.size()) && begin == kMagic) return true;
+bool is_vdb_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::uint8_t, 8> kMagic = {' ', 'B', 'D', 'V', 0, 0, 0, 0};
+  if (bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin())) return true;
   return file.extension() == ".vdb";
 }
 
-LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& grid_name) {
+LevelSet LevelSet::read(const std::filesystem::path& file, std::span<const std::uint8_t> bytes, const std::string& grid_name) {
   const std::string name = file.string();
-  const std::vector<std::uint8_t> bytes = read_file(file);
+  std::error_code ignored;
+  std::optional<MemoryFile> copy;
+  if (!std::filesystem::is_regular_file(file, ignored)) copy.emplace(name, bytes);
+  const Source source{name, copy ? copy->path() : name};
   const Library& openvdb = library();
   // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
   const cloud::ForkedCall trial = cloud::call_in_fork(
       [&] {
         try {
-          openvdb.attempt(name, grid_name);
+          openvdb.attempt(source, grid_name);
         } catch (const std::bad_alloc&) {
           throw InputError(name + ": the file is damaged: it asks for far more memory than a level set of its size needs; save it again");
         }
@@ -49,10 +74,12 @@ LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& gr
       limits_for(bytes.size()));
   if (trial.crashed) throw InputError(name + ": the file is damaged: reading it crashes OpenVDB; save it again");
   if (!trial.thrown.empty()) throw InputError(trial.thrown);
-  LevelSet set = openvdb.read(name, grid_name);
+  LevelSet set = openvdb.read(source, grid_name);
   set.source_hash = hash64(bytes.data(), bytes.size());
   return set;
 }
+
+LevelSet LevelSet::read(const std::filesystem::path& file, const std::string& grid_name) { return read(file, read_file(file), grid_name); }
 
 Interpolation::Interpolation(const LevelSet& set)
     : grid_(library().widened(*set.grid, kWidened)), reach_(set.half_width + kWidened - kStencil) {}

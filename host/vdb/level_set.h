@@ -20,8 +20,8 @@
 
 namespace isotouch::vdb {
 
-/// Does the file begin as an OpenVDB file, or its name end in .vdb?
-bool is_vdb_file(const std::filesystem::path& file);
+/// Do the file's bytes begin as an OpenVDB file, or its name end in .vdb?
+bool is_vdb_file(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 /// A grid as the library holds it.
 struct LibraryGrid;
@@ -33,9 +33,11 @@ class LevelSet {
   /// it likes. The library reads it at once, without mapping the file, first in a process of its own: a damaged file may
   /// crash it. What it throws becomes an InputError.
   ///
+  /// bytes     of the file: the library reads a regular file by its name, and all others, such as standard input, from a copy in memory
   /// grid_name which grid; empty = the first level set
   /// fails     InputError: cannot be read; no grid of that name; none that is a level set, and what it is instead; unequal scales, shear or a
   ///           frustum; empty; values that are not finite; a background that is no distance; a surface that is not closed within its band; OpenVDB is not there
+  static LevelSet read(const std::filesystem::path& file, std::span<const std::uint8_t> bytes, const std::string& grid_name);
   static LevelSet read(const std::filesystem::path& file, const std::string& grid_name = {});
 
   std::string format;                      ///< "OpenVDB level set 'ls_sphere'"

@@ -59,8 +59,9 @@ bool is_level_set(const openvdb::GridBase& grid) {
 }
 
 /// The level set of that name, or the first one.
-openvdb::GridBase::Ptr read_grid(const std::string& name, const std::string& grid_name, std::vector<std::string>& warnings) {
-  openvdb::io::File file(name);
+openvdb::GridBase::Ptr read_grid(const Source& source, const std::string& grid_name, std::vector<std::string>& warnings) {
+  const std::string& name = source.name;
+  openvdb::io::File file(source.path);
   file.open(false);  // all of it now: nothing of the file is needed later
   const openvdb::GridPtrVecPtr all = file.readAllGridMetadata();
   if (!all || all->empty()) throw InputError(name + ": there is no grid in it");
@@ -252,17 +253,18 @@ struct LibraryGrid {
   Axes axes;
 };
 
-void attempt_with_openvdb(const std::string& file, const std::string& grid_name) {
-  guarded(file, [&] {
+void attempt_with_openvdb(const Source& source, const std::string& grid_name) {
+  guarded(source.name, [&] {
     std::vector<std::string> warnings;
-    static_cast<void>(new openvdb::GridBase::Ptr(read_grid(file, grid_name, warnings)));
+    static_cast<void>(new openvdb::GridBase::Ptr(read_grid(source, grid_name, warnings)));
   });
 }
 
-LevelSet read_with_openvdb(const std::string& file, const std::string& grid_name) {
+LevelSet read_with_openvdb(const Source& source, const std::string& grid_name) {
+  const std::string& file = source.name;
   return guarded(file, [&] {
     LevelSet set;
-    const openvdb::GridBase::Ptr base = read_grid(file, grid_name, set.warnings);
+    const openvdb::GridBase::Ptr base = read_grid(source, grid_name, set.warnings);
     const Axes axes = axes_of(*base, file);
     set.format = "OpenVDB level set '" + base->getName() + "'";
     set.active_voxels = static_cast<std::size_t>(base->activeVoxelCount());

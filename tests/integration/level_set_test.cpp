@@ -10,8 +10,12 @@
 #include <string>
 
 #include "firmware/core/field_sampler.h"
+#include "host/cloud/ply.h"
 #include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
 #include "host/encoding/write_image.h"
+#include "host/evaluate/compare_mesh.h"
+#include "host/evaluate/zero_surface.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/vdb/level_set.h"
@@ -145,6 +149,32 @@ TEST_F(LevelSetAcross, AFieldComesBackFromAnExportToAFiveHundredthOfAVoxel) {
   EXPECT_GT(compared, 500);
   EXPECT_THAT(worst,
               test::IsAccuracyOf(0.002));  // the nodes are the same to rounding; three steps of the prefilter find their spline to this
+}
+
+TEST_F(LevelSetAcross, AnExportInTheScansFrameComesBackWithoutAShift) {
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("owl"), 3000);
+  for (Vector3d& p : points.positions) p = 0.0021 * p + Vector3d(431250.5, -5400321.25, 812.0625);  // metres, as a surveyor has them
+  cloud::write_ply(file("far.ply"), points);
+  for (const std::string size : {" --units m", " --fit 53mm"}) {
+    run_command("build " + file("far.ply") + " -o " + file("a.itf") + " --grid 70" + size);
+    run_command("export " + file("a.itf") + " -o " + file("a.vdb") + " --input-frame");
+    run_command("build " + file("a.vdb") + " -o " + file("b.itf") + size);
+    const auto first = field_file::open_field(file("a.itf"));
+    const auto second = field_file::open_field(file("b.itf"));
+    const cloud::Placement there = evaluate::placement_of(first.view), here = evaluate::placement_of(second.view);
+    double worst = 0;
+    Vector3d sum = Vector3d::Zero();
+    const cloud::TriangleMesh surface = evaluate::zero_surface(first.view);
+    ASSERT_GT(surface.vertices.size(), 50'000U);
+    for (const Vector3d& corner : surface.vertices) {
+      const core::FieldSample sample = core::sample_field(second.view, index_of(second, here.to_workspace(there.to_cloud(corner))));
+      worst = std::max(worst, std::abs(to_double(sample.distance)));
+      sum += to_double(sample.distance) * to_double(sample.gradient);
+    }
+    EXPECT_THAT(worst, test::IsAccuracyOf(0.04)) << size << ": at sharp creases the prefilter's three steps leave this, in every frame";
+    EXPECT_LT(sum.norm() / static_cast<double>(surface.vertices.size()), 1e-4) << size << ": all of it is shifted";
+    EXPECT_NEAR(here.scale / there.scale, 1, 0.02) << "the scan's own units";
+  }
 }
 
 }  // namespace

@@ -87,12 +87,12 @@ TEST_F(Build, TheExportedImageIsTheSameField) {
 }
 
 TEST_F(Build, AnExportWithoutAKnownExtensionIsRefusedBeforeTheFieldIsRead) {
-  for (const char* name : {"t", "t.itfx", "t.obj"}) {
+  for (const char* name : {"t", "t.itfx", "t.xyz"}) {
     try {
       run("export " + file("missing.itf") + " -o " + file(name));
       FAIL() << name;
     } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), HasSubstr(".itfi (the memory image")) << name;
+      EXPECT_THAT(e.what(), HasSubstr(".itfi (a field's image")) << name;
     }
   }
   EXPECT_THROW(run("export " + file("missing.itf") + " -o " + file("t.itfi")), InputError);

@@ -63,6 +63,33 @@ TEST(ZeroSurface, AJumpBetweenFarInsideAndFarOutsideIsASurfaceToo) {
   EXPECT_NEAR(volume(pieces(surface)) / std::pow(16 * kVoxel, 3), 1, 0.02);
 }
 
+/// Faces with two corners at nearly one place, and faces without area.
+std::size_t degenerate(const cloud::TriangleMesh& surface) {
+  std::size_t found = 0;
+  for (std::size_t face = 0; face < surface.faces.size(); ++face) {
+    const auto& [a, b, c] = surface.faces[face];
+    const Eigen::Vector3d &p = surface.vertices[a], &q = surface.vertices[b], &r = surface.vertices[c];
+    const double shortest = std::min({(p - q).norm(), (q - r).norm(), (r - p).norm()});
+    found += shortest < 5e-4 * kVoxel || cloud::face_normal(surface, face).norm() < 0.5 ? 1U : 0U;
+  }
+  return found;
+}
+
+TEST(ZeroSurface, CornersThatAreKeptApartShareNoPlaceAndAreHardlyMoved) {
+  // Its walls lie exactly on lattice points.
+  const test::FieldImage box({48, 48, 48}, [](const test::Point& p) {
+    return std::max({std::abs(p[0] - 23) - 10, std::abs(p[1] - 23.5) - 10, std::abs(p[2] - 24) - 10});
+  });
+  EXPECT_GT(degenerate(zero_surface(box.view())), 100U) << "a test of nothing";
+  const cloud::TriangleMesh apart = zero_surface(box.view(), Corners::kApart);
+  EXPECT_EQ(degenerate(apart), 0U);
+  ASSERT_NO_THROW(cloud::require_closed(apart, "box"));
+  const motion::FeltSurface felt(box.view());
+  double worst = 0;
+  for (const Eigen::Vector3d& vertex : apart.vertices) worst = std::max(worst, std::abs(felt.sample(vertex).distance) / kVoxel);
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.0034));
+}
+
 TEST(ZeroSurface, NothingInsideIsNoSurface) {
   const test::FieldImage image({16, 16, 16}, [](const test::Point&) { return 4.0; });
   EXPECT_TRUE(zero_surface(image.view()).faces.empty());

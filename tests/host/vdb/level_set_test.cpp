@@ -239,10 +239,11 @@ TEST(LevelSet, WhatIsWrittenComesBackWithEveryValue) {
 TEST(LevelSet, AFileIsKnownByItsFirstBytesOrItsName) {
   const ScratchFolder folder;
   fs::rename(save(folder, {sphere()}), folder.path() / "a.bin");
-  EXPECT_TRUE(is_vdb_file(folder.path() / "a.bin"));
-  EXPECT_TRUE(is_vdb_file(folder.write("b.vdb", "")));
-  EXPECT_FALSE(is_vdb_file(folder.write("c.ply", "ply\n")));
-  EXPECT_FALSE(is_vdb_file(folder.path() / "none.ply"));
+  EXPECT_TRUE(is_vdb_file("a.bin", read_file(folder.path() / "a.bin")));
+  EXPECT_TRUE(is_vdb_file("-", read_file(folder.path() / "a.bin")));
+  EXPECT_TRUE(is_vdb_file("b.vdb", {}));
+  EXPECT_FALSE(is_vdb_file("c.ply", read_file(folder.write("c.ply", "ply\n"))));
+  EXPECT_FALSE(is_vdb_file("none.ply", {}));
 }
 
 }  // namespace

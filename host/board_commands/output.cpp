@@ -1,0 +1,69 @@
+#include "host/board_commands/output.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "host/error.h"
+#include "host/files/whole_file.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+std::string in_lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+const Form* find(const Forms& forms, const std::string& ending) {
+  const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form* form) { return form->ending == ending; });
+  return found == forms.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+std::string list_of(const Forms& forms) {
+  std::string text;
+  for (const Form* form : forms) text.append(text.empty() ? "" : ", ").append(form->ending).append(" (").append(form->what).append(")");
+  return text;
+}
+
+const Form& form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named, const std::string& hint) {
+  const std::string ending = in_lower_case(out.extension().string());
+  const std::string rest = list_of(forms) + (hint.empty() ? "" : "; " + hint);
+  const Form* form = !ending.empty()     ? find(forms, ending)
+                     : !named.empty()    ? find(forms, '.' + named)
+                     : forms.size() == 1 ? forms.front()
+                                         : nullptr;
+  if (form == nullptr && ending.empty())
+    throw InputError(out.string() + ": its name does not say what to write; say it with --format: " + rest);
+  if (form == nullptr) throw InputError(out.string() + ": this command does not write " + ending + "; it writes " + rest);
+  if (!named.empty() && form->ending != '.' + named)
+    throw InputError(out.string() + ": its name asks for " + ending + ", and --format for " + named + "; leave one of them out");
+  if (is_standard(out) && !form->is_text && isatty(STDOUT_FILENO) != 0)
+    throw InputError("-: standard output is a terminal, and " + std::string(form->what) + " is not text; redirect it, or name a file");
+  return *form;
+}
+
+CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::path& out, const Forms& forms, const std::string& about,
+                        const std::string& hint) {
+  return command.add_option(names, out, about + ": " + list_of(forms) + "; - is standard output")
+      ->each([forms, hint](const std::string& name) { (void)form_of(name, forms, {}, hint); });
+}
+
+void require_folder(const std::filesystem::path& folder) {
+  const Forms all = {&forms::kField, &forms::kImage, &forms::kLevelSet, &forms::kPly,  &forms::kObj, &forms::kStl,
+                     &forms::kTrace, &forms::kTable, &forms::kPicture,  &forms::kPage, &forms::kJson};
+  if (is_standard(folder) || find(all, in_lower_case(folder.extension().string())) != nullptr)
+    throw InputError(folder.string() + ": this command writes several files into a folder; name a folder");
+}
+
+std::FILE* text_stream(const std::filesystem::path& out) { return is_standard(out) ? stderr : stdout; }
+
+void require_apart(const std::filesystem::path& out, bool json) {
+  if (json && is_standard(out)) throw CLI::ValidationError("--json", "standard output already carries the file; name a file with -o");
+}
+
+}  // namespace isotouch::commands

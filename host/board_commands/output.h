@@ -1,0 +1,63 @@
+/// What commands write, and that the name of a file tells it: the one table of formats, and the option `-o` of every command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace isotouch::commands {
+
+/// A format that a command writes.
+struct Form {
+  std::string_view ending;  ///< of a file's name: ".itf"
+  std::string_view what;    ///< in words
+  bool is_text = false;     ///< a person can read it on a terminal
+};
+
+namespace forms {
+inline constexpr Form kField{".itf", "a field, packed"};
+inline constexpr Form kImage{".itfi", "a field's image in a controller's memory"};
+inline constexpr Form kLevelSet{".vdb", "a level set of OpenVDB"};
+inline constexpr Form kPly{".ply", "PLY"};
+inline constexpr Form kObj{".obj", "Wavefront OBJ", true};
+inline constexpr Form kStl{".stl", "STL, binary"};
+inline constexpr Form kTrace{".trace", "a trace"};
+inline constexpr Form kTable{".csv", "a table", true};
+inline constexpr Form kPicture{".png", "a picture"};
+inline constexpr Form kPage{".html", "a page", true};
+inline constexpr Form kJson{".json", "a JSON object", true};
+}  // namespace forms
+
+using Forms = std::vector<const Form*>;
+
+/// ".ply (PLY), .obj (Wavefront OBJ)": for help and refusals.
+std::string list_of(const Forms& forms);
+
+/// The form that a name asks for. Case does not matter; a name without an ending, and `-`, ask for the only form that there is.
+///
+/// named     an ending without its dot, from an option, for names that say nothing; may be empty
+/// hint      what to do for another form, a clause; may be empty
+/// fails     InputError with the forms that there are: the name asks for none of them or for no certain one, or contradicts `named`; when binary
+///           bytes would be written to a terminal
+const Form& form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named = {}, const std::string& hint = {});
+
+/// Adds an option for a file to write, whose name is judged before the work.
+///
+/// names     "-o,--out"
+/// about     for the help; the forms are added
+CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::path& out, const Forms& forms, const std::string& about,
+                        const std::string& hint = {});
+
+/// fails     InputError when a folder's name is that of a file, or `-`
+void require_folder(const std::filesystem::path& folder);
+
+/// Where text for people goes: standard output, or standard error when the file itself goes to standard output.
+std::FILE* text_stream(const std::filesystem::path& out);
+
+/// fails     CLI::ValidationError when both the file and a JSON object would go to standard output
+void require_apart(const std::filesystem::path& out, bool json);
+
+}  // namespace isotouch::commands
