@@ -1,6 +1,6 @@
 /// The lit zero iso-surface of a field as the core samples it, with the touch of one tick in it.
 ///
-/// source    what the paper shows its user (its section 4): surface under a known light, green proxy, red HIP, red line for the penetration
+/// source    what the paper shows its user (its section 4): surface under a known light, proxy, HIP, a line for the penetration
 #pragma once
 
 #include <optional>
