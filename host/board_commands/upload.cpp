@@ -29,7 +29,7 @@ struct Options {
 
 void run(const Options& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
-  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view);  // without its marks, which are for people
   const std::string name = options.name.empty() ? options.field.stem().string() : options.name;
   const std::uint64_t hash = field.view.hash();
   link::Controller controller(options.to);

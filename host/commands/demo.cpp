@@ -119,7 +119,9 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                                                                 .title = title,
                                                                 .spacing = cloud::median_spacing(built.points.positions),
                                                                 .mm_per_unit = 1}));
-  view::write_png(files[1], view::surface_picture(built.field.view, {.up = options.up, .touch = tour.shown, .title = title}));
+  view::write_png(
+      files[1],
+      view::surface_picture(built.field.view, {.up = options.up, .touch = tour.shown, .title = title, .invented = built.field.invented}));
   view::write_png(files[2], view::slice_picture(built.field.view, {.touch = tour.shown, .title = title}));
   view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
   return files;
@@ -167,6 +169,16 @@ void print_text(const std::string& title, const BuiltField& built, const Tour& t
   std::printf("\n");
 }
 
+/// Which file to open, and what to do next.
+void print_next(const DemoOptions& options, const std::string& title, const Tour& tour, const std::vector<fs::path>& pictures) {
+  const std::string field = (options.folder / (title + ".itf")).string();
+  std::printf("\nOpen %s: a hand presses %.1f mm into the object, and the surface holds its proxy back.\n", pictures[1].string().c_str(),
+              tour.shown.depth_mm());
+  std::printf("To see it from another side: isotouch render surface %s --trace %s --view -60,20 -o %s\n", field.c_str(),
+              (options.folder / "tour.trace").string().c_str(), (options.folder / "other.png").string().c_str());
+  std::printf("To do the same with a scan of yours: isotouch demo SCAN\n");
+}
+
 void run(const DemoOptions& options) {
   std::error_code failed;
   fs::create_directories(options.folder, failed);
@@ -191,6 +203,7 @@ void run(const DemoOptions& options) {
     print_json(built, tour, force, pictures);
   } else {
     print_text(title, built, tour, force, pictures);
+    print_next(options, title, tour, pictures);
   }
 }
 

@@ -30,7 +30,7 @@ void export_image(const OpenField& field, const std::filesystem::path& out) {
 }
 
 void export_packed(const OpenField& field, const std::filesystem::path& out) {
-  const std::vector<std::uint8_t> bytes = field_file::pack(field.view);
+  const std::vector<std::uint8_t> bytes = field_file::pack(field.view, field.invented);
   write_file(out, bytes.data(), bytes.size());
 }
 

@@ -39,8 +39,13 @@ struct PointsRun {
   void operator()() const {
     cloud::CloudReport report;
     cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
-    if (!report.has_normals) {
-      field::SoundScan sound = field::sound_scan(std::move(points), {.estimate = true});
+    field::SoundScan sound;
+    try {
+      sound = field::sound_scan(points, {.estimate = !report.has_normals});
+    } catch (const InputError&) {
+      if (!report.has_normals) throw;  // else it is drawn as it is, too poor to have a rim
+    }
+    if (!report.has_normals) {  // what was found instead; else the file's own, strays and all
       sound.drop_invented();
       points = std::move(sound.points);
     }
@@ -49,7 +54,9 @@ struct PointsRun {
                                                                .direction = picture.direction().value_or(view::Direction{.up = picture.up}),
                                                                .title = cloud.stem().string(),
                                                                .spacing = cloud::median_spacing(points.positions),
-                                                               .mm_per_unit = 0}));
+                                                               .mm_per_unit = 0,
+                                                               .rim_length = sound.rim.length,
+                                                               .rim = sound.rim.links}));
   }
 };
 
@@ -92,7 +99,8 @@ struct SurfaceRun {
                                                                    .direction = picture.direction(),
                                                                    .up = picture.up,
                                                                    .touch = touch.touch(open.view, picture.up),
-                                                                   .title = field.stem().string()}));
+                                                                   .title = field.stem().string(),
+                                                                   .invented = open.invented}));
   }
 };
 

@@ -44,8 +44,7 @@ constexpr double kBehindCut = 0.002;
 constexpr double kTubeEnd = 0.25;
 
 constexpr std::size_t kAsked = 20'000;    // points, at most
-constexpr double kGap = 1.5;              // the same, where a gap begins
-constexpr double kFar = 3.0;              // spacings to the sixth neighbour from the nearest point: nobody saw this
+constexpr double kGap = 1.5;              // spacings to the sixth neighbour from the nearest point: here a gap begins
 constexpr std::size_t kSurfaceStep = 16;  // one of so many samples beside the surface is asked
 
 auto place(const Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
@@ -206,7 +205,6 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
-  verdict.invented_share = far_share(field, measured, kFar);
   verdict.gap_share = far_share(field, sound.points.positions, kGap);
   verdict.surprising_share = repair.surprising;
 

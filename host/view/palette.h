@@ -18,5 +18,6 @@ inline const Colour& kHipColour = kOrange;       ///< a cube, or a square
 inline const Colour& kInventedColour = kPurple;  ///< hatched
 inline const Colour& kRimColour = kVermilion;    ///< a line
 inline const Colour kForceColour = srgb(0x1B2026);
+inline const Colour kPlainSurface = srgb(0xD4DEE8);
 
 }  // namespace isotouch::view

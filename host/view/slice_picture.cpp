@@ -71,7 +71,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
   const Rect ramp{bar.left, bar.top + cap + gap, bar.right, bar.bottom - cap - gap};
   for (float y = ramp.top; y < ramp.bottom; ++y) {
     const double value = 1 - 2 * static_cast<double>((y + 0.5F - ramp.top) / ramp.height());
-    canvas.fill({ramp.left, y, ramp.right, std::min(y + 1, ramp.bottom)}, distance_colour(value));
+    canvas.fill({ramp.left, y, ramp.right, ramp.bottom}, distance_colour(value));  // down to the end: no row shows what is under it
   }
   for (const double voxels : ticks(-band, band, 11)) {
     const float y = ramp.bottom - static_cast<float>((voxels / band + 1) / 2) * ramp.height();

@@ -7,6 +7,7 @@
 
 #include "host/view/caption.h"
 #include "host/view/field_ray.h"
+#include "host/view/invented.h"
 #include "host/view/scene.h"
 #include "host/view/text.h"
 #include "host/view/touch_view.h"
@@ -21,7 +22,8 @@ const Colour kLens = srgb(0x4A5562);
 double close_up_half(const Touch& touch, const FieldRays& rays) { return std::max(1.2 * touch.depth_mm(), 6 * rays.edge()); }
 
 /// The close-up of a touch, cut open through proxy and HIP, and what it says.
-void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const Touch& touch, const Camera& camera) {
+void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const Invented& invented, const Touch& touch,
+                   const Camera& camera) {
   Canvas canvas(image);
   const float scale = drawing_scale(image);
   const double half = close_up_half(touch, rays);
@@ -37,7 +39,7 @@ void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const
   }
   const Camera close((eye + 0.25 * out).normalized(), camera.up(), shown, panel);
   const double ball = std::clamp(touch.depth_mm() / 5, 0.05 * half, 0.10 * half);
-  draw_scene(image, panel, {rays, close, Markers(touch, ball, 0.55 * half), CutPlane{centre, eye}});
+  draw_scene(image, panel, {rays, close, Markers(touch, ball, 0.55 * half), CutPlane{centre, eye}, &invented});
   canvas.frame(panel, 1.2F * scale, kFrame);
   draw_scale_bar(canvas, {panel.right - 12 * scale, panel.bottom - 14 * scale}, close.project(centre).pixel_per_mm,
                  static_cast<double>(panel.width()) / 4);
@@ -86,6 +88,7 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
   Canvas canvas(image);
   const float scale = drawing_scale(image);
   const FieldRays rays(field);
+  const Invented invented(field, options.invented);
   const Direction direction = options.direction ? *options.direction
                               : options.touch   ? direction_showing(*options.touch, rays, options.up)
                                                 : Direction{.up = options.up};
@@ -95,7 +98,7 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
   std::vector<Eigen::Vector3d> shown = rays.outline();
   if (options.touch) shown.push_back(options.touch->hip);
   const Camera camera(direction.towards_eye(), direction.up_axis(), shown,
-                      {20 * scale, 20 * scale, width - column - 20 * scale, height - 64 * scale});
+                      {20 * scale, 20 * scale, width - column - 20 * scale, height - (invented.any() ? 86 : 64) * scale});
   std::optional<Markers> markers;
   if (options.touch) {
     const double pixel_per_mm = camera.project(options.touch->proxy).pixel_per_mm;
@@ -103,12 +106,13 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
                                    8.0 * std::max(static_cast<double>(scale), 1.0));  // pixels
     markers.emplace(*options.touch, ball / pixel_per_mm, 6 * ball / pixel_per_mm);
   }
-  draw_scene(image, {0, 0, width, height}, {rays, camera, markers, std::nullopt});
+  draw_scene(image, {0, 0, width, height}, {rays, camera, markers, std::nullopt, &invented});
 
   const auto& size = field.size;
   draw_caption(canvas, options.title,
                {"zero surface as the core samples it, " + std::to_string(size[0]) + " × " + std::to_string(size[1]) + " × " +
                 std::to_string(size[2]) + " samples, " + number(rays.edge(), 3) + " mm a voxel"});
+  if (invented.any()) draw_invented_legend(canvas, {24 * scale, height - 70 * scale}, invented.share());
   const Eigen::Vector3d middle = std::accumulate(shown.begin(), shown.end(), Eigen::Vector3d(0, 0, 0)) / static_cast<double>(shown.size());
   draw_scale_bar(canvas, {width - column - 24 * scale, height - 26 * scale}, camera.project(middle).pixel_per_mm,
                  static_cast<double>(width) / 8);
@@ -116,7 +120,7 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
     const float side = column - 24 * scale;
     const Rect panel{std::floor(width - column), std::floor(24 * scale), std::floor(width - column + side), std::floor(24 * scale + side)};
     draw_lens(canvas, panel, rays, *options.touch, camera);
-    draw_close_up(image, panel, rays, *options.touch, camera);
+    draw_close_up(image, panel, rays, invented, *options.touch, camera);
   }
   return image;
 }

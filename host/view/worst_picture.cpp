@@ -147,7 +147,7 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
   pale.colour = kPaleInk;
   for (float y = bar.top; y < bar.bottom; ++y) {
     const double value = 1 - 2 * static_cast<double>((y + 0.5F - bar.top) / bar.height());
-    canvas.fill({bar.left, y, bar.right, std::min(y + 1, bar.bottom)}, distance_colour(value));
+    canvas.fill({bar.left, y, bar.right, bar.bottom}, distance_colour(value));  // down to the end: no row shows what is under it
   }
   canvas.frame(bar, 1.2F * scale, kPaleInk);
   TextStyle head = label;

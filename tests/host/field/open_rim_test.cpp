@@ -47,6 +47,18 @@ TEST(OpenRim, OfAHemisphereIsItsEquator) {
   }
 }
 
+TEST(OpenRim, ItsLinksRunAlongIt) {
+  const OpenRim rim = open_rim(Scan(below("sphere", 0, 4000)));
+  double length = 0;
+  for (const auto& [a, b] : rim.links) {
+    length += (b - a).norm();
+    EXPECT_NEAR(a.head<2>().norm(), 80, 4);
+    EXPECT_GT(a.z(), -8);
+  }
+  EXPECT_NEAR(length, rim.length, 0.02 * rim.length) << "the link that closes the ring is not among them";
+  EXPECT_TRUE(open_rim(Scan(cloud::sample_shape(cloud::shape("sphere"), 1500))).links.empty());
+}
+
 TEST(OpenRim, OfATubeCutLengthwiseIsBothCircles) {
   const double circles = 2 * M_PI * (70 - 25) + 2 * M_PI * (70 + 25);
   const OpenRim rim = open_rim(Scan(below("torus", 0, 8000)));
