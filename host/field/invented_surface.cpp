@@ -1,5 +1,6 @@
 #include "host/field/invented_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -14,29 +15,28 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr float kBeside = 0.5F;  // voxels: samples as near as this stand for the surface
-constexpr double kGap = 1.5;     // distances to the sixth neighbour of the nearest point
+constexpr double kGap = 1.5;  // distances to the sixth neighbour of the nearest point
 
-/// A brick that the surface passes through.
+/// A brick beside which the surface passes, less than a voxel away.
 struct Crossed {
   std::size_t brick;
-  Vector3d place;       ///< its sample nearest to the surface, mm
-  std::size_t samples;  ///< how many stand for the surface
+  Vector3d place;  ///< its sample nearest to the surface, mm
+  double area;     ///< square voxels of surface: a sample stands for as much as it is nearer than a voxel
 };
 
 std::vector<Crossed> crossed_bricks(const BandField& field) {
   std::vector<Crossed> crossed;
   for (std::size_t b = 0; b < field.bricks.size(); ++b) {
     const Brick& brick = field.bricks[b];
-    std::size_t samples = 0;
+    double area = 0.0;
     int nearest = 0;
     for (int s = 0; s < 64; ++s) {
       const float away = std::abs(brick.distance[static_cast<std::size_t>(s)]);
-      if (away < kBeside) ++samples;
+      area += std::max(0.0, 1.0 - static_cast<double>(away));
       if (away < std::abs(brick.distance[static_cast<std::size_t>(nearest)])) nearest = s;
     }
-    if (samples > 0) {
-      crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)), samples});
+    if (area > 0.0) {
+      crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)), area});
     }
   }
   return crossed;
@@ -60,14 +60,14 @@ InventedSurface invented_surface(const BandField& field, const SoundScan& sound)
     }
   });
   InventedSurface result;
-  std::size_t all = 0, share = 0;
+  double all = 0.0, share = 0.0;
   for (std::size_t i = 0; i < crossed.size(); ++i) {
-    all += crossed[i].samples;
+    all += crossed[i].area;
     if (invented[i] == 0) continue;
-    share += crossed[i].samples;
+    share += crossed[i].area;
     result.cells.push_back(field.bricks[crossed[i].brick].cell);
   }
-  if (all > 0) result.share = static_cast<double>(share) / static_cast<double>(all);
+  if (all > 0.0) result.share = share / all;
   return result;
 }
 

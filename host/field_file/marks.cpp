@@ -9,11 +9,13 @@ using namespace image_layout;
 
 namespace {
 
-std::size_t beside_surface(const FieldView& view, std::uint32_t brick) {
+/// Voxels of surface in a brick, times the raw value of one: a coefficient stands for as much as it is below a voxel.
+std::int64_t area_raw(const FieldView& view, std::uint32_t brick) {
   const std::span coefficients(view.bricks + std::size_t{brick} * kSamplesPerBrick, kSamplesPerBrick);
-  constexpr int kHalfVoxel = 1 << (Distance::kFractionBits - 1);
-  return static_cast<std::size_t>(
-      std::count_if(coefficients.begin(), coefficients.end(), [](std::int16_t c) { return std::abs(c) < kHalfVoxel; }));
+  constexpr int kVoxel = 1 << Distance::kFractionBits;
+  std::int64_t area = 0;
+  for (const std::int16_t c : coefficients) area += std::max(0, kVoxel - std::abs(c));
+  return area;
 }
 
 }  // namespace
@@ -25,14 +27,14 @@ void Marks::mark(const FieldView& view, std::int32_t i, std::int32_t j, std::int
   bytes_[brick / 8] = static_cast<std::uint8_t>(bytes_[brick / 8] | 1U << brick % 8);
 }
 
-bool is_crossed(const FieldView& view, std::uint32_t brick) { return beside_surface(view, brick) > 0; }
+bool is_crossed(const FieldView& view, std::uint32_t brick) { return area_raw(view, brick) > 0; }
 
 double share_of(const Marks& marks, const FieldView& view) {
-  std::size_t all = 0, marked = 0;
+  std::int64_t all = 0, marked = 0;
   for (std::uint32_t brick = 2; brick < view.brick_count; ++brick) {
-    const std::size_t samples = beside_surface(view, brick);
-    all += samples;
-    if (marks.has(brick)) marked += samples;
+    const std::int64_t area = area_raw(view, brick);
+    all += area;
+    if (marks.has(brick)) marked += area;
   }
   return all > 0 ? static_cast<double>(marked) / static_cast<double>(all) : 0.0;
 }

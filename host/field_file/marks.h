@@ -27,10 +27,10 @@ class Marks {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Does the surface pass through this brick? One of its coefficients is less than half a voxel away from it.
+/// Does the surface pass through this brick or less than a voxel beside it?
 bool is_crossed(const FieldView& view, std::uint32_t brick);
 
-/// The share of the surface that lies in marked bricks, counted in coefficients less than half a voxel away from it.
+/// The share of the surface that lies in marked bricks.
 double share_of(const Marks& marks, const FieldView& view);
 
 }  // namespace isotouch::field_file

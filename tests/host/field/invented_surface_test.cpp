@@ -70,7 +70,7 @@ TEST(InventedSurface, CellsHoldTheSurface) {
   for (const Eigen::Vector3i& cell : field.invented.cells) {
     const auto brick = std::find_if(field.field.bricks.begin(), field.field.bricks.end(), [&](const Brick& b) { return b.cell == cell; });
     ASSERT_NE(brick, field.field.bricks.end());
-    EXPECT_TRUE(std::any_of(brick->distance.begin(), brick->distance.end(), [](float d) { return std::fabs(d) < 0.5F; }));
+    EXPECT_TRUE(std::any_of(brick->distance.begin(), brick->distance.end(), [](float d) { return std::fabs(d) < 1.0F; }));
   }
 }
 
