@@ -79,12 +79,12 @@ TEST(PointsPicture, DrawsTheRimAndHidesItsFarSide) {
     points.normals.emplace_back(0, 0, 1);
   }
   const auto vermilion = [&](double z) {
-    PointsOptions options{.width = 480, .height = 400, .direction = {0, 0, 'y'}, .spacing = 2, .mm_per_unit = 0, .rim_length = 20};
+    PointsOptions options{.direction = {0, 0, 'y'}, .spacing = 2, .mm_per_unit = 0, .rim_length = 20};
     options.rim = {{Eigen::Vector3d(5, 5, z), Eigen::Vector3d(25, 5, z)}};
     const Image image = points_picture(points, options);
     int found = 0;
-    for (int y = 0; y < 400 - 60; ++y) {
-      for (int x = 0; x < 480; ++x) {
+    for (int y = 0; y < image.height() - 86; ++y) {
+      for (int x = 0; x < image.width(); ++x) {
         const Colour &c = image.at(x, y), &rim = kRimColour;
         found += std::fabs(c.r - rim.r) + std::fabs(c.g - rim.g) + std::fabs(c.b - rim.b) < 0.05F ? 1 : 0;
       }
