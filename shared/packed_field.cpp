@@ -13,6 +13,17 @@ namespace isotouch {
 
 using namespace packed_layout;
 
+namespace {
+
+/// One bit a brick, none for the constant bricks and beyond the last, and not all of them 0.
+bool are_marks(std::span<const std::uint8_t> marks, std::uint32_t bricks) {
+  if (marks.size() != (std::uint64_t{bricks} + 7) / 8) return false;
+  const bool constant = (marks.front() & 3U) != 0, beyond = bricks % 8 != 0 && marks.back() >> bricks % 8 != 0;
+  return !constant && !beyond && std::any_of(marks.begin(), marks.end(), [](std::uint8_t byte) { return byte != 0; });
+}
+
+}  // namespace
+
 bool PackedField::has_magic(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
@@ -32,7 +43,10 @@ Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
   packed.image_bytes = load_le<std::uint64_t>(at + kImageBytesAt);
   packed.image_hash = load_le<std::uint64_t>(at + kImageHashAt);
   packed.image_header = bytes.subspan(kImageHeaderAt, image_layout::kHeaderBytes);
-  packed.frame = bytes.subspan(kHeaderBytes);
+  const auto mark_bytes = load_le<std::uint32_t>(at + kMarkBytesAt);
+  if (mark_bytes > bytes.size() - kHeaderBytes) return Error::kBadSize;
+  packed.frame = bytes.subspan(kHeaderBytes, bytes.size() - kHeaderBytes - mark_bytes);
+  packed.marks = bytes.last(mark_bytes);
   std::uint64_t samples = 0;
   for (std::size_t stream = 0; stream < packed.stream_sizes.size(); ++stream) {
     packed.stream_sizes[stream] = load_le<std::uint32_t>(at + kStreamSizesAt + 4 * stream);
@@ -47,11 +61,12 @@ Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
       frame->dictionary != 0) {
     return Error::kBadFrame;
   }
+  if (mark_bytes > 0 && !are_marks(packed.marks, parts->brick_count)) return Error::kBadMarks;
   if (const auto header = FieldView::of_header(packed.image_header, packed.image_bytes); !header) return header.error();
   return packed;
 }
 
-void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed) {
+void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed, std::size_t mark_bytes) {
   std::uint8_t* at = packed.data();
   std::fill_n(at, kHeaderBytes, std::uint8_t{0});
   std::copy(kMagic.begin(), kMagic.end(), at);
@@ -62,6 +77,7 @@ void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std
   store_le(at + kImageBytesAt, std::uint64_t{image.image.size()});
   store_le(at + kImageHashAt, image.hash());
   for (std::size_t stream = 0; stream < sizes.size(); ++stream) store_le(at + kStreamSizesAt + 4 * stream, sizes[stream]);
+  store_le(at + kMarkBytesAt, static_cast<std::uint32_t>(mark_bytes));
   std::copy_n(image.image.begin(), image_layout::kHeaderBytes, at + kImageHeaderAt);
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, packed.size() - kTotalBytesAt));
 }

@@ -27,6 +27,7 @@ inline constexpr std::size_t kTotalBytesAt = 16;
 inline constexpr std::size_t kImageBytesAt = 24;
 inline constexpr std::size_t kImageHashAt = 32;
 inline constexpr std::size_t kStreamSizesAt = 40;
+inline constexpr std::size_t kMarkBytesAt = 56;
 inline constexpr std::size_t kImageHeaderAt = 64;
 inline constexpr std::size_t kHeaderBytes = 320;
 inline constexpr int kWindowShift = 17;    ///< of the frame: a reader may hold so little of it at a time
@@ -40,13 +41,14 @@ struct PackedField {
   StreamSizes stream_sizes{};
   std::span<const std::uint8_t> image_header;  ///< the first 256 bytes of the image
   std::span<const std::uint8_t> frame;         ///< zstd; unpacks to the residuals
+  std::span<const std::uint8_t> marks;         ///< a bit for each brick: its surface was invented (SPEC.md 4.4); empty = none was
 
   std::uint64_t residual_bytes() const { return image_bytes - image_header.size(); }
 
   /// Checks everything that can be checked without unpacking.
   ///
   /// fails     kBadMagic, kTruncated, kBadVersion, kBadHeader (of the image, too), kBadSize (sizes that contradict each other, or an image larger than the
-  ///           frame can hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it)
+  ///           frame can hold), kBadChecksum, kBadFrame (not one frame as SPEC.md 4.1 wants it), kBadMarks (not as SPEC.md 4.4 wants them)
   /// tick      no: it reads all bytes
   static Result<PackedField> parse(std::span<const std::uint8_t> bytes);
 
@@ -56,10 +58,11 @@ struct PackedField {
 
 /// Writes the header in front of a frame that stands at `packed_layout::kHeaderBytes` of `packed` already.
 ///
-/// image     a checked one
-/// sizes     what `predict` returned for it; the frame holds the residuals
-/// packed    header and frame, nothing behind
-void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed);
+/// image       a checked one
+/// sizes       what `predict` returned for it; the frame holds the residuals
+/// packed      header, frame and marks, nothing behind
+/// mark_bytes  how many of them are marks
+void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed, std::size_t mark_bytes = 0);
 
 /// Unpacks the image and checks its hash. Whether the image is a valid field is for FieldView::parse to say.
 ///

@@ -27,6 +27,7 @@ enum class Error : std::uint8_t {
   kBadPacket,       ///< a device packet that lost or changed bytes on its way
   kBadMessage,      ///< a message that breaks the protocol
   kBadModel,        ///< a device model with a number outside its range
+  kBadMarks,        ///< marks of invented surface that do not fit the bricks of their field
 };
 
 constexpr const char* describe(Error error) {
@@ -50,6 +51,7 @@ constexpr const char* describe(Error error) {
     case Error::kBadPacket: return "the device packet is malformed";
     case Error::kBadMessage: return "a message does not follow the protocol";
     case Error::kBadModel: return "the device model holds a number outside its range";
+    case Error::kBadMarks: return "its marks of invented surface do not fit its bricks";
   }
   return "unknown error";
 }

@@ -30,7 +30,7 @@ struct Options {
 
 void run(const Options& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
-  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view);  // without its marks, which are for people
   const std::string file_name = is_standard(options.field) ? "field" : options.field.stem().string();
   const std::string name = options.name.empty() ? file_name : options.name;
   const std::uint64_t hash = field.view.hash();

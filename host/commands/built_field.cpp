@@ -54,7 +54,8 @@ std::vector<PlannedStage> plan_for(InputKind kind, encoding::Method method) {
 struct Made {
   field::BandField field;
   std::optional<std::size_t> inside_nodes = {};
-  std::optional<field::SoundScan> scan = {};  ///< of a cloud; workspace, mm
+  std::optional<field::SoundScan> scan = {};         ///< of a cloud; workspace, mm
+  std::vector<Eigen::Vector3i> invented_cells = {};  ///< of bricks
 };
 
 cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
@@ -111,7 +112,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   if (options.method == encoding::Method::kPublished) {
     sound.drop_invented();
     const published::Built built = published::build(sound.points, grid_round(edge, sound.points.positions, published::kMargin), progress);
-    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound)};
+    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound), {}};
     const cloud::OrientedPoints& placed = made.scan->points;
     if (!placed.stiffness.empty()) {
       std::vector<Eigen::Vector3d> places;
@@ -123,7 +124,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   field::ScanField built = field::scan_field(sound, edge, options.band_voxels(), progress);
   for (const std::string& warning : built.repair.warnings()) report.warnings.push_back(warning);
   report.verdict = std::move(built.verdict);
-  return {std::move(built.field), std::nullopt, std::move(sound)};
+  return {std::move(built.field), std::nullopt, std::move(sound), std::move(built.invented.cells)};
 }
 
 Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -272,11 +273,12 @@ BuiltField built_field(const BuildOptions& options) {
   const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
                                  static_cast<std::uint32_t>(report.points), report.placement};
   field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
+  for (const Eigen::Vector3i& cell : made.invented_cells) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)
     throw InputError(options.input.string() + ": the field is empty: the points do not enclose a body; check their normals");
   progress.begin("pack");
-  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view, field.invented);
   progress.begin("write");
   write_file(options.out, packed.data(), packed.size());
   progress.end();

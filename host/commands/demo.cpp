@@ -47,7 +47,7 @@ struct DemoOptions {
 struct Tour {
   trace::ReplayReport first;
   bool repeated = false;  // the second run gave the same bits
-  view::Touch deepest;
+  view::Touch shown;      // one that a person recognises
 };
 
 struct SphereForce {
@@ -67,7 +67,7 @@ fs::path hydrant(const fs::path& folder) {
 }
 
 /// All gestures over the object, recorded, and replayed against the recording.
-Tour feel(const FieldView& field, const fs::path& folder) {
+Tour feel(const FieldView& field, const fs::path& folder, char up) {
   const TraceHeader header;
   const fs::path inputs = folder / "tour.inputs.trace", recorded = folder / "tour.trace";
   trace::TraceWriter writer(inputs, header);
@@ -83,7 +83,7 @@ Tour feel(const FieldView& field, const fs::path& folder) {
   const trace::Trace with_outputs = trace::read_trace(recorded);
   const trace::ReplayReport again = trace::replay(field, with_outputs, true);
   tour.repeated = !again.first_difference && again.hash == tour.first.hash;
-  tour.deepest = deepest_touch(with_outputs, field);
+  tour.shown = clear_touch(with_outputs, field, up);
   return tour;
 }
 
@@ -121,8 +121,10 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                                                                 .title = title,
                                                                 .spacing = cloud::median_spacing(built.points.positions),
                                                                 .mm_per_unit = 1}));
-  view::write_png(files[1], view::surface_picture(built.field.view, {.up = options.up, .touch = tour.deepest, .title = title}));
-  view::write_png(files[2], view::slice_picture(built.field.view, {.title = title}));
+  view::write_png(
+      files[1],
+      view::surface_picture(built.field.view, {.up = options.up, .touch = tour.shown, .title = title, .invented = built.field.invented}));
+  view::write_png(files[2], view::slice_picture(built.field.view, {.touch = tour.shown, .title = title}));
   view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
   return files;
 }
@@ -161,12 +163,22 @@ void print_text(const std::string& title, const BuiltField& built, const Tour& t
   std::printf("tour            %llu ticks, %.0f ticks a second with their hash chain\n", static_cast<unsigned long long>(tour.first.ticks),
               static_cast<double>(tour.first.ticks) / tour.first.seconds);
   std::printf("replay          hash %s, repeated: equal, every bit\n", trace::hash_text(tour.first.hash).c_str());
-  std::printf("deepest touch   %.2f mm, %.2f N at tick %zu\n", tour.deepest.depth_mm(), tour.deepest.force_n, tour.deepest.tick);
+  std::printf("touch shown     %.2f mm deep, %.2f N, at tick %zu\n", tour.shown.depth_mm(), tour.shown.force.norm(), tour.shown.tick);
   std::printf("sphere's force  magnitude rms error %.4f %%, direction error at most %.4f° (4 voxels deep, 100 and 300 mm/s, %zu ticks)\n",
               force.worst.magnitude_rms_pct, force.worst.direction_max_deg, force.worst.ticks);
   std::printf("pictures       ");
   for (const fs::path& picture : pictures) std::printf(" %s", picture.string().c_str());
   std::printf("\n");
+}
+
+/// Which file to open, and what to do next.
+void print_next(const DemoOptions& options, const std::string& title, const Tour& tour, const std::vector<fs::path>& pictures) {
+  const std::string field = (options.folder / (title + ".itf")).string();
+  std::printf("\nOpen %s: a hand presses %.1f mm into the object, and the surface holds its proxy back.\n", pictures[1].string().c_str(),
+              tour.shown.depth_mm());
+  std::printf("To see it from another side: isotouch render surface %s --trace %s --view -60,20 -o %s\n", field.c_str(),
+              (options.folder / "tour.trace").string().c_str(), (options.folder / "other.png").string().c_str());
+  std::printf("To do the same with a scan of yours: isotouch demo SCAN\n");
 }
 
 void run(const DemoOptions& options) {
@@ -183,7 +195,7 @@ void run(const DemoOptions& options) {
   build.out = options.folder / (title + ".itf");
   const BuiltField built = built_field(build);
   say("feeling it along a tour");
-  const Tour tour = feel(built.field.view, options.folder);
+  const Tour tour = feel(built.field.view, options.folder, options.up);
   if (!tour.repeated) throw ComparisonFailed("the tour's replay is not equal to its recording");
   say("comparing the force with a sphere's");
   const SphereForce force = sphere_force();
@@ -193,6 +205,7 @@ void run(const DemoOptions& options) {
     print_json(built, tour, force, pictures);
   } else {
     print_text(title, built, tour, force, pictures);
+    print_next(options, title, tour, pictures);
   }
 }
 

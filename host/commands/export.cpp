@@ -39,6 +39,7 @@ using Bytes = std::vector<std::uint8_t>;
 /// A field, and the frame that it is to be written in.
 struct Exported {
   const FieldView& field;
+  const field_file::Marks& invented;
   cloud::Placement frame;  ///< workspace = frame.scale * frame + frame.offset
   bool input_frame;
   std::filesystem::path out;
@@ -52,7 +53,7 @@ struct Exported {
 
 Bytes image(const Exported& from) { return {from.field.image.begin(), from.field.image.end()}; }
 
-Bytes packed(const Exported& from) { return field_file::pack(from.field); }
+Bytes packed(const Exported& from) { return field_file::pack(from.field, from.invented); }
 
 Bytes level_set(const Exported& from) {
   const encoding::FieldInfo info = encoding::info_of(from.field);
@@ -125,7 +126,7 @@ void run(const Options& options) {
   const cloud::Placement frame = options.input_frame ? evaluate::placement_of(open.view) : cloud::Placement{};
   ProgressBar bar({{"export", kSecondsABrick * open.view.brick_count}});
   bar.begin("export");
-  const Bytes bytes = writer.bytes({open.view, frame, options.input_frame, options.out});
+  const Bytes bytes = writer.bytes({open.view, open.invented, frame, options.input_frame, options.out});
   bar.end();
   write_file(options.out, bytes.data(), bytes.size());
 }

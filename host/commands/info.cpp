@@ -81,7 +81,8 @@ struct StiffnessRange {
   }
 };
 
-nlohmann::ordered_json to_json(const FieldView& view, std::size_t packed_bytes, bool with_surface) {
+nlohmann::ordered_json to_json(const field_file::OpenField& field, std::size_t packed_bytes, bool with_surface) {
+  const FieldView& view = field.view;
   const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
@@ -102,11 +103,13 @@ nlohmann::ordered_json to_json(const FieldView& view, std::size_t packed_bytes, 
                                  {"certificate", certificate}};
   const StiffnessRange stiffness(view);
   json["stiffness_n_per_mm"] = {{"least", stiffness.least}, {"largest", stiffness.largest}};
+  if (field.invented.any()) json["invented_share"] = field_file::share_of(field.invented, view);
   if (with_surface) add_surface(view, json);
   return json;
 }
 
-void print_text(const FieldView& view, std::size_t packed_bytes) {
+void print_text(const field_file::OpenField& field, std::size_t packed_bytes) {
+  const FieldView& view = field.view;
   const encoding::FieldInfo info = encoding::info_of(view);
   const Eigen::Vector3d origin = to_double(view.origin);
   const Eigen::Vector3d far =
@@ -146,6 +149,10 @@ void print_text(const FieldView& view, std::size_t packed_bytes) {
     }
   }
   std::printf("bricks       %u of 4 × 4 × 4 samples, in %u nodes\n", view.brick_count, view.node_count);
+  if (field.invented.any()) {
+    std::printf("invented     %.1f %% of the surface, where nobody scanned; `isotouch render surface` shows it\n",
+                100.0 * field_file::share_of(field.invented, view));
+  }
 }
 
 }  // namespace
@@ -166,14 +173,14 @@ void add_info(CLI::App& app) {
   command->callback([options] {
     const std::vector<std::uint8_t> file = read_file(options->field);
     const field_file::OpenField field =
-        field_file::open_field(field_file::read_image(file, options->field.string()), options->field.string());
+        field_file::open_field(field_file::read_field(file, options->field.string()), options->field.string());
     const std::size_t packed = packed_bytes(file, field.view);
-    if (!options->key.empty()) return print_field(to_json(field.view, packed, options->surface), options->key);
+    if (!options->key.empty()) return print_field(to_json(field, packed, options->surface), options->key);
     if (options->json) {
-      std::printf("%s\n", to_json(field.view, packed, options->surface).dump(2).c_str());
+      std::printf("%s\n", to_json(field, packed, options->surface).dump(2).c_str());
       return;
     }
-    print_text(field.view, packed);
+    print_text(field, packed);
     if (options->surface) print_surface(field.view);
   });
 }

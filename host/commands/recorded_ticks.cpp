@@ -1,11 +1,15 @@
 #include "host/commands/recorded_ticks.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "host/error.h"
 #include "host/to_double.h"
 #include "host/trace/replay.h"
+#include "host/view/touch_view.h"
 
 namespace isotouch::commands {
 
@@ -14,9 +18,29 @@ namespace {
 view::Touch touch_of(const trace::Trace& trace, std::size_t tick, const TraceRecord& record) {
   return {.proxy = to_double(record.output.proxy),
           .hip = to_double(record.output.hip),
-          .force_n = to_double(record.output.force).norm(),
+          .force = to_double(record.output.force),
           .tick = tick,
           .time_s = static_cast<double>(tick) * trace.header().period_ns * 1e-9};
+}
+
+constexpr std::array kClearDepth = {1.2, 1.8};  // mm
+constexpr double kOtherDepth = 1e6;             // more than any view costs: the depth comes first
+
+/// The touch of least cost; of equal ones the first.
+template <class Cost>
+view::Touch least(const trace::Trace& trace, const FieldView& field, const Cost& cost) {
+  std::optional<view::Touch> best;
+  double best_cost = 0;
+  for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
+    if ((record.output.status & kContact) == 0) return;
+    const view::Touch touch = touch_of(trace, number, record);
+    const double this_cost = cost(touch);
+    if (best && this_cost >= best_cost) return;
+    best = touch;
+    best_cost = this_cost;
+  });
+  if (!best) throw InputError(trace.path() + ": the hand never touches this field");
+  return *best;
 }
 
 }  // namespace
@@ -38,20 +62,20 @@ view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::siz
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if (number == tick && (record.output.status & kContact) != 0) touch = touch_of(trace, number, record);
   });
-  if (!touch)
-    throw InputError(trace.path() + ": nothing is touched at tick " + std::to_string(tick) + ", choose another or --tick deepest");
+  if (!touch) throw InputError(trace.path() + ": nothing is touched at tick " + std::to_string(tick) + ", choose another, or --tick clear");
   return *touch;
 }
 
 view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field) {
-  std::optional<view::Touch> deepest;
-  for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
-    if ((record.output.status & kContact) == 0) return;
-    const view::Touch touch = touch_of(trace, number, record);
-    if (!deepest || touch.depth_mm() > deepest->depth_mm()) deepest = touch;
+  return least(trace, field, [](const view::Touch& touch) { return -touch.depth_mm(); });
+}
+
+view::Touch clear_touch(const trace::Trace& trace, const FieldView& field, char up) {
+  const view::FieldRays rays(field);
+  return least(trace, field, [&](const view::Touch& touch) {
+    const double off_depth = std::fabs(touch.depth_mm() - std::clamp(touch.depth_mm(), kClearDepth[0], kClearDepth[1]));
+    return off_depth > 0 ? kOtherDepth + off_depth : view::view_cost(touch, {.up = up}, rays);
   });
-  if (!deepest) throw InputError(trace.path() + ": the hand never touches this field");
-  return *deepest;
 }
 
 }  // namespace isotouch::commands

@@ -22,4 +22,11 @@ view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::siz
 /// fails     InputError as above, and when the object is never touched
 view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field);
 
+/// A touch that a person recognises on a picture: 1.2 to 1.8 mm deep, and seen well from the default direction; the first of equals. Where no touch is
+/// that deep, the one that comes nearest to it.
+///
+/// up        the axis that points upwards on the picture
+/// fails     as `deepest_touch`
+view::Touch clear_touch(const trace::Trace& trace, const FieldView& field, char up);
+
 }  // namespace isotouch::commands

@@ -42,8 +42,13 @@ struct PointsRun {
     ProgressBar bar({{"points", 1}});
     bar.begin("points");
     cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
-    if (!report.has_normals) {
-      field::SoundScan sound = field::sound_scan(std::move(points), {.estimate = true});
+    field::SoundScan sound;
+    try {
+      sound = field::sound_scan(points, {.estimate = !report.has_normals});
+    } catch (const InputError&) {
+      if (!report.has_normals) throw;  // else it is drawn as it is, too poor to have a rim
+    }
+    if (!report.has_normals) {  // what was found instead; else the file's own, strays and all
       sound.drop_invented();
       points = std::move(sound.points);
     }
@@ -52,56 +57,76 @@ struct PointsRun {
                                                                .direction = picture.direction().value_or(view::Direction{.up = picture.up}),
                                                                .title = cloud.stem().string(),
                                                                .spacing = cloud::median_spacing(points.positions),
-                                                               .mm_per_unit = 0}));
+                                                               .mm_per_unit = 0,
+                                                               .rim_length = sound.rim.length,
+                                                               .rim = sound.rim.links}));
+  }
+};
+
+/// Which touch of a recorded hand a picture shows.
+struct TouchOptions {
+  fs::path trace;
+  std::string tick = "clear";
+
+  CLI::Option* add_to(CLI::App& command) {
+    CLI::Option* option = command.add_option("--trace", trace, "show the touch of a recorded hand");
+    command
+        .add_option("--tick", tick,
+                    "which tick of it: a number, deepest, or clear, which is a touch between 1 and 2 mm deep that is easy to see")
+        ->needs(option)
+        ->capture_default_str();
+    return option;
+  }
+  std::optional<view::Touch> touch(const FieldView& field, char up) const {
+    if (trace.empty()) return std::nullopt;
+    const trace::Trace recorded = trace::read_trace(trace);
+    if (tick == "clear") return clear_touch(recorded, field, up);
+    if (tick == "deepest") return deepest_touch(recorded, field);
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(tick.data(), tick.data() + tick.size(), number);
+    if (error == std::errc() && end == tick.data() + tick.size() && number < recorded.size()) return touch_at(recorded, field, number);
+    throw InputError(trace.string() + ": there is no tick '" + tick + "'; name one from 0 to " + std::to_string(recorded.size() - 1) +
+                     ", or deepest, or clear");
   }
 };
 
 struct SurfaceRun {
   PictureOptions picture;
   fs::path field;
-  fs::path trace;
-  std::string tick = "deepest";
+  TouchOptions touch;
 
   void operator()() const {
     const field_file::OpenField open = field_file::open_field(field);
-    view::SurfaceOptions options{.width = picture.size[0],
-                                 .height = picture.size[1],
-                                 .direction = picture.direction(),
-                                 .up = picture.up,
-                                 .touch = std::nullopt,
-                                 .title = field.stem().string()};
-    if (!trace.empty()) {
-      const trace::Trace recorded = trace::read_trace(trace);
-      options.touch = tick == "deepest" ? deepest_touch(recorded, open.view) : touch_at(recorded, open.view, parse_tick(recorded.size()));
-    }
+    const view::SurfaceOptions options{.width = picture.size[0],
+                                       .height = picture.size[1],
+                                       .direction = picture.direction(),
+                                       .up = picture.up,
+                                       .touch = touch.touch(open.view, picture.up),
+                                       .title = field.stem().string(),
+                                       .invented = open.invented};
     ProgressBar bar({{"surface", 1e-6 * picture.size[0] * picture.size[1]}});
     bar.begin("surface");
     const view::Image drawn = view::surface_picture(open.view, options);
     bar.end();
     view::write_png(picture.out, drawn);
   }
-
-  std::size_t parse_tick(std::size_t count) const {
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(tick.data(), tick.data() + tick.size(), number);
-    if (error == std::errc() && end == tick.data() + tick.size() && number < count) return number;
-    throw InputError(trace.string() + ": there is no tick '" + tick + "'; name one from 0 to " + std::to_string(count - 1) +
-                     ", or deepest");
-  }
 };
 
 struct SliceRun {
   PictureOptions picture;
   fs::path field;
-  char axis = 'z';
+  std::optional<char> axis;
   std::optional<double> at;
+  TouchOptions touch;
 
   void operator()() const {
     const field_file::OpenField open = field_file::open_field(field);
-    view::write_png(
-        picture.out,
-        view::slice_picture(
-            open.view, {.width = picture.size[0], .height = picture.size[1], .axis = axis, .at_mm = at, .title = field.stem().string()}));
+    view::write_png(picture.out, view::slice_picture(open.view, {.width = picture.size[0],
+                                                                 .height = picture.size[1],
+                                                                 .axis = axis,
+                                                                 .at_mm = at,
+                                                                 .touch = touch.touch(open.view, picture.up),
+                                                                 .title = field.stem().string()}));
   }
 };
 
@@ -162,14 +187,18 @@ void add_render(CLI::App& app) {
 
   const auto [surface, surface_run] = add<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
   surface->add_option("FIELD", surface_run->field, "the field (.itf)")->required();
-  CLI::Option* trace = surface->add_option("--trace", surface_run->trace, "show the touch of a recorded hand");
-  surface->add_option("--tick", surface_run->tick, "tick of the trace: a number, or deepest")->needs(trace)->capture_default_str();
+  surface_run->touch.add_to(*surface);
   surface_run->picture.add_view_to(*surface);
 
   const auto [slice, slice_run] = add<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
   slice->add_option("FIELD", slice_run->field, "the field (.itf)")->required();
-  slice->add_option("--axis", slice_run->axis, "across the slice")->check(one_of({"x", "y", "z"}))->capture_default_str();
-  slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
+  slice
+      ->add_option_function<std::string>(
+          "--axis", [run = slice_run](const std::string& name) { run->axis = name.front(); },
+          "across the slice; by default z, or with --trace the axis that shows the touch best")
+      ->check(one_of({"x", "y", "z"}));
+  CLI::Option* at = slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
+  slice_run->touch.add_to(*slice)->excludes(at);
 
   const auto [force, force_run] = add<ForceRun>(*render, "force", "Force over time of a recorded hand");
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();

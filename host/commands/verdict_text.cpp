@@ -36,8 +36,7 @@ nlohmann::ordered_json to_json(const field::Verdict& verdict) {
 std::string in_words(const field::Verdict& verdict) {
   std::string text = verdict.plausible() ? "plausible" : "probably wrong";
   text += "; noise " + per_cent(verdict.noise_spacing) + " of the spacing, " + per_cent(verdict.stray_share) + " strays, " +
-          per_cent(verdict.turned_share) + " of the normals turned, " + per_cent(verdict.invented_share) +
-          " of the surface far from every point";
+          per_cent(verdict.turned_share) + " of the normals turned, " + per_cent(verdict.invented_share) + " of the surface invented";
   for (const std::string& reason : verdict.reasons) text += "\n              " + reason;
   return text;
 }

@@ -88,10 +88,15 @@ OpenRim open_rim(const Scan& scan) {
     return i;
   };
   std::vector<Chain> chains(scan.size());
+  std::vector<Link> joined, closing;
   for (const Link& link : links) {
     const std::uint32_t a = root(link.a), b = root(link.b);
-    if (a == b) continue;
+    if (a == b) {
+      closing.push_back(link);
+      continue;
+    }
     above[b] = a;
+    joined.push_back(link);
     chains[a].last = std::sqrt(link.squared_length);
     chains[a].length += chains[b].length + chains[a].last;
   }
@@ -116,6 +121,21 @@ OpenRim open_rim(const Scan& scan) {
     rim.place = chain.sum / static_cast<double>(chain.samples);
   }
   if (rim.samples == 0) return rim;
+  // Two ends of a tree that are neighbours close its ring.
+  std::vector<std::uint32_t> degree(scan.size());
+  const auto count = [&](const Link& link) {
+    ++degree[link.a];
+    ++degree[link.b];
+  };
+  for (const Link& link : joined) count(link);
+  for (const Link& link : closing) {
+    if (degree[link.a] != 1 || degree[link.b] != 1) continue;
+    count(link);
+    joined.push_back(link);
+  }
+  for (const Link& link : joined) {
+    if (chains[root(link.a)].samples >= kFewest) rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
+  }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
     if (on_rim[i] == 0 || root(i) != longest) continue;

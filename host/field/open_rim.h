@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
+#include <vector>
 
 #include "host/field/scan.h"
 
@@ -16,6 +18,7 @@ struct OpenRim {
   double bent = 0;                                  ///< rms distance of its samples from their plane, the scan's unit
   double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
   double behind = 0;            ///< share of the scan's samples that lie on the smaller side of that plane
+  std::vector<std::array<Eigen::Vector3d, 2>> links = {};  ///< from sample to sample along all rims, the scan's unit
 };
 
 /// A sample is on a rim when its neighbours, seen in its tangent plane, leave a wide sector empty and none of them shows that the surface turns

@@ -13,7 +13,9 @@ ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& 
   ScanField result;
   result.field = build_field(scan.points, grid, band, progress, &result.repair, scan.measured);
   progress.begin("verdict");
+  result.invented = invented_surface(result.field, scan);
   result.verdict = judge(result.field, scan, result.repair);
+  result.verdict.invented_share = result.invented.share;
   progress.end();
   return result;
 }

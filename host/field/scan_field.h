@@ -3,6 +3,7 @@
 
 #include "host/field/band_field.h"
 #include "host/field/build_field.h"
+#include "host/field/invented_surface.h"
 #include "host/field/progress.h"
 #include "host/field/sound_scan.h"
 #include "host/field/verdict.h"
@@ -13,6 +14,7 @@ struct ScanField {
   BandField field;
   Repair repair;
   Verdict verdict;
+  InventedSurface invented;
 };
 
 /// scan      workspace, mm

@@ -274,6 +274,7 @@ void SoundScan::place(const cloud::Placement& placement) {
   rim.longest *= placement.scale;
   rim.bent *= placement.scale;
   rim.place = placement.to_workspace(rim.place);
+  for (auto& link : rim.links) link = {placement.to_workspace(link[0]), placement.to_workspace(link[1])};
   spacing *= placement.scale;
   enclosed *= placement.scale * placement.scale * placement.scale;
 }

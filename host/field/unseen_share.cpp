@@ -32,26 +32,24 @@ std::vector<Vector3d> beside_surface(const BandField& field) {
 
 }  // namespace
 
-std::array<double, 2> unseen_shares(const BandField& field, const std::vector<Vector3d>& points, const std::array<double, 2>& limits) {
+double unseen_share(const BandField& field, const std::vector<Vector3d>& points, double limit) {
   const std::vector<Vector3d> places = beside_surface(field);
-  if (places.empty()) return {};
+  if (places.empty()) return 0.0;
   const Nearest tree(points);
-  std::array<std::atomic<std::size_t>, 2> unseen{};
+  std::atomic<std::size_t> unseen = 0;
   in_parallel(places.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
-    std::array<std::size_t, 2> count{};
+    std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
       tree.nearest(places[i], 1, found);
       const double away = std::sqrt(found[0].squared_distance);
       if (away <= field.grid.edge) continue;
       tree.nearest(points[found[0].index], kSixth, found);
-      const double spacing = std::sqrt(found.back().squared_distance);
-      for (std::size_t n = 0; n < limits.size(); ++n) count[n] += away > limits[n] * spacing + field.grid.edge ? 1U : 0U;
+      count += away > limit * std::sqrt(found.back().squared_distance) + field.grid.edge ? 1U : 0U;
     }
-    for (std::size_t n = 0; n < count.size(); ++n) unseen[n] += count[n];
+    unseen += count;
   });
-  const auto all = static_cast<double>(places.size());
-  return {static_cast<double>(unseen[0]) / all, static_cast<double>(unseen[1]) / all};
+  return static_cast<double>(unseen) / static_cast<double>(places.size());
 }
 
 }  // namespace isotouch::field

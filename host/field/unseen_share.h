@@ -2,19 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "host/field/band_field.h"
 
 namespace isotouch::field {
 
-/// Shares of the surface that are farther from the nearest point than so many times the distance from there to its sixth neighbour, plus a voxel. One
-/// of sixteen samples beside the surface is asked.
+/// Spacings, the distance to the sixth neighbour, from the nearest point: farther away a gap begins.
+inline constexpr double kGap = 1.5;
+
+/// Share of the surface that is farther from the nearest point than so many times the distance from there to its sixth neighbour, plus a voxel. One of
+/// sixteen samples beside the surface is asked.
 ///
 /// points    workspace, mm; at least one
-/// limits    how many times
-std::array<double, 2> unseen_shares(const BandField& field, const std::vector<Eigen::Vector3d>& points,
-                                    const std::array<double, 2>& limits);
+/// limit     how many times
+double unseen_share(const BandField& field, const std::vector<Eigen::Vector3d>& points, double limit);
 
 }  // namespace isotouch::field

@@ -43,8 +43,6 @@ constexpr double kBehindCut = 0.002;
 constexpr double kTubeEnd = 0.25;
 
 constexpr std::size_t kAsked = 20'000;  // points, at most
-constexpr double kGap = 1.5;            // the same, where a gap begins
-constexpr double kFar = 3.0;            // spacings to the sixth neighbour from the nearest point: nobody saw this
 
 auto place(const Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
@@ -139,9 +137,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
-  const std::array<double, 2> unseen = unseen_shares(field, measured, {kFar, kGap});
-  verdict.invented_share = unseen[0];
-  verdict.gap_share = closed ? unseen[1] : unseen_shares(field, sound.points.positions, {kFar, kGap})[1];
+  verdict.gap_share = unseen_share(field, sound.points.positions, kGap);
   verdict.surprising_share = repair.surprising;
 
   if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;

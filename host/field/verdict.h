@@ -17,7 +17,7 @@ struct Verdict {
   double noise_spacing = 0;          ///< noise over the distance between neighbours
   double stray_share = 0;            ///< of the points: left out as strays
   double turned_share = 0;           ///< of the normals: turned round
-  double invented_share = 0;         ///< of the surface: farther from every measured point than the scan's own spacing explains
+  double invented_share = 0;         ///< of the surface: nobody scanned it (invented_surface.h)
   double gap_share = 0;              ///< of the surface: as far from every point, invented ones too
   double surprising_share = 0;       ///< of the samples: more than a voxel off the surface that their neighbours alone expect
   double rim_mm = 0;                 ///< length of all open rims together
@@ -33,6 +33,7 @@ struct Verdict {
 };
 
 /// sound     workspace, mm; what `field` was built from
+/// returns   all but `invented_share`
 Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair);
 
 }  // namespace isotouch::field

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/field_file/marks.h"
+
 namespace isotouch::field_file {
 
 /// The 8-byte aligned bytes of an image.
@@ -24,11 +26,17 @@ class Image {
   std::size_t bytes_;
 };
 
-/// Reads a file into an image, unpacked where it is packed. The caller parses it.
+/// What a file holds. An image without a packed form around it has no marks.
+struct StoredField {
+  Image image;
+  Marks invented = {};
+};
+
+/// Reads a file, unpacked where it is packed. The caller parses the image.
 ///
 /// fails     InputError naming the file when it cannot be read or unpacked
-Image read_image(const std::filesystem::path& file);
+StoredField read_field(const std::filesystem::path& file);
 /// The same of a file's bytes.
-Image read_image(const std::vector<std::uint8_t>& bytes, const std::string& name);
+StoredField read_field(const std::vector<std::uint8_t>& bytes, const std::string& name);
 
 }  // namespace isotouch::field_file

@@ -6,7 +6,12 @@
 
 namespace isotouch::field_file {
 
-OpenField open_field(const std::filesystem::path& file) { return open_field(field_file::read_image(file), file.string()); }
+OpenField open_field(const std::filesystem::path& file) {
+  StoredField stored = read_field(file);
+  OpenField field = open_field(std::move(stored.image), file.string());
+  field.invented = std::move(stored.invented);
+  return field;
+}
 
 OpenField open_field(field_file::Image image, const std::string& name) {
   const Result<FieldView> view = FieldView::parse({image.data(), image.size()});

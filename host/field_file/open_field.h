@@ -1,4 +1,4 @@
-/// An image together with the checked view on it.
+/// An image together with the checked view on it, and what its file says beside it.
 #pragma once
 
 #include <filesystem>
@@ -14,6 +14,7 @@ namespace isotouch::field_file {
 struct OpenField {
   field_file::Image image;
   FieldView view;
+  Marks invented = {};  ///< bricks whose surface closes the scan where nobody scanned it
 
   OpenField(field_file::Image bytes, const FieldView& checked) : image(std::move(bytes)), view(checked) {}
   OpenField(OpenField&&) = default;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "host/error.h"
 #include "shared/packed_field.h"
@@ -33,17 +34,18 @@ std::size_t compress(std::span<const std::uint8_t> residuals, std::span<std::uin
 
 }  // namespace
 
-std::vector<std::uint8_t> pack(const FieldView& view) {
+std::vector<std::uint8_t> pack(const FieldView& view, const Marks& invented) {
   std::vector<std::uint8_t> residuals(view.image.size() - image_layout::kHeaderBytes);
   std::vector<std::uint32_t> codes(image_layout::kSamplesPerBrick * std::size_t{view.brick_count});
   const StreamSizes sizes = predict(view.image, codes, residuals);
   std::vector<std::uint8_t> packed(kHeaderBytes + ZSTD_compressBound(residuals.size()));
   packed.resize(kHeaderBytes + compress(residuals, std::span(packed).subspan(kHeaderBytes)));
-  seal_packed(view, sizes, packed);
+  packed.insert(packed.end(), invented.bytes().begin(), invented.bytes().end());
+  seal_packed(view, sizes, packed, invented.bytes().size());
   return packed;
 }
 
-Image unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
+StoredField unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
   const auto refuse = [&](Error error) -> InputError {
     return InputError(name + ": not usable as a packed field: " + describe(error) + "; fetch or build it again");
   };
@@ -57,7 +59,7 @@ Image unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
       isotouch::unpack(*packed, {residuals.get(), residual_bytes}, {image.data(), image.size()},
                        [](auto frame, auto out) { return ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size()); });
   if (!unpacked) throw refuse(unpacked.error());
-  return image;
+  return {std::move(image), Marks(packed->marks)};
 }
 
 }  // namespace isotouch::field_file

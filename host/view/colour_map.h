@@ -1,4 +1,4 @@
-/// From a signed distance to a colour: blue outside, white at the surface, red inside.
+/// From a signed distance to a colour: blue outside, white at the surface, orange inside; people with any colour vision tell the two sides apart.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace isotouch::view {
 /// value     -1 inside to +1 outside, clamped
 inline Colour distance_colour(double value) {
   // Equal steps of lightness on both sides; even steps look even because the mixing is done between coded values, not between lights.
-  static constexpr std::array<std::array<float, 3>, 7> kSteps = {{{0.45F, 0.05F, 0.13F},
-                                                                  {0.76F, 0.24F, 0.22F},
-                                                                  {0.94F, 0.62F, 0.49F},
+  static constexpr std::array<std::array<float, 3>, 7> kSteps = {{{0.42F, 0.18F, 0.02F},
+                                                                  {0.75F, 0.39F, 0.06F},
+                                                                  {0.95F, 0.68F, 0.38F},
                                                                   {0.97F, 0.96F, 0.94F},
                                                                   {0.56F, 0.75F, 0.88F},
                                                                   {0.22F, 0.49F, 0.74F},

@@ -31,10 +31,10 @@ class FieldRays {
   /// The object in dots, a brick apart: enough to place a camera by.
   const std::vector<Eigen::Vector3d>& outline() const { return outline_; }
   double edge() const { return edge_; }
+  Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin_) / edge_; }
   const FieldView& field() const { return field_; }
 
  private:
-  Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin_) / edge_; }
   double distance_at(const Eigen::Vector3d& index) const;
   /// Voxels along the ray to the far side of the block around a point that is far outside throughout; 0 where distances are stored.
   ///

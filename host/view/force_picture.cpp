@@ -1,6 +1,7 @@
 #include "host/view/force_picture.h"
 
 #include "host/view/caption.h"
+#include "host/view/palette.h"
 #include "host/view/plot.h"
 
 namespace isotouch::view {
@@ -15,14 +16,14 @@ Image force_picture(const ForceCurve& curve, const ForceOptions& options) {
   force.title = options.title;
   force.x_label = "time (s)";
   force.y_label = "force (N)";
-  force.series.push_back({"as the core renders it", curve.time_s, curve.felt_n, srgb(0x2F77BC), 2.4F});
+  force.series.push_back({"as the core renders it", curve.time_s, curve.felt_n, kBlue, 2.4F});
   if (curve.exact_n.empty()) {
     force.draw(canvas, {0, air, width, height - air});
     return image;
   }
-  force.series.push_back({options.exact_label, curve.time_s, curve.exact_n, srgb(0x1B2026), 1.3F, true});
+  force.series.push_back({options.exact_label, curve.time_s, curve.exact_n, kForceColour, 1.3F, true});
 
-  Series difference{"", curve.time_s, {}, srgb(0xC23B33), 1.5F};
+  Series difference{"", curve.time_s, {}, kVermilion, 1.5F};
   for (std::size_t i = 0; i < curve.felt_n.size(); ++i) difference.y.push_back(1000 * (curve.felt_n[i] - curve.exact_n[i]));
   Plot error;
   error.title = "difference to the exact answer";

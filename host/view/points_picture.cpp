@@ -7,6 +7,8 @@
 
 #include "host/view/caption.h"
 #include "host/view/light.h"
+#include "host/view/palette.h"
+#include "host/view/text.h"
 
 namespace isotouch::view {
 namespace {
@@ -61,6 +63,15 @@ class Discs {
     }
   }
 
+  /// Is nothing before this place? `slack` nearer counts as there.
+  bool is_seen(const Eigen::Vector3d& place, double slack) const {
+    const Camera::Projected at = camera_.project(place);
+    const int x = static_cast<int>(at.x * kFine), y = static_cast<int>(at.y * kFine);
+    if (x < 0 || y < 0 || x >= colours_.width() || y >= colours_.height()) return false;
+    const double depth = depths_[static_cast<std::size_t>(y) * static_cast<std::size_t>(colours_.width()) + static_cast<std::size_t>(x)];
+    return (place - camera_.eye()).norm() < depth + slack;
+  }
+
  private:
   static constexpr double kEmpty = std::numeric_limits<double>::max();
   static std::size_t count(const Image& image) {
@@ -75,6 +86,29 @@ class Discs {
   std::vector<double> depths_;  // mm along the ray
 };
 
+/// The open rim over the discs, and what the line means.
+void draw_rim(Canvas& canvas, const Camera& camera, const Discs& discs, const PointsOptions& options, Point legend) {
+  const float scale = drawing_scale(canvas.image());
+  std::vector<Polyline> seen, hidden;
+  constexpr int kPieces = 4;
+  for (const auto& [a, b] : options.rim) {
+    for (int piece = 0; piece < kPieces; ++piece) {
+      const auto at = [&](double t) { return Eigen::Vector3d(a + t / kPieces * (b - a)); };
+      const Camera::Projected from = camera.project(at(piece)), to = camera.project(at(piece + 1));
+      const Polyline line = {{static_cast<float>(from.x), static_cast<float>(from.y)},
+                             {static_cast<float>(to.x), static_cast<float>(to.y)}};
+      (discs.is_seen(at(piece + 0.5), 2 * options.spacing) ? seen : hidden).push_back(line);
+    }
+  }
+  canvas.stroke(hidden, 2 * scale, kRimColour, 0.35F);
+  canvas.stroke(seen, 3 * scale, kRimColour);
+  canvas.line({legend.x, legend.y - 4 * scale}, {legend.x + 26 * scale, legend.y - 4 * scale}, 3 * scale, kRimColour);
+  const bool known = options.mm_per_unit > 0;
+  std::string text = "open rim: the scan ends here; about ";
+  text += known ? number(options.rim_length * options.mm_per_unit, 0) + " mm long" : significant(options.rim_length, 2) + " long";
+  draw_text(canvas, {legend.x + 36 * scale, legend.y}, text, {.capital = 8.5F * scale, .colour = kInk});
+}
+
 }  // namespace
 
 Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& options) {
@@ -83,12 +117,13 @@ Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& o
   const float scale = drawing_scale(image);
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
   const Camera camera(options.direction.towards_eye(), options.direction.up_axis(), points.positions,
-                      {20 * scale, 20 * scale, width - 20 * scale, height - 64 * scale});
+                      {20 * scale, 20 * scale, width - 20 * scale, height - (options.rim.empty() ? 64 : 86) * scale});
   const double pixel = 1 / camera.project(points.positions.front()).pixel_per_mm;
   const double radius = std::max(0.5 * options.spacing, 0.8 * pixel);  // below a pixel and a half a disc would flicker
   Discs discs(options.width, options.height, camera);
   for (std::size_t i = 0; i < points.size(); ++i) discs.draw(points.positions[i], points.normals[i], radius);
   discs.lay_on(image);
+  if (!options.rim.empty()) draw_rim(canvas, camera, discs, options, {24 * scale, height - 70 * scale});
 
   const bool known = options.mm_per_unit > 0;
   const std::string distance = known ? number(options.spacing * options.mm_per_unit, 3) + " mm" : significant(options.spacing, 3);

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "host/view/caption.h"
 #include "host/view/light.h"
+#include "host/view/palette.h"
 #include "host/view/rows.h"
 
 namespace isotouch::view {
 namespace {
 
-const Colour kMaterial = srgb(0xD4DEE8);
 const Colour kCutFace = srgb(0xEFDDBB);
 const Colour kCutLine = srgb(0x8C6A34);
 constexpr double kFar = 1e5;           // mm: beyond everything
@@ -19,7 +20,8 @@ constexpr float kShineThrough = 0.6F;  // how much of a hidden marker is seen th
 /// Draws one ray after another; knows nothing of pixels.
 class Painter {
  public:
-  explicit Painter(const Scene& scene) : scene_(scene), light_(scene.camera) {}
+  /// scale     `drawing_scale` of the picture
+  Painter(const Scene& scene, float scale) : scene_(scene), light_(scene.camera), scale_(scale) {}
 
   /// part      which of the pixel's four rays: also the place on the lamp that casts its shadow
   /// pixel     width of a pixel at the object, mm
@@ -54,7 +56,14 @@ class Painter {
     const Eigen::Vector3d lamp = light_.lamp(part);
     bool lit = normal.dot(lamp) > 0;
     if (lit && !scene_.cut) lit = !scene_.rays.hit({point + 0.75 * scene_.rays.edge() * normal, lamp}, 0, kFar);
-    return light_.shade(kMaterial, normal, -ray.direction, lit ? 1.0F : 0.0F, openness(point, normal));
+    return light_.shade(material(point), normal, -ray.direction, lit ? 1.0F : 0.0F, openness(point, normal));
+  }
+
+  /// Hatched on the picture where the surface was invented.
+  Colour material(const Eigen::Vector3d& point) const {
+    if (scene_.invented == nullptr || !scene_.invented->at(scene_.rays.to_index(point))) return kPlainSurface;
+    const Camera::Projected seen = scene_.camera.project(point);
+    return mix(kPlainSurface, kInventedColour, hatch(seen.x, seen.y, scale_));
   }
 
   Colour cut_face(const FieldRays::Value& value, double pixel) const {
@@ -79,12 +88,13 @@ class Painter {
 
   const Scene& scene_;
   Light light_;
+  float scale_;
 };
 
 }  // namespace
 
 void draw_scene(Image& image, const Rect& area, const Scene& scene) {
-  const Painter painter(scene);
+  const Painter painter(scene, drawing_scale(image));
   const int left = static_cast<int>(area.left), top = static_cast<int>(area.top);
   const int right = std::min(static_cast<int>(area.right), image.width()), bottom = std::min(static_cast<int>(area.bottom), image.height());
   const double pixel = scene.cut ? 1 / scene.camera.project(scene.cut->point).pixel_per_mm : 0;  // only the cut's lines need it

@@ -7,6 +7,7 @@
 #include "host/view/camera.h"
 #include "host/view/canvas.h"
 #include "host/view/field_ray.h"
+#include "host/view/invented.h"
 #include "host/view/markers.h"
 
 namespace isotouch::view {
@@ -22,6 +23,7 @@ struct Scene {
   const Camera& camera;
   std::optional<Markers> markers;  ///< shine through the surface where it hides them
   std::optional<CutPlane> cut;
+  const Invented* invented = nullptr;  ///< of the field; hatched
 };
 
 /// Draws the scene into whole pixels of `area`.

@@ -10,6 +10,7 @@
 #include "host/view/caption.h"
 #include "host/view/colour_map.h"
 #include "host/view/field_ray.h"
+#include "host/view/palette.h"
 #include "host/view/rows.h"
 #include "host/view/text.h"
 
@@ -17,7 +18,7 @@ namespace isotouch::view {
 namespace {
 
 const Colour kFarOutside = srgb(0xEEF1F4);
-const Colour kFarInside = srgb(0xF0DED6);
+const Colour kFarInside = srgb(0xF3E3CE);
 const Colour kSurface = srgb(0x101418);
 
 /// Which coordinates run along the slice.
@@ -70,7 +71,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
   const Rect ramp{bar.left, bar.top + cap + gap, bar.right, bar.bottom - cap - gap};
   for (float y = ramp.top; y < ramp.bottom; ++y) {
     const double value = 1 - 2 * static_cast<double>((y + 0.5F - ramp.top) / ramp.height());
-    canvas.fill({ramp.left, y, ramp.right, std::min(y + 1, ramp.bottom)}, distance_colour(value));
+    canvas.fill({ramp.left, y, ramp.right, ramp.bottom}, distance_colour(value));  // down to the end: no row shows what is under it
   }
   for (const double voxels : ticks(-band, band, 11)) {
     const float y = ramp.bottom - static_cast<float>((voxels / band + 1) / 2) * ramp.height();
@@ -89,6 +90,44 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
   draw_text(canvas, {bar.right + 90 * scale, bar.top - 12 * scale}, "mm", head);
 }
 
+/// z where that shows most of the touch, else the axis along which the least of it lies.
+char axis_across(const Touch& touch) {
+  if (std::fabs(touch.out().z()) < 0.5) return 'z';
+  Eigen::Index axis = 0;
+  touch.out().cwiseAbs().minCoeff(&axis);
+  return static_cast<char>('x' + axis);
+}
+
+/// The touch as it is seen along the slice's axis, and what its signs mean.
+void draw_touch(Canvas canvas, const Touch& touch, const Plane& plane, const Axes& axes) {
+  const float scale = drawing_scale(canvas.image());
+  const auto pixel = [&](const Eigen::Vector3d& p) { return axes.at(p[plane.right], p[plane.up]); };
+  const Point proxy = pixel(touch.proxy), hip = pixel(touch.hip);
+  Canvas inside = canvas.within(axes.area());
+  inside.line(proxy, hip, 4.5F * scale, srgb(0xFFFFFF), 0.8F);
+  inside.line(proxy, hip, 2.5F * scale, kHipColour);
+  const Point force{static_cast<float>(touch.force[plane.right]), -static_cast<float>(touch.force[plane.up])};
+  if (touch.force.norm() > 0)
+    draw_force(inside, proxy, proxy + force * (45 * scale / static_cast<float>(touch.force.norm())), 2.2F * scale);
+  draw_hip(inside, hip, 5.5F * scale);
+  draw_proxy(inside, proxy, 5.5F * scale);
+
+  const TextStyle style{.capital = 8.5F * scale, .colour = kInk};
+  float x = axes.area().left + 14 * scale;
+  const float y = axes.area().top + 24 * scale;
+  canvas.fill({x - 14 * scale, axes.area().top, x + 300 * scale, y + 12 * scale}, srgb(0xFFFFFF), 0.8F);
+  const auto name = [&](const std::string& text) {
+    draw_text(canvas, {x + 14 * scale, y}, text, style);
+    x += 14 * scale + text_width(text, style) + 26 * scale;
+  };
+  draw_proxy(canvas, {x, y - 4 * scale}, 5.5F * scale);
+  name("proxy");
+  draw_hip(canvas, {x, y - 4 * scale}, 5.5F * scale);
+  name("HIP, the hand");
+  draw_force(canvas, {x - 8 * scale, y - 4 * scale}, {x + 8 * scale, y - 4 * scale}, 2 * scale);
+  name("force, " + number(touch.force.norm(), 2) + " N");
+}
+
 }  // namespace
 
 Image slice_picture(const FieldView& field, const SliceOptions& options) {
@@ -96,10 +135,12 @@ Image slice_picture(const FieldView& field, const SliceOptions& options) {
   Canvas canvas(image);
   const float scale = drawing_scale(image);
   const FieldRays rays(field);
-  const Plane plane(options.axis);
+  const Plane plane(options.axis ? *options.axis : options.touch ? axis_across(*options.touch) : 'z');
   const double band = static_cast<double>(field.band.raw()) / (1 << Distance::kFractionBits);
 
-  const double at = options.at_mm ? *options.at_mm : widest_place(rays.outline(), plane.across, 4 * rays.edge());
+  const double at = options.at_mm   ? *options.at_mm
+                    : options.touch ? options.touch->proxy[plane.across]
+                                    : widest_place(rays.outline(), plane.across, 4 * rays.edge());
 
   // The object with its band and a little air, in the shape of the room for it.
   Box box;
@@ -127,11 +168,13 @@ Image slice_picture(const FieldView& field, const SliceOptions& options) {
       image.at(x, top + row) = pixel_colour(value.distance, slope, band, rays.edge() / mm);
     }
   });
+  if (options.touch) draw_touch(canvas, *options.touch, plane, axes);
   axes.draw_frame(canvas);
   draw_colour_bar(canvas, {room.right + 24 * scale, room.top + 22 * scale, room.right + 52 * scale, room.bottom}, band, rays.edge());
-  draw_caption(canvas, options.title,
-               {"the field as the core samples it at " + std::string(Plane::name(plane.across)) + " = " + number(at, 3) +
-                " mm; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm"});
+  std::string caption = "the field as the core samples it at ";
+  caption += Plane::name(plane.across);
+  caption += " = " + number(at, 3) + " mm; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm";
+  draw_caption(canvas, options.title, {caption});
   return image;
 }
 

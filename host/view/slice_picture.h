@@ -5,14 +5,17 @@
 #include <string>
 
 #include "host/view/image.h"
+#include "host/view/markers.h"
 #include "shared/field_view.h"
 
 namespace isotouch::view {
 
 struct SliceOptions {
   int width = 960, height = 720;
-  char axis = 'z';                   ///< across the slice: 'x' shows z and y, 'y' shows x and z, 'z' shows x and y
-  std::optional<double> at_mm = {};  ///< where on that axis, workspace; none: where the object is widest
+  std::optional<char> axis = {};  ///< across the slice: 'x' shows z and y, 'y' shows x and z, 'z' shows x and y; none: z, or another from
+                                  ///< where more of the touch is seen
+  std::optional<double> at_mm = {};  ///< where on that axis, workspace; none: at the touch, or where the object is widest
+  std::optional<Touch> touch = {};   ///< drawn as it is seen along the axis
   std::string title = {};
 };
 

@@ -121,19 +121,23 @@ Point pixel(const Camera& camera, const Vector3d& place) {
   return {static_cast<float>(at.x), static_cast<float>(at.y)};
 }
 
-/// A ring on the worst place, and a line from it to where the other surface is nearest.
-void draw_place(Canvas canvas, const Camera& camera, const Vector3d& place, const Vector3d& foot) {
+/// A ring at `from`, and a line from it to a dot.
+void draw_sign(Canvas canvas, Point from, Point to, float radius) {
   const float scale = drawing_scale(canvas.image());
-  const Point from = pixel(camera, place), to = pixel(camera, foot);
   Polyline ring;
   for (int i = 0; i <= 48; ++i) {
     const auto angle = static_cast<float>(i * 2 * std::numbers::pi / 48);
-    ring.push_back(from + Point{std::cos(angle), std::sin(angle)} * (9 * scale));
+    ring.push_back(from + Point{std::cos(angle), std::sin(angle)} * radius);
   }
   const std::array<Polyline, 2> lines = {ring, Polyline{from, to}};
   canvas.stroke(lines, 4 * scale, {1, 1, 1}, 0.8F);
   canvas.stroke(lines, 1.8F * scale, kPlace);
   canvas.disc(to, 3 * scale, kPlace);
+}
+
+/// A ring on the worst place, and a line from it to where the other surface is nearest.
+void draw_place(const Canvas& canvas, const Camera& camera, const Vector3d& place, const Vector3d& foot) {
+  draw_sign(canvas, pixel(camera, place), pixel(camera, foot), 9 * drawing_scale(canvas.image()));
 }
 
 void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double voxel_mm, bool wider) {
@@ -143,7 +147,7 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
   pale.colour = kPaleInk;
   for (float y = bar.top; y < bar.bottom; ++y) {
     const double value = 1 - 2 * static_cast<double>((y + 0.5F - bar.top) / bar.height());
-    canvas.fill({bar.left, y, bar.right, std::min(y + 1, bar.bottom)}, distance_colour(value));
+    canvas.fill({bar.left, y, bar.right, bar.bottom}, distance_colour(value));  // down to the end: no row shows what is under it
   }
   canvas.frame(bar, 1.2F * scale, kPaleInk);
   TextStyle head = label;
@@ -217,6 +221,11 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   draw_text(canvas, {overview.left + 2 * scale, top - 12 * scale}, "where it is", {.capital = 9.5F * scale, .colour = kInk});
   const Rect bar{overview.left, overview.bottom + 92 * scale, overview.left + 26 * scale, foot_of_panels - 44 * scale};
   draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.distance_mm > full);
+
+  const Point sign{panels[1].left + 10 * scale, foot_of_panels + 20 * scale};
+  draw_sign(canvas, sign, sign + Point{18 * scale, 0}, 6 * scale);
+  draw_text(canvas, {sign.x + 30 * scale, sign.y + 4 * scale}, "the worst place, and the nearest one of the other surface",
+            {.capital = 8.5F * scale, .colour = kInk});
 
   char where[96];
   std::snprintf(where, sizeof where, "(%.2f, %.2f, %.2f) mm", worst.place.x(), worst.place.y(), worst.place.z());

@@ -113,5 +113,51 @@ TEST(PackedField, AFrameOfAnotherOutlineIsRefused) {
   }
 }
 
+/// The field of three bricks with marks behind its frame.
+std::vector<std::uint8_t> marked(const std::vector<std::uint8_t>& marks, std::uint32_t bricks = kBricks) {
+  std::vector<std::uint8_t> bytes = valid_bytes(bricks);
+  bytes.insert(bytes.end(), marks.begin(), marks.end());
+  store_le<std::uint64_t>(bytes.data() + 16, bytes.size());
+  store_le<std::uint32_t>(bytes.data() + 56, static_cast<std::uint32_t>(marks.size()));
+  return sealed(bytes);
+}
+
+TEST(PackedField, MarksStandBehindTheFrame) {
+  const std::vector<std::uint8_t> bytes = marked({0b100});
+  const Result<PackedField> packed = PackedField::parse(bytes);
+  ASSERT_TRUE(packed) << describe(packed.error());
+  EXPECT_EQ(packed->frame.size(), kFrame);
+  ASSERT_EQ(packed->marks.size(), 1U);
+  EXPECT_EQ(packed->marks.data(), bytes.data() + 320 + kFrame);
+  EXPECT_EQ(PackedField::parse(sealed(valid_bytes()))->marks.size(), 0U);
+  EXPECT_TRUE(PackedField::parse(marked({0, 0b1}, 9)));
+  EXPECT_TRUE(PackedField::parse(marked({0, 0x80}, 16)));
+}
+
+TEST(PackedField, MarksThatDoNotFitTheBricksAreRefused) {
+  const auto refused = [](const std::vector<std::uint8_t>& marks, std::uint32_t bricks) {
+    const Result<PackedField> packed = PackedField::parse(marked(marks, bricks));
+    return !packed && packed.error() == Error::kBadMarks;
+  };
+  EXPECT_TRUE(refused({0b001}, 3)) << "far outside has no surface";
+  EXPECT_TRUE(refused({0b010}, 3)) << "nor has far inside";
+  EXPECT_TRUE(refused({0b1100}, 3)) << "of a brick that is not there";
+  EXPECT_TRUE(refused({0b000}, 3)) << "no mark at all";
+  EXPECT_TRUE(refused({0, 0}, 9));
+  EXPECT_TRUE(refused({4, 0b10}, 9));
+  EXPECT_TRUE(refused({4, 0}, 3)) << "too many bytes";
+  EXPECT_TRUE(refused({4}, 9)) << "too few";
+}
+
+TEST(PackedField, MarksLongerThanTheFileAreRefused) {
+  for (const std::uint32_t length : {1U, 41U, 0xFFFFFFFFU}) {
+    std::vector<std::uint8_t> bytes = valid_bytes();
+    store_le<std::uint32_t>(bytes.data() + 56, length);
+    const Result<PackedField> packed = PackedField::parse(sealed(bytes));
+    ASSERT_FALSE(packed) << length;
+    EXPECT_EQ(packed.error(), length == 1 ? Error::kBadFrame : Error::kBadSize) << length;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch

@@ -14,6 +14,7 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "tests/host/commands/run_command.h"
 
 namespace isotouch::commands {
@@ -21,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// `isotouch build` and `isotouch info` in this process, on a folder of their own.
 class Build : public ::testing::Test {
@@ -195,8 +197,39 @@ TEST_F(Build, AnOpenScanIsClosedAndItsRimTold) {
   EXPECT_TRUE(json["verdict"]["plausible"].get<bool>());
   const auto info = nlohmann::json::parse(run("info " + file("h.itf") + " --surface --json"));
   EXPECT_EQ(info["components"], 1);
+  EXPECT_NEAR(info["invented_share"].get<double>(), 1.4 / 3.4, 0.04) << "disc and wall beside half a sphere";
+  EXPECT_NEAR(info["invented_share"].get<double>(), json["verdict"]["invented_share"].get<double>(), 0.02);
+  EXPECT_THAT(run("info " + file("h.itf")), HasSubstr("% of the surface, where nobody scanned"));
   const double with_back = 2.0 / 3 * M_PI * 35 * 35 * 35 + 7 * M_PI * 35 * 35;  // a wall of a tenth of the side goes on behind the rim
   EXPECT_NEAR(info["volume_mm3"].get<double>(), with_back, 0.1 * with_back);
+}
+
+TEST_F(Build, MarksOfInventedSurfaceStayInPackedFilesAlone) {
+  cloud::OrientedPoints half = cloud::sample_shape(cloud::shape("sphere"), 2000);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < half.size(); ++i) {
+    if (half.positions[i].z() > 0) continue;
+    half.positions[kept] = half.positions[i];
+    half.normals[kept++] = half.normals[i];
+  }
+  half.positions.resize(kept);
+  half.normals.resize(kept);
+  cloud::write_ply(file("half.ply"), half);
+  run("build " + file("half.ply") + " -o " + file("h.itf") + " --grid 40");
+  const auto share = [&](const char* name) {
+    const auto info = nlohmann::json::parse(run("info " + file(name) + " --json"));
+    return info.contains("invented_share") ? info["invented_share"].get<double>() : -1;
+  };
+  run("export " + file("h.itf") + " -o " + file("again.itf"));
+  EXPECT_GT(share("h.itf"), 0.3);
+  EXPECT_EQ(share("again.itf"), share("h.itf"));
+  run("export " + file("h.itf") + " -o " + file("h.itfi"));
+  EXPECT_EQ(share("h.itfi"), -1) << "an image knows nothing of them";
+  EXPECT_THAT(run("info " + file("h.itfi")), Not(HasSubstr("invented")));
+  EXPECT_EQ(run("info " + file("h.itf") + " --field hash"), run("info " + file("h.itfi") + " --field hash"));
+  for (const char* name : {"h.itf", "h.itfi"})
+    run("render surface " + file(name) + " --size 320x320 --view 200,10 -o " + file(name) + ".png");
+  EXPECT_NE(read_file(file("h.itf.png")), read_file(file("h.itfi.png"))) << "only one of them shows what was invented";
 }
 
 TEST_F(Build, AnImplausibleFieldIsRefusedUnlessAccepted) {

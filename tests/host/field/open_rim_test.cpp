@@ -47,6 +47,27 @@ TEST(OpenRim, OfAHemisphereIsItsEquator) {
   }
 }
 
+TEST(OpenRim, ItsLinksRunAlongIt) {
+  const OpenRim rim = open_rim(Scan(below("sphere", 0, 4000)));
+  double length = 0;
+  for (const auto& [a, b] : rim.links) {
+    length += (b - a).norm();
+    EXPECT_NEAR(a.head<2>().norm(), 80, 4);
+    EXPECT_GT(a.z(), -8);
+  }
+  EXPECT_NEAR(length, rim.length, 0.04 * rim.length);
+  std::size_t ends = 0;
+  for (const auto& link : rim.links) {
+    for (const Vector3d& end : link) {
+      std::size_t met = 0;
+      for (const auto& other : rim.links) met += (other[0] == end ? 1U : 0U) + (other[1] == end ? 1U : 0U);
+      ends += met == 1 ? 1U : 0U;
+    }
+  }
+  EXPECT_LE(ends, rim.links.size() / 10) << "the ring is closed; a few samples stand beside it";
+  EXPECT_TRUE(open_rim(Scan(cloud::sample_shape(cloud::shape("sphere"), 1500))).links.empty());
+}
+
 TEST(OpenRim, OfATubeCutLengthwiseIsBothCircles) {
   const double circles = 2 * M_PI * (70 - 25) + 2 * M_PI * (70 + 25);
   const OpenRim rim = open_rim(Scan(below("torus", 0, 8000)));

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <vector>
 
 #include "host/cloud/shapes.h"
@@ -31,23 +30,21 @@ std::vector<Vector3d> seen(double lowest) {
 }
 
 TEST(UnseenShare, IsNothingWherePointsAreEverywhere) {
-  const std::array<double, 2> shares = unseen_shares(ball(), seen(-2.0), {3.0, 1.5});
-  EXPECT_EQ(shares[0], 0.0);
-  EXPECT_LT(shares[1], 0.001);
+  EXPECT_EQ(unseen_share(ball(), seen(-2.0), 3.0), 0.0);
+  EXPECT_LT(unseen_share(ball(), seen(-2.0), kGap), 0.001);
 }
 
 TEST(UnseenShare, IsThePartWithoutPointsLessItsRim) {
   // Below z = -0.5 of a unit sphere lies a quarter of its area. A point's sixth neighbour is 1.9 mm away, at the rim 2.7 mm: the limits take 7 to 9 mm
   // and 4 to 5 mm of that.
-  const std::array<double, 2> shares = unseen_shares(ball(), seen(-0.5), {3.0, 1.5});
-  EXPECT_NEAR(shares[0], 0.10, 0.02);
-  EXPECT_NEAR(shares[1], 0.16, 0.02);
+  EXPECT_NEAR(unseen_share(ball(), seen(-0.5), 3.0), 0.10, 0.02);
+  EXPECT_NEAR(unseen_share(ball(), seen(-0.5), kGap), 0.16, 0.02);
 }
 
 TEST(UnseenShare, OfNoSurfaceIsNothing) {
   BandField empty = ball();
   empty.bricks.clear();
-  EXPECT_EQ(unseen_shares(empty, seen(-2.0), {3.0, 1.5})[1], 0.0);
+  EXPECT_EQ(unseen_share(empty, seen(-2.0), kGap), 0.0);
 }
 
 }  // namespace

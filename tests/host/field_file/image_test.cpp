@@ -21,15 +21,15 @@ TEST(Image, EitherFormIsReadFromAFile) {
   const Image image = encoding::write_image(test::field_of(test::ball(9), {9, 9, 9}), {});
   const std::vector<std::uint8_t> packed = pack(*FieldView::parse(image.bytes()));
   const auto file = std::filesystem::path(::testing::TempDir()) / "image_test.itf";
-  const auto comes_back = [&] { return std::ranges::equal(read_image(file).bytes(), image.bytes()); };
+  const auto comes_back = [&] { return std::ranges::equal(read_field(file).image.bytes(), image.bytes()); };
   write_file(file, image.data(), image.size());
   EXPECT_TRUE(comes_back());
   write_file(file, packed.data(), packed.size());
   EXPECT_TRUE(comes_back());
   write_file(file, packed.data(), packed.size() - 1);
-  EXPECT_THROW(read_image(file), InputError);
+  EXPECT_THROW(read_field(file), InputError);
   std::filesystem::remove(file);
-  EXPECT_THROW(read_image(file), InputError);
+  EXPECT_THROW(read_field(file), InputError);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "host/view/caption.h"
 #include "host/view/colour_map.h"
@@ -10,6 +11,7 @@
 #include "host/view/points_picture.h"
 #include "host/view/slice_picture.h"
 #include "host/view/surface_picture.h"
+#include "host/view/touch_view.h"
 #include "tests/host/view/sphere_field.h"
 #include "tests/support/sanitized.h"
 
@@ -25,27 +27,70 @@ int count(const Image& image, const Test& test) {
   return found;
 }
 
-const auto is_green = [](const Colour& c) { return c.g > 2.5F * c.r && c.g > 2 * c.b && c.g > 0.05F; };
-const auto is_red = [](const Colour& c) { return c.r > 2.5F * c.g && c.r > 2.5F * c.b && c.r > 0.05F; };
+const auto is_blue = [](const Colour& c) { return c.b > 3 * c.r && c.b > 1.5F * c.g && c.b > 0.05F; };
+const auto is_orange = [](const Colour& c) { return c.r > 4 * c.b && c.r > 1.5F * c.g && c.r < 6 * c.g && c.r > 0.05F; };
+const auto is_black = [](const Colour& c) { return c.r + c.g + c.b < 0.06F; };
+
+Touch touch_from(const Eigen::Vector3d& out) { return {.proxy = kTestRadius * out, .hip = (kTestRadius - 2) * out, .force = 1.6 * out}; }
 
 TEST(SurfacePicture, ShowsTheTouchWhereverItIs) {
   const SphereField field;
   for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{-0.6, 0, -0.8}, {0, -1, 0}, {0, 1, 0}})) {
-    SurfaceOptions options{
-        .width = 480, .height = 360, .direction = {}, .touch = Touch{.proxy = kTestRadius * out, .hip = (kTestRadius - 2) * out}};
+    SurfaceOptions options{.width = 480, .height = 360, .direction = {}, .touch = touch_from(out)};
     const Image image = surface_picture(field.view, options);
     ASSERT_EQ(image.width(), 480);
     ASSERT_EQ(image.height(), 360);
-    EXPECT_GT(count(image, is_green), 60) << out.transpose();
-    EXPECT_GT(count(image, is_red), 60) << out.transpose();
+    EXPECT_GT(count(image, is_blue), 60) << out.transpose();
+    EXPECT_GT(count(image, is_orange), 60) << out.transpose();
+    const int with_force = count(image, is_black);
+    options.touch->force.setZero();
+    EXPECT_LT(count(surface_picture(field.view, options), is_black) + 60, with_force) << out.transpose();
   }
 }
 
 TEST(SurfacePicture, WithoutATouchHasNoMarkers) {
   const SphereField field;
   const Image image = surface_picture(field.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
-  EXPECT_EQ(count(image, is_green), 0);
-  EXPECT_EQ(count(image, is_red), 0);
+  EXPECT_EQ(count(image, is_blue), 0);
+  EXPECT_EQ(count(image, is_orange), 0);
+}
+
+TEST(SlicePicture, GoesThroughTheTouchAndShowsItFromTheSide) {
+  const SphereField field;
+  for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, -0.6, -0.8}})) {
+    const Touch touch = touch_from(out);
+    const Image with = slice_picture(field.view, {.touch = touch});
+    const char axis = out.z() == 0 ? 'z' : out.y() == 0 ? 'y' : 'x';
+    const Image without = slice_picture(field.view, {.axis = axis, .at_mm = 0});
+    int changed = 0, blue = 0;
+    for (int y = 90; y < 600; ++y) {  // below the legend
+      for (int x = 80; x < 780; ++x) {
+        const Colour &a = with.at(x, y), &b = without.at(x, y);
+        if (a.r == b.r && a.g == b.g && a.b == b.b) continue;
+        ++changed;
+        blue += is_blue(a) ? 1 : 0;
+      }
+    }
+    EXPECT_GT(blue, 60) << axis;
+    EXPECT_GT(changed, 400) << axis;
+    EXPECT_LT(changed, 6000) << "another slice was drawn";
+  }
+}
+
+TEST(ATouch, IsSeenFromWhereNothingHidesIt) {
+  const SphereField field;
+  const FieldRays rays(field.view);
+  const Direction front{0, 0, 'y'};
+  const auto at = [](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return touch_from({std::sin(angle), 0, std::cos(angle)});
+  };
+  EXPECT_NEAR(view_cost(at(55), front, rays), 0, 1e-6);
+  EXPECT_NEAR(view_cost(at(20), front, rays), 35, 1e-6);
+  EXPECT_GT(view_cost(at(150), front, rays), 1000);
+  for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
+    EXPECT_LT(view_cost(at(degrees), direction_showing(at(degrees), rays, 'y'), rays), 30) << degrees;
+  }
 }
 
 TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {

@@ -60,13 +60,15 @@ TEST(Scene, TheLampIsAboveOnTheLeft) {
 
 TEST(Scene, MarkersAreSeenInFrontAndThroughTheSurface) {
   SphereScene scene;
-  const Touch touch{.proxy = {0, 0, kTestRadius}, .hip = {3, 0, kTestRadius - 3}};
-  scene.draw(Markers(touch, 0.8));
-  const Colour proxy = scene.at(touch.proxy), hip = scene.at(touch.hip), plain = scene.at({0, 5, 5});
-  EXPECT_GT(proxy.g, 2 * proxy.r);
-  EXPECT_GT(hip.r, 1.5F * hip.g);
-  EXPECT_GT(hip.g, 0.05F) << "the surface before it should still be seen";
+  const Touch touch{.proxy = {0, 0, kTestRadius}, .hip = {3, 0, kTestRadius - 3}, .force = {0, 1, 0}};
+  scene.draw(Markers(touch, 0.8, 5));
+  const Colour proxy = scene.at(touch.proxy), hip = scene.at(touch.hip), plain = scene.at({0, -5, 5}),
+               arrow = scene.at({0, 4, kTestRadius});
+  EXPECT_GT(proxy.b, 2 * proxy.r);
+  EXPECT_GT(hip.r, 1.5F * hip.b);
+  EXPECT_GT(hip.b, 0.03F) << "the surface before it should still be seen";
   EXPECT_LT(std::fabs(plain.r - plain.g), 0.2F * plain.g);
+  EXPECT_LT(brightness(arrow), 0.5F * brightness(plain));
 }
 
 TEST(Scene, CutShowsTheInsideWithLinesAVoxelApart) {

@@ -1,0 +1,73 @@
+#include "host/field/invented_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "host/field/nearest.h"
+#include "host/field/parallel.h"
+#include "host/field/unseen_share.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3i;
+
+/// A brick beside which the surface passes, less than a voxel away.
+struct Crossed {
+  std::size_t brick;
+  Vector3d place;  ///< its sample nearest to the surface, mm
+  double area;     ///< square voxels of surface: a sample stands for as much as it is nearer than a voxel
+};
+
+std::vector<Crossed> crossed_bricks(const BandField& field) {
+  std::vector<Crossed> crossed;
+  for (std::size_t b = 0; b < field.bricks.size(); ++b) {
+    const Brick& brick = field.bricks[b];
+    double area = 0.0;
+    int nearest = 0;
+    for (int s = 0; s < 64; ++s) {
+      const float away = std::abs(brick.distance[static_cast<std::size_t>(s)]);
+      area += std::max(0.0, 1.0 - static_cast<double>(away));
+      if (away < std::abs(brick.distance[static_cast<std::size_t>(nearest)])) nearest = s;
+    }
+    if (area > 0.0) {
+      crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)), area});
+    }
+  }
+  return crossed;
+}
+
+}  // namespace
+
+InventedSurface invented_surface(const BandField& field, const SoundScan& sound) {
+  const std::vector<Crossed> crossed = crossed_bricks(field);
+  const std::vector<Vector3d>& points = sound.points.positions;
+  const Nearest tree(points);
+  std::vector<std::uint8_t> invented(crossed.size());
+  in_parallel(crossed.size(), 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> found;
+    for (std::size_t i = begin; i < end; ++i) {
+      tree.nearest(crossed[i].place, 1, found);
+      const Neighbour nearest = found[0];
+      tree.nearest(points[nearest.index], 7, found);
+      const double apart = kGap * std::sqrt(found.back().squared_distance) + field.grid.edge;
+      invented[i] = nearest.index >= sound.measured || nearest.squared_distance > apart * apart ? 1 : 0;
+    }
+  });
+  InventedSurface result;
+  double all = 0.0, share = 0.0;
+  for (std::size_t i = 0; i < crossed.size(); ++i) {
+    all += crossed[i].area;
+    if (invented[i] == 0) continue;
+    share += crossed[i].area;
+    result.cells.push_back(field.bricks[crossed[i].brick].cell);
+  }
+  if (all > 0.0) result.share = share / all;
+  return result;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,23 @@
+/// Which part of a field's surface was invented: it closes the scan at places that nobody scanned.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "host/field/band_field.h"
+#include "host/field/sound_scan.h"
+
+namespace isotouch::field {
+
+struct InventedSurface {
+  std::vector<Eigen::Vector3i> cells;  ///< of the bricks whose surface was invented, in the field's order
+  double share = 0;                    ///< of the surface
+};
+
+/// A brick is judged at its sample nearest to the surface. That was invented when an invented point is nearer to it than every measured one, or when it
+/// lies in a gap: farther from every measured point than these are apart there.
+///
+/// sound     workspace, mm; what `field` was built from
+InventedSurface invented_surface(const BandField& field, const SoundScan& sound);
+
+}  // namespace isotouch::field

@@ -1,0 +1,80 @@
+/// isotouch render and demo: which touch they show, and what they refuse.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "host/commands/recorded_ticks.h"
+#include "host/error.h"
+#include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
+#include "host/trace/trace_file.h"
+#include "host/view/touch_view.h"
+#include "tests/host/commands/run_command.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::commands {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+const fs::path kField = ISOTOUCH_GOLDEN "/field_1_1.itf";
+
+class Render : public ::testing::Test {
+ protected:
+  std::string file(const char* name) const { return (folder_.path() / name).string(); }
+  std::string felt() const {
+    run_command("trace make tour " + kField.string() + " -o " + file("hand.trace"));
+    return file("hand.trace");
+  }
+
+ private:
+  ScratchFolder folder_;
+};
+
+TEST_F(Render, TheClearTouchIsAMillimetreOrTwoDeepAndNothingHidesIt) {
+  const trace::Trace trace = trace::read_trace(felt());
+  const field_file::OpenField field = field_file::open_field(kField);
+  const view::FieldRays rays(field.view);
+  const view::Touch deepest = deepest_touch(trace, field.view);
+  EXPECT_GT(deepest.depth_mm(), 5) << "a hand that stabs goes through: nothing to show to a person";
+  for (const char up : {'x', 'y', 'z'}) {
+    const view::Touch clear = clear_touch(trace, field.view, up);
+    EXPECT_GE(clear.depth_mm(), 1.2);
+    EXPECT_LE(clear.depth_mm(), 1.8);
+    EXPECT_LT(view::view_cost(clear, {.up = up}, rays), 10);
+    EXPECT_GT(clear.force.dot(clear.out()), 0) << "the force pushes the hand out";
+    EXPECT_EQ(touch_at(trace, field.view, clear.tick).proxy, clear.proxy);
+  }
+}
+
+TEST_F(Render, WritesTheTouchThatIsAskedFor) {
+  const std::string start = "render surface " + kField.string() + " --trace " + felt() + " --size 320x320 -o ";
+  run_command(start + file("clear.png"));
+  run_command(start + file("same.png") + " --tick clear");
+  run_command(start + file("deepest.png") + " --tick deepest");
+  const auto bytes = [&](const char* name) { return read_file(file(name)); };
+  EXPECT_EQ(bytes("clear.png"), bytes("same.png"));
+  EXPECT_NE(bytes("clear.png"), bytes("deepest.png"));
+  try {
+    run_command(start + file("x.png") + " --tick 123456789");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("there is no tick '123456789'"));
+  }
+  EXPECT_FALSE(fs::exists(file("x.png")));
+}
+
+TEST_F(Render, ASliceGoesThroughTheTouch) {
+  const std::string start = "render slice " + kField.string() + " --size 320x320 -o ";
+  run_command(start + file("touch.png") + " --trace " + felt());
+  run_command(start + file("plain.png"));
+  EXPECT_NE(read_file(file("touch.png")), read_file(file("plain.png")));
+  EXPECT_THROW(run_command(start + file("x.png") + " --at 3 --trace " + file("hand.trace")), CLI::ParseError);
+  EXPECT_THROW(run_command(start + file("x.png") + " --tick 3"), CLI::ParseError) << "of no trace";
+}
+
+}  // namespace
+}  // namespace isotouch::commands
