@@ -17,7 +17,7 @@ struct DepthCamera {
   double units_per_metre = 1000;  ///< of the stored depth; above 0
 };
 
-/// returns   the points in metres, with their grid; the camera is the origin. A depth of 0 means that nothing returned
+/// returns   the points in metres, with their grid and the camera in the origin. A depth of 0 means that nothing returned
 /// fails     InputError: as `read_depth_png`; no pixel that returned something
 Model read_depth_image(const std::string& name, std::span<const std::uint8_t> bytes, const DepthCamera& camera);
 

@@ -19,14 +19,17 @@ struct ScanGrid {
   Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< the camera's or scanner's place, in the positions' frame
 };
 
-/// Gives a model the normals of its grid. A cell is joined to those of its four neighbours that returned something and are not behind a jump: the way
-/// there is at least 10 degrees off the line of sight. The normal of a cell is the sum of the cross products of joined neighbours that follow each
-/// other, which for four neighbours is the product of the two central differences. All normals have the winding of the grid; their common side is
-/// the one on which most of them face the sensor.
+/// Gives a model the normals of its grid.
+///
+/// joined    two neighbouring cells, unless the way from one to the other is within 10 degrees of the line of sight: that is a jump in depth
+/// normal    of the plane of least squares through a square window of cells, as far as joined cells lead from its middle. The window is 3 to 9 cells
+///           wide, the same for the whole scan: as wide as its noise needs for an error of 3 degrees
+/// side      all normals have the winding of the grid; most of them face the sensor
 ///
 /// model     without normals; all its other lists stay in step
-/// returns   points left out: beside a jump, with fewer than three joined neighbours in a row, or in no cell. Nothing, and the model stays as it
-///           was, when fewer than half of the returns would get a normal: then the grid is not that of an image
+/// returns   how many points were left out: beside a jump, with fewer than four joined cells around them, or in no cell. Nothing, and the model stays
+///           as it was, when fewer than half of the returns would get a normal, or a fifth of the normals would face away from the sensor: then the grid
+///           is not that of an image
 std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid);
 
 }  // namespace isotouch::cloud

@@ -40,8 +40,8 @@ Model SourceFile::points() const {
   Model model = read_points();
   if (model.grid && model.normals.empty()) {
     if (sensor_.viewpoint) model.grid->sensor = *sensor_.viewpoint;
-    model.viewpoint = model.grid->sensor;
     model.edges = orient_by_grid(model, *model.grid);
+    if (model.edges) model.viewpoint = model.grid->sensor;
   }
   model.grid.reset();
   return model;
