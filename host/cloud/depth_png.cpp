@@ -13,8 +13,9 @@
 namespace isotouch::cloud {
 namespace {
 
-constexpr std::size_t kMaxGrowth = 1032;  // of deflate: two bits repeat up to 258 bytes
-constexpr std::size_t kHeaderBytes = 33;  // signature and IHDR
+constexpr std::size_t kMaxGrowth = 1032;     // of deflate: two bits repeat up to 258 bytes
+constexpr std::size_t kMaxPixels = 1 << 25;  // larger than any sensor's, and an empty image packs a thousandfold
+constexpr std::size_t kHeaderBytes = 33;     // signature and IHDR
 
 /// What libpng reads from and reports to.
 struct Source {
@@ -81,9 +82,13 @@ DepthPixels read_depth_png(const std::string& name, std::span<const std::uint8_t
   }
   const std::size_t width = png_get_image_width(reader.png, reader.info), height = png_get_image_height(reader.png, reader.info);
   const std::size_t row_bytes = 2 * width;
-  if (height > (bytes.size() - kHeaderBytes) * kMaxGrowth / row_bytes) {
+  if (height > std::uint64_t{bytes.size() - kHeaderBytes} * kMaxGrowth / row_bytes) {
     throw InputError(name + ": it claims " + std::to_string(width) + " × " + std::to_string(height) +
                      " pixels, more than the file has room for; it was cut short or is damaged");
+  }
+  if (height > kMaxPixels / width) {
+    throw InputError(name + ": " + std::to_string(width) + " × " + std::to_string(height) + " pixels are more than the " +
+                     std::to_string(kMaxPixels) + " that a depth image may have; make it smaller");
   }
   std::vector<std::uint8_t> stored(row_bytes * height);
   std::vector<png_bytep> rows(height);

@@ -14,7 +14,7 @@ struct DepthPixels {
   std::vector<std::uint16_t> depth;  ///< row by row, from the top; the numbers as stored, whatever the file says of gamma
 };
 
-/// fails     InputError: no PNG, damaged or cut short, not 16-bit greyscale, larger than its bytes can hold
+/// fails     InputError: no PNG, damaged or cut short, not 16-bit greyscale, larger than its bytes can hold or than 2^25 pixels
 DepthPixels read_depth_png(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

@@ -88,8 +88,9 @@ void check_fields(const std::string& name, PcdHeader& header) {
 /// Width, height and points, of which old files state a part.
 void check_counts(const std::string& name, PcdHeader& header, bool has_width, bool has_points) {
   if (!has_width) header.width = header.height > 0 ? header.points / header.height : 0;
-  if (!has_points) header.points = header.width * header.height;  // each below 2^32
-  if (header.width * header.height != header.points) {
+  const std::uint64_t product = std::uint64_t{header.width} * header.height;  // each below 2^32
+  if (!has_points) header.points = static_cast<std::size_t>(std::min<std::uint64_t>(product, std::numeric_limits<std::uint32_t>::max()));
+  if (product != header.points) {
     throw InputError(name + ": WIDTH " + std::to_string(header.width) + " times HEIGHT " + std::to_string(header.height) +
                      " is not POINTS " + std::to_string(header.points));
   }

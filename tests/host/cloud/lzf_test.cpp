@@ -30,7 +30,7 @@ TEST(Lzf, DamagedBytesAreRefused) {
   EXPECT_FALSE(unpacked(std::string("\2abc\x20\2", 6), 5));  // more than stated
   EXPECT_FALSE(unpacked(std::string("\2abc\x20\2", 6), 7));  // less than stated
   EXPECT_FALSE(unpacked(std::string("\2abc", 4), 2));
-  EXPECT_FALSE(unpacked(std::string("\2abc", 4), std::size_t{1} << 40));  // no memory is taken for what cannot come out
+  EXPECT_FALSE(unpacked(std::string("\2abc", 4), ~std::size_t{0}));  // no memory is taken for what cannot come out
 }
 
 }  // namespace
