@@ -26,8 +26,10 @@ struct CameraOptions {
   }
   std::optional<cloud::DepthCamera> camera() const {
     if (intrinsics.empty()) return std::nullopt;
-    if (!(intrinsics[0] > 0 && intrinsics[1] > 0))
-      throw CLI::ValidationError("--intrinsics", "the focal lengths FX and FY must be above 0");
+    const bool finite = std::all_of(intrinsics.begin(), intrinsics.end(), [](double value) { return std::isfinite(value); });
+    if (!finite || intrinsics[0] <= 0 || intrinsics[1] <= 0)
+      throw CLI::ValidationError("--intrinsics", "the four numbers must be finite, and the focal lengths FX and FY above 0");
+    if (!(units_per_metre > 0)) throw CLI::ValidationError("--depth-scale", "must be a number above 0");  // nan is in every CLI::Range
     return cloud::DepthCamera{intrinsics[0], intrinsics[1], intrinsics[2], intrinsics[3], units_per_metre};
   }
 };

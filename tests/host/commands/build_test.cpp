@@ -357,7 +357,8 @@ TEST_F(Build, ADepthImageBecomesAOneSidedBodyOfItsTrueSize) {
 TEST_F(Build, ADepthImageNeedsACameraAndNothingElseDoes) {
   std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
   EXPECT_THROW(run("build " + file("ball.png") + " -o " + file("b.itf")), InputError);
-  for (const char* wrong : {"0,500,80,60", "500,-1,80,60", "nan,500,80,60", "500,500,inf,60", "500,500,80", "500,500,80,60,1", "a,b,c,d"}) {
+  for (const char* wrong :
+       {"0,500,80,60", "500,-1,80,60", "nan,500,80,60", "500,500,inf,60", "1e999,500,80,60", "500,500,80", "500,500,80,60,1", "a,b,c,d"}) {
     EXPECT_THROW(run("build " + file("ball.png") + " --intrinsics " + wrong + " -o " + file("b.itf")), CLI::ParseError) << wrong;
   }
   for (const char* wrong : {"0", "-1", "nan", "1e99"}) {

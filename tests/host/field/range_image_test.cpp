@@ -40,7 +40,7 @@ TEST(RangeImage, NormalsOfTheGridAreMoreAccurateThanEstimatedOnes) {
     bool noise;
     double grid, estimate;  ///< bounds on the share beyond 10 degrees
   };
-  for (const Case& c : {Case{false, 0.8, 16}, {true, 0.06, 40}}) {
+  for (const Case& c : {Case{false, 0.8, 16}, {true, 0.02, 40}}) {
     const test::RangeImage image = test::ball_image(0.05, 0.5);
     test::Random random(1);
     cloud::Model model;
