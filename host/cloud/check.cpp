@@ -146,6 +146,9 @@ double median_spacing(const std::vector<Vector3d>& positions) {
 OrientedPoints check(const std::string& name, Model model, CloudReport& report) {
   report.format = model.format;
   report.points_read = model.positions.size();
+  report.edges = model.edges;
+  report.viewpoint = model.viewpoint;
+  report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
   if (!report.has_normals) model.normals.assign(model.positions.size(), Vector3d::Zero());
@@ -167,6 +170,12 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
 
 std::vector<std::string> CloudReport::warnings() const {
   std::vector<std::string> list;
+  if (incomplete > 0)
+    list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");
+  if (edges) {
+    list.emplace_back("the normals were taken from the scan's grid and face its sensor");
+    if (*edges > 0) list.push_back(times(*edges, "point was", "points were") + " left out: at edges of the grid and at jumps in depth");
+  }
   if (renormalised > 0) list.push_back(times(renormalised, "normal was", "normals were") + " not of unit length and brought to it");
   if (merged > 0) list.push_back(times(merged, "point was", "points were") + " merged with others at the same place");
   if (two_faced) {

@@ -7,10 +7,10 @@
 
 namespace isotouch::cloud {
 
-enum class FileKind { kPly, kObj, kStl, kText, kUnknown };
+enum class FileKind { kPly, kObj, kStl, kText, kPcd, kDepthImage, kE57, kUnknown };
 
-/// A file that begins as a PLY file is one, whatever its name; for all others the ending tells, in any case of letters. Without an ending it is the
-/// content (content_kind.h).
+/// A file that begins as a PLY, PNG or E57 file or with PCL's first line is one, whatever its name; for all others the ending tells, in any case of
+/// letters. Without an ending it is the content (content_kind.h).
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

@@ -5,8 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "host/cloud/scan_grid.h"
 
 namespace isotouch::cloud {
 
@@ -17,6 +20,10 @@ struct Model {
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are cut into fans
   std::vector<double> stiffness = {};               ///< N/mm, finite; one for each position, or none at all
+  std::optional<ScanGrid> grid = {};                ///< of an organised scan without normals
+  std::optional<std::size_t> edges = {};            ///< the normals come from the grid; points at edges that were left out for that
+  std::optional<Eigen::Vector3d> viewpoint = {};    ///< the sensor's place, where the file states one
+  std::size_t incomplete = 0;                       ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

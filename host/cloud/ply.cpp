@@ -1,5 +1,6 @@
 #include "host/cloud/ply.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -112,12 +113,13 @@ class BinaryRows {
 };
 
 /// What becomes of a property.
-enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kStiffness, kCorners };
+enum class Use { kSkip, kX, kY, kZ, kNormalX, kNormalY, kNormalZ, kStiffness, kCorners, kCell };
 
 Use use_of(const PlyElement& element, const PlyProperty& property) {
   if (element.name == "face" && property.count_type) {
     return property.name == "vertex_indices" || property.name == "vertex_index" ? Use::kCorners : Use::kSkip;
   }
+  if (element.name == "range_grid") return property.count_type && property.name == "vertex_indices" ? Use::kCell : Use::kSkip;
   if (element.name != "vertex") return Use::kSkip;
   constexpr std::array<std::string_view, 7> kNames = {"x", "y", "z", "nx", "ny", "nz", "stiffness"};
   constexpr std::array<std::string_view, 7> kLongNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z", "stiffness"};
@@ -137,12 +139,14 @@ struct RowUses {
   std::vector<Use> uses;  ///< one for each property
   bool has_normals = false;
   bool has_stiffness = false;
+  bool has_cells = false;
 
   explicit RowUses(const PlyElement& element) {
     for (const PlyProperty& property : element.properties) uses.push_back(use_of(element, property));
     const auto has = [&](Use use) { return std::find(uses.begin(), uses.end(), use) != uses.end(); };
     has_normals = has(Use::kNormalX) && has(Use::kNormalY) && has(Use::kNormalZ);
     has_stiffness = has(Use::kStiffness);
+    has_cells = has(Use::kCell);
   }
 };
 
@@ -164,9 +168,10 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
     if (!(length >= 0.0) || length != std::floor(length)) throw rows.refusal("list " + property.name + " has an impossible length");
     for (double left = length; left > 0.0; --left) {
       const double value = rows.number(property.type, property.name);
-      if (uses[i] != Use::kCorners) continue;
+      if (uses[i] != Use::kCorners && uses[i] != Use::kCell) continue;
       if (!(value >= 0.0) || value != std::floor(value) || value >= static_cast<double>(vertex_count)) {
-        throw rows.refusal("a corner refers to a vertex that is not there; there are " + std::to_string(vertex_count) + ", counted from 0");
+        throw rows.refusal(std::string(uses[i] == Use::kCell ? "a cell" : "a corner") +
+                           " refers to a vertex that is not there; there are " + std::to_string(vertex_count) + ", counted from 0");
       }
       corners.push_back(static_cast<std::uint32_t>(value));
     }
@@ -177,7 +182,21 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
     if (row.has_stiffness) model.stiffness.push_back(vertex[6]);
     if (const auto line = rows.line()) model.lines.push_back(*line);
   }
-  add_polygon(model, corners);
+  if (row.has_cells) {  // where a ray returned twice, the first counts
+    if (model.grid) model.grid->cells.push_back(corners.empty() ? ScanGrid::kNoReturn : corners[0]);
+  } else {
+    add_polygon(model, corners);
+  }
+}
+
+/// Where the sensor of a range image was: in the origin, or so far away that its lines of sight are parallel.
+Vector3d sensor(const PlyRangeInfo& range, const std::vector<Vector3d>& positions) {
+  if (!range.cyberware || positions.empty()) return Vector3d::Zero();
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : positions) box.extend(p);
+  constexpr double kFar = 1000.0;
+  const double sideways = !range.warped ? 0.0 : range.right_mirror ? 0.5 : -0.5;
+  return box.center() + kFar * box.sizes().maxCoeff() * Vector3d(sideways, 0.0, std::sqrt(1.0 - sideways * sideways));
 }
 
 template <class Rows>
@@ -192,6 +211,7 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
                        ", more than the file has room for; it was cut short, or the count is wrong");
     }
     const RowUses uses(element);
+    if (uses.has_cells && header.range.columns > 0 && header.range.linear) model.grid = ScanGrid{.columns = header.range.columns};
     if (element.name == "vertex") {
       model.positions.reserve(element.count);
       if (uses.has_normals) model.normals.reserve(element.count);
@@ -203,6 +223,7 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
     }
   }
   rows.end();
+  if (model.grid) model.grid->sensor = sensor(header.range, model.positions);
 }
 
 }  // namespace

@@ -13,13 +13,15 @@
 namespace isotouch::cloud {
 
 /// Takes `x y z`, `nx ny nz` (or `normal_x ...`) and `stiffness` of element `vertex`, and list `vertex_indices` (or `vertex_index`) of element `face`.
+/// Without normals it also takes the list of element `range_grid`: the vertex in each cell of a range image, an empty list where nothing returned.
 ///
 /// name      of the file, for the sentences
 /// header    of the same bytes
 /// returns   a model; without normals, stiffness or faces where the file has none
 /// fails     InputError with the line, or for binary files the element's number: bad grammar, unknown types, counts that the file cannot hold,
-///           a body that is too short or too long, numbers that are not finite, faces that refer to no vertex
-/// source    G. Turk, "The PLY Polygon File Format", 1994
+///           a body that is too short or too long, numbers that are not finite, faces or cells that refer to no vertex
+/// source    G. Turk, "The PLY Polygon File Format", 1994; of the range images: B. Curless, Stanford 3D Scanning Repository, whose scanner looks
+///           along -z, and PCL's PLYWriter, whose camera is the origin
 Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes, const PlyHeader& header);
 inline Model read_ply(const std::string& name, std::span<const std::uint8_t> bytes) {
   return read_ply(name, bytes, read_ply_header(name, bytes));

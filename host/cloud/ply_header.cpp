@@ -86,6 +86,33 @@ PlyProperty property(TextLines& lines, const PlyElement& element) {
   return property;
 }
 
+/// A line `obj_info`: a name and a whole number where it speaks of a range image, otherwise anything.
+void read_info(TextLines& lines, PlyRangeInfo& range) {
+  const std::string_view name = lines.field().value_or("");
+  const std::string_view text = lines.field().value_or("");
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return;
+  if (name == "num_cols") range.columns = value;
+  if (name == "num_rows") range.rows = value;
+  if (name == "is_cyberware_data") range.cyberware = value != 0;
+  if (name == "is_warped") range.warped = value != 0;
+  if (name == "is_right_mirror_open") range.right_mirror = value != 0;
+  if (name == "is_linear_scan") range.linear = value != 0;
+}
+
+/// A grid has as many cells as its header says columns and rows.
+void check_range(const std::string& name, const PlyHeader& header) {
+  const std::size_t columns = header.range.columns, rows = header.range.rows;
+  if (columns == 0) return;
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "range_grid" && (element.count / columns != rows || element.count % columns != 0)) {
+      throw InputError(name + ": obj_info states " + std::to_string(columns) + " columns and " + std::to_string(rows) +
+                       " rows, but element 'range_grid' has " + std::to_string(element.count) + " cells");
+    }
+  }
+}
+
 /// What the readers rely on: positions, and normals either whole or not at all.
 void check_vertex(const std::string& name, const PlyHeader& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
@@ -136,8 +163,11 @@ PlyHeader read_ply_header(const std::string& name, std::span<const std::uint8_t>
       }
       header.bytes = lines.bytes_read();
       check_vertex(name, header);
+      check_range(name, header);
       return header;
-    } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+    } else if (keyword == "obj_info") {
+      read_info(lines, header.range);
+    } else if (keyword != "comment" && keyword != "bye" && !keyword.empty()) {  // `bye` ends the info of Stanford's later scans
       throw lines.refusal(quote(keyword) + " is no keyword of a PLY header");
     }
   }

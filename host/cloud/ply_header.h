@@ -39,9 +39,20 @@ struct PlyElement {
   std::vector<PlyProperty> properties;  ///< at least one
 };
 
+/// What lines `obj_info` say of a range image.
+struct PlyRangeInfo {
+  std::size_t columns = 0;
+  std::size_t rows = 0;
+  bool cyberware = true;     ///< Stanford's scanner, which looks along -z; otherwise a camera in the origin
+  bool warped = false;       ///< seen through a mirror, which turns the line of sight by 30 degrees about y
+  bool right_mirror = true;  ///< through which of the two
+  bool linear = true;        ///< not while the object was turned
+};
+
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::kAscii;
   std::vector<PlyElement> elements;
+  PlyRangeInfo range;
   std::size_t bytes = 0;  ///< the body begins here
 };
 

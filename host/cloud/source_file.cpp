@@ -3,20 +3,22 @@
 #include <utility>
 
 #include "host/cloud/obj.h"
+#include "host/cloud/pcd.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/stl.h"
 #include "host/cloud/xyz.h"
-#include "host/error.h"
 #include "host/files/whole_file.h"
 #include "shared/hash64.h"
 
 namespace isotouch::cloud {
 
-SourceFile::SourceFile(std::filesystem::path file) : SourceFile(file, read_file(file)) {}
+SourceFile::SourceFile(std::filesystem::path file, SensorOptions sensor) : SourceFile(file, read_file(file), std::move(sensor)) {}
 
-SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes)
-    : file_(std::move(file)), bytes_(std::move(bytes)), kind_(file_kind(file_, bytes_)) {
+SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes, SensorOptions sensor)
+    : file_(std::move(file)), bytes_(std::move(bytes)), kind_(file_kind(file_, bytes_)), sensor_(std::move(sensor)) {
   if (bytes_.empty()) throw InputError(name() + ": the file is empty");
+  if (sensor_.camera && kind_ != FileKind::kDepthImage)
+    throw InputError(name() + ": --intrinsics describes the camera of a depth image (PNG), this is none; leave it out");
   if (kind_ == FileKind::kPly) ply_ = read_ply_header(name(), bytes_);
 }
 
@@ -28,20 +30,40 @@ bool SourceFile::is_mesh() const {
     case FileKind::kPly: return is_bare_ply_mesh(*ply_);
     case FileKind::kObj: return is_bare_obj_mesh(name(), bytes_);
     case FileKind::kText:
+    case FileKind::kPcd:
+    case FileKind::kDepthImage:
+    case FileKind::kE57:
     case FileKind::kUnknown: break;
   }
   return false;
 }
 
 Model SourceFile::points() const {
+  Model model = read_points();
+  if (model.grid && model.normals.empty()) {
+    if (sensor_.viewpoint) model.grid->sensor = *sensor_.viewpoint;
+    model.edges = orient_by_grid(model, *model.grid);
+    if (model.edges) model.viewpoint = model.grid->sensor;
+  }
+  model.grid.reset();
+  return model;
+}
+
+Model SourceFile::read_points() const {
   switch (kind_) {
     case FileKind::kPly: return read_ply(name(), bytes_, *ply_);
     case FileKind::kObj: return read_obj_points(name(), bytes_);
     case FileKind::kText: return read_xyz(name(), bytes_);
-    case FileKind::kStl: throw InputError(name() + ": an STL file holds triangles, not points with normals; name a PLY, OBJ or text cloud");
+    case FileKind::kPcd: return read_pcd(name(), bytes_);
+    case FileKind::kDepthImage:
+      if (!sensor_.camera) throw InputError(name() + ": a depth image needs its camera: give --intrinsics FX,FY,CX,CY, in pixels");
+      return read_depth_image(name(), bytes_, *sensor_.camera);
+    case FileKind::kStl:
+      throw InputError(name() + ": an STL file holds triangles, not points with normals; name a PLY, OBJ, PCD or text cloud");
+    case FileKind::kE57:
     case FileKind::kUnknown: break;
   }
-  throw InputError(name() + ": the kind of this file is not recognised; a cloud ends in .ply, .obj, .xyz, .pwn, .npts or .txt");
+  throw not_read("the kind of this file is not recognised; a cloud ends in .ply, .obj, .pcd, .xyz, .pwn, .npts or .txt");
 }
 
 Model SourceFile::faces() const {
@@ -50,9 +72,17 @@ Model SourceFile::faces() const {
     case FileKind::kObj: return read_obj_faces(name(), bytes_);
     case FileKind::kStl: return read_stl(name(), bytes_);
     case FileKind::kText:
+    case FileKind::kPcd:
+    case FileKind::kDepthImage:
+    case FileKind::kE57:
     case FileKind::kUnknown: break;
   }
-  throw InputError(name() + ": this is no kind of mesh file that is known; a mesh ends in .ply, .obj or .stl");
+  throw not_read("this is no kind of mesh file that is known; a mesh ends in .ply, .obj or .stl");
+}
+
+InputError SourceFile::not_read(const std::string& otherwise) const {
+  if (kind_ != FileKind::kE57) return InputError(name() + ": " + otherwise);
+  return InputError(name() + ": E57 files, which laser scanners write, are not read; open it in CloudCompare and save it as PLY or PCD");
 }
 
 }  // namespace isotouch::cloud

@@ -7,19 +7,28 @@
 #include <string>
 #include <vector>
 
+#include "host/cloud/depth_image.h"
 #include "host/cloud/file_kind.h"
 #include "host/cloud/model.h"
 #include "host/cloud/ply_header.h"
+#include "host/error.h"
 
 namespace isotouch::cloud {
 
+/// What is known of the sensor and does not stand in the file.
+struct SensorOptions {
+  std::optional<DepthCamera> camera = {};         ///< of a depth image
+  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place in the file's frame, instead of the file's own
+};
+
 class SourceFile {
  public:
-  /// fails     InputError naming the file: it cannot be read, is empty, or begins with a PLY header that is none
-  SourceFile(std::filesystem::path file);  // NOLINT(google-explicit-constructor): a path names its file
+  /// fails     InputError naming the file: it cannot be read, is empty, or begins with a PLY header that is none; a camera for something else than a depth
+  ///           image
+  SourceFile(std::filesystem::path file, SensorOptions sensor = {});  // NOLINT(google-explicit-constructor): a path names its file
 
   /// What was read already.
-  SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes);
+  SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes, SensorOptions sensor = {});
 
   std::string name() const { return file_.string(); }
   /// Of the file's bytes, as a field stores it.
@@ -29,7 +38,9 @@ class SourceFile {
   /// points with their normals are what was measured.
   bool is_mesh() const;
 
-  /// fails     InputError: as the reader of the file's kind; a file that holds no points with normals
+  /// The points; those of a grid with the grid's normals (scan_grid.h) where the file has none.
+  ///
+  /// fails     InputError: as the reader of the file's kind; a kind that holds no points, a depth image without a camera
   Model points() const;
   /// fails     InputError: as the reader of the file's kind; no kind of mesh file that is known
   Model faces() const;
@@ -39,6 +50,10 @@ class SourceFile {
   std::vector<std::uint8_t> bytes_;
   FileKind kind_;
   std::optional<PlyHeader> ply_;  ///< of a PLY file
+  SensorOptions sensor_;
+
+  Model read_points() const;
+  InputError not_read(const std::string& otherwise) const;
 };
 
 }  // namespace isotouch::cloud

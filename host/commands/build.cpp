@@ -12,6 +12,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/output.h"
 #include "host/commands/built_field.h"
+#include "host/commands/camera_options.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
 #include "host/commands/verdict_text.h"
@@ -86,8 +87,10 @@ void add_build(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("build", "Turn oriented points, a mesh or a level set into a field that can be touched");
   command
-      ->add_option("INPUT", options->input,
-                   "points with normals: PLY, OBJ, or text (.xyz, .pwn, .npts); a mesh: PLY, OBJ, STL; or an OpenVDB level set")
+      ->add_option(
+          "INPUT", options->input,
+          "points with or without normals: PLY, OBJ, PCD, or text (.xyz, .pwn, .npts); a depth image: 16-bit PNG; a mesh: PLY, OBJ, "
+          "STL; or an OpenVDB level set")
       ->required();
   const std::map<std::string, InputKind> kinds = {{"cloud", InputKind::kCloud}, {"mesh", InputKind::kMesh}};
   command
@@ -133,12 +136,16 @@ void add_build(CLI::App& app) {
   command
       ->add_option_function<std::vector<double>>(
           "--viewpoint",
-          [options](const std::vector<double>& place) { options->viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
-          "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it")
+          [options](const std::vector<double>& place) { options->sensor.viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
+          "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it. By default what the file itself says, "
+          "where normals are missing")
       ->expected(3);
+  auto camera = std::make_shared<CameraOptions>();
+  camera->add_to(*command);
   command->add_flag("--accept-implausible", options->accept_implausible, "write the field although it was judged to be probably wrong");
   command->add_flag("--json", *json, "print one JSON object");
-  command->callback([options, json] {
+  command->callback([options, camera, json] {
+    options->sensor.camera = camera->camera();
     if (options->method == encoding::Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }

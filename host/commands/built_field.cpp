@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -89,11 +90,19 @@ void require_default_method(const BuildOptions& options, const char* what) {
   }
 }
 
+/// Says where the file, and not the person, puts the sensor.
+std::string sensor_sentence(const Eigen::Vector3d& place) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
+  return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
+}
+
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::read_cloud(source, read);
   progress.begin("outside");
-  const field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.viewpoint};
+  field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
+  if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.viewpoint;
   if (!how.estimate && !read.has_normals)
     throw InputError(options.input.string() + ": its points have no normals; leave --normals file out");
   field::SoundScan sound = field::sound_scan(std::move(points), how);
@@ -105,6 +114,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.points = read.points;
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
+  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint));
   const double edge = options.voxel_mm.value_or(longest_side(measured) * report.placement.scale / options.grid_voxels());
   sound.place(report.placement);
   for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
@@ -170,6 +180,8 @@ double band_within(const BuildOptions& options, double known) {
 
 Made from_level_set(std::span<const std::uint8_t> bytes, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   require_default_method(options, "a level set");
+  if (options.sensor.camera)
+    throw InputError(options.input.string() + ": --intrinsics describes a depth camera, this is a level set; leave it out");
   const vdb::LevelSet set = vdb::LevelSet::read(options.input, bytes, options.grid_name);
   report.placement = placement(options, set.crossings);
   report.format = set.format;
@@ -208,7 +220,7 @@ Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& b
   if (!options.grid_name.empty()) {
     throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
   }
-  const cloud::SourceFile source(options.input, std::move(bytes));
+  const cloud::SourceFile source(options.input, std::move(bytes), options.sensor);
   report.kind = options.as ? *options.as : source.is_mesh() ? InputKind::kMesh : InputKind::kCloud;
   bar.plan(plan_for(report.kind, options.method));
   return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);

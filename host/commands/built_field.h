@@ -12,6 +12,7 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/placement.h"
+#include "host/cloud/source_file.h"
 #include "host/encoding/write_image.h"
 #include "host/error.h"
 #include "host/field/verdict.h"
@@ -30,11 +31,11 @@ struct BuildOptions {
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
   std::optional<double> band = {};
-  std::optional<double> stiffness = {};           ///< the largest, N/mm; 0.8 unless the points have one of their own
-  std::string units = {};                         ///< empty = fit
-  std::optional<bool> estimate_normals = {};      ///< not given: where the file has none
-  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the file's frame
-  bool accept_implausible = false;                ///< write the field although it was judged to be wrong
+  std::optional<double> stiffness = {};       ///< the largest, N/mm; 0.8 unless the points have one of their own
+  std::string units = {};                     ///< empty = fit
+  std::optional<bool> estimate_normals = {};  ///< not given: where the file has none
+  cloud::SensorOptions sensor = {};
+  bool accept_implausible = false;  ///< write the field although it was judged to be wrong
   double fit_mm = 70.0;
   unsigned threads = 0;  ///< 0 = as many as there are processors
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone

@@ -214,7 +214,7 @@ void run(const DemoOptions& options) {
 void add_demo(CLI::App& app) {
   auto options = std::make_shared<DemoOptions>();
   CLI::App* command = app.add_subcommand("demo", "Do all steps from points to forces and pictures; takes a few seconds");
-  command->add_option("CLOUD", options->cloud, "oriented points: PLY, OBJ or text; by default a built-in hydrant");
+  command->add_option("CLOUD", options->cloud, "points: PLY, OBJ, PCD or text; by default a built-in hydrant");
   command->add_option("-o,--out", options->folder, "folder for the field, traces and pictures")
       ->capture_default_str()
       ->each(require_folder);

@@ -11,6 +11,7 @@
 #include "host/board_commands/choice.h"
 #include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
+#include "host/commands/camera_options.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
 #include "host/commands/progress_bar.h"
@@ -36,15 +37,16 @@ namespace fs = std::filesystem;
 struct PointsRun {
   PictureOptions picture;
   fs::path cloud;
+  CameraOptions camera;
 
   void operator()() const {
     cloud::CloudReport report;
     ProgressBar bar({{"points", 1}});
     bar.begin("points");
-    cloud::OrientedPoints points = cloud::read_cloud(cloud, report);
+    cloud::OrientedPoints points = cloud::read_cloud({cloud, {camera.camera(), {}}}, report);
     field::SoundScan sound;
     try {
-      sound = field::sound_scan(points, {.estimate = !report.has_normals});
+      sound = field::sound_scan(points, {.estimate = !report.has_normals, .viewpoint = report.has_normals ? std::nullopt : report.viewpoint});
     } catch (const InputError&) {
       if (!report.has_normals) throw;  // else it is drawn as it is, too poor to have a rim
     }
@@ -182,8 +184,9 @@ void add_render(CLI::App& app) {
   render->require_subcommand(1);
 
   const auto [points, points_run] = add<PointsRun>(*render, "points", "Oriented points as small lit discs");
-  points->add_option("CLOUD", points_run->cloud, "PLY, OBJ or text")->required();
+  points->add_option("CLOUD", points_run->cloud, "PLY, OBJ, PCD, text, or a depth image (16-bit PNG)")->required();
   points_run->picture.add_view_to(*points);
+  points_run->camera.add_to(*points);
 
   const auto [surface, surface_run] = add<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
   surface->add_option("FIELD", surface_run->field, "the field (.itf)")->required();

@@ -46,6 +46,17 @@ std::string with(std::string text, const std::string& what, const std::string& i
   return text.replace(text.find(what), what.size(), instead);
 }
 
+std::string pcd(const std::string& data, const std::string& body, std::size_t points = 8) {
+  return "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + std::to_string(points) +
+         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string(points) + "\nDATA " + data + "\n" + body;
+}
+
+std::string range_grid(const std::string& columns, const std::string& rows, const std::string& cells, const std::string& body) {
+  return "ply\nformat ascii 1.0\nobj_info num_cols " + columns + "\nobj_info num_rows " + rows +
+         "\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement range_grid " + cells +
+         "\nproperty list uchar int vertex_indices\nend_header\n1 2 3\n" + body;
+}
+
 std::vector<Malformed> all() {
   const std::string ascii = header("ascii", "8");
   const std::string little = header("binary_little_endian", "8");
@@ -134,6 +145,70 @@ std::vector<Malformed> all() {
       {"obj counts disagree", "a.obj", mesh_obj, "3 vertices and 1 normals without faces"},
       {"obj coordinate missing", "a.obj", "v 0 0\n", "line 1: the line ends where a coordinate should stand"},
       {"obj nan", "a.obj", "v 0 nan 0\n", "line 1: a coordinate is not a finite number"},
+      {"e57", "a.e57", "ASTM-E57", "E57 files, which laser scanners write, are not read; open it in CloudCompare"},
+      {"e57 by its beginning", "a.dat", "ASTM-E57", "E57 files"},
+      {"depth image without a camera", "a.png", "\x89PNG\r\n\x1a\n", "a depth image needs its camera: give --intrinsics FX,FY,CX,CY"},
+      {"range grid of another size", "a.ply", range_grid("2", "2", "3", "1 0\n0\n0\n"),
+       "obj_info states 2 columns and 2 rows, but element 'range_grid' has 3 cells"},
+      {"range grid that overflows", "a.ply", range_grid("9223372036854775808", "4", "0", ""), "but element 'range_grid' has 0 cells"},
+      {"range grid too large", "a.ply", range_grid("100000", "100000", "10000000000", "1 0\n"),
+       "the header declares 10000000000 rows of element 'range_grid', more than the file has room for"},
+      {"cell beyond", "a.ply", range_grid("1", "2", "2", "0\n1 1\n"), "line 14: a cell refers to a vertex that is not there; there are 1"},
+      {"cell before", "a.ply", range_grid("1", "2", "2", "0\n1 -1\n"), "line 14: a cell refers to a vertex that is not there"},
+      {"pcd without data", "a.pcd", "VERSION 0.7\nFIELDS x y z\n", "the file ends within its PCD header; there is no line DATA"},
+      {"pcd of text", "a.pcd", "plain text\n", "line 1: 'plain' is no keyword of a PCD header"},
+      {"pcd without sizes", "a.pcd", "FIELDS x y z\nTYPE F F F\nPOINTS 1\nDATA ascii\n1 2 3\n", "the PCD header has no line SIZE"},
+      {"pcd without z", "a.pcd", with(pcd("ascii", ""), "x y z", "x y w"), "the PCD header names no field 'z'"},
+      {"pcd with x twice", "a.pcd",
+       with(with(with(with(pcd("ascii", ""), "x y z", "x y z x"), "4 4 4", "4 4 4 4"), "F F F", "F F F F"), "1 1 1", "1 1 1 1"),
+       "field 'x' is declared twice"},
+      {"pcd with half a normal", "a.pcd",
+       with(with(with(with(pcd("ascii", ""), "x y z", "x y z normal_x"), "4 4 4", "4 4 4 4"), "F F F", "F F F F"), "1 1 1", "1 1 1 1"),
+       "only a part of normal_x, normal_y, normal_z"},
+      {"pcd with few sizes", "a.pcd", with(pcd("ascii", ""), "4 4 4", "4 4"), "line 4: SIZE names fewer fields than FIELDS"},
+      {"pcd with many types", "a.pcd", with(pcd("ascii", ""), "F F F", "F F F F"), "line 5: TYPE names more fields than FIELDS"},
+      {"pcd with an odd size", "a.pcd", with(pcd("ascii", ""), "4 4 4", "4 4 3"),
+       "field 'z' has TYPE F and SIZE 3, which are no number type"},
+      {"pcd with an odd type", "a.pcd", with(pcd("ascii", ""), "F F F", "F F Q"), "line 5: type 'Q' is unknown to PCD"},
+      {"pcd with a huge count", "a.pcd", with(pcd("ascii", ""), "1 1 1", "1 1 999999999"),
+       "line 6: a count is '999999999', not a whole number"},
+      {"pcd with several z", "a.pcd", with(pcd("ascii", ""), "1 1 1", "1 1 2"), "field 'z' has 2 numbers, not one"},
+      {"pcd with no count", "a.pcd", with(pcd("ascii", ""), "1 1 1", "1 1 0"), "line 6: field 'z' has a count of 0"},
+      {"pcd of a huge size", "a.pcd", with(with(pcd("binary", ""), "WIDTH 8", "WIDTH 4294967295"), "HEIGHT 1", "HEIGHT 4294967295"),
+       "WIDTH 4294967295 times HEIGHT 4294967295 is not POINTS 8"},
+      {"pcd of other points", "a.pcd", with(pcd("ascii", ""), "WIDTH 8", "WIDTH 7"), "WIDTH 7 times HEIGHT 1 is not POINTS 8"},
+      {"pcd of a width beyond", "a.pcd", with(pcd("ascii", ""), "WIDTH 8", "WIDTH 99999999999"),
+       "line 7: WIDTH is '99999999999', not a whole number"},
+      {"pcd of a negative height", "a.pcd", with(pcd("ascii", ""), "HEIGHT 1", "HEIGHT -1"), "line 8: HEIGHT is '-1', not a whole number"},
+      {"pcd with nan viewpoint", "a.pcd", with(pcd("ascii", ""), "0 0 0 1", "0 nan 0 1"),
+       "line 9: a number of the viewpoint is not finite"},
+      {"pcd with half a viewpoint", "a.pcd", with(pcd("ascii", ""), "0 0 0 1 0 0 0", "0 0 0"),
+       "line 9: the line ends where a number of the viewpoint"},
+      {"pcd of unknown data", "a.pcd", pcd("zip", ""), "line 11: PCD data 'zip' is unknown"},
+      {"pcd cut short", "a.pcd", pcd("ascii", "1.00 2 3\n4.00 5 6\n7.00 8 9\n1.00 1 1\n2.00 2 2\n"),
+       "line 16: the file ends after 5 of its 8 points"},
+      {"pcd cut far too short", "a.pcd", pcd("ascii", "1 2 3\n", 4000000000),
+       "the header declares 4000000000 points, more than the file has room for"},
+      {"pcd with a long line", "a.pcd", pcd("ascii", "1 2 3 4\n", 1), "line 12: '4' follows the last field of the point"},
+      {"pcd with a short line", "a.pcd", pcd("ascii", "1 2\n", 1), "line 12: the line ends where z should stand"},
+      {"pcd with more lines", "a.pcd", pcd("ascii", "1 2 3\n1 2 3\n", 1), "line 13: more points than the header declares"},
+      {"pcd of words", "a.pcd", pcd("ascii", "1 b 3\n", 1), "line 12: 'b' is no number; y should stand there"},
+      {"pcd binary cut short", "a.pcd", pcd("binary", std::string(8 * 12 - 1, '\0')),
+       "the header declares 8 points, more than the file has room for"},
+      {"pcd binary too long", "a.pcd", pcd("binary", std::string(8 * 12, '\0') + "abc"),
+       "3 bytes follow the last point that the header declares"},
+      {"pcd of nan", "a.pcd", pcd("ascii", "nan nan nan\nnan nan nan\n", 2), "none of its 2 points has finite coordinates"},
+      {"pcd of nothing", "a.pcd", pcd("ascii", "", 0), "there are no points in it"},
+      {"pcd compressed to nothing", "a.pcd", pcd("binary_compressed", "1234"), "the compressed points are not there; the file is damaged"},
+      {"pcd compressed and cut", "a.pcd", pcd("binary_compressed", std::string("\x09\0\0\0\x60\0\0\0", 8) + "12345678"),
+       "the compressed points should have 9 bytes, but 8 are there"},
+      {"pcd compressed of another size", "a.pcd", pcd("binary_compressed", std::string("\x08\0\0\0\x61\0\0\0", 8) + "12345678"),
+       "the compressed points unpack to 97 bytes, which are not 8 points of 12 bytes"},
+      {"pcd compressed wrongly", "a.pcd", pcd("binary_compressed", std::string("\x08\0\0\0\x60\0\0\0", 8) + "12345678"),
+       "the compressed points do not unpack to 96 bytes"},
+      {"pcd compressed from nothing", "a.pcd",
+       pcd("binary_compressed", std::string("\x01\0\0\0\x00\xff\xff\xff", 8) + "1", 4294967040 / 12),
+       "the compressed points do not unpack to 4294967040 bytes"},
   };
 }
 

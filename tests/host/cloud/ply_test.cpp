@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "host/files/whole_file.h"
 #include "shared/bytes.h"
@@ -107,6 +109,41 @@ TEST(Ply, AStiffnessIsReadAndWrittenBack) {
   EXPECT_EQ(again.stiffness, model.stiffness);
   write_ply(folder.path() / "points.ply", {model.positions, model.normals, {}});
   EXPECT_TRUE(read_ply("points.ply", read_file(folder.path() / "points.ply")).stiffness.empty());
+}
+
+/// Of three columns and two rows, in which one cell returned nothing and one twice.
+std::string range_image(const std::string& info) {
+  return "ply\nformat ascii 1.0\n" + info +
+         "obj_info num_cols 3\nobj_info num_rows 2\nobj_info echo_frames 512\nbye\n"
+         "element vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+         "element range_grid 6\nproperty list uchar int vertex_indices\nend_header\n"
+         "0 0 0\n1 0 0\n2 0 0\n0 2 0\n2 2 0\n2 2 1\n1 0\n1 1\n1 2\n1 3\n0 \n2 5 4\n";
+}
+
+TEST(Ply, ARangeGridSaysWhichVertexIsInWhichCell) {
+  const Model model = read(range_image("obj_info is_cyberware_data 1\nobj_info is_warped 0\n"));
+  ASSERT_TRUE(model.grid);
+  EXPECT_EQ(model.grid->columns, 3U);
+  EXPECT_EQ(model.grid->cells, (std::vector<std::uint32_t>{0, 1, 2, 3, ScanGrid::kNoReturn, 5}));
+  EXPECT_TRUE(model.faces.empty());
+}
+
+TEST(Ply, TheSensorOfARangeGridIsFarAwayOrTheOrigin) {
+  const auto direction = [](const std::string& info) -> Vector3d {
+    const Vector3d sensor = read(range_image(info)).grid->sensor;
+    return sensor.isZero() ? sensor : Vector3d((sensor - Vector3d(1, 1, 0.5)) / 2000);
+  };
+  EXPECT_EQ(direction(""), Vector3d(0, 0, 1));
+  EXPECT_LT((direction("obj_info is_warped 1\n") - Vector3d(0.5, 0, std::sqrt(0.75))).norm(), 1e-12);
+  EXPECT_LT((direction("obj_info is_warped 1\nobj_info is_right_mirror_open 0\n") - Vector3d(-0.5, 0, std::sqrt(0.75))).norm(), 1e-12);
+  EXPECT_EQ(direction("obj_info is_cyberware_data 0\n"), Vector3d(0, 0, 0));
+}
+
+TEST(Ply, AGridThatIsNoImageIsNotUsed) {
+  EXPECT_FALSE(read(range_image("obj_info is_linear_scan 0\n")).grid) << "the object was turned before the scanner";
+  std::string unknown = range_image("");
+  unknown.replace(unknown.find("num_cols"), 8, "any_cols");
+  EXPECT_FALSE(read(unknown).grid);
 }
 
 }  // namespace

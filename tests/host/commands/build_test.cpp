@@ -16,6 +16,8 @@
 #include "host/error.h"
 #include "host/files/whole_file.h"
 #include "tests/host/commands/run_command.h"
+#include "tests/support/png16.h"
+#include "tests/support/range_image.h"
 
 namespace isotouch::commands {
 namespace {
@@ -342,6 +344,77 @@ TEST_F(Build, TheStiffnessOfThePointsReachesTheField) {
     EXPECT_NEAR(scaled["stiffness_n_per_mm"]["least"].get<double>(), 0.2, 0.002) << method;
     EXPECT_NEAR(scaled["stiffness_n_per_mm"]["largest"].get<double>(), 0.6, 0.0001) << method;
   }
+}
+
+/// A depth image of a ball half a metre before the camera, in tenths of a millimetre.
+std::string ball_png() {
+  const test::RangeImage image = test::ball_image(0.05, 0.5);
+  std::string rows;
+  for (const test::RangePixel& pixel : image.pixels) {
+    const auto depth = static_cast<unsigned>(std::lround(pixel.z * 10000));
+    rows += {static_cast<char>(depth >> 8), static_cast<char>(depth & 0xff)};
+  }
+  return test::png(static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), rows);
+}
+
+/// The same ball as PCL would save it, without its grid.
+std::string ball_pcd(const std::string& viewpoint) {
+  const test::RangeImage image = test::ball_image(0.05, 0.5);
+  std::string rows;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 5) {
+    const double z = image.pixels[i].z;
+    if (z == 0) continue;
+    const auto [x, y, one] = image.ray(i);
+    rows += std::to_string(x * z) + ' ' + std::to_string(y * z) + ' ' + std::to_string(z) + '\n';
+    ++points;
+  }
+  return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nVIEWPOINT " + viewpoint + "\nPOINTS " + std::to_string(points) + "\nDATA ascii\n" + rows;
+}
+
+TEST_F(Build, ADepthImageBecomesAOneSidedBodyOfItsTrueSize) {
+  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
+  const std::string camera = " --intrinsics 500,480,80.25,58.5 --depth-scale 10000";
+  const auto json =
+      nlohmann::ordered_json::parse(run("build " + file("ball.png") + camera + " --units m --grid 60 -o " + file("b.itf") + " --json"));
+  EXPECT_GT(json["points"], 7000);
+  const auto warnings = json["warnings"].get<std::vector<std::string>>();
+  EXPECT_THAT(warnings, ::testing::Contains("the normals were taken from the scan's grid and face its sensor"));
+  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("only one side was scanned")));
+  EXPECT_EQ(json["verdict"]["plausible"], true);
+  // A little less than half of a ball of 50 mm was seen, and the camera sees it in the direction of -z.
+  const auto info = nlohmann::ordered_json::parse(run("info " + file("b.itf") + " --json"));
+  EXPECT_NEAR(info["voxel_mm"].get<double>(), 100.0 / 60, 0.06);
+}
+
+TEST_F(Build, ADepthImageNeedsACameraAndNothingElseDoes) {
+  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
+  EXPECT_THROW(run("build " + file("ball.png") + " -o " + file("b.itf")), InputError);
+  for (const char* wrong :
+       {"0,500,80,60", "500,-1,80,60", "nan,500,80,60", "500,500,inf,60", "1e999,500,80,60", "500,500,80", "500,500,80,60,1", "a,b,c,d"}) {
+    EXPECT_THROW(run("build " + file("ball.png") + " --intrinsics " + wrong + " -o " + file("b.itf")), CLI::ParseError) << wrong;
+  }
+  for (const char* wrong : {"0", "-1", "nan", "1e99"}) {
+    EXPECT_THROW(run("build " + file("ball.png") + " --intrinsics 500,480,80,60 --depth-scale " + wrong + " -o " + file("b.itf")),
+                 CLI::ParseError)
+        << wrong;
+  }
+  EXPECT_THROW(run("build " + file("ball.png") + " --depth-scale 5000 -o " + file("b.itf")), CLI::ParseError);
+  EXPECT_THROW(run("build " + file("torus.ply") + " --intrinsics 500,480,80,60 -o " + file("b.itf")), InputError);
+  EXPECT_FALSE(fs::exists(file("b.itf")));
+}
+
+TEST_F(Build, AFilesViewpointTellsTheSideUnlessTheCommandLineDoes) {
+  std::ofstream(file("stated.pcd")) << ball_pcd("0 0 -0.1 1 0 0 0");
+  std::ofstream(file("default.pcd")) << ball_pcd("0 0 0 1 0 0 0");
+  const std::string options = " --grid 40 --accept-implausible --json -o " + file("b.itf");
+  const std::string sentence = "the sensor's place is the file's own, (0, 0, -0.1); --viewpoint names another one";
+  const auto stated = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + options));
+  EXPECT_THAT(stated["warnings"].get<std::vector<std::string>>(), ::testing::Contains(sentence));
+  const auto own = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + " --viewpoint 0 0 1" + options));
+  EXPECT_THAT(own["warnings"].get<std::vector<std::string>>(), ::testing::Not(::testing::Contains(HasSubstr("the file's own"))));
+  EXPECT_NE(own["hash"], stated["hash"]) << "the cup instead of the ball";
+  EXPECT_THROW(run("build " + file("default.pcd") + options), InputError) << "nobody says where the sensor was";
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#include "host/cloud/depth_image.h"
+
+#include "host/cloud/depth_png.h"
+#include "host/error.h"
+
+namespace isotouch::cloud {
+
+Model read_depth_image(const std::string& name, std::span<const std::uint8_t> bytes, const DepthCamera& camera) {
+  const DepthPixels pixels = read_depth_png(name, bytes);
+  Model model;
+  model.format = "PNG, 16-bit depth";
+  model.viewpoint = Eigen::Vector3d::Zero();
+  model.grid = ScanGrid{.columns = pixels.width};
+  model.grid->cells.reserve(pixels.depth.size());
+  for (std::size_t i = 0; i < pixels.depth.size(); ++i) {
+    if (pixels.depth[i] == 0) {
+      model.grid->cells.push_back(ScanGrid::kNoReturn);
+      continue;
+    }
+    model.grid->cells.push_back(static_cast<std::uint32_t>(model.positions.size()));
+    const double z = static_cast<double>(pixels.depth[i]) / camera.units_per_metre;
+    const double u = static_cast<double>(i % pixels.width), v = static_cast<double>(i / pixels.width);
+    model.positions.emplace_back((u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
+  }
+  if (model.positions.empty()) throw InputError(name + ": every pixel is 0, so there is no point in it");
+  return model;
+}
+
+}  // namespace isotouch::cloud

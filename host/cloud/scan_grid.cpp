@@ -1,0 +1,193 @@
+#include "host/cloud/scan_grid.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "host/cloud/model.h"
+
+namespace isotouch::cloud {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kAlongSight = 0.9698;  // squared sine of 80 degrees
+constexpr int kMaxRadius = 4;
+constexpr int kFewestNear = 5;           // of a cell and its eight neighbours; a straight rim has six, a corner four
+constexpr std::size_t kOneIn = 5;        // normals may face away from the sensor; of an image hardly any do
+constexpr double kAimedError = 0.05;     // of a normal, radians
+constexpr double kQuantile = 0.8;        // of the third differences: the rest may be edges
+constexpr double kInQuantile = 1.2816;   // standard deviations within which 80 % of a normal distribution lie
+constexpr double kThirdOfNoise = 4.472;  // the standard deviation of p0 - 3 p1 + 3 p2 - p3, whose squares sum up to 20
+
+/// The cells, and where a surface leads from one to the next.
+class Cells {
+ public:
+  Cells(const std::vector<Vector3d>& positions, const ScanGrid& grid)
+      : positions_(positions), grid_(grid), rows_(grid.cells.size() / grid.columns), links_(grid.cells.size(), 0) {
+    for (std::size_t row = 0; row < rows_; ++row) {
+      for (std::size_t column = 0; column < grid.columns; ++column) {
+        const std::size_t cell = row * grid.columns + column;
+        if (column + 1 < grid.columns) link(cell, cell + 1, kRight);
+        if (row + 1 < rows_) link(cell, cell + grid.columns, kDown);
+      }
+    }
+  }
+
+  std::size_t rows() const { return rows_; }
+  std::size_t columns() const { return grid_.columns; }
+  bool has(std::size_t cell) const { return grid_.cells[cell] != ScanGrid::kNoReturn; }
+  const Vector3d& place(std::size_t cell) const { return positions_[grid_.cells[cell]]; }
+  bool beside_jump(std::size_t cell) const { return (links_[cell] & kJump) != 0; }
+  bool joined_right(std::size_t cell) const { return (links_[cell] & kRight) != 0; }
+  bool joined_down(std::size_t cell) const { return (links_[cell] & kDown) != 0; }
+
+ private:
+  static constexpr std::uint8_t kRight = 1, kDown = 2, kJump = 4;
+
+  void link(std::size_t from, std::size_t to, std::uint8_t direction) {
+    if (!has(from) || !has(to)) return;
+    const Vector3d way = place(to) - place(from);
+    const Vector3d sight = 0.5 * (place(from) + place(to)) - grid_.sensor;
+    const double along = way.dot(sight);
+    if (along * along > kAlongSight * way.squaredNorm() * sight.squaredNorm()) {
+      links_[from] |= kJump;
+      links_[to] |= kJump;
+    } else {
+      links_[from] |= direction;
+    }
+  }
+
+  const std::vector<Vector3d>& positions_;
+  const ScanGrid& grid_;
+  std::size_t rows_;
+  std::vector<std::uint8_t> links_;
+};
+
+/// The noise of a place in widths of a cell.
+double relative_noise(const Cells& cells) {
+  std::vector<double> ratios;
+  for (std::size_t row = 0; row < cells.rows(); ++row) {
+    for (std::size_t column = 0; column + 3 < cells.columns(); ++column) {
+      const std::size_t cell = row * cells.columns() + column;
+      if (!cells.joined_right(cell) || !cells.joined_right(cell + 1) || !cells.joined_right(cell + 2)) continue;
+      const Vector3d first = cells.place(cell + 1) - cells.place(cell), last = cells.place(cell + 3) - cells.place(cell + 2);
+      const Vector3d between = cells.place(cell + 2) - cells.place(cell + 1);
+      const double width = (first + between + last).norm() / 3.0;
+      if (width > 0.0) ratios.push_back((first - 2.0 * between + last).norm() / width);
+    }
+  }
+  if (ratios.empty()) return 0.0;
+  const auto place = ratios.begin() + static_cast<std::ptrdiff_t>(kQuantile * static_cast<double>(ratios.size() - 1));
+  std::nth_element(ratios.begin(), place, ratios.end());
+  return *place / (kThirdOfNoise * kInQuantile);
+}
+
+/// Half the width of a window in which the normal's error is as small as aimed for.
+int radius_for(double noise) {
+  for (int radius = 1; radius < kMaxRadius; ++radius) {
+    const int squares = (2 * radius + 1) * (2 * radius + 1) * radius * (radius + 1) / 3;  // of the columns from the middle, summed up
+    if (noise <= kAimedError * std::sqrt(static_cast<double>(squares))) return radius;
+  }
+  return kMaxRadius;
+}
+
+/// The normal of the plane through a cell's surroundings, in the grid's winding and of any length; zero for an edge.
+Vector3d normal(const Cells& cells, std::size_t row, std::size_t column, int radius) {
+  const std::size_t middle = row * cells.columns() + column;
+  if (cells.beside_jump(middle)) return Vector3d::Zero();
+  // Reached are cells to which joined ones lead that never turn back.
+  std::array<std::array<bool, 2 * kMaxRadius + 1>, 2 * kMaxRadius + 1> reached{};
+  int near = 0;
+  double count = 0, u_sum = 0, v_sum = 0;
+  Vector3d p_sum = Vector3d::Zero(), up = Vector3d::Zero(), vp = Vector3d::Zero();
+  const auto visit = [&](int u, int v) {
+    const std::size_t across = column + static_cast<std::size_t>(u), down = row + static_cast<std::size_t>(v);  // below zero: very large
+    if (across >= cells.columns() || down >= cells.rows()) return;
+    const std::size_t cell = down * cells.columns() + across;
+    const auto was = [&](int x, int y) {
+      return reached[static_cast<std::size_t>(y + kMaxRadius)][static_cast<std::size_t>(x + kMaxRadius)];
+    };
+    const bool from_left = u > 0 && was(u - 1, v) && cells.joined_right(cell - 1);
+    const bool from_right = u < 0 && was(u + 1, v) && cells.joined_right(cell);
+    const bool from_above = v > 0 && was(u, v - 1) && cells.joined_down(cell - cells.columns());
+    const bool from_below = v < 0 && was(u, v + 1) && cells.joined_down(cell);
+    if (cell != middle && !from_left && !from_right && !from_above && !from_below) return;
+    reached[static_cast<std::size_t>(v + kMaxRadius)][static_cast<std::size_t>(u + kMaxRadius)] = true;
+    const Vector3d p = cells.place(cell) - cells.place(middle);
+    near += std::abs(u) <= 1 && std::abs(v) <= 1 ? 1 : 0;
+    count += 1.0;
+    u_sum += u;
+    v_sum += v;
+    p_sum += p;
+    up += u * p;
+    vp += v * p;
+  };
+  const auto visit_row = [&](int v) {
+    visit(0, v);
+    for (int u = 1; u <= radius; ++u) {
+      visit(u, v);
+      visit(-u, v);
+    }
+  };
+  visit_row(0);
+  for (int v = 1; v <= radius; ++v) {
+    visit_row(v);
+    visit_row(-v);
+  }
+  if (near < kFewestNear) return Vector3d::Zero();
+  // The slopes of the plane are the inverse of a positive matrix times these two, so their product has its direction.
+  return (up - u_sum / count * p_sum).cross(vp - v_sum / count * p_sum);
+}
+
+/// Leaves out the points whose normal is zero.
+void keep_oriented(Model& model) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < model.normals.size(); ++i) {
+    if (model.normals[i].isZero(0.0)) continue;
+    model.positions[kept] = model.positions[i];
+    model.normals[kept] = model.normals[i];
+    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
+    if (!model.stiffness.empty()) model.stiffness[kept] = model.stiffness[i];
+    ++kept;
+  }
+  model.positions.resize(kept);
+  model.normals.resize(kept);
+  if (!model.lines.empty()) model.lines.resize(kept);
+  if (!model.stiffness.empty()) model.stiffness.resize(kept);
+}
+
+}  // namespace
+
+std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid) {
+  if (grid.columns < 2 || grid.cells.size() < 2 * grid.columns) return std::nullopt;
+  const Cells cells(model.positions, grid);
+  const int radius = radius_for(relative_noise(cells));
+  std::vector<Vector3d> normals(model.positions.size(), Vector3d::Zero());
+  std::size_t returns = 0, oriented = 0, facing = 0;
+  for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
+    if (!cells.has(cell)) continue;
+    ++returns;
+    const Vector3d n = normal(cells, cell / grid.columns, cell % grid.columns, radius);
+    const double length = n.norm();
+    if (!(length > 0.0) || !std::isfinite(length)) continue;
+    ++oriented;
+    normals[grid.cells[cell]] = n / length;
+    facing += n.dot(grid.sensor - cells.place(cell)) > 0.0 ? 1U : 0U;
+  }
+  const bool away = 2 * facing < oriented;
+  const std::size_t outvoted = away ? facing : oriented - facing;
+  if (2 * oriented < returns || kOneIn * outvoted >= oriented) return std::nullopt;
+  if (away) {
+    for (Vector3d& n : normals) n = -n;
+  }
+  const std::size_t before = model.positions.size();
+  model.normals = std::move(normals);
+  keep_oriented(model);
+  return before - model.positions.size();
+}
+
+}  // namespace isotouch::cloud

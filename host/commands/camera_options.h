@@ -1,0 +1,37 @@
+/// Options of a depth camera, for commands that read a scan.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "host/cloud/depth_image.h"
+
+namespace isotouch::commands {
+
+struct CameraOptions {
+  std::vector<double> intrinsics;  ///< fx, fy, cx, cy; empty: not given
+  double units_per_metre = 1000;
+
+  void add_to(CLI::App& command) {
+    CLI::Option* given =
+        command.add_option("--intrinsics", intrinsics, "the depth camera's focal lengths and principal point FX,FY,CX,CY, pixels");
+    given->delimiter(',')->expected(4);
+    command.add_option("--depth-scale", units_per_metre, "what one metre is in the depth image; TUM's data has 5000")
+        ->needs(given)
+        ->check(CLI::Range(1e-6, 1e9))
+        ->capture_default_str();
+  }
+  std::optional<cloud::DepthCamera> camera() const {
+    if (intrinsics.empty()) return std::nullopt;
+    const bool finite = std::all_of(intrinsics.begin(), intrinsics.end(), [](double value) { return std::isfinite(value); });
+    if (!finite || intrinsics[0] <= 0 || intrinsics[1] <= 0)
+      throw CLI::ValidationError("--intrinsics", "the four numbers must be finite, and the focal lengths FX and FY above 0");
+    if (!(units_per_metre > 0)) throw CLI::ValidationError("--depth-scale", "must be a number above 0");  // nan is in every CLI::Range
+    return cloud::DepthCamera{intrinsics[0], intrinsics[1], intrinsics[2], intrinsics[3], units_per_metre};
+  }
+};
+
+}  // namespace isotouch::commands
