@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
@@ -12,6 +13,7 @@
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/field_file/open_field.h"
+#include "host/to_double.h"
 #include "host/view/png_file.h"
 #include "host/view/worst_picture.h"
 
@@ -25,7 +27,8 @@ using evaluate::TruthComparison;
 struct Options {
   std::filesystem::path field;
   std::filesystem::path mesh;
-  std::filesystem::path worst;  ///< the picture to write; empty: none
+  std::filesystem::path beside;  ///< another program's mesh, in the cloud's frame; empty: none
+  std::filesystem::path worst;   ///< the picture to write; empty: none
   bool floor = false;
   bool json = false;
 };
@@ -51,6 +54,10 @@ nlohmann::ordered_json to_json(const Measured& measured) {
           {"max_voxel", error.max_voxel},
           {"normal_rms_deg", error.normal_rms_deg},
           {"lost", error.lost},
+          {"mesh_to_field_rms_voxel", whole.mesh_to_field.rms_voxel},
+          {"mesh_to_field_far", whole.mesh_to_field.far},
+          {"field_to_mesh_rms_voxel", whole.field_to_mesh.rms_voxel},
+          {"field_to_mesh_far", whole.field_to_mesh.far},
           {"hausdorff_voxel", whole.hausdorff_voxel()},
           {"hausdorff_from_mesh_voxel", whole.from_mesh_voxel()},
           {"hausdorff_from_blob_voxel", whole.from_field_voxel()},
@@ -69,6 +76,9 @@ void print(const char* name, const Measured& measured) {
   const auto& [error, surface, whole] = measured;
   std::printf("%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
               error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
+  const auto& [there, back] = std::pair(whole.mesh_to_field, whole.field_to_mesh);
+  std::printf("       nearest distances rms: mesh to field %.4f voxel, %zu of %zu beyond %.0f; field to mesh %.4f voxel, %zu beyond\n",
+              there.rms_voxel, there.far, evaluate::kSpreadPoints, evaluate::kFarVoxels, back.rms_voxel, back.far);
   std::printf("       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
               whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(), text(whole.from_field.place).c_str());
   std::printf("       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
@@ -91,6 +101,15 @@ void run(const Options& options) {
     json["floor"] = to_json(floor);
     if (!options.json) print("floor", floor);
   }
+  if (!options.beside.empty()) {
+    const cloud::TriangleMesh other = cloud::read_mesh(options.beside);
+    cloud::require_closed(other, options.beside.string());
+    const field_file::OpenField theirs = evaluate::field_of_mesh(cloud::placed(other, evaluate::placement_of(field.view)),
+                                                                 to_double(field.view.edge), to_double(field.view.band));
+    const Measured beside = measure(theirs.view, mesh);
+    json["beside"] = to_json(beside);
+    if (!options.json) print("beside", beside);
+  }
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
     const evaluate::Farthest& worst = measured.whole.worst();
@@ -111,6 +130,8 @@ void add_compare(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "the same for the mesh's own exact distances on the field's grid");
+  command->add_option("--beside", options->beside,
+                      "the same for another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL");
   command->add_option("--worst", options->worst, "draw the worst place of the field (.png)");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });

@@ -166,6 +166,7 @@ void add_evaluate(CLI::App& app) {
     bool published = false;
     bool dirty = false;
     std::string only;
+    std::string beside;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -177,9 +178,14 @@ void add_evaluate(CLI::App& app) {
       "measure dirty scans instead: strays, noise, turned normals, holes; exit code 3 when a wrong field is called plausible");
   command->add_option("--only", options->only, "of the dirty scans, those whose row contains this text, such as 'owl strays'")
       ->needs(dirty);
+  command
+      ->add_option(
+          "--beside", options->beside,
+          "a command that turns oriented points into a closed mesh, run as COMMAND POINTS.ply MESH.ply: measured on the same scans")
+      ->needs(dirty);
   command->callback([options] {
     if (!options->dirty) return run(options->json, options->published);
-    const std::size_t wrong = print_dirty(options->only, options->json);
+    const std::size_t wrong = print_dirty(options->only, options->beside, options->json);
     if (wrong > 0) throw ComparisonFailed(std::to_string(wrong) + " wrong fields were called plausible");
   });
 }
