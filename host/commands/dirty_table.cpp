@@ -14,6 +14,7 @@
 #include "host/commands/verdict_text.h"
 #include "host/error.h"
 #include "host/evaluate/dirty_scan.h"
+#include "host/field/closed_mesh.h"
 
 namespace isotouch::commands {
 
@@ -72,9 +73,8 @@ evaluate::Reconstruct program(const std::string& command, const std::filesystem:
     cloud::write_ply(points, cloud);
     if (std::system((command + " '" + points.string() + "' '" + mesh.string() + "' >&2").c_str()) != 0)
       throw InputError(command + ": failed, or is no command");
-    const cloud::TriangleMesh found = cloud::read_mesh(mesh);
-    cloud::require_closed(found, command);
-    return found;
+    field::MeshRepair repair;
+    return field::closed_mesh(cloud::read_mesh(mesh), command, repair);
   };
 }
 

@@ -23,8 +23,9 @@ constexpr double kApart = 0.5;      // at least, from every other sample
 constexpr double kSearch = 1.2;     // how far a skin bends from one sample to the next
 constexpr int kSearchSteps = 4;     // a side
 constexpr int kHalvings = 10;
-constexpr double kDisagree = 0.25;       // of the way to the nearest sample: the models see the surface farther off the skin than that
-constexpr std::size_t kDisagreeing = 3;  // one in so many samples of a skin
+constexpr double kDisagree = 0.25;       // of the way to the nearest sample: the models see the surface farther behind the skin than that
+constexpr double kBeside = 1.0;          // so near to the rim, where its curvature alone leads to no such error
+constexpr std::size_t kDisagreeing = 8;  // one in so many samples of a skin beside its rim
 constexpr std::size_t kDrawing = 8;      // neighbours of a sample that draw it into their plane
 constexpr int kPasses = 30;
 constexpr double kHole = 1.0;             // a hole is that far from its rim at one place: over less the models bridge
@@ -106,7 +107,7 @@ class Skins {
   void span(const Front& seed, double spacing) {
     std::vector<Front> waiting(1, seed);
     cloud::OrientedPoints skin;
-    std::size_t disagreeing = 0;
+    std::size_t beside_rim = 0, disagreeing = 0;
     double farthest = 0.0;  // from the samples of the scan
     bool too_large = false;
     while (!waiting.empty() && !too_large) {
@@ -118,7 +119,10 @@ class Skins {
       scan_.tree().nearest(here->place, 1, found_);
       const double way = std::sqrt(found_[0].squared_distance);
       farthest = std::max(farthest, way);
-      disagreeing += std::abs(surface_.distance(here->place)) > kDisagree * way ? 1U : 0U;
+      if (way < kBeside * spacing) {
+        ++beside_rim;
+        disagreeing += surface_.distance(here->place) > kDisagree * way ? 1U : 0U;
+      }
       taken_.push_back(here->place);
       skin.positions.push_back(here->place);
       skin.normals.push_back(here->normal);
@@ -131,7 +135,7 @@ class Skins {
       too_large = skin.size() == kMaxSamples || beside(given_up_, here->place, 2.0 * kStep * spacing);
     }
     if (too_large) given_up_.insert(given_up_.end(), skin.positions.begin(), skin.positions.end());
-    if (too_large || farthest < kHole * spacing || kDisagreeing * disagreeing < skin.size()) return;
+    if (too_large || farthest < kHole * spacing || kDisagreeing * disagreeing < beside_rim) return;
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(result_.positions, skin.positions);
     append(result_.normals, skin.normals);
