@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/board_commands/output.h"
@@ -15,6 +16,7 @@
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/field_file/open_field.h"
+#include "host/to_double.h"
 #include "host/view/png_file.h"
 #include "host/view/worst_picture.h"
 
@@ -28,7 +30,8 @@ using evaluate::TruthComparison;
 struct Options {
   std::filesystem::path field;
   std::filesystem::path mesh;
-  std::filesystem::path worst;  ///< the picture to write; empty: none
+  std::filesystem::path beside;  ///< another program's mesh, in the cloud's frame; empty: none
+  std::filesystem::path worst;   ///< the picture to write; empty: none
   bool floor = false;
   bool json = false;
 };
@@ -53,11 +56,15 @@ Measured measure(const FieldView& field, const cloud::TriangleMesh& mesh, Progre
 }
 
 /// How long the stages take, about.
-std::vector<PlannedStage> plan_for(bool floor) {
+std::vector<PlannedStage> plan_for(bool floor, bool beside) {
   const std::vector<PlannedStage> one = {{"offsets", 1}, {"surface", 1}, {"distances", 8}};
   std::vector<PlannedStage> all = one;
   if (floor) {
     all.push_back({"floor", 3});
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  if (beside) {
+    all.push_back({"beside", 3});
     all.insert(all.end(), one.begin(), one.end());
   }
   return all;
@@ -71,6 +78,10 @@ nlohmann::ordered_json to_json(const Measured& measured) {
           {"max_voxel", error.max_voxel},
           {"normal_rms_deg", error.normal_rms_deg},
           {"lost", error.lost},
+          {"mesh_to_field_rms_voxel", whole.mesh_to_field.rms_voxel},
+          {"mesh_to_field_far", whole.mesh_to_field.far},
+          {"field_to_mesh_rms_voxel", whole.field_to_mesh.rms_voxel},
+          {"field_to_mesh_far", whole.field_to_mesh.far},
           {"hausdorff_voxel", whole.hausdorff_voxel()},
           {"hausdorff_from_mesh_voxel", whole.from_mesh_voxel()},
           {"hausdorff_from_blob_voxel", whole.from_field_voxel()},
@@ -89,6 +100,9 @@ void print(std::FILE* to, const char* name, const Measured& measured) {
   const auto& [error, surface, whole] = measured;
   std::fprintf(to, "%-6s rms %.4f mm = %.4f voxel, p99 %.4f, max %.3f voxel, normals rms %.2f°, lost %zu of %zu\n", name, error.rms_mm,
                error.rms_voxel, error.p99_voxel, error.max_voxel, error.normal_rms_deg, error.lost, error.lost + error.points);
+  const auto& [there, back] = std::pair(whole.mesh_to_field, whole.field_to_mesh);
+  std::fprintf(to, "       nearest distances rms: mesh to field %.4f voxel, %zu of %zu beyond %.0f; field to mesh %.4f voxel, %zu beyond\n",
+               there.rms_voxel, there.far, evaluate::kSpreadPoints, evaluate::kFarVoxels, back.rms_voxel, back.far);
   std::fprintf(to, "       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
                whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(),
                text(whole.from_field.place).c_str());
@@ -103,7 +117,7 @@ void run(const Options& options) {
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_cloud, options.mesh.string());
   const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
-  ProgressBar bar(plan_for(options.floor));
+  ProgressBar bar(plan_for(options.floor, !options.beside.empty()));
   const Measured measured = measure(field.view, mesh, bar);
 
   nlohmann::ordered_json json = to_json(measured);
@@ -114,6 +128,16 @@ void run(const Options& options) {
     const Measured floor = measure(exact.view, mesh, bar);
     json["floor"] = to_json(floor);
     if (!options.json) print(to, "floor", floor);
+  }
+  if (!options.beside.empty()) {
+    bar.begin("beside");
+    const cloud::TriangleMesh other = cloud::read_mesh(options.beside);
+    cloud::require_closed(other, options.beside.string());
+    const field_file::OpenField theirs = evaluate::field_of_mesh(cloud::placed(other, evaluate::placement_of(field.view)),
+                                                                 to_double(field.view.edge), to_double(field.view.band));
+    const Measured beside = measure(theirs.view, mesh, bar);
+    json["beside"] = to_json(beside);
+    if (!options.json) print(to, "beside", beside);
   }
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
@@ -135,6 +159,8 @@ void add_compare(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "also compare the mesh's exact distances on the field's grid: the errors of the grid alone");
+  command->add_option("--beside", options->beside,
+                      "also compare another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL");
   add_output(*command, "--worst", options->worst, {&forms::kPicture}, "draw the worst place of the field");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {

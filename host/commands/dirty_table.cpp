@@ -1,50 +1,97 @@
 #include "host/commands/dirty_table.h"
 
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "host/cloud/mesh.h"
+#include "host/cloud/ply.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/progress_bar.h"
+#include "host/commands/temporary_folder.h"
 #include "host/commands/verdict_text.h"
+#include "host/error.h"
 #include "host/evaluate/dirty_scan.h"
 #include "host/evaluate/mesh_shape.h"
+#include "host/field/closed_mesh.h"
 
 namespace isotouch::commands {
 
 namespace {
 
 using evaluate::DirtyRow;
+using evaluate::DirtySurface;
+
+void print(const char* scan, const char* dirt, const DirtySurface& surface, const char* judgement) {
+  std::printf("  %-19s %-16s ", scan, dirt);
+  if (!surface.refused.empty()) {
+    std::printf("refused: %s", surface.refused.c_str());
+  } else {
+    std::printf("%8.3f %8.3f %7zu %8.3f %9.2f %%  %s", surface.surface_rms, surface.truth_rms, surface.pieces, surface.volume,
+                100 * surface.wrong_side, judgement);
+  }
+}
 
 void print(const DirtyRow& row) {
-  std::printf("  %-19s %-16s ", row.scan.c_str(), row.dirt.c_str());
-  if (!row.refused.empty()) {
-    std::printf("refused: %s\n", row.refused.c_str());
-    return;
-  }
-  std::printf("%8.3f %8.3f %7zu %8.3f %9.2f %%  %s", row.surface_rms, row.truth_rms, row.pieces, row.volume, 100 * row.wrong_side,
-              row.believed_wrong()      ? "PLAUSIBLE, BUT WRONG"
-              : row.verdict.plausible() ? "plausible"
-              : row.wrong()             ? "wrong, and known"
-                                        : "in doubt");
+  print(row.scan.c_str(), row.dirt.c_str(), row,
+        row.believed_wrong()      ? "PLAUSIBLE, BUT WRONG"
+        : row.verdict.plausible() ? "plausible"
+        : row.wrong()             ? "wrong, and known"
+                                  : "in doubt");
   for (const std::string& reason : row.verdict.reasons) std::printf("; %s", reason.c_str());
   std::printf("\n");
+  if (row.beside) {
+    print("", "  beside", *row.beside, "");
+    std::printf("\n");
+  }
   std::fflush(stdout);
 }
 
-nlohmann::ordered_json row_json(const DirtyRow& row) {
-  return {{"scan", row.scan},
-          {"dirt", row.dirt},
-          {"refused", row.refused},
-          {"surface_rms_voxel", row.surface_rms},
-          {"truth_rms_voxel", row.truth_rms},
-          {"pieces", row.pieces},
-          {"volume", row.volume},
-          {"wrong_side", row.wrong_side},
-          {"wrong", row.wrong()},
-          {"verdict", to_json(row.verdict)}};
+nlohmann::ordered_json surface_json(const DirtySurface& surface) {
+  return {{"refused", surface.refused},
+          {"surface_rms_voxel", surface.surface_rms},
+          {"truth_rms_voxel", surface.truth_rms},
+          {"pieces", surface.pieces},
+          {"volume", surface.volume},
+          {"wrong_side", surface.wrong_side},
+          {"wrong", surface.wrong()}};
 }
+
+nlohmann::ordered_json row_json(const DirtyRow& row) {
+  nlohmann::ordered_json json = {{"scan", row.scan}, {"dirt", row.dirt}};
+  json.update(surface_json(row));
+  json["verdict"] = to_json(row.verdict);
+  if (row.beside) json["beside"] = surface_json(*row.beside);
+  return json;
+}
+
+/// Runs a command on files, as a shell would.
+evaluate::Reconstruct program(const std::string& command, const std::filesystem::path& folder) {
+  return [command, points = folder / "points.ply", mesh = folder / "mesh.ply"](const cloud::OrientedPoints& cloud) {
+    std::filesystem::remove(mesh);
+    cloud::write_ply(points, cloud);
+    if (std::system((command + " '" + points.string() + "' '" + mesh.string() + "' >&2").c_str()) != 0)
+      throw InputError(command + ": failed, or is no command");
+    field::MeshRepair repair;
+    return field::closed_mesh(cloud::read_mesh(mesh), command, repair);
+  };
+}
+
+/// Who is nearer to the truth, over the rows that both built.
+struct Tally {
+  std::size_t rows = 0, surface = 0, truth = 0;
+
+  void count(const DirtyRow& row) {
+    if (!row.beside || !row.refused.empty() || !row.beside->refused.empty()) return;
+    ++rows;
+    surface += row.surface_rms < row.beside->surface_rms ? 1U : 0U;
+    truth += row.truth_rms <= row.beside->truth_rms ? 1U : 0U;
+  }
+};
 
 }  // namespace
 
@@ -52,6 +99,10 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   std::vector<cloud::Shape> bodies;
   for (const std::filesystem::path& mesh : choice.meshes)
     bodies.push_back(evaluate::mesh_shape(cloud::read_mesh(mesh), mesh.stem().string()));
+  std::optional<TemporaryFolder> folder;
+  evaluate::Reconstruct other;
+  if (!choice.beside.empty()) other = program(choice.beside, folder.emplace().path);
+  Tally tally;
   std::size_t believed = 0, wrong = 0, doubted = 0, all = 0;
   auto list = nlohmann::ordered_json::array();
   if (!json) {
@@ -77,15 +128,20 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
           believed += row.believed_wrong() ? 1U : 0U;
           wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
           doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
+          tally.count(row);
           json ? list.push_back(row_json(row)) : bar.aside([&] { print(row); });
         },
-        choice.seed);
+        other, choice.seed);
   }
   bar.end();
   if (json) {
     std::printf("%s\n", nlohmann::ordered_json{{"dirty", list}, {"wrong_but_plausible", believed}}.dump(2).c_str());
   } else {
     std::printf("%zu builds: %zu wrong or refused, %zu of them called plausible; %zu right, but in doubt\n", all, wrong, believed, doubted);
+    if (other) {
+      std::printf("of %zu that both built we are nearer in %zu from truth to surface and in %zu from surface to truth\n", tally.rows,
+                  tally.surface, tally.truth);
+    }
   }
   return believed;
 }

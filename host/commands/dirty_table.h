@@ -13,6 +13,9 @@ struct DirtyChoice {
   std::string only;                           ///< a part of a row's names, to measure a part of the table; empty = all
   std::vector<std::filesystem::path> meshes;  ///< closed; empty = our own objects
   std::uint64_t seed = 1;
+  std::string
+      beside;  ///< a command that turns a PLY of oriented points, its second to last argument, into a PLY mesh, its last; each kind of dirt gets
+               ///< a second row, of that mesh; empty = none
 };
 
 /// Prints one row a scan and a kind of dirt; returns how many builds were wrong and called plausible.

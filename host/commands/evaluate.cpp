@@ -195,6 +195,11 @@ void add_evaluate(CLI::App& app) {
   command->add_option("--mesh", options->choice.meshes, "dirty scans of these closed meshes instead of the project's own objects")
       ->needs(dirty);
   command->add_option("--seed", options->choice.seed, "for other points and other dirt of the same kinds; 1 unless given")->needs(dirty);
+  command
+      ->add_option(
+          "--beside", options->choice.beside,
+          "a command that turns oriented points into a closed mesh, run as COMMAND POINTS.ply MESH.ply: measured on the same scans")
+      ->needs(dirty);
   command->callback([options] {
     if (!options->dirty) return run(options->json, options->published);
     const std::size_t wrong = print_dirty(options->choice, options->json);

@@ -1,9 +1,11 @@
 #include "host/evaluate/compare_mesh.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/field/make_grid.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
 #include "host/to_double.h"
@@ -36,6 +38,14 @@ field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::Triangl
   const field::MeshDistance distance(mesh);
   return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, to_double(field.band)), {}),
                                 "the mesh's exact distances");
+}
+
+field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  const field::Grid grid = field::make_grid(box.min(), box.max(), edge, field::mesh_margin(band));
+  const field::MeshDistance distance(mesh);
+  return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, band), {}), "another mesh");
 }
 
 }  // namespace isotouch::evaluate

@@ -27,4 +27,12 @@ SurfaceError compare_with_mesh(const FieldView& field, const cloud::TriangleMesh
 /// The mesh's own exact distances on the field's grid and band: what no method can go below.
 field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::TriangleMesh& mesh);
 
+/// Another closed mesh as a field of its own, to be measured like any other: on a grid that holds it.
+///
+/// mesh      closed, workspace, mm
+/// edge      of a voxel, mm
+/// band      half width, voxels
+/// fails     InputError of `make_grid`
+field_file::OpenField field_of_mesh(const cloud::TriangleMesh& mesh, double edge, double band);
+
 }  // namespace isotouch::evaluate

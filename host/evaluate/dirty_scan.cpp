@@ -10,6 +10,7 @@
 #include "host/cloud/random.h"
 #include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/damage.h"
 #include "host/evaluate/surface_error.h"
 #include "host/evaluate/zero_surface.h"
@@ -140,13 +141,57 @@ double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, co
   return asked > 0 ? static_cast<double>(wrong) / static_cast<double>(asked) : 0.0;
 }
 
-DirtyRow measured(const DirtyScan& scan, const Dirtied& dirtied, const Dirt& dirt, const OrientedPoints& truth, double volume) {
+/// What a scan is of, and how it is measured.
+struct Subject {
+  const DirtyScan& scan;
+  OrientedPoints truth;
+  double volume;
+};
+
+/// Measures a field, ours or another's.
+void measure(const Subject& subject, const field_file::OpenField& open, const Dirtied& dirtied, DirtySurface& result) {
+  const cloud::Shape& shape = subject.scan.shape;
+  OrientedPoints in_workspace = subject.truth;
+  for (Vector3d& p : in_workspace.positions) p *= kVoxel;
+  const SurfaceError error = surface_error(open.view, in_workspace);
+  result.surface_rms =
+      std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
+                static_cast<double>(subject.truth.size()));
+  const auto first = dirtied.points.positions.begin();
+  result.wrong_side =
+      wrong_side(motion::FeltSurface(open.view), shape, subject.truth, {first, first + static_cast<std::ptrdiff_t>(dirtied.own)});
+  const cloud::TriangleMesh surface = zero_surface(open.view);
+  const std::vector<Piece> parts = pieces(surface);
+  result.pieces = parts.size();
+  if (subject.scan.one_sided) return;
+  double squares = 0.0;
+  for (const Vector3d& vertex : surface.vertices) {
+    const double d = shape.distance(vertex / kVoxel);
+    squares += d * d;
+  }
+  result.truth_rms = std::sqrt(squares / static_cast<double>(surface.vertices.size()));
+  result.volume = evaluate::volume(parts) / (subject.volume * kVoxel * kVoxel * kVoxel);
+}
+
+DirtySurface measured_beside(const Subject& subject, const Dirtied& dirtied, const Reconstruct& reconstruct) {
+  DirtySurface result;
+  try {
+    cloud::TriangleMesh mesh = reconstruct(dirtied.points);
+    for (Vector3d& vertex : mesh.vertices) vertex *= kVoxel;
+    measure(subject, field_of_mesh(mesh, kVoxel, field::kBand), dirtied, result);
+  } catch (const InputError& error) {
+    result.refused = error.what();
+  }
+  return result;
+}
+
+DirtyRow measured(const Subject& subject, const Dirtied& dirtied, const Dirt& dirt, const Reconstruct& beside) {
+  const DirtyScan& scan = subject.scan;
   DirtyRow row;
   row.scan = scan.name();
   row.dirt = dirt.name;
   field::Progress progress;
-  const OrientedPoints& points = dirtied.points;
-  OrientedPoints placed = points;
+  OrientedPoints placed = dirtied.points;
   for (Vector3d& p : placed.positions) p *= kVoxel;
   if (dirt.no_normals) placed.normals.assign(placed.size(), Vector3d::UnitZ());
   field::ScanOptions options{dirt.no_normals, std::nullopt};
@@ -155,30 +200,11 @@ DirtyRow measured(const DirtyScan& scan, const Dirtied& dirtied, const Dirt& dir
     const field::SoundScan sound = field::sound_scan(std::move(placed), options);
     const field::ScanField built = field::scan_field(sound, kVoxel, field::kBand, progress);
     row.verdict = built.verdict;
-    const field_file::OpenField open = field_file::open_field(encoding::write_image(built.field, {}), row.scan);
-    const motion::FeltSurface felt(open.view);
-    OrientedPoints in_workspace = truth;
-    for (Vector3d& p : in_workspace.positions) p *= kVoxel;
-    const SurfaceError error = surface_error(open.view, in_workspace);
-    row.surface_rms =
-        std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
-                  static_cast<double>(truth.size()));
-    row.wrong_side = wrong_side(felt, scan.shape, truth,
-                                {points.positions.begin(), points.positions.begin() + static_cast<std::ptrdiff_t>(dirtied.own)});
-    const cloud::TriangleMesh surface = zero_surface(open.view);
-    const std::vector<Piece> parts = pieces(surface);
-    row.pieces = parts.size();
-    if (scan.one_sided) return row;
-    double squares = 0.0;
-    for (const Vector3d& vertex : surface.vertices) {
-      const double d = scan.shape.distance(vertex / kVoxel);
-      squares += d * d;
-    }
-    row.truth_rms = std::sqrt(squares / static_cast<double>(surface.vertices.size()));
-    row.volume = evaluate::volume(parts) / (volume * kVoxel * kVoxel * kVoxel);
+    measure(subject, field_file::open_field(encoding::write_image(built.field, {}), row.scan), dirtied, row);
   } catch (const InputError& error) {
     row.refused = error.what();
   }
+  if (beside && !dirt.no_normals) row.beside = measured_beside(subject, dirtied, beside);
   return row;
 }
 
@@ -190,7 +216,7 @@ std::string per_cent(double share) {
 
 }  // namespace
 
-bool DirtyRow::wrong() const { return wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
+bool DirtySurface::wrong() const { return wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
 
 std::vector<Dirt> all_dirt() {
   std::vector<Dirt> all = {{.name = "clean"}};
@@ -221,16 +247,17 @@ std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies) {
   return scans;
 }
 
-void dirty_rows(const DirtyScan& scan, std::span<const Dirt> dirt, const std::function<void(const DirtyRow&)>& show, std::uint64_t seed) {
+void dirty_rows(const DirtyScan& scan, std::span<const Dirt> dirt, const std::function<void(const DirtyRow&)>& show,
+                const Reconstruct& beside, std::uint64_t seed) {
   if (dirt.empty()) return;
   const std::size_t factor = scan.one_sided ? 2 : 1;
   const OrientedPoints sparse = seen(scan, cloud::sample_shape(scan.shape, factor * scan.shape.default_points, seed));
   OrientedPoints dense;
-  const OrientedPoints truth = seen(scan, cloud::scatter_on_shape(scan.shape, factor * kTruths, seed + 1'000'000));
-  const double volume = scan.one_sided ? 1.0 : true_volume(scan.shape);
+  const Subject subject{scan, seen(scan, cloud::scatter_on_shape(scan.shape, factor * kTruths, seed + 1'000'000)),
+                        scan.one_sided ? 1.0 : true_volume(scan.shape)};
   for (const Dirt& kind : dirt) {
     if (kind.dense && dense.size() == 0) dense = seen(scan, cloud::scatter_on_shape(scan.shape, factor * kDense, seed + 2'000'000));
-    show(measured(scan, dirtied(kind.dense ? dense : sparse, kind, seed + 3'000'000), kind, truth, volume));
+    show(measured(subject, dirtied(kind.dense ? dense : sparse, kind, seed + 3'000'000), kind, beside));
   }
 }
 

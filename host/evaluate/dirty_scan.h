@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "host/cloud/mesh.h"
 #include "host/cloud/oriented_points.h"
 #include "host/cloud/shapes.h"
 #include "host/field/verdict.h"
@@ -40,8 +42,8 @@ struct DirtyScan {
 /// Each body whole, then each from one side; of our own shapes without others.
 std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies = {});
 
-struct DirtyRow {
-  std::string scan, dirt;
+/// What became of a scan.
+struct DirtySurface {
   std::string refused;     ///< why nothing was built; empty: a field was built
   double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
   double truth_rms = 0;    ///< from the field's surface to the truth, voxels; 0 for a scan of one side, whose back is invented
@@ -49,16 +51,26 @@ struct DirtyRow {
   double volume = 1;  ///< over the true volume; 1 for a scan of one side
   double wrong_side =
       0;  ///< share of places two voxels off the scanned surface, not off its holes, that are on the wrong side of the field's
-  field::Verdict verdict;
 
   /// More than 1 % of the scanned side on the wrong side, or the volume off by more than 5 %.
   bool wrong() const;
+};
+
+struct DirtyRow : DirtySurface {
+  std::string scan, dirt;
+  field::Verdict verdict;
+  std::optional<DirtySurface> beside;  ///< of another program
+
   /// Wrong, and called plausible: what must never happen.
   bool believed_wrong() const { return refused.empty() && wrong() && verdict.plausible(); }
 };
 
+/// Another program: oriented points to a closed mesh in their frame; InputError when it gives none.
+using Reconstruct = std::function<cloud::TriangleMesh(const cloud::OrientedPoints&)>;
+
 /// dirt      each gives one row, shown when it is known
+/// beside    gets the same points, but for a scan without normals, of which it gets none; its mesh is turned into a field and measured as ours
 void dirty_rows(const DirtyScan& scan, std::span<const Dirt> dirt, const std::function<void(const DirtyRow&)>& show,
-                std::uint64_t seed = 1);
+                const Reconstruct& beside = {}, std::uint64_t seed = 1);
 
 }  // namespace isotouch::evaluate

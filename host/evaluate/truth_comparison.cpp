@@ -1,11 +1,33 @@
 #include "host/evaluate/truth_comparison.h"
 
+#include <cmath>
+#include <limits>
+
+#include "host/cloud/oriented_points.h"
 #include "host/error.h"
 #include "host/evaluate/wrong_side.h"
 #include "host/field/triangle_tree.h"
 #include "host/to_double.h"
 
 namespace isotouch::evaluate {
+
+namespace {
+
+constexpr std::uint64_t kSeed = 20'001;
+
+Spread spread(const field::TriangleTree& surface, const field::TriangleTree& other, double voxel_mm) {
+  Spread found;
+  double squares = 0;
+  for (const Eigen::Vector3d& place : cloud::scatter_on_mesh(surface.mesh(), kSpreadPoints, kSeed).positions) {
+    const double distance = other.nearest(place).distance / voxel_mm;
+    squares += distance * distance;
+    found.far += distance > kFarVoxels ? 1U : 0U;
+  }
+  found.rms_voxel = std::sqrt(squares / static_cast<double>(kSpreadPoints));
+  return found;
+}
+
+}  // namespace
 
 TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh) {
   if (surface.faces.empty()) throw InputError("the field has no surface: nothing in it is inside; build it again");
@@ -15,6 +37,8 @@ TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMe
   const field::TriangleTree truth(mesh);
   found.from_mesh = farthest(truth, ours, kFineness * found.voxel_mm);
   found.from_field = farthest(ours, truth, kFineness * found.voxel_mm);
+  found.mesh_to_field = spread(truth, ours, found.voxel_mm);
+  found.field_to_mesh = spread(ours, truth, found.voxel_mm);
 
   const double mesh_volume = cloud::signed_volume(mesh);
   const WrongSide wrong = wrong_side(ours, truth, found.voxel_mm * found.voxel_mm / kLinesPerVoxel);

@@ -11,6 +11,14 @@
 
 namespace isotouch::evaluate {
 
+/// Distances from points spread evenly over one surface to the nearest place of the other.
+struct Spread {
+  double rms_voxel = 0;
+  std::size_t far = 0;  ///< points more than kFarVoxels away
+};
+inline constexpr std::size_t kSpreadPoints = 20'000;
+inline constexpr double kFarVoxels = 2;
+
 /// How the Hausdorff distance is found out, voxels (farthest.h), and lines a square voxel for the volume (wrong_side.h).
 inline constexpr double kFineness = 0.15;
 inline constexpr double kLinesPerVoxel = 4;
@@ -18,6 +26,7 @@ inline constexpr double kLinesPerVoxel = 4;
 struct TruthComparison {
   Farthest from_mesh;   ///< the place of the mesh farthest from the field's surface, mm: what the field misses or rounds off
   Farthest from_field;  ///< the place of the field's surface farthest from the mesh, mm: debris, bridges, bumps
+  Spread mesh_to_field, field_to_mesh;
   double voxel_mm = 0;
   double wrong_side_pct = 0;  ///< volume that is inside exactly one of the two, per cent of the mesh's volume
   double too_much_pct = 0;    ///< of it, what is inside the field only

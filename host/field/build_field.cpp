@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -10,6 +13,7 @@
 #include "host/field/adaptive_samples.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/bricks.h"
+#include "host/field/hole_samples.h"
 #include "host/field/parallel.h"
 #include "host/field/surface.h"
 
@@ -61,6 +65,27 @@ void describe(const AdaptiveSamples& described, std::size_t measured, Repair& re
   repair.surprising = static_cast<double>(surprising) / count;
 }
 
+/// The samples with others that were added to them; the models of those there were stay as they are.
+AdaptiveSamples with_added(const AdaptiveSamples& described, const cloud::OrientedPoints& added) {
+  const Scan& scan = *described.scan;
+  cloud::OrientedPoints all{scan.positions(), scan.normals(), scan.stiffness()};
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(all.positions, added.positions);
+  append(all.normals, added.normals);
+  append(all.stiffness, added.stiffness);
+  AdaptiveSamples result;
+  result.models = described.models;
+  result.models.resize(all.size());
+  std::vector<std::uint8_t> known(all.size(), 0);
+  result.scan = std::make_unique<Scan>(std::move(all));
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    const auto heard = result.scan->around(i).first(std::min(kModelled, result.scan->around(i).size()));
+    known[i] = std::all_of(heard.begin(), heard.end(), [&](const Neighbour& n) { return n.index < scan.size(); }) ? 1 : 0;
+  }
+  fit_models(*result.scan, known, result.models);
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> Repair::warnings() const {
@@ -85,7 +110,6 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
 
   progress.begin("local models");
   AdaptiveSamples described = adaptive_samples(std::move(samples));
-  const Scan& scan = *described.scan;
   Repair mended;
   mended.isolated = described.isolated;
   mended.turned = described.turned;
@@ -94,7 +118,15 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   progress.begin("surface");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
-  const Surface surface(scan, std::move(described.models), {tight.low.array() - bulge, tight.high.array() + bulge});
+  const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
+  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing);
+  AdaptiveSamples closed;
+  if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {
+    closed = with_added(described, skins);
+    model.emplace(*closed.scan, closed.models, closing);
+  }
+  const Scan& scan = closed.scan ? *closed.scan : *described.scan;
+  const Surface& surface = *model;
 
   progress.begin("bricks");
   const SampledDistance distance{

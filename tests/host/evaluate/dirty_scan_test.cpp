@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "host/encoding/write_image.h"
+#include "host/error.h"
+#include "host/evaluate/zero_surface.h"
+#include "host/field/scan_field.h"
+#include "host/field_file/open_field.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::evaluate {
@@ -25,7 +30,7 @@ std::vector<DirtyRow> rows(const std::string& shape, bool one_sided, const std::
   for (const std::string& name : names) chosen.push_back(dirt(all, name));
   std::vector<DirtyRow> found;
   dirty_rows(
-      {cloud::shape(shape), one_sided}, chosen, [&](const DirtyRow& row) { found.push_back(row); }, seed);
+      {cloud::shape(shape), one_sided}, chosen, [&](const DirtyRow& row) { found.push_back(row); }, {}, seed);
   return found;
 }
 
@@ -76,6 +81,46 @@ TEST(DirtyScans, AHugeHoleIsNotBelieved) {
     EXPECT_FALSE(row.verdict.plausible());
     EXPECT_FALSE(row.believed_wrong());
   }
+}
+
+/// What the tool builds itself, as another program's mesh.
+cloud::TriangleMesh our_own(const cloud::OrientedPoints& points) {
+  constexpr double kVoxel = 0.5;
+  cloud::OrientedPoints placed = points;
+  for (Eigen::Vector3d& p : placed.positions) p *= kVoxel;
+  field::Progress progress;
+  const field::ScanField built = field::scan_field(field::sound_scan(placed), kVoxel, field::kBand, progress);
+  cloud::TriangleMesh mesh = zero_surface(field_file::open_field(encoding::write_image(built.field, {}), "ours").view);
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex /= kVoxel;
+  return mesh;
+}
+
+TEST(DirtyScans, AnotherProgramIsMeasuredTheSameWay) {
+  const std::vector<Dirt> kinds = {dirt(all_dirt(), "noise 10 %"), dirt(all_dirt(), "no normals")};
+  std::vector<DirtyRow> found;
+  dirty_rows(
+      {cloud::shape("torus")}, kinds, [&](const DirtyRow& row) { found.push_back(row); }, our_own);
+  ASSERT_EQ(found.size(), 2U);
+  ASSERT_TRUE(found[0].beside);
+  EXPECT_EQ(found[0].beside->refused, "");
+  EXPECT_NEAR(found[0].beside->surface_rms, found[0].surface_rms, 0.003);
+  EXPECT_NEAR(found[0].beside->truth_rms, found[0].truth_rms, 0.003);
+  EXPECT_NEAR(found[0].beside->volume, found[0].volume, 1e-3);
+  EXPECT_EQ(found[0].beside->pieces, found[0].pieces);
+  EXPECT_FALSE(found[1].beside);
+}
+
+TEST(DirtyScans, AnotherProgramMayFail) {
+  const std::vector<Dirt> kinds = {dirt(all_dirt(), "clean")};
+  const Reconstruct fails = [](const cloud::OrientedPoints&) -> cloud::TriangleMesh { throw InputError("it fell over"); };
+  dirty_rows(
+      {cloud::shape("torus")}, kinds,
+      [](const DirtyRow& row) {
+        ASSERT_TRUE(row.beside);
+        EXPECT_EQ(row.beside->refused, "it fell over");
+        EXPECT_EQ(row.refused, "");
+      },
+      fails);
 }
 
 }  // namespace

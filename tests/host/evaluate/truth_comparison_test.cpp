@@ -47,6 +47,8 @@ TEST(TruthComparison, AKnownSkinIsMeasuredOnBothSides) {
     const TruthComparison found = compare([&](const test::Point& p) { return to_ball(p, kMiddle, kRadius + skin); });
     EXPECT_NEAR(found.from_mesh_voxel(), std::abs(skin), 0.01);
     EXPECT_NEAR(found.from_field_voxel(), std::abs(skin), 0.01);
+    EXPECT_NEAR(found.mesh_to_field.rms_voxel, std::abs(skin), 0.01);
+    EXPECT_NEAR(found.field_to_mesh.rms_voxel, std::abs(skin), 0.01);
     const double share = 100 * (std::pow(1 + skin / kRadius, 3) - 1);
     EXPECT_NEAR(found.wrong_side_pct, std::abs(share), 0.01 * std::abs(share));
     EXPECT_NEAR(found.too_much_pct, std::max(0.0, share), 0.01 * std::abs(share));
@@ -63,6 +65,8 @@ TEST(TruthComparison, DebrisIsFoundFromTheFieldAndAMissingPartFromTheMesh) {
   EXPECT_LT((debris.from_field.place - workspace(far)).norm(), 2 * kVoxel);
   EXPECT_LT(debris.from_mesh_voxel(), 0.01);
   EXPECT_EQ(debris.pieces.size(), 2U);
+  EXPECT_NEAR(debris.field_to_mesh.far, kSpreadPoints * 1.5 * 1.5 / (kRadius * kRadius + 1.5 * 1.5), 60);
+  EXPECT_EQ(debris.mesh_to_field.far, 0U);
 
   const TruthComparison cut = compare([&](const test::Point& p) { return std::max(to_ball(p, kMiddle, kRadius), p[0] - kMiddle[0] - 4); });
   EXPECT_NEAR(cut.from_mesh_voxel(), 8, 0.1);
