@@ -129,9 +129,9 @@ class Skins {
       if (!scan_.stiffness().empty()) skin.stiffness.push_back(scan_.stiffness()[found_[0].index]);
       const Vector3d u = here->normal.unitOrthogonal(), v = here->normal.cross(u);
       const double half = 0.5 * kStep * spacing, high = std::sqrt(3.0) * half;
-      for (const Vector3d& way : {Vector3d(2 * half * u), Vector3d(half * u + high * v), Vector3d(-half * u + high * v),
-                                  Vector3d(-2 * half * u), Vector3d(-half * u - high * v), Vector3d(half * u - high * v)})
-        waiting.push_back({here->place + way, here->normal});
+      for (const Vector3d& step : {Vector3d(2 * half * u), Vector3d(half * u + high * v), Vector3d(-half * u + high * v),
+                                   Vector3d(-2 * half * u), Vector3d(-half * u - high * v), Vector3d(half * u - high * v)})
+        waiting.push_back({here->place + step, here->normal});
       too_large = skin.size() == kMaxSamples || beside(given_up_, here->place, 2.0 * kStep * spacing);
     }
     if (too_large) given_up_.insert(given_up_.end(), skin.positions.begin(), skin.positions.end());

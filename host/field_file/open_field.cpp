@@ -6,9 +6,10 @@
 
 namespace isotouch::field_file {
 
-OpenField open_field(const std::filesystem::path& file) {
-  StoredField stored = read_field(file);
-  OpenField field = open_field(std::move(stored.image), file.string());
+OpenField open_field(const std::filesystem::path& file) { return open_field(read_field(file), file.string()); }
+
+OpenField open_field(StoredField stored, const std::string& name) {
+  OpenField field = open_field(std::move(stored.image), name);
   field.invented = std::move(stored.invented);
   return field;
 }

@@ -26,6 +26,9 @@ struct OpenField {
 /// fails     InputError naming the file: cannot be read, or why FieldView::parse refuses it
 OpenField open_field(const std::filesystem::path& file);
 
+/// The same for what was read from a file; `name` stands for the file in the sentence.
+OpenField open_field(StoredField stored, const std::string& name);
+
 /// The same for an image in memory; `name` stands for the file in the sentence.
 OpenField open_field(field_file::Image image, const std::string& name);
 

@@ -65,7 +65,7 @@ TEST(TruthComparison, DebrisIsFoundFromTheFieldAndAMissingPartFromTheMesh) {
   EXPECT_LT((debris.from_field.place - workspace(far)).norm(), 2 * kVoxel);
   EXPECT_LT(debris.from_mesh_voxel(), 0.01);
   EXPECT_EQ(debris.pieces.size(), 2U);
-  EXPECT_NEAR(debris.field_to_mesh.far, kSpreadPoints * 1.5 * 1.5 / (kRadius * kRadius + 1.5 * 1.5), 60);
+  EXPECT_NEAR(static_cast<double>(debris.field_to_mesh.far), kSpreadPoints * 1.5 * 1.5 / (kRadius * kRadius + 1.5 * 1.5), 60);
   EXPECT_EQ(debris.mesh_to_field.far, 0U);
 
   const TruthComparison cut = compare([&](const test::Point& p) { return std::max(to_ball(p, kMiddle, kRadius), p[0] - kMiddle[0] - 4); });
