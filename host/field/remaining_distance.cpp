@@ -94,9 +94,6 @@ void restore_distances(BandField& field, const std::vector<BrickMask>& taken) {
     const bool was_taken = (taken[sample / 64] >> sample % 64 & 1U) != 0;
     distance = std::copysign(was_taken ? shortest[sample] : std::max(shortest[sample], std::abs(distance)), distance);
   }
-  std::erase_if(field.bricks, [&](const Brick& brick) {
-    return std::all_of(brick.distance.begin(), brick.distance.end(), [&](float d) { return std::abs(d) > band; });
-  });
 }
 
 }  // namespace isotouch::field

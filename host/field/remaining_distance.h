@@ -10,7 +10,7 @@ namespace isotouch::field {
 
 /// Gives the taken samples, and those whose nearest surface was theirs, the distance to the surface that remains: from the shortest way over steps
 /// to the 26 samples around each, between 8 % too small and a twentieth of a voxel too large. A sample with a neighbour across the remaining surface
-/// keeps its distance. Bricks that hold nothing of the band any more are removed.
+/// keeps its distance.
 ///
 /// field     bricks sorted by cell; the taken samples have the sign of their surroundings already, their magnitude does not count
 /// taken     the samples of each brick
