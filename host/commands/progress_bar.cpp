@@ -131,7 +131,8 @@ double ProgressBar::done(double now) const {
 void ProgressBar::draw() {
   const double time = now();
   if (stage_.empty() || time < kFirstSeconds) return;
-  const int percent = std::clamp(static_cast<int>(100 * done(time)), 0, 99);
+  least_ = done(time);  // what was drawn is not taken back when a stage tells better
+  const int percent = std::clamp(static_cast<int>(100 * least_), 0, 99);
   if (percent == shown_ && stage_ == shown_stage_) return;
   shown_ = percent;
   shown_stage_ = stage_;
