@@ -1,13 +1,13 @@
 #include "host/field/build_field.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "host/error.h"
 #include "host/field/adaptive_samples.h"
@@ -39,30 +39,38 @@ Box box_of(const std::vector<Eigen::Vector3d>& positions) {
   return box;
 }
 
-/// How well the models of the measured samples explain their neighbours.
+/// What the models say of one sample and its neighbours.
+struct Witness {
+  bool asked = false;  ///< it was measured
+  bool unexplained = false, surprising = false;
+};
+
+/// How well the models of the measured samples explain their neighbours. Where samples are far apart each stands for more of the surface.
 void describe(const AdaptiveSamples& described, std::size_t measured, Repair& repair) {
   const Scan& scan = *described.scan;
-  std::atomic<std::size_t> asked{0}, unexplained{0}, surprising{0};
+  std::vector<Witness> witnesses(scan.size());
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    std::size_t asked_here = 0, unexplained_here = 0, surprising_here = 0;
     for (std::size_t i = begin; i < end; ++i) {
       if (described.point[i] >= measured) continue;
-      ++asked_here;
-      unexplained_here += described.models[i].trust < kExplains ? 1U : 0U;
       double sum = 0.0;
       const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
       for (const Neighbour& n : near) {
         if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
       }
-      surprising_here += std::abs(sum) > static_cast<double>(near.size() - 1) ? 1U : 0U;
+      witnesses[i] = {true, described.models[i].trust<kExplains, std::abs(sum)> static_cast<double>(near.size() - 1)};
     }
-    asked += asked_here;
-    unexplained += unexplained_here;
-    surprising += surprising_here;
   });
-  const auto count = static_cast<double>(std::max<std::size_t>(asked.load(), 1));
-  repair.unexplained = static_cast<double>(unexplained) / count;
-  repair.surprising = static_cast<double>(surprising) / count;
+  double asked = 0.0, unexplained = 0.0, area = 0.0, surprising = 0.0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (!witnesses[i].asked) continue;
+    const double stands_for = scan.spacing(i) * scan.spacing(i);
+    asked += 1.0;
+    unexplained += witnesses[i].unexplained ? 1.0 : 0.0;
+    area += stands_for;
+    surprising += witnesses[i].surprising ? stands_for : 0.0;
+  }
+  if (asked > 0.0) repair.unexplained = unexplained / asked;
+  if (area > 0.0) repair.surprising = surprising / area;
 }
 
 /// The samples with others that were added to them; the models of those there were stay as they are.

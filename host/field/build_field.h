@@ -22,7 +22,7 @@ constexpr double field_margin(double band) { return band + kBulge + 3.0; }
 struct Repair {
   std::size_t isolated = 0;      ///< samples far from all others, left out
   std::size_t turned = 0;        ///< normals that nearly all neighbours contradicted
-  double surprising = 0;         ///< share of the samples more than a voxel off the surface that their neighbours expect
+  double surprising = 0;         ///< share of the surface whose samples lie more than a voxel off where their neighbours expect it
   double unexplained = 0;        ///< share of the samples whose neighbours no local surface explains
   UnsupportedComponents debris;  ///< pieces and cavities that no sample stands for
   std::vector<std::string> warnings() const;

@@ -29,7 +29,7 @@ constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
 constexpr double kMostUnexplained = 0.4;
-constexpr double kMostSurprising = 0.028;
+constexpr double kMostSurprising = 0.024;
 constexpr double kPerStray = 0.3;      // a stray that was not found lies beside the surface; it surprises, and harms little
 constexpr double kMostVolume = 1.08;   // areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
 constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
@@ -190,7 +190,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
                                                            " of the points; estimate the normals again, or scan again with less noise");
   refuse(verdict.surprising_share > kMostSurprising + kPerStray * verdict.stray_share,
          per_cent(verdict.surprising_share) +
-             " of the points lie where their neighbours do not expect them; scan more densely, or with less noise");
+             " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
   refuse(!cut && verdict.volume_of_enclosed > kMostVolume,
          "the body has " + per_cent(verdict.volume_of_enclosed) +
              " of the volume that the points enclose; check the normals and scan missing parts");

@@ -19,7 +19,7 @@ struct Verdict {
   double turned_share = 0;           ///< of the normals: turned round
   double invented_share = 0;         ///< of the surface: nobody scanned it (invented_surface.h)
   double gap_share = 0;              ///< of the surface: as far from every point, invented ones too
-  double surprising_share = 0;       ///< of the samples: more than a voxel off the surface that their neighbours alone expect
+  double surprising_share = 0;       ///< of the surface: its samples lie more than a voxel off where their neighbours expect it
   double rim_mm = 0;                 ///< length of all open rims together
   double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
   double volume_of_enclosed = 1;     ///< the body's volume over what the points' areas and normals enclose; 1 for a scan of one side
