@@ -91,9 +91,9 @@ void draw_rim(Canvas& canvas, const Camera& camera, const Discs& discs, const Po
   const float scale = drawing_scale(canvas.image());
   std::vector<Polyline> seen, hidden;
   constexpr int kPieces = 4;
-  for (const auto& [a, b] : options.rim) {
+  for (const auto& link : options.rim) {
     for (int piece = 0; piece < kPieces; ++piece) {
-      const auto at = [&](double t) { return Eigen::Vector3d(a + t / kPieces * (b - a)); };
+      const auto at = [&](double t) { return Eigen::Vector3d(link[0] + t / kPieces * (link[1] - link[0])); };
       const Camera::Projected from = camera.project(at(piece)), to = camera.project(at(piece + 1));
       const Polyline line = {{static_cast<float>(from.x), static_cast<float>(from.y)},
                              {static_cast<float>(to.x), static_cast<float>(to.y)}};
