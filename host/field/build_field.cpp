@@ -129,9 +129,11 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
   std::optional<Surface> model(std::in_place, *described.scan, described.models, closing);
   AdaptiveSamples closed;
-  if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {
-    closed = with_added(described, skins);
-    model.emplace(*closed.scan, closed.models, closing);
+  if (measured >= points.size()) {  // a scan of one side got walls at its rims already
+    if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {
+      closed = with_added(described, skins);
+      model.emplace(*closed.scan, closed.models, closing);
+    }
   }
   const Scan& scan = closed.scan ? *closed.scan : *described.scan;
   const Surface& surface = *model;
