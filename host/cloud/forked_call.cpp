@@ -28,21 +28,8 @@ std::uint64_t held_bytes() {
   return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-void limit(const ForkLimits& limits) {
-  if (limits.cpu_seconds > 0) {
-    const rlimit time = {limits.cpu_seconds, limits.cpu_seconds};
-    setrlimit(RLIMIT_CPU, &time);
-  }
-  const std::uint64_t held = limits.more_bytes > 0 ? held_bytes() : 0;
-  if (held > 0) {
-    const rlimit memory = {held + limits.more_bytes, held + limits.more_bytes};
-    setrlimit(RLIMIT_AS, &memory);
-  }
-}
-
 /// Never returns; what the call returned or threw goes into the pipe, behind how it ended.
-[[noreturn]] void be_the_copy(const std::function<std::string()>& call, const ForkLimits& limits, int pipe_end) {
-  limit(limits);
+[[noreturn]] void be_the_copy(const std::function<std::string()>& call, int pipe_end) {
   const rlimit no_core = {0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -64,12 +51,25 @@ double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 
 
 }  // namespace
 
-ForkedCall call_in_fork(const std::function<std::string()>& call, const ForkLimits& limits) {
+void limit_this_process(const ProcessLimits& limits) {
+  if (limits.cpu_seconds > 0) {
+    const rlimit time = {limits.cpu_seconds, limits.cpu_seconds};
+    setrlimit(RLIMIT_CPU, &time);
+  }
+  if (limits.wall_seconds > 0) alarm(limits.wall_seconds);
+  const std::uint64_t held = limits.more_bytes > 0 ? held_bytes() : 0;
+  if (held > 0) {
+    const rlimit memory = {held + limits.more_bytes, held + limits.more_bytes};
+    setrlimit(RLIMIT_AS, &memory);
+  }
+}
+
+ForkedCall call_in_fork(const std::function<std::string()>& call) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) return {};
   std::fflush(nullptr);  // or the copy would hold the same unwritten text
   const pid_t child = fork();
-  if (child == 0) be_the_copy(call, limits, ends[1]);
+  if (child == 0) be_the_copy(call, ends[1]);
   close(ends[1]);
   std::string text;
   std::array<char, 1024> part;

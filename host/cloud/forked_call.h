@@ -15,17 +15,22 @@ struct ForkedCall {
   double cpu_seconds = 0;        ///< of all threads of the copy
 };
 
-/// What the copy may take; 0 = as much as this process may.
-struct ForkLimits {
-  std::uint64_t more_bytes = 0;  ///< of address space beyond what this process holds: an allocation beyond it throws std::bad_alloc
-  unsigned cpu_seconds = 0;      ///< then the copy is killed, and the call counts as crashed
+/// What a process may take from here on; 0 = as much as it likes.
+struct ProcessLimits {
+  std::uint64_t more_bytes = 0;  ///< of address space beyond what it holds: an allocation beyond it throws std::bad_alloc
+  unsigned cpu_seconds = 0;      ///< then it is killed
+  unsigned wall_seconds = 0;     ///< then it is killed, too, though it may only be waiting
 };
+
+/// Limits this process for good: for a call in a fork, once it has loaded what it needs.
+void limit_this_process(const ProcessLimits& limits);
 
 /// Makes the call in a copy of this process, so that what crashes or leaks there does not here. What it does to memory is lost, what it prints
 /// is not seen.
 ///
-/// call      must not need this process's other threads: the copy has none of them
+/// call      must not need this process's other threads: the copy has none of them, and a lock that one of them held stays locked.
+///           A library that starts threads when it is loaded is therefore to be loaded in the call
 /// returns   how it ended; as if it had returned nothing where no process can be started
-ForkedCall call_in_fork(const std::function<std::string()>& call, const ForkLimits& limits = {});
+ForkedCall call_in_fork(const std::function<std::string()>& call);
 
 }  // namespace isotouch::cloud

@@ -18,9 +18,12 @@ namespace isotouch::vdb {
 
 namespace {
 
-/// What reading a file may take: level sets shrink to a hundredth at most when they are saved, and a gigabyte is read within a minute.
-cloud::ForkLimits limits_for(std::size_t file_bytes) {
-  return {(std::uint64_t{512} << 20U) + 200 * std::uint64_t{file_bytes}, 20 + static_cast<unsigned>(file_bytes >> 22U)};
+/// What reading a file may take: level sets shrink to a hundredth at most when they are saved, and a gigabyte is read within a minute by one
+/// processor that has nothing else to do.
+cloud::ProcessLimits limits_for(std::size_t file_bytes) {
+  const unsigned seconds = 20 + static_cast<unsigned>(file_bytes >> 22U);
+  return {
+      .more_bytes = (std::uint64_t{512} << 20U) + 200 * std::uint64_t{file_bytes}, .cpu_seconds = seconds, .wall_seconds = 16 * seconds};
 }
 
 /// A file that has no place on a disk, for a library that wants a name.
@@ -60,21 +63,21 @@ LevelSet LevelSet::read(const std::filesystem::path& file, std::span<const std::
   std::optional<MemoryFile> copy;
   if (!std::filesystem::is_regular_file(file, ignored)) copy.emplace(name, bytes);
   const Source source{name, copy ? copy->path() : name};
-  const Library& openvdb = library();
   // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
-  const cloud::ForkedCall trial = cloud::call_in_fork(
-      [&] {
-        try {
-          openvdb.attempt(source, grid_name);
-        } catch (const std::bad_alloc&) {
-          throw InputError(name + ": the file is damaged: it asks for far more memory than a level set of its size needs; save it again");
-        }
-        return std::string();
-      },
-      limits_for(bytes.size()));
+  // The copy loads the library itself: its threads, started as it is loaded, could hold a lock at the moment of the fork.
+  const cloud::ForkedCall trial = cloud::call_in_fork([&] {
+    const Library& openvdb = library();
+    cloud::limit_this_process(limits_for(bytes.size()));
+    try {
+      openvdb.attempt(source, grid_name);
+    } catch (const std::bad_alloc&) {
+      throw InputError(name + ": the file is damaged: it asks for far more memory than a level set of its size needs; save it again");
+    }
+    return std::string();
+  });
   if (trial.crashed) throw InputError(name + ": the file is damaged: reading it crashes OpenVDB; save it again");
   if (!trial.thrown.empty()) throw InputError(trial.thrown);
-  LevelSet set = openvdb.read(source, grid_name);
+  LevelSet set = library().read(source, grid_name);
   set.source_hash = hash64(bytes.data(), bytes.size());
   return set;
 }

@@ -1,6 +1,7 @@
 #include "host/cloud/forked_call.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstddef>
@@ -57,21 +58,32 @@ TEST(ForkedCall, MemoryBeyondTheLimitIsRefusedThereAndNotHere) {
   };
   EXPECT_EQ(call_in_fork(greedy).answer, "x");
   if (test::kSanitized) return;  // shadow memory needs more address space than any limit
-  const ForkedCall limited = call_in_fork(greedy, {.more_bytes = std::uint64_t{64} << 20U});
+  const ForkedCall limited = call_in_fork([&] {
+    limit_this_process({.more_bytes = std::uint64_t{64} << 20U});
+    return greedy();
+  });
   EXPECT_FALSE(limited.crashed);
   EXPECT_EQ(limited.thrown, "std::bad_alloc");
 }
 
 TEST(ForkedCall, TimeBeyondTheLimitIsACrash) {
-  const ForkedCall endless = call_in_fork(
-      [] {
-        volatile bool on = true;
-        while (on) {
-        }
-        return std::string();
-      },
-      {.cpu_seconds = 1});
+  const ForkedCall endless = call_in_fork([] {
+    limit_this_process({.cpu_seconds = 1});
+    volatile bool on = true;
+    while (on) {
+    }
+    return std::string();
+  });
   EXPECT_TRUE(endless.crashed);
+}
+
+TEST(ForkedCall, ACallThatWaitsForEverIsACrash) {
+  const ForkedCall waiting = call_in_fork([] {
+    limit_this_process({.wall_seconds = 1});
+    for (;;) pause();
+    return std::string();
+  });
+  EXPECT_TRUE(waiting.crashed);
 }
 
 }  // namespace

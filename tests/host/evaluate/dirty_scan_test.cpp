@@ -53,7 +53,7 @@ TEST(DirtyScans, OfATorusComeOutRight) {
   }
 }
 
-TEST(DirtyScans, OfOneSideAreFeltFromTheirFront) {
+TEST(DirtyScansHeavy, OfOneSideAreFeltFromTheirFront) {
   for (const DirtyRow& row : rows("owl", true, test::examples<std::string>({"clean", "noise 10 %", "strays 2 %"}))) {
     EXPECT_EQ(row.refused, "") << row.dirt;
     EXPECT_LT(row.wrong_side, 0.005) << row.dirt;
@@ -95,7 +95,7 @@ cloud::TriangleMesh our_own(const cloud::OrientedPoints& points) {
   return mesh;
 }
 
-TEST(DirtyScans, AnotherProgramIsMeasuredTheSameWay) {
+TEST(DirtyScansHeavy, AnotherProgramIsMeasuredTheSameWay) {
   const std::vector<Dirt> kinds = {dirt(all_dirt(), "noise 10 %"), dirt(all_dirt(), "no normals")};
   std::vector<DirtyRow> found;
   dirty_rows(
