@@ -49,6 +49,7 @@ inline constexpr std::size_t kAdvisedPeriodAt = 160;
 inline constexpr std::size_t kAdvisedDampingAt = 164;
 inline constexpr std::size_t kAdvisedDelayAt = 168;
 inline constexpr std::size_t kStiffnessTableAt = 172;
+inline constexpr std::size_t kInterpolationAt = 176;
 inline constexpr std::size_t kHeaderBytes = 256;
 
 inline constexpr int kBrickShift = 2;  ///< 4 samples a side
@@ -67,6 +68,12 @@ constexpr T align64(T bytes) {  // in the caller's width: a hostile size must no
 }
 }  // namespace image_layout
 
+/// What a field is between its samples, and so what its numbers are (SPEC.md 2.1).
+enum class Interpolation : std::uint32_t {
+  kSpline = 0,     ///< a quadratic B-spline: the numbers are its coefficients
+  kTrilinear = 1,  ///< linear along each axis: the numbers are the distances at the samples
+};
+
 /// A coefficient or distance as the image stores it.
 using Distance = Fixed<Unit<0, 0, 0, 1>, 12>;
 
@@ -78,6 +85,7 @@ struct FieldView {
   MmPerVoxel edge;
   VoxelPerMm inverse_edge;
   Distance band;
+  Interpolation interpolation = Interpolation::kSpline;
   Stiffness stiffness;                      ///< the largest, where there is a table of it
   Ratio inverse_slope = Ratio::of(1);       ///< how much of a distance is surely free way: 1 / the largest slope where that is above 1
   std::array<std::int32_t, 3> size{};       ///< samples along x, y, z

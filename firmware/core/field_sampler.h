@@ -1,6 +1,4 @@
-/// The field at a point: value, gradient and second derivatives of the field's quadratic B-spline (SPEC.md 2.1).
-///
-/// All three come from one function, so they are consistent; value and gradient are continuous across cells.
+/// The field at a point: value, gradient and second derivatives, by the interpolation that the field's numbers are made for.
 #pragma once
 
 #include "shared/field_view.h"
@@ -21,10 +19,9 @@ struct FieldSample {
 };
 
 /// point     index coordinates, within ±8191 voxels; outside the grid it is moved to the border, which is far outside the object
-/// returns   the sample; distance within ±8 voxels, error against the exact spline below 2^-14 voxel, gradient below 2^-13
+/// returns   the sample; distance within ±8 voxels, gradient and second derivatives continuous, or bounded by differences of neighbours
 /// fails     never
-/// tick      yes: 27 coefficients, constant cost, no division
-/// source    quadratic B-spline: de Boor, A Practical Guide to Splines, 1978, chapter IX
+/// tick      yes: constant cost for a field, no division
 void sample_field(const FieldView& field, const Vec3<Voxel>& point, FieldSample& sample);
 inline FieldSample sample_field(const FieldView& field, const Vec3<Voxel>& point) {
   FieldSample sample;

@@ -105,6 +105,13 @@ void add_build(CLI::App& app) {
                                                            {"published", encoding::Method::kPublished}};
   command->add_option("--method", options->method, "'published' builds integer levels inside the object, as the paper does")
       ->transform(one_of(methods));
+  const std::map<std::string, Interpolation> interpolations = {{"spline", Interpolation::kSpline},
+                                                               {"trilinear", Interpolation::kTrilinear}};
+  command
+      ->add_option("--interpolation", options->interpolation,
+                   "what the field is between its samples: 'spline', a quadratic B-spline, or 'trilinear', as the paper does; by default "
+                   "'spline'")
+      ->transform(one_of(interpolations));
   command->add_option("--grid-name", options->grid_name, "which grid of an OpenVDB file to read; by default its first level set");
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));

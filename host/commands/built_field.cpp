@@ -282,7 +282,7 @@ BuiltField built_field(const BuildOptions& options) {
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
-  const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method,
+  const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
   field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
   for (const Eigen::Vector3i& cell : made.invented_cells) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());

@@ -95,6 +95,7 @@ nlohmann::ordered_json to_json(const field_file::OpenField& field, std::size_t p
                                  {"voxel_mm", to_double(view.edge)},
                                  {"grid", view.size},
                                  {"band_voxels", to_double(view.band)},
+                                 {"interpolation", view.interpolation == Interpolation::kSpline ? "spline" : "trilinear"},
                                  {"bricks", view.brick_count},
                                  {"hash", trace::hash_text(view.hash())},
                                  {"version", version(view)},
@@ -121,6 +122,7 @@ void print_text(const field_file::OpenField& field, std::size_t packed_bytes) {
   std::printf("hash         %s\n", trace::hash_text(view.hash()).c_str());
   std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == encoding::Method::kPublished ? "published" : "default", info.point_count);
+  std::printf("between      samples: %s\n", view.interpolation == Interpolation::kSpline ? "quadratic B-spline" : "trilinear");
   std::printf("grid         %d × %d × %d samples\n", view.size[0], view.size[1], view.size[2]);
   std::printf("voxel        %.6f mm\n", to_double(view.edge));
   std::printf("workspace    (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f) mm\n", origin.x(), origin.y(), origin.z(), far.x(), far.y(), far.z());

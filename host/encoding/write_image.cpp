@@ -70,6 +70,7 @@ void store_header(std::uint8_t* at, const field::BandField& field, const FieldIn
     store_le(at + kOffsetAt + 8 * axis, std::bit_cast<std::uint64_t>(info.placement.offset[axis]));
   }
   store_le(at + kMethodAt, static_cast<std::uint32_t>(info.method));
+  store_le(at + kInterpolationAt, static_cast<std::uint32_t>(info.interpolation));
   store_le(at + kPointCountAt, info.point_count);
   store_le(at + kScaleAt, std::bit_cast<std::uint64_t>(info.placement.scale));
 }
@@ -108,7 +109,8 @@ field_file::Image write_image(field::BandField field, const FieldInfo& info) {
   const std::vector<Neighbours> around = neighbours(field);
   const field::BandField held =
       info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field), around);  // what the grid can hold
-  std::vector<Coefficients> coefficients = spline_coefficients(held, around);
+  const int steps = info.interpolation == Interpolation::kSpline ? kSplineSteps : 0;
+  std::vector<Coefficients> coefficients = spline_coefficients(held, around, steps);
   if (info.method != Method::kPublished) drop_small_components(coefficients, around);
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
@@ -169,6 +171,7 @@ FieldInfo info_of(const FieldView& view) {
   info.source_hash = load_le<std::uint64_t>(at + kSourceHashAt);
   info.method =
       load_le<std::uint32_t>(at + kMethodAt) == static_cast<std::uint32_t>(Method::kPublished) ? Method::kPublished : Method::kDefault;
+  info.interpolation = view.interpolation;
   info.point_count = load_le<std::uint32_t>(at + kPointCountAt);
   info.placement = {real(kScaleAt), {real(kOffsetAt), real(kOffsetAt + 8), real(kOffsetAt + 16)}};
   return info;

@@ -17,11 +17,12 @@ struct FieldInfo {
   double stiffness_n_per_mm = 0.8;  ///< the largest, where the field has one for each brick: they are scaled to it
   std::uint64_t source_hash = 0;
   Method method = Method::kDefault;
+  Interpolation interpolation = Interpolation::kSpline;
   std::uint32_t point_count = 0;
   cloud::Placement placement;
 };
 
-/// Turns distances into spline coefficients, rounds them and lays out the image. The same field gives the same bytes on every machine.
+/// Turns distances into what the interpolation wants, spline coefficients or the distances themselves, rounds them and lays out the image. The same field gives the same bytes on every machine.
 ///
 /// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
 /// its

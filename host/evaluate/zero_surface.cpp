@@ -71,10 +71,10 @@ std::int32_t core_distance(const FieldView& field, const Vector3i& point, const 
   return core::sample_field(field, {at(0), at(1), at(2)}).distance.raw();
 }
 
-/// The spline at the 9³ lattice points of one brick, times kScale: exact.
+/// The field at the 9³ lattice points of one brick, times kScale: exact.
 class BrickValues {
  public:
-  /// False when the coefficients that reach into the brick have one sign, so that the spline has it too.
+  /// False when the numbers that reach into the brick have one sign, so that the field has it too.
   bool load(const FieldView& field, const Vector3i& cell) {
     std::array<std::int32_t, kReach * kReach * kReach> block;
     std::int32_t low = 0, high = 0;
@@ -87,9 +87,10 @@ class BrickValues {
       high = std::max(high, c);
     }
     if (low >= 0 || high <= 0) return false;
-    const auto along_x = expand<kReach * kReach>(block);    // axes rotate: y z x
-    const auto along_y = expand<kReach * kNodes>(along_x);  // z x y
-    values_ = expand<kNodes * kNodes>(along_y);             // x y z
+    const std::int32_t beside = field.interpolation == Interpolation::kSpline ? 1 : 0;
+    const auto along_x = expand<kReach * kReach>(block, beside);    // axes rotate: y z x
+    const auto along_y = expand<kReach * kNodes>(along_x, beside);  // z x y
+    values_ = expand<kNodes * kNodes>(along_y, beside);             // x y z
     for (int z = 0; z < kNodes; ++z) {
       for (int y = 0; y < kNodes; ++y) {
         for (int x = 0; x < kNodes; ++x) {
@@ -108,16 +109,16 @@ class BrickValues {
   std::int32_t at(const Vector3i& p) const { return values_[index(p.x(), p.y(), p.z())]; }
 
  private:
-  /// Rows of seven coefficients → lattice values, eight times too large: the spline's weights are 1/8 3/4 1/8 at a sample and 1/2 1/2 between
-  /// two. The row's axis moves to the back, so that three calls do all axes.
+  /// Rows of seven numbers → lattice values, eight times too large. Between two samples the weights are 1/2 1/2. At a sample they are the
+  /// spline's, 1/8 3/4 1/8, or, where what is beside it counts nothing, 1. The row's axis moves to the back, so that three calls do all axes.
   template <std::size_t kRows>
-  static std::array<std::int32_t, kRows * kNodes> expand(const std::array<std::int32_t, kRows * kReach>& from) {
+  static std::array<std::int32_t, kRows * kNodes> expand(const std::array<std::int32_t, kRows * kReach>& from, std::int32_t beside) {
     std::array<std::int32_t, kRows * kNodes> to;
     for (std::size_t row = 0; row < kRows; ++row) {
       const std::int32_t* c = &from[row * kReach];
       for (std::size_t n = 0; n < kNodes; ++n) {
         const std::size_t i = n / 2;
-        to[n * kRows + row] = n % 2 == 0 ? c[i] + 6 * c[i + 1] + c[i + 2] : 4 * (c[i + 1] + c[i + 2]);
+        to[n * kRows + row] = n % 2 == 0 ? beside * (c[i] + c[i + 2]) + (8 - 2 * beside) * c[i + 1] : 4 * (c[i + 1] + c[i + 2]);
       }
     }
     return to;

@@ -15,7 +15,7 @@ enum class Corners {
   kApart,  ///< for a file that other programs read
 };
 
-/// Walks every brick whose coefficients, with those around it, have both signs; no other place of the spline can be zero. There the spline is
+/// Walks every brick whose numbers, with those around it, have both signs; no other place of the field can be zero. There the field is
 /// known exactly on a lattice of half voxels, each lattice cube is cut into six tetrahedra, and each tetrahedron with both signs gives one or two
 /// triangles. Each corner of a triangle is put on the zero of the core's own samples, to 2^-15 voxel: about eighteen a square voxel of surface.
 ///

@@ -98,6 +98,7 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   put(kBandAt, std::int32_t{far});
   put(kStiffnessAt, static_cast<std::int32_t>(std::lround(options.stiffness * 65536)));
   put(kMaxSlopeAt, static_cast<std::uint32_t>(std::lround(options.largest_slope * 65536)));
+  put(kInterpolationAt, static_cast<std::uint32_t>(options.interpolation));
   put(kNodeCountAt, static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
   put(kBrickCountAt, static_cast<std::uint32_t>(bricks.size() / kSamplesPerBrick));
   put(kRootOffsetAt, static_cast<std::uint32_t>(kHeaderBytes));

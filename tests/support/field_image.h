@@ -22,6 +22,7 @@ struct FieldOptions {
   Point origin_mm = {-20.0, -20.0, -20.0};
   std::function<int(const Point&)> stiffness_part = nullptr;  ///< 1 to 255 at a brick's centre, index coordinates; a table where given
   bool prefilter = true;  ///< coefficients whose spline passes near the samples, φ - (sum of second differences) / 8
+  Interpolation interpolation = Interpolation::kSpline;  ///< kTrilinear wants no `prefilter`
 };
 
 /// An image and the checked view on it.

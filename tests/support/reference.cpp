@@ -14,9 +14,55 @@ std::array<double, 3> spline(double t) {
   return {0, 0, 0};
 }
 
+/// The distance and its central differences at one sample.
+struct AtNode {
+  double distance;
+  Point slope;
+};
+
+AtNode at_node(const FieldView& field, const std::array<std::int32_t, 3>& node) {
+  const auto distance = [&](std::int32_t di, std::int32_t dj, std::int32_t dk) {
+    return field.coefficient(node[0] + di, node[1] + dj, node[2] + dk) / 4096.0;
+  };
+  return {distance(0, 0, 0),
+          {(distance(1, 0, 0) - distance(-1, 0, 0)) / 2, (distance(0, 1, 0) - distance(0, -1, 0)) / 2,
+           (distance(0, 0, 1) - distance(0, 0, -1)) / 2}};
+}
+
+ReferenceSample trilinear_sample(const FieldView& field, const Point& index) {
+  ReferenceSample sample{};
+  std::array<std::int32_t, 3> low{};
+  for (std::size_t axis = 0; axis < 3; ++axis) low[axis] = static_cast<std::int32_t>(std::floor(index[axis]));
+  std::array<Point, 3> change{};  // change[a]: the gradient's derivative along axis a
+  for (std::int32_t corner = 0; corner < 8; ++corner) {
+    std::array<std::int32_t, 3> node{};
+    Point weight{}, change_of_weight{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      node[axis] = low[axis] + (corner >> axis & 1);
+      weight[axis] = 1 - std::abs(index[axis] - node[axis]);
+      change_of_weight[axis] = node[axis] == low[axis] ? -1 : 1;
+    }
+    const AtNode here = at_node(field, node);
+    const double share = weight[0] * weight[1] * weight[2];
+    sample.distance += here.distance * share;
+    sample.gradient = sample.gradient + here.slope * share;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double rest = weight[(axis + 1) % 3] * weight[(axis + 2) % 3];
+      change[axis] = change[axis] + here.slope * (change_of_weight[axis] * rest);
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+    sample.second[axis] = change[axis][axis];
+    sample.mixed[axis] = (change[next][last] + change[last][next]) / 2;
+  }
+  return sample;
+}
+
 }  // namespace
 
 ReferenceSample reference_sample(const FieldView& field, const Point& index) {
+  if (field.interpolation == Interpolation::kTrilinear) return trilinear_sample(field, index);
   ReferenceSample sample{};
   std::array<std::int32_t, 3> nearest{};
   for (std::size_t axis = 0; axis < 3; ++axis) nearest[axis] = static_cast<std::int32_t>(std::floor(index[axis] + 0.5));

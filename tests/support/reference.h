@@ -7,7 +7,7 @@
 
 namespace isotouch::test {
 
-/// Value, gradient and second derivatives of the field's spline.
+/// Value, gradient and second derivatives of a field.
 struct ReferenceSample {
   double distance;
   Point gradient;
@@ -15,7 +15,8 @@ struct ReferenceSample {
   Point mixed;  ///< yz, zx, xy
 };
 
-/// The definition in SPEC.md 2.1 as a sum over 27 coefficients, at a point inside the grid.
+/// The definition in SPEC.md 2.1 at a point inside the grid: of a spline as a sum over 27 coefficients, of a trilinear field as the blend of what is
+/// at the eight samples around the point.
 ReferenceSample reference_sample(const FieldView& field, const Point& index);
 
 /// The stiffness at a point, as part of the largest: the definition in SPEC.md 2.4, at a point between the outermost bricks' centres.
