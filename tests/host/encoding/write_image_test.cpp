@@ -76,6 +76,27 @@ TEST(WriteImage, TheHeaderSaysWhatItWasTold) {
   EXPECT_EQ(read.placement.offset, info.placement.offset);
 }
 
+TEST(WriteImage, ATrilinearFieldHoldsTheDistancesThemselves) {
+  const Eigen::Vector3d shift(0.31, -0.17, 0.44);
+  const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25), 3.0, shift);
+  FieldInfo info;
+  info.interpolation = Interpolation::kTrilinear;
+  const field_file::Image image = write_image(field, info);
+  const FieldView view = FieldView::parse(image.bytes()).value();
+  EXPECT_EQ(view.interpolation, Interpolation::kTrilinear);
+  EXPECT_EQ(info_of(view).interpolation, Interpolation::kTrilinear);
+  const field_file::Image spline = write_image(field, {});
+  EXPECT_EQ(FieldView::parse(spline.bytes()).value().interpolation, Interpolation::kSpline);
+  int asked = 0;
+  for (int n = 4; n < view.size[0] - 4; ++n) {
+    const double truth = (field.grid.position({n, n, n}) - shift).norm() - 25;
+    if (std::abs(truth) > 2.9) continue;
+    EXPECT_NEAR(view.coefficient(n, n, n) / 4096.0, truth, 0.6 / 4096);
+    ++asked;
+  }
+  EXPECT_GT(asked, 5);
+}
+
 TEST(WriteImage, AListedBrickOfOneConstantIsNotStored) {
   const field::BandField field = test::field_of(test::ball(25), Eigen::Vector3d::Constant(25));
   field::BandField more = field;
