@@ -19,6 +19,7 @@ inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'B'};
 inline constexpr std::uint16_t kMajor = 1;
 inline constexpr std::uint16_t kMinor = 1;  ///< of an image without a stiffness table
 inline constexpr std::uint16_t kMinorWithTable = 2;
+inline constexpr std::uint16_t kMinorTrilinear = 3;  ///< with or without a table; the newest
 inline constexpr std::size_t kMajorAt = 4;
 inline constexpr std::size_t kMinorAt = 6;
 inline constexpr std::size_t kHeaderBytesAt = 8;

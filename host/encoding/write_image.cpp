@@ -50,7 +50,7 @@ BrickKind finish(Coefficients& brick, const field::Brick& source, const Eigen::V
 void store_header(std::uint8_t* at, const field::BandField& field, const FieldInfo& info) {
   std::copy(kMagic.begin(), kMagic.end(), at);
   store_le(at + kMajorAt, kMajor);
-  store_le(at + kMinorAt, kMinor);
+  store_le(at + kMinorAt, info.interpolation == Interpolation::kTrilinear ? kMinorTrilinear : kMinor);
   store_le(at + kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
   store_le(at + kSourceHashAt, info.source_hash);
   const auto edge = in_format<MmPerVoxel>(field.grid.edge, 1.0 / 64, 16, "the voxel edge in mm");
@@ -136,7 +136,7 @@ field_file::Image write_image(field::BandField field, const FieldInfo& info) {
   store_le(at + kNodeOffsetAt, static_cast<std::uint32_t>(nodes_at));
   store_le(at + kBrickOffsetAt, static_cast<std::uint32_t>(bricks_at));
   if (!table.empty()) {
-    store_le(at + kMinorAt, kMinorWithTable);
+    if (info.interpolation == Interpolation::kSpline) store_le(at + kMinorAt, kMinorWithTable);
     store_le(at + kStiffnessTableAt, static_cast<std::uint32_t>(bricks_end));
   }
 

@@ -127,6 +127,14 @@ TEST(Field, EveryHeaderFieldIsReadFromItsPlace) {
   EXPECT_EQ(parsed->hash(), hash64(image.bytes().data(), image.size()));
 }
 
+TEST(Field, TheHeaderSaysWhatItIsBetweenSamples) {
+  Image image = valid_image();
+  EXPECT_EQ(FieldView::parse(image.bytes()).value().interpolation, Interpolation::kSpline);
+  image.put<std::uint32_t>(176, 1);
+  image.seal();
+  EXPECT_EQ(FieldView::parse(image.bytes()).value().interpolation, Interpolation::kTrilinear);
+}
+
 TEST(Field, EverySampleIsFoundThroughTheTree) {
   const Image image = valid_image();
   const Result<FieldView> view = FieldView::parse(image.bytes());
@@ -228,6 +236,7 @@ TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
       {"an edge above 16 mm", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(44, (16 << 20) + 1); }},
       {"a reciprocal that is not the edge's", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(48, (2 << 24) + 33); }},
       {"a reciprocal of the other sign", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(48, -(2 << 24)); }},
+      {"an interpolation that there is not", Error::kBadHeader, [](I& i) { i.put<std::uint32_t>(176, 2); }},
       {"a band below 1 voxel", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(52, 4095); }},
       {"a band that int16 cannot hold", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(52, 8 * 4096); }},
       {"a stiffness of 0", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(80, 0); }},

@@ -84,7 +84,7 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   const auto put = [at](std::size_t offset, auto value) { store_le(at + offset, value); };
   std::copy(kMagic.begin(), kMagic.end(), at);
   put(kMajorAt, kMajor);
-  put(kMinorAt, options.stiffness_part ? kMinorWithTable : kMinor);
+  put(kMinorAt, options.interpolation == Interpolation::kTrilinear ? kMinorTrilinear : options.stiffness_part ? kMinorWithTable : kMinor);
   put(kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
   put(kTotalBytesAt, std::uint64_t{total});
   for (std::size_t axis = 0; axis < 3; ++axis) {
