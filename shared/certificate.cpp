@@ -43,7 +43,7 @@ std::int32_t largest_difference(const FieldView& field) {
   std::int32_t most = 0;
   const std::int16_t* end = field.bricks + std::size_t{field.brick_count} * kSamplesPerBrick;
   for (const std::int16_t* brick = field.bricks + 2 * kSamplesPerBrick; brick != end; brick += kSamplesPerBrick) {
-    const auto hear = [&](std::size_t n, std::size_t step) { most = std::max(most, std::abs(brick[n + step] - brick[n])); };
+    const auto hear = [&](std::size_t n, std::size_t step) { most = std::max<std::int32_t>(most, std::abs(brick[n + step] - brick[n])); };
     for (std::size_t n = 0; n < 48; ++n) hear(n, 16);
     for (std::size_t layer = 0; layer < kSamplesPerBrick; layer += 16) {
       for (std::size_t n = 0; n < 12; ++n) hear(layer + n, 4);

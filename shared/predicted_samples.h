@@ -38,8 +38,9 @@ struct Mean {
   std::int32_t value() const { return count == 1 ? sum : count == 2 ? sum / 2 : sum / 3; }
 };
 
-/// Four numbers at once.
-using Four = std::int32_t __attribute__((vector_size(16)));
+/// Four numbers at once. Of int, which a comparison gives, and not std::int32_t, which may be another type of the same size.
+using Four = int __attribute__((vector_size(16)));
+static_assert(sizeof(Four) == 4 * sizeof(std::int32_t));
 
 /// What the rows before a row of four samples tell of it; the first of these samples it does not know.
 struct RowAhead {
