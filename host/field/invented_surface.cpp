@@ -53,6 +53,8 @@ InventedSurface invented_surface(const BandField& field, const SoundScan& sound)
     for (std::size_t i = begin; i < end; ++i) {
       tree.nearest(crossed[i].place, 1, found);
       const Neighbour nearest = found[0];
+      if (nearest.index < sound.measured && nearest.squared_distance <= field.grid.edge * field.grid.edge)
+        continue;  // no gap begins nearer
       tree.nearest(points[nearest.index], 7, found);
       const double apart = kGap * std::sqrt(found.back().squared_distance) + field.grid.edge;
       invented[i] = nearest.index >= sound.measured || nearest.squared_distance > apart * apart ? 1 : 0;
