@@ -29,6 +29,7 @@ struct Stored {
 
 /// Without a certificate the proxy takes a distance for a free way, and a wall of 2 voxels may not be jumped: 12 fraction bits.
 constexpr std::int32_t kSteepest = 2 << Distance::kFractionBits;
+constexpr int kGained = kSlopeBits - Distance::kFractionBits;
 
 /// The stiffness may be rounded down, and stand for a damping that was rounded up: one unit either way.
 bool stiffness_follows(const Stored& stored) {
@@ -55,12 +56,23 @@ std::int32_t largest_difference(const FieldView& field) {
   return most;
 }
 
+/// As far as the header alone tells.
+bool header_agrees(const Stored& stored, const FieldView& field) {
+  if (stored.slope == 0) return true;                                               // no certificate
+  const std::int64_t widest = std::int64_t{field.band.raw()} * 2 * (1 << kGained);  // both numbers have 16 fraction bits
+  return stiffness_follows(stored) && stored.wall <= widest;
+}
+
 bool agrees_with_itself(const FieldView& field) {
   const Stored stored(field.image.data());
-  if (stored.slope == 0) return true;  // no certificate
-  constexpr int kGained = kSlopeBits - Distance::kFractionBits;
-  const std::int64_t widest = std::int64_t{field.band.raw()} * 2 * (1 << kGained);  // both numbers have 16 fraction bits
-  return stiffness_follows(stored) && stored.wall <= widest && stored.slope >= std::int64_t{largest_difference(field)} * (1 << kGained);
+  return header_agrees(stored, field) && (stored.slope == 0 || stored.slope >= std::int64_t{largest_difference(field)} * (1 << kGained));
+}
+
+CertificateCheck suits(const FieldView& field, const Loop& loop, Stiffness wanted) {
+  const Stiffness largest = largest_stiffness(loop);
+  const Stiffness rendered = wanted > Stiffness{} ? wanted : field.stiffness;
+  if (rendered > largest) return {false, Error::kTooStiff, largest};
+  return {true, {}, largest};
 }
 
 }  // namespace
@@ -79,10 +91,12 @@ Stiffness largest_stiffness(const Loop& loop) {
 CertificateCheck check_certificate(const FieldView& field, const Loop& loop, Stiffness wanted) {
   if (!agrees_with_itself(field)) return {false, Error::kBadCertificate, {}};
   if (Stored(field.image.data()).slope == 0 && largest_difference(field) > kSteepest) return {false, Error::kTooSteep, {}};
-  const Stiffness largest = largest_stiffness(loop);
-  const Stiffness rendered = wanted > Stiffness{} ? wanted : field.stiffness;
-  if (rendered > largest) return {false, Error::kTooStiff, largest};
-  return {true, {}, largest};
+  return suits(field, loop, wanted);
+}
+
+CertificateCheck check_certificate_header(const FieldView& field, const Loop& loop, Stiffness wanted) {
+  if (!header_agrees(Stored(field.image.data()), field)) return {false, Error::kBadCertificate, {}};
+  return suits(field, loop, wanted);
 }
 
 }  // namespace isotouch

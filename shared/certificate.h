@@ -44,4 +44,10 @@ struct CertificateCheck {
 /// tick      no: reads every brick once
 CertificateCheck check_certificate(const FieldView& field, const Loop& loop, Stiffness wanted);
 
+/// The part of it that reads no brick, for tools that print a header: a controller asks all of it.
+///
+/// field     may be of a header alone (FieldView::of_header, with `image` the header)
+/// tick      no: divides
+CertificateCheck check_certificate_header(const FieldView& field, const Loop& loop, Stiffness wanted);
+
 }  // namespace isotouch

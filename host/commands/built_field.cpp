@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <future>
 #include <span>
 #include <utility>
 #include <vector>
@@ -47,16 +48,16 @@ std::vector<PlannedStage> plan_for(InputKind kind, encoding::Method method) {
   }
   if (method == encoding::Method::kPublished)
     return {{"read", 0.1}, {"outside", 1}, {"radii", 0.1}, {"indicator", 6}, {"levels", 3}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
-  return {{"read", 0.1},    {"outside", 1}, {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
-          {"verdict", 0.2}, {"blob", 0.4},  {"pack", 0.1},       {"write", 0.02}};
+  return {{"read", 0.1}, {"outside", 1},   {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
+          {"blob", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
 }
 
 /// A field, and what only its maker knows.
 struct Made {
   field::BandField field;
   std::optional<std::size_t> inside_nodes = {};
-  std::optional<field::SoundScan> scan = {};         ///< of a cloud; workspace, mm
-  std::vector<Eigen::Vector3i> invented_cells = {};  ///< of bricks
+  std::optional<field::SoundScan> scan = {};  ///< of a cloud; workspace, mm
+  std::optional<field::Repair> repair = {};   ///< of a scan that is to be judged
 };
 
 cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
@@ -122,7 +123,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   if (options.method == encoding::Method::kPublished) {
     sound.drop_invented();
     const published::Built built = published::build(sound.points, grid_round(edge, sound.points.positions, published::kMargin), progress);
-    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound), {}};
+    Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound)};
     const cloud::OrientedPoints& placed = made.scan->points;
     if (!placed.stiffness.empty()) {
       std::vector<Eigen::Vector3d> places;
@@ -131,10 +132,9 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
     }
     return made;
   }
-  field::ScanField built = field::scan_field(sound, edge, options.band_voxels(), progress);
+  field::BuiltScan built = field::built_scan(sound, edge, options.band_voxels(), progress);
   for (const std::string& warning : built.repair.warnings()) report.warnings.push_back(warning);
-  report.verdict = std::move(built.verdict);
-  return {std::move(built.field), std::nullopt, std::move(sound), std::move(built.invented.cells)};
+  return {std::move(built.field), std::nullopt, std::move(sound), built.repair};
 }
 
 Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -278,14 +278,28 @@ BuiltField built_field(const BuildOptions& options) {
       std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
   }
 
-  if (report.verdict && !report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
+  // A scan is judged while its image is written; the verdict is the first to be heard.
+  const field::BuiltScan built{made.repair ? made.field : field::BandField{}, made.repair.value_or(field::Repair{})};
+  const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;
+  std::future<field::JudgedScan> judged;
+  if (made.repair) judged = std::async(policy, [&] { return field::judged_scan(built, *made.scan); });
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
   const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
-  field_file::OpenField field = field_file::open_field(encoding::write_image(std::move(made.field), info), options.out.string());
-  for (const Eigen::Vector3i& cell : made.invented_cells) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
+  std::packaged_task<field_file::Image()> write([&] { return encoding::write_image(std::move(made.field), info); });
+  write();
+  std::vector<Eigen::Vector3i> invented;  // cells of bricks
+  if (made.repair) {
+    progress.begin("verdict");
+    auto [verdict, surface] = judged.get();
+    report.verdict = std::move(verdict);
+    invented = std::move(surface.cells);
+    if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
+  }
+  field_file::OpenField field = field_file::open_field(write.get_future().get(), options.out.string());
+  for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)
     throw InputError(options.input.string() + ": the field is empty: the points do not enclose a body; check their normals");

@@ -18,28 +18,24 @@
 #include "host/encoding/dense_bytes.h"
 #include "host/encoding/write_image.h"
 #include "host/evaluate/zero_surface.h"
-#include "host/field_file/open_field.h"
-#include "host/field_file/packed.h"
+#include "host/field_file/described_field.h"
+#include "host/field_file/marks.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "shared/bytes.h"
 #include "shared/certificate.h"
-#include "shared/packed_field.h"
 
 namespace isotouch::commands {
 
 namespace {
 
+using field_file::DescribedField;
+
 std::string version(const FieldView& view) {
   const std::uint8_t* at = view.image.data();
   return std::to_string(load_le<std::uint16_t>(at + image_layout::kMajorAt)) + "." +
          std::to_string(load_le<std::uint16_t>(at + image_layout::kMinorAt));
-}
-
-/// The size of the file where it is packed, and what it would be where it is the image.
-std::size_t packed_bytes(const std::vector<std::uint8_t>& file, const FieldView& view) {
-  return PackedField::has_magic(file) ? file.size() : field_file::pack(view).size();
 }
 
 std::vector<evaluate::Piece> surface_pieces(const FieldView& view) {
@@ -74,15 +70,28 @@ void print_surface(const FieldView& view) {
 struct StiffnessRange {
   double least, largest;
 
-  explicit StiffnessRange(const FieldView& view) : least(to_double(view.stiffness)), largest(least) {
-    if (view.stiffness_parts == nullptr || view.brick_count == 2) return;
-    const std::uint8_t* parts = view.stiffness_parts;
-    least *= static_cast<double>(*std::min_element(parts + 2, parts + view.brick_count)) / image_layout::kFullStiffness;
+  bool varies = false;
+
+  explicit StiffnessRange(const DescribedField& field) : least(to_double(field.header.stiffness)), largest(least) {
+    varies = field.whole && field.whole->view.stiffness_parts != nullptr;
+    if (!varies || field.header.brick_count == 2) return;
+    const std::uint8_t* parts = field.whole->view.stiffness_parts;
+    least *= static_cast<double>(*std::min_element(parts + 2, parts + field.header.brick_count)) / image_layout::kFullStiffness;
   }
 };
 
-nlohmann::ordered_json to_json(const field_file::OpenField& field, std::size_t packed_bytes, bool with_surface) {
-  const FieldView& view = field.view;
+/// Of what is at hand; a controller asks all of it.
+CertificateCheck certificate_check(const DescribedField& field) {
+  const Loop loop = assumed_loop(field.header);
+  return field.whole ? check_certificate(field.whole->view, loop, {}) : check_certificate_header(field.header, loop, {});
+}
+
+bool has_invented(const DescribedField& field) { return field.whole && field.whole->invented.any(); }
+
+double invented_share(const DescribedField& field) { return field_file::share_of(field.whole->invented, field.whole->view); }
+
+nlohmann::ordered_json to_json(const DescribedField& field, bool with_surface) {
+  const FieldView& view = field.header;
   const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
                                               {"quantisation_voxel", promise.quantisation_voxel},
@@ -91,35 +100,35 @@ nlohmann::ordered_json to_json(const field_file::OpenField& field, std::size_t p
                                               {"period_ns", promise.period_ns},
                                               {"damping_ns_per_mm", promise.damping_ns_per_mm},
                                               {"delay_ticks", promise.delay_ticks}};
-  nlohmann::ordered_json json = {{"bytes", view.image.size()},
+  nlohmann::ordered_json json = {{"bytes", field.image_bytes},
                                  {"voxel_mm", to_double(view.edge)},
                                  {"grid", view.size},
                                  {"band_voxels", to_double(view.band)},
                                  {"interpolation", view.interpolation == Interpolation::kSpline ? "spline" : "trilinear"},
                                  {"bricks", view.brick_count},
-                                 {"hash", trace::hash_text(view.hash())},
+                                 {"hash", trace::hash_text(field.hash)},
                                  {"version", version(view)},
-                                 {"wire_bytes", packed_bytes},
+                                 {"wire_bytes", field.packed_bytes},
                                  {"dense_float_bytes", encoding::dense_float_bytes(view)},
                                  {"certificate", certificate}};
-  const StiffnessRange stiffness(view);
+  const StiffnessRange stiffness(field);
   json["stiffness_n_per_mm"] = {{"least", stiffness.least}, {"largest", stiffness.largest}};
-  if (field.invented.any()) json["invented_share"] = field_file::share_of(field.invented, view);
-  if (with_surface) add_surface(view, json);
+  if (has_invented(field)) json["invented_share"] = invented_share(field);
+  if (with_surface) add_surface(field.whole->view, json);
   return json;
 }
 
-void print_text(const field_file::OpenField& field, std::size_t packed_bytes) {
-  const FieldView& view = field.view;
+void print_text(const DescribedField& field) {
+  const FieldView& view = field.header;
   const encoding::FieldInfo info = encoding::info_of(view);
   const Eigen::Vector3d origin = to_double(view.origin);
   const Eigen::Vector3d far =
       origin + to_double(view.edge) * (Eigen::Vector3d(view.size[0], view.size[1], view.size[2]) - Eigen::Vector3d::Ones());
   const auto& [scale, offset] = info.placement;
   std::printf("version      %s\n", version(view).c_str());
-  std::printf("bytes        %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", view.image.size(),
-              packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
-  std::printf("hash         %s\n", trace::hash_text(view.hash()).c_str());
+  std::printf("bytes        %zu in memory, %zu packed in the file and for upload, for %ju of a dense grid of floats\n", field.image_bytes,
+              field.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
+  std::printf("hash         %s\n", trace::hash_text(field.hash).c_str());
   std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
   std::printf("method       %s, from %u points\n", info.method == encoding::Method::kPublished ? "published" : "default", info.point_count);
   std::printf("between      samples: %s\n", view.interpolation == Interpolation::kSpline ? "quadratic B-spline" : "trilinear");
@@ -127,8 +136,8 @@ void print_text(const field_file::OpenField& field, std::size_t packed_bytes) {
   std::printf("voxel        %.6f mm\n", to_double(view.edge));
   std::printf("workspace    (%.3f, %.3f, %.3f) to (%.3f, %.3f, %.3f) mm\n", origin.x(), origin.y(), origin.z(), far.x(), far.y(), far.z());
   std::printf("band         ±%g voxels = ±%.3f mm\n", to_double(view.band), to_double(view.band) * to_double(view.edge));
-  const StiffnessRange stiffness(view);
-  if (view.stiffness_parts == nullptr) {
+  const StiffnessRange stiffness(field);
+  if (!stiffness.varies) {
     std::printf("stiffness    %g N/mm\n", stiffness.largest);
   } else {
     std::printf("stiffness    %.3g to %.3g N/mm over the surface\n", stiffness.least, stiffness.largest);
@@ -146,14 +155,14 @@ void print_text(const field_file::OpenField& field, std::size_t packed_bytes) {
     }
     std::printf("advisable    up to %.2f N/mm at %.0f Hz, %g N·s/m of device damping, a delay of %u ticks\n", promise.stiffness_n_per_mm,
                 1e9 / promise.period_ns, 1000.0 * promise.damping_ns_per_mm, promise.delay_ticks);
-    if (const CertificateCheck check = check_certificate(view, assumed_loop(view), {}); !check.accepted) {
+    if (const CertificateCheck check = certificate_check(field); !check.accepted) {
       std::printf("             %s\n", describe(check.error));
     }
   }
   std::printf("bricks       %u of 4 × 4 × 4 samples, in %u nodes\n", view.brick_count, view.node_count);
-  if (field.invented.any()) {
+  if (has_invented(field)) {
     std::printf("invented     %.1f %% of the surface, where nobody scanned; `isotouch render surface` shows it\n",
-                100.0 * field_file::share_of(field.invented, view));
+                100.0 * invented_share(field));
   }
 }
 
@@ -174,16 +183,14 @@ void add_info(CLI::App& app) {
   command->add_option("--field", options->key, "print only the value with this key of the JSON object, such as hash");
   command->callback([options] {
     const std::vector<std::uint8_t> file = read_file(options->field);
-    const field_file::OpenField field =
-        field_file::open_field(field_file::read_field(file, options->field.string()), options->field.string());
-    const std::size_t packed = packed_bytes(file, field.view);
-    if (!options->key.empty()) return print_field(to_json(field, packed, options->surface), options->key);
+    const DescribedField field = field_file::describe_field(file, options->field.string(), options->surface);
+    if (!options->key.empty()) return print_field(to_json(field, options->surface), options->key);
     if (options->json) {
-      std::printf("%s\n", to_json(field, packed, options->surface).dump(2).c_str());
+      std::printf("%s\n", to_json(field, options->surface).dump(2).c_str());
       return;
     }
-    print_text(field, packed);
-    if (options->surface) print_surface(field.view);
+    print_text(field);
+    if (options->surface) print_surface(field.whole->view);
   });
 }
 

@@ -34,10 +34,14 @@ float squared(float x) { return x * x; }
 
 /// The largest step to a neighbour along one axis, of all that are known.
 float largest_rise(const Apron& values, std::size_t step) {
-  const auto rise = [&](std::size_t n) { return magnitude(load(&values[n]) - load(&values[n - step])); };
+  const std::size_t span = 6 * step;  // along x a row, along y a layer, along z all: no step leads from one to the next
   Four most{};
-  for (std::size_t n = step; n + 4 <= values.size(); n += 4) most = larger(rise(n), most);
-  return largest(larger(rise(values.size() - 4), most));
+  const auto hear = [&](std::size_t n) { most = larger(magnitude(load(&values[n]) - load(&values[n - step])), most); };
+  for (std::size_t first = 0; first < values.size(); first += span) {
+    for (std::size_t n = first + step; n + 4 < first + span; n += 4) hear(n);
+    hear(first + span - 4);
+  }
+  return largest(most);
 }
 
 /// The larger of the steps to the two neighbours of each value along one axis, zero where none is known (NaN).

@@ -63,22 +63,21 @@ Lanes model_distance(const Model& model, const Places& at, Lanes away) {
   return joined(model, {at.x * share, at.y * share, at.z * share}) / share;
 }
 
-/// Sorts `value` into a list that keeps the smallest, ascending, in every lane. Did a list change?
+/// Sorts `value` into a list that keeps the smallest, ascending, in every lane.
 template <std::size_t N>
-bool keep_least(std::array<Lanes, N>& list, Lanes value) {
-  if (!any(value < list.back())) return false;
+void keep_least(std::array<Lanes, N>& list, Lanes value) {
   for (Lanes& place : list) {
     const Lanes rest = larger(value, place);
     place = lesser(value, place);
     value = rest;
   }
-  return true;
 }
 
 // A block is 4x2x2 samples, in as few rows as lanes allow: small enough that its places share most of their nearest samples.
 constexpr std::size_t kBlock = 16;
 constexpr std::size_t kRows = kBlock / kLanes;
 constexpr float kBlockReach = 1.6584F;  // half a block's diagonal, rounded up
+constexpr std::size_t kAsked = 4;       // candidates
 constexpr float kFar = 1e30F;           // squared, of no sample at all
 constexpr float kSuspect = 0.25F;       // a surface less than half as far away as the nearest sample
 constexpr float kNoWeight = 1e-20F;     // where all samples are at one distance, all weigh nothing, and count alike
@@ -125,24 +124,25 @@ struct Neighbourhood {
     std::array<std::array<Lanes, kBlended + 1>, kRows> least;
     for (auto& row : least) row.fill(all<Lanes>(kFar));
     float reach = kFar;  // squared; what is farther from the middle is nobody's neighbour
+    const auto measure_reach = [&] {
+      Lanes last = least[0].back();
+      for (std::size_t r = 1; r < kRows; ++r) last = larger(last, least[r].back());
+      const float bound = std::sqrt(largest(last)) + kBlockReach;
+      reach = bound * bound;
+    };
     for (const BlendCandidate& c : candidates) {
       const Point own = c.own - shift;
       const float middle = squared_length(own);
       if (middle > reach) continue;
       Rows away;
-      bool nearer = false;
       for (std::size_t r = 0; r < kRows; ++r) {
         away[r] = (row_of_block(r) - own).squared_length();
-        nearer |= keep_least(least[r], away[r]);
+        keep_least(least[r], away[r]);
       }
       near.push_back({c.model, own, middle, away});
-      if (!nearer || near.size() <= kBlended) continue;
-      Lanes last = least[0].back();
-      for (std::size_t r = 1; r < kRows; ++r) last = larger(last, least[r].back());
-      const float farthest = largest(last);
-      const float bound = std::sqrt(farthest) + kBlockReach;
-      reach = bound * bound;
+      if (near.size() > kBlended && near.size() % kAsked == 0) measure_reach();  // each time would cost more than it spares
     }
+    measure_reach();
     std::erase_if(near, [=](const Near& n) { return n.middle > reach; });
     for (std::size_t r = 0; r < kRows; ++r) nearest[r] = least[r].front(), border[r] = least[r].back();
   }

@@ -114,8 +114,8 @@ class Walk {
  private:
   struct Look {
     Visited visited;
-    Brick brick;  ///< when it is listed
-    bool jumps = false;
+    Brick brick;             ///< when it is listed
+    std::uint8_t leads = 0;  ///< to which neighbours: bit 2 axis below, the next one above
   };
 
   Look look_at(Key key) const {
@@ -128,30 +128,37 @@ class Walk {
     return listed(key, d, found.jumps);
   }
 
-  static Look listed(Key key, const std::array<float, 64>& d, bool jumps) {
-    Look look{{key, true, 0}, {cell_of(key), d}, jumps};
+  Look listed(Key key, const std::array<float, 64>& d, bool jumps) const {
+    Look look{{key, true, 0}, {cell_of(key), d}, leads(d, jumps)};
     for (std::size_t s = 0; s < d.size(); ++s) look.visited.inside |= std::uint64_t{d[s] < 0.0F} << s;
     return look;
   }
 
-  /// The neighbours that hold samples of the band, as far as the last two layers before them tell.
-  void push_neighbours(const Look& look, std::vector<Key>& keys) const {
+  /// Which neighbours hold samples of the band, as far as the last two layers before them tell; all of them beside a brick where the distance may jump.
+  std::uint8_t leads(const std::array<float, 64>& distance, bool jumps) const {
     constexpr double kBend = 0.5;  // by how much a distance may leave its straight course from one sample to the next
-    const Key key = look.visited.key;
-    const Vector3i cell = cell_of(key);
-    const std::array<float, 64>& distance = look.brick.distance;
     const auto near = static_cast<float>(band_ + kBend);
+    unsigned leads = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto along = static_cast<Eigen::Index>(axis);
       const auto step = static_cast<std::size_t>(kNext[axis]);
-      bool below = look.jumps, above = look.jumps;
+      bool below = jumps, above = jumps;
       for (BrickMask low = kLowFace[axis]; low != 0; low &= low - 1) {
         const float* row = &distance[static_cast<std::size_t>(std::countr_zero(low))];
         below |= std::abs(2.0F * row[0] - row[step]) <= near;
         above |= std::abs(2.0F * row[3 * step] - row[2 * step]) <= near;
       }
-      if (below && cell[along] > 0) keys.push_back(key - kSteps[axis]);
-      if (above && cell[along] + 1 < cells_[along]) keys.push_back(key + kSteps[axis]);
+      leads |= ((below ? 1U : 0U) | (above ? 2U : 0U)) << (2 * axis);
+    }
+    return static_cast<std::uint8_t>(leads);
+  }
+
+  void push_neighbours(const Look& look, std::vector<Key>& keys) const {
+    const Key key = look.visited.key;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto along = static_cast<Eigen::Index>(axis);
+      const unsigned ways = static_cast<unsigned>(look.leads) >> (2 * axis);
+      if ((ways & 1U) != 0 && look.brick.cell[along] > 0) keys.push_back(key - kSteps[axis]);
+      if ((ways & 2U) != 0 && look.brick.cell[along] + 1 < cells_[along]) keys.push_back(key + kSteps[axis]);
     }
   }
 

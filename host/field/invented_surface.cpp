@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "host/field/nearest.h"
 #include "host/field/parallel.h"
 #include "host/field/unseen_share.h"
 
@@ -43,19 +42,19 @@ std::vector<Crossed> crossed_bricks(const BandField& field) {
 
 }  // namespace
 
-InventedSurface invented_surface(const BandField& field, const SoundScan& sound) {
+InventedSurface invented_surface(const BandField& field, const SoundScan& sound, const Spacings& spacings) {
   const std::vector<Crossed> crossed = crossed_bricks(field);
-  const std::vector<Vector3d>& points = sound.points.positions;
-  const Nearest tree(points);
   std::vector<std::uint8_t> invented(crossed.size());
   in_parallel(crossed.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(crossed[i].place, 1, found);
-      const Neighbour nearest = found[0];
-      tree.nearest(points[nearest.index], 7, found);
-      const double apart = kGap * std::sqrt(found.back().squared_distance) + field.grid.edge;
-      invented[i] = nearest.index >= sound.measured || nearest.squared_distance > apart * apart ? 1 : 0;
+      const Neighbour nearest = spacings.nearest(crossed[i].place, found);
+      if (nearest.index >= sound.measured) {
+        invented[i] = 1;
+        continue;
+      }
+      const double limit = kGap * spacings.at(nearest.index, found) + field.grid.edge;
+      invented[i] = nearest.squared_distance > limit * limit ? 1 : 0;
     }
   });
   InventedSurface result;

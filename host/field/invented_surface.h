@@ -6,6 +6,7 @@
 
 #include "host/field/band_field.h"
 #include "host/field/sound_scan.h"
+#include "host/field/spacings.h"
 
 namespace isotouch::field {
 
@@ -18,6 +19,7 @@ struct InventedSurface {
 /// lies in a gap: farther from every measured point than these are apart there.
 ///
 /// sound     workspace, mm; what `field` was built from
-InventedSurface invented_surface(const BandField& field, const SoundScan& sound);
+/// spacings  of its points
+InventedSurface invented_surface(const BandField& field, const SoundScan& sound, const Spacings& spacings);
 
 }  // namespace isotouch::field

@@ -86,18 +86,29 @@ class Within {
 /// Keeps what is at most `margin` farther away than the `count` nearest, as far as these are known, and some more.
 class NearestAndBeyond {
  public:
+  /// found     room that grows; what is found stands at its beginning
   NearestAndBeyond(std::size_t count, double margin, std::vector<Neighbour>& found) : count_(count), margin_(margin), found_(found) {
-    found_.clear();
     nearest_.fill(std::numeric_limits<double>::max());
   }
   double worst() const { return worst_; }
-  void add(const Neighbour& candidate) {
-    found_.push_back(candidate);
-    if (!(candidate.squared_distance < nearest_[count_ - 1])) return;
-    std::size_t place = count_ - 1;
-    for (; place > 0 && candidate.squared_distance < nearest_[place - 1]; --place) nearest_[place] = nearest_[place - 1];
-    nearest_[place] = candidate.squared_distance;
-    if (found_.size() < count_) return;
+  std::size_t size() const { return size_; }
+
+  /// Of a whole leaf, for a processor cannot foretell which of its positions are near: each is written, and stays where it is.
+  void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
+    if (found_.size() < size_ + kLeaf) found_.resize(2 * found_.size() + kLeaf);
+    for (std::size_t n = 0; n < kLeaf; ++n) {
+      found_[size_] = {away[n], index[n]};
+      size_ += away[n] <= worst_ ? 1U : 0U;
+    }
+    bool nearer = false;
+    for (const double square : away) {
+      if (!(square < nearest_[count_ - 1])) continue;
+      std::size_t place = count_ - 1;
+      for (; place > 0 && square < nearest_[place - 1]; --place) nearest_[place] = nearest_[place - 1];
+      nearest_[place] = square;
+      nearer = true;
+    }
+    if (!nearer || size_ < count_) return;
     const double radius = std::sqrt(nearest_[count_ - 1]) + margin_;
     worst_ = radius * radius;
   }
@@ -107,6 +118,7 @@ class NearestAndBeyond {
   double margin_, worst_ = std::numeric_limits<double>::max();
   std::array<double, Nearest::kMaxWithBeyond> nearest_{};  ///< squared distances, ascending
   std::vector<Neighbour>& found_;
+  std::size_t size_ = 0;
 };
 
 }  // namespace
@@ -160,8 +172,12 @@ class Nearest::Tree {
       const Two square = (x * x + y * y) + z * z;
       std::memcpy(&away[n], &square, sizeof square);
     }
-    for (std::size_t n = 0; n < kLeaf; ++n) {
-      if (away[n] <= result.worst()) result.add({away[n], leaf.index[n]});
+    if constexpr (requires { result.add(away, leaf.index); }) {
+      result.add(away, leaf.index);
+    } else {
+      for (std::size_t n = 0; n < kLeaf; ++n) {
+        if (away[n] <= result.worst()) result.add({away[n], leaf.index[n]});
+      }
     }
   }
 
@@ -216,9 +232,12 @@ void Nearest::nearest(const Vector3d& point, std::size_t count, std::vector<Neig
 
 void Nearest::nearest_and_beyond(const Vector3d& point, std::size_t count, double margin, std::vector<Neighbour>& found) const {
   assert(count > 0 && count <= kMaxWithBeyond);
-  NearestAndBeyond result(std::min(count, size_), margin, found);
+  thread_local std::vector<Neighbour> reached;  // keeps its memory
+  NearestAndBeyond result(std::min(count, size_), margin, reached);
   tree_->search(point, result);
-  std::erase_if(found, [&](const Neighbour& n) { return n.squared_distance > result.worst(); });
+  const auto end = std::remove_if(reached.begin(), reached.begin() + static_cast<std::ptrdiff_t>(result.size()),
+                                  [&](const Neighbour& n) { return n.squared_distance > result.worst(); });
+  found.assign(reached.begin(), end);
   std::sort(found.begin(), found.end());
 }
 

@@ -1,23 +1,37 @@
 #include "host/field/scan_field.h"
 
 #include <Eigen/Geometry>
+#include <utility>
 
 #include "host/field/make_grid.h"
+#include "host/field/spacings.h"
 
 namespace isotouch::field {
 
-ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& progress) {
+BuiltScan built_scan(const SoundScan& scan, double edge, double band, Progress& progress) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : scan.points.positions) box.extend(position);
   const Grid grid = make_grid(box.min(), box.max(), edge, field_margin(band));
-  ScanField result;
-  result.field = build_field(scan.points, grid, band, progress, &result.repair, scan.measured);
+  BuiltScan built;
+  built.field = build_field(scan.points, grid, band, progress, &built.repair, scan.measured);
+  return built;
+}
+
+JudgedScan judged_scan(const BuiltScan& built, const SoundScan& scan) {
+  const Spacings spacings(scan.points.positions);
+  JudgedScan judged;
+  judged.invented = invented_surface(built.field, scan, spacings);
+  judged.verdict = judge(built.field, scan, built.repair, spacings);
+  judged.verdict.invented_share = judged.invented.share;
+  return judged;
+}
+
+ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& progress) {
+  BuiltScan built = built_scan(scan, edge, band, progress);
   progress.begin("verdict");
-  result.invented = invented_surface(result.field, scan);
-  result.verdict = judge(result.field, scan, result.repair);
-  result.verdict.invented_share = result.invented.share;
+  JudgedScan judged = judged_scan(built, scan);
   progress.end();
-  return result;
+  return {std::move(built.field), built.repair, std::move(judged.verdict), std::move(judged.invented)};
 }
 
 }  // namespace isotouch::field

@@ -10,6 +10,16 @@
 
 namespace isotouch::field {
 
+struct BuiltScan {
+  BandField field;
+  Repair repair;
+};
+
+struct JudgedScan {
+  Verdict verdict;
+  InventedSurface invented;
+};
+
 struct ScanField {
   BandField field;
   Repair repair;
@@ -21,6 +31,10 @@ struct ScanField {
 /// edge      of a voxel, mm
 /// band      half width, voxels, 1 to 7.99
 /// fails     InputError of `make_grid` and `build_field`
+BuiltScan built_scan(const SoundScan& scan, double edge, double band, Progress& progress);
+JudgedScan judged_scan(const BuiltScan& built, const SoundScan& scan);
+
+/// One after the other; `progress` is told of the verdict, too.
 ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& progress);
 
 }  // namespace isotouch::field

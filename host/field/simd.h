@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace isotouch::field {
 
@@ -60,9 +61,15 @@ static inline Vector magnitude(Vector v) {
 }
 template <class Vector>
 static inline float least(Vector v) {
-  float value = v[0];
-  for (std::size_t i = 1; i < sizeof v / sizeof v[0]; ++i) value = std::min(value, v[i]);
-  return value;
+  if constexpr (sizeof v > sizeof(Four)) {  // by halves: lane after lane, each would wait for the one before
+    using Half = std::conditional_t<sizeof v == sizeof(Sixteen), Eight, Four>;
+    const auto [low, high] = std::bit_cast<std::array<Half, 2>>(v);
+    return least<Half>(lesser(low, high));
+  } else {
+    float value = v[0];
+    for (std::size_t i = 1; i < sizeof v / sizeof v[0]; ++i) value = std::min(value, v[i]);
+    return value;
+  }
 }
 template <class Vector>
 static inline float largest(Vector v) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "host/field/nearest.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::field {
@@ -16,7 +15,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 
 constexpr std::size_t kStep = 16;
-constexpr std::size_t kSixth = 7;  // the point itself is the first
 
 std::vector<Vector3d> beside_surface(const BandField& field) {
   std::vector<Vector3d> places;
@@ -32,20 +30,18 @@ std::vector<Vector3d> beside_surface(const BandField& field) {
 
 }  // namespace
 
-double unseen_share(const BandField& field, const std::vector<Vector3d>& points, double limit) {
+double unseen_share(const BandField& field, const Spacings& spacings, double limit) {
   const std::vector<Vector3d> places = beside_surface(field);
   if (places.empty()) return 0.0;
-  const Nearest tree(points);
   std::atomic<std::size_t> unseen = 0;
   in_parallel(places.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
     std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(places[i], 1, found);
-      const double away = std::sqrt(found[0].squared_distance);
+      const Neighbour nearest = spacings.nearest(places[i], found);
+      const double away = std::sqrt(nearest.squared_distance);
       if (away <= field.grid.edge) continue;
-      tree.nearest(points[found[0].index], kSixth, found);
-      count += away > limit * std::sqrt(found.back().squared_distance) + field.grid.edge ? 1U : 0U;
+      count += away > limit * spacings.at(nearest.index, found) + field.grid.edge ? 1U : 0U;
     }
     unseen += count;
   });

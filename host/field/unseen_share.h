@@ -1,10 +1,8 @@
 /// How much of a field's surface lies where no point was.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "host/field/band_field.h"
+#include "host/field/spacings.h"
 
 namespace isotouch::field {
 
@@ -14,8 +12,8 @@ inline constexpr double kGap = 1.5;
 /// Share of the surface that is farther from the nearest point than so many times the distance from there to its sixth neighbour, plus a voxel. One of
 /// sixteen samples beside the surface is asked.
 ///
-/// points    workspace, mm; at least one
+/// spacings  of the points; workspace, mm
 /// limit     how many times
-double unseen_share(const BandField& field, const std::vector<Eigen::Vector3d>& points, double limit);
+double unseen_share(const BandField& field, const Spacings& spacings, double limit);
 
 }  // namespace isotouch::field

@@ -121,7 +121,7 @@ std::string per_cent(double share) {
 
 }  // namespace
 
-Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair) {
+Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair, const Spacings& spacings) {
   const double volume = static_cast<double>(inside_samples(field)) * field.grid.edge * field.grid.edge * field.grid.edge;
   Verdict verdict;
   const std::vector<Vector3d> measured(sound.points.positions.begin(),
@@ -137,7 +137,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
-  verdict.gap_share = unseen_share(field, sound.points.positions, kGap);
+  verdict.gap_share = unseen_share(field, spacings, kGap);
   verdict.surprising_share = repair.surprising;
 
   if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;

@@ -8,6 +8,7 @@
 #include "host/field/band_field.h"
 #include "host/field/build_field.h"
 #include "host/field/sound_scan.h"
+#include "host/field/spacings.h"
 
 namespace isotouch::field {
 
@@ -33,7 +34,8 @@ struct Verdict {
 };
 
 /// sound     workspace, mm; what `field` was built from
+/// spacings  of all its points
 /// returns   all but `invented_share`
-Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair);
+Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair, const Spacings& spacings);
 
 }  // namespace isotouch::field

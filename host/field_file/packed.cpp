@@ -32,6 +32,10 @@ std::size_t compress(std::span<const std::uint8_t> residuals, std::span<std::uin
   return written;
 }
 
+InputError refusal(const std::string& name, Error error) {
+  return InputError(name + ": not usable as a packed field: " + describe(error) + "; fetch or build it again");
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> pack(const FieldView& view, const Marks& invented) {
@@ -45,21 +49,22 @@ std::vector<std::uint8_t> pack(const FieldView& view, const Marks& invented) {
   return packed;
 }
 
-StoredField unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const auto refuse = [&](Error error) -> InputError {
-    return InputError(name + ": not usable as a packed field: " + describe(error) + "; fetch or build it again");
-  };
+PackedField checked_packed(std::span<const std::uint8_t> bytes, const std::string& name) {
   const Result<PackedField> packed = PackedField::parse(bytes);
-  if (!packed) throw refuse(packed.error());
+  if (!packed) throw refusal(name, packed.error());
+  return *packed;
+}
 
-  const auto residual_bytes = static_cast<std::size_t>(packed->residual_bytes());
+StoredField unpack(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const PackedField packed = checked_packed(bytes, name);
+  const auto residual_bytes = static_cast<std::size_t>(packed.residual_bytes());
   const auto residuals = std::make_unique_for_overwrite<std::uint8_t[]>(residual_bytes);
-  Image image(static_cast<std::size_t>(packed->image_bytes));
-  const auto unpacked =
-      isotouch::unpack(*packed, {residuals.get(), residual_bytes}, {image.data(), image.size()},
-                       [](auto frame, auto out) { return ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size()); });
-  if (!unpacked) throw refuse(unpacked.error());
-  return {std::move(image), Marks(packed->marks)};
+  Image image(static_cast<std::size_t>(packed.image_bytes));
+  const auto unpacked = isotouch::unpack(packed, {residuals.get(), residual_bytes}, {image.data(), image.size()}, [](auto frame, auto out) {
+    return ZSTD_decompress(out.data(), out.size(), frame.data(), frame.size());
+  });
+  if (!unpacked) throw refusal(name, unpacked.error());
+  return {std::move(image), Marks(packed.marks)};
 }
 
 }  // namespace isotouch::field_file

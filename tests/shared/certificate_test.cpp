@@ -113,6 +113,20 @@ TEST(Certificate, EveryContradictionIsSeen) {
   for (std::size_t n = 0; n < truths.size(); ++n) EXPECT_TRUE(check_certificate(Certified(truths[n]).view(), kFalcon, {}).accepted) << n;
 }
 
+TEST(Certificate, AHeaderAloneContradictsItselfButNoBrick) {
+  const auto header_of = [](const Certified& field) {
+    FieldView view = *FieldView::of_header(field.view().image.first(kHeaderBytes), field.view().image.size());
+    view.image = field.view().image.first(kHeaderBytes);
+    return view;
+  };
+  for (const auto& [offset, lie] : {std::pair{kAdvisedStiffnessAt, 131075U}, {kThinnestWallAt, 8 * 65536 + 1U}, {kAdvisedDelayAt, 2U}}) {
+    EXPECT_EQ(check_certificate_header(header_of(Certified({{offset, lie}})), kFalcon, {}).error, Error::kBadCertificate) << offset;
+  }
+  EXPECT_TRUE(check_certificate_header(header_of(Certified()), kFalcon, {}).accepted);
+  EXPECT_EQ(check_certificate_header(header_of(Certified()), kFalcon, Stiffness::of(2.1)).error, Error::kTooStiff);
+  EXPECT_TRUE(check_certificate_header(header_of(Certified({{kMaxSlopeAt, 60000}})), kFalcon, {}).accepted) << "no brick was read";
+}
+
 TEST(Certificate, SteepGradientsNeedOneThatSaysSo) {
   for (const double slope : {1.9, 2.1}) {
     const test::FieldImage steep({40, 40, 40},

@@ -30,21 +30,21 @@ std::vector<Vector3d> seen(double lowest) {
 }
 
 TEST(UnseenShare, IsNothingWherePointsAreEverywhere) {
-  EXPECT_EQ(unseen_share(ball(), seen(-2.0), 3.0), 0.0);
-  EXPECT_LT(unseen_share(ball(), seen(-2.0), kGap), 0.001);
+  EXPECT_EQ(unseen_share(ball(), Spacings(seen(-2.0)), 3.0), 0.0);
+  EXPECT_LT(unseen_share(ball(), Spacings(seen(-2.0)), kGap), 0.001);
 }
 
 TEST(UnseenShare, IsThePartWithoutPointsLessItsRim) {
   // Below z = -0.5 of a unit sphere lies a quarter of its area. A point's sixth neighbour is 1.9 mm away, at the rim 2.7 mm: the limits take 7 to 9 mm
   // and 4 to 5 mm of that.
-  EXPECT_NEAR(unseen_share(ball(), seen(-0.5), 3.0), 0.10, 0.02);
-  EXPECT_NEAR(unseen_share(ball(), seen(-0.5), kGap), 0.16, 0.02);
+  EXPECT_NEAR(unseen_share(ball(), Spacings(seen(-0.5)), 3.0), 0.10, 0.02);
+  EXPECT_NEAR(unseen_share(ball(), Spacings(seen(-0.5)), kGap), 0.16, 0.02);
 }
 
 TEST(UnseenShare, OfNoSurfaceIsNothing) {
   BandField empty = ball();
   empty.bricks.clear();
-  EXPECT_EQ(unseen_share(empty, seen(-2.0), kGap), 0.0);
+  EXPECT_EQ(unseen_share(empty, Spacings(seen(-2.0)), kGap), 0.0);
 }
 
 }  // namespace
