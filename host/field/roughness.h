@@ -9,6 +9,7 @@ namespace isotouch::field {
 struct Roughness {
   double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
   double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
+  double of_no_step = 0;    ///< of pairs, continued to those at no distance: noise of positions alone
   double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
   double spacing = 0;       ///< median distance to the nearest sample
 
@@ -16,7 +17,8 @@ struct Roughness {
   double of_pairs_untilted() const;
   /// At most so much: detail contradicts no normal, and a wrong normal no position.
   double noise() const;
-  /// Noise is as rough for pairs as for positions; detail is smoother for pairs.
+  /// Noise is as rough for pairs as for positions; detail is smoother for pairs. Where detail makes positions rough too, noise shows in near pairs as
+  /// much as in far ones, and what bad normals or detail add grows with the step.
   bool is_noise() const;
 };
 
