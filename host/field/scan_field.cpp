@@ -11,7 +11,7 @@ ScanField scan_field(const SoundScan& scan, double edge, double band, Progress& 
   for (const Eigen::Vector3d& position : scan.points.positions) box.extend(position);
   const Grid grid = make_grid(box.min(), box.max(), edge, field_margin(band));
   ScanField result;
-  result.field = build_field(scan.points, grid, band, progress, &result.repair, scan.measured);
+  result.field = build_field(scan.points, grid, band, progress, &result.repair, scan.measured, scan.smoothed ? scan.noise : 0.0);
   progress.begin("verdict");
   result.invented = invented_surface(result.field, scan);
   result.verdict = judge(result.field, scan, result.repair);

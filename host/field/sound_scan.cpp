@@ -197,6 +197,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   }
   for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) {
     scan = smoothed(*scan, result.noise);
+    result.smoothed = true;
     as_faced = false;
   }
   result.rim = open_rim(*scan);
