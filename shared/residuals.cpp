@@ -200,9 +200,10 @@ Result<std::span<const std::uint8_t>> restore(std::span<const std::uint8_t> resi
   const auto next_sample = [&](const std::int16_t* at, const RowAhead& ahead, int n) -> std::int16_t {
     const bool has_before = std::abs(at[-1]) < parts.band;
     const bool corner = has_before && ahead.known[n] != 0;
-    const Prediction p = corner || (!has_before && ahead.blank[n] != 0)
-                             ? Prediction{corner ? kCorner : kNothing, std::clamp<std::int32_t>(ahead.corner[n] + at[-1], -parts.band, parts.band)}
-                             : Window::predict(at, parts.band);
+    const Prediction p =
+        corner || (!has_before && ahead.blank[n] != 0)
+            ? Prediction{corner ? kCorner : kNothing, std::clamp<std::int32_t>(ahead.corner[n] + at[-1], -parts.band, parts.band)}
+            : Window::predict(at, parts.band);
     if (streams.low[p.rule] == streams.end[p.rule]) return complete = false, std::int16_t{0};
     const std::uint32_t code = *streams.low[p.rule]++ | static_cast<std::uint32_t>(*streams.high[p.rule]++) << 8;
     return static_cast<std::int16_t>(p.value + unzigzag(code));

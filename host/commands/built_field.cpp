@@ -286,7 +286,7 @@ BuiltField built_field(const BuildOptions& options) {
   progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
-  const encoding::FieldInfo info{options.stiffness.value_or(own), report.source_hash, options.method, options.interpolation,
+  const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, options.method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
   std::packaged_task<field_file::Image()> write([&] { return encoding::write_image(std::move(made.field), info); });
   write();

@@ -14,6 +14,7 @@
 #include "host/field/empty_balls.h"
 #include "host/field/local_model.h"
 #include "host/field/nearest.h"
+#include "host/field/winding_sign.h"
 
 namespace isotouch::field {
 
@@ -29,6 +30,7 @@ class BrickBlend {
 
   /// Places that lie far from every sample, one bit each; and those of them where the models see a surface that no sample is near to.
   struct Doubt {
+    double beyond = kDoubt;  ///< what far is: as for `WindingSign`; told to the blend
     std::uint64_t far = 0, suspect = 0;
   };
 

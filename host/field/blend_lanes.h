@@ -205,10 +205,10 @@ void hold_by_balls(const Neighbourhood& around, Rows& value) {
 }
 
 /// The bits of a block's samples that lie far from every sample of the scan, and of those among them that are suspect.
-BrickBlend::Doubt doubt_of(const Neighbourhood& around, const Rows& value) {
-  BrickBlend::Doubt doubt;
+BrickBlend::Doubt doubt_of(const Neighbourhood& around, const Rows& value, double beyond) {
+  BrickBlend::Doubt doubt{beyond};
   for (std::size_t r = 0; r < kRows; ++r) {
-    const auto far = around.nearest[r] > static_cast<float>(kDoubt) * (around.border[r] - around.nearest[r]);
+    const auto far = around.nearest[r] > static_cast<float>(beyond) * (around.border[r] - around.nearest[r]);
     if (!any(far)) continue;
     const auto suspect = far & (value[r] * value[r] < kSuspect * around.nearest[r]);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -228,7 +228,7 @@ __attribute__((flatten)) std::array<float, 64> blend_blocks(std::span<const Blen
       around.gather(candidates, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F});
       Rows value = blended(around);
       hold_by_balls(around, value);
-      const BrickBlend::Doubt doubts = doubt_of(around, value);
+      const BrickBlend::Doubt doubts = doubt_of(around, value, doubt.beyond);
       for (std::size_t n = 0; n < kBlock; n += 4) {
         const std::size_t place = ((z + (n >> 3)) * 4 + y + (n >> 2 & 1)) * 4;
         std::memcpy(&result[place], reinterpret_cast<const float*>(&value) + n, 4 * sizeof(float));

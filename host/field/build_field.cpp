@@ -22,6 +22,7 @@ namespace isotouch::field {
 namespace {
 
 constexpr std::size_t kWitnesses = 4;  // neighbours whose models say where a sample should lie
+constexpr double kNoisy = 0.1;         // of the distance to the sixth neighbour: beyond, noise reaches the models
 constexpr double kExplains = 1.5;      // trust of a model: below, its error is above two thirds of a radian
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
@@ -109,7 +110,7 @@ std::vector<std::string> Repair::warnings() const {
 }
 
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair,
-                      std::size_t measured) {
+                      std::size_t measured, double noise) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
   cloud::OrientedPoints samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
@@ -127,12 +128,14 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
-  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing);
+  const bool whole = measured >= points.size();  // the walls and the back of a scan of one side are invented, and so is what they enclose
+  const double doubt = whole && noise > kNoisy * grid.edge * described.scan->median_spacing() ? kDoubtInNoise : kDoubt;
+  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, doubt);
   AdaptiveSamples closed;
-  if (measured >= points.size()) {  // a scan of one side got walls at its rims already
+  if (whole) {  // a scan of one side got walls at its rims already
     if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {
       closed = with_added(described, skins);
-      model.emplace(*closed.scan, closed.models, closing);
+      model.emplace(*closed.scan, closed.models, closing, doubt);
     }
   }
   const Scan& scan = closed.scan ? *closed.scan : *described.scan;

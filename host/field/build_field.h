@@ -35,8 +35,9 @@ struct Repair {
 ///           brick where the points have one
 /// repair    where given, is told what was mended
 /// measured  so many points, the first, were measured; `repair` is about these alone where it speaks of shares
+/// noise     standard deviation of the measured points before they were smoothed, mm
 /// fails     InputError when there are too few points, when the grid is too small, or when the points do not enclose a body
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr,
-                      std::size_t measured = std::numeric_limits<std::size_t>::max());
+                      std::size_t measured = std::numeric_limits<std::size_t>::max(), double noise = 0.0);
 
 }  // namespace isotouch::field

@@ -16,6 +16,7 @@
 #include "host/field/outliers.h"
 #include "host/field/parallel.h"
 #include "host/field/quadric_fit.h"
+#include "host/field/roughness.h"
 #include "host/field/scan.h"
 #include "host/field/sheet_back.h"
 
@@ -29,18 +30,11 @@ using Eigen::Vector3d;
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kSheet = 0.4;  // of `Facing::one_sided`: a half sphere has 0.5, a box without its bottom at most 0.2
 constexpr double kClosed = 0.2;
-constexpr double kClearVote = 0.6;     // of `Facing::outward`, to turn a whole scan
-constexpr double kOutward = 0.2;       // of the same, to believe one
-constexpr double kClearVolume = 0.04;  // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
-constexpr std::size_t kAsked = 4096;   // samples for the noise, about
-constexpr double kUsual = 0.6;         // of the samples deviate less than what counts as the noise: edges deviate more
-constexpr double kTilted = 0.12;       // 7 degrees
-constexpr double kNoisy = 0.65;
-constexpr double kPairsOfTilt =
-    0.5;  // spacings of `of_pairs` for each unit of tilt: tilts of 5, 15 and 30 degrees gave 0.51, 0.50 and 0.47
+constexpr double kClearVote = 0.6;       // of `Facing::outward`, to turn a whole scan
+constexpr double kOutward = 0.2;         // of the same, to believe one
+constexpr double kClearVolume = 0.04;    // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
+constexpr double kTilted = 0.12;         // 7 degrees
 constexpr double kContradicted = 2.0;    // pairs are rougher than positions: the normals are to blame
-constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
-constexpr std::size_t kNear = 7;         // a sample and its six neighbours
 constexpr double kRough = 0.05;          // spacings
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
@@ -60,14 +54,11 @@ void turn_all(Scan& scan) {
   for (std::size_t i = 0; i < scan.size(); ++i) scan.turn_normal(i);
 }
 
-/// The value that a share of all do not exceed.
-double quantile(std::vector<double> values, double share) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+double median(std::vector<double> values) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
-
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 bool inside_out(const Facing& facing) { return facing.outward < -kClearVote && facing.volume < -kClearVolume; }
 bool clear(const Facing& facing) { return facing.outward > kOutward && facing.volume > kClearVolume; }
@@ -127,51 +118,6 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   }
   as_before();
   return Outside::kDoubtful;
-}
-
-/// How far samples lie off what their neighbours expect, and normals off what positions say.
-struct Roughness {
-  double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
-  double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
-  double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
-  double spacing = 0;       ///< median distance to the nearest sample
-
-  /// `of_pairs` without what bad normals add: they are tilted more than detail of that size lets paraboloids err.
-  double of_pairs_untilted() const {
-    const double added = kPairsOfTilt * std::sqrt(std::max(0.0, tilt * tilt - of_positions * of_positions / (spacing * spacing))) * spacing;
-    return std::sqrt(std::max(0.0, of_pairs * of_pairs - added * added));
-  }
-  /// At most so much: detail contradicts no normal, and a wrong normal no position.
-  double noise() const { return std::min(of_positions, of_pairs_untilted()); }
-  /// Noise is as rough for pairs as for positions; detail is smoother for pairs.
-  bool is_noise() const { return of_pairs_untilted() > kNoisy * of_positions; }
-};
-
-Roughness roughness(const Scan& scan, double spacing) {
-  const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
-  const std::size_t asked = (scan.size() + step - 1) / step;
-  std::vector<double> deviations(asked), tilts(asked), heights;
-  in_parallel(asked, 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const QuadricFit fit = fit_quadric(scan.positions(), scan.around(n * step));
-      deviations[n] = fit.deviation;
-      tilts[n] = fit.normal.cross(scan.normals()[n * step]).norm();
-    }
-  });
-  for (std::size_t i = 0; i < scan.size(); i += step) {
-    for (const Neighbour& n : scan.around(i).first(std::min(kNear, scan.around(i).size()))) {
-      if (n.index == i) continue;
-      // Half the sum of the heights of two samples, each over the other's tangent plane, is zero on every circle.
-      const Vector3d way = scan.positions()[n.index] - scan.positions()[i];
-      heights.push_back(std::abs(0.5 * (scan.normals()[i] + scan.normals()[n.index]).dot(way)));
-    }
-  }
-  Roughness result;
-  result.spacing = spacing;
-  result.of_positions = quantile(std::move(deviations), kUsual);
-  if (!heights.empty()) result.of_pairs = quantile(std::move(heights), kUsual) / (kNormalUsual * std::sqrt(2.0));
-  result.tilt = quantile(std::move(tilts), 0.5);
-  return result;
 }
 
 /// Normals that the positions contradict, taken from the positions wherever these are smooth.
@@ -251,6 +197,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   }
   for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) {
     scan = smoothed(*scan, result.noise);
+    result.smoothed = true;
     as_faced = false;
   }
   result.rim = open_rim(*scan);

@@ -28,6 +28,7 @@ struct SoundScan {
   std::size_t turned = 0;        ///< normals that point the other way than in the file
   double contradicted = 0;       ///< of the clear pairs of neighbours: their normals contradict each other still
   double noise = 0;              ///< standard deviation of the points across the surface, their unit
+  bool smoothed = false;         ///< the noise was taken back as far as neighbours tell
   double tilt = 0;               ///< sine of the angle between normals and what the positions say, the median
   double spacing = 0;            ///< median distance to the nearest point, their unit
   double enclosed = 0;           ///< volume that the points enclose by the divergence theorem, their unit cubed

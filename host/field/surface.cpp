@@ -21,10 +21,10 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing)
+Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double doubt)
     : scan_(scan),
       closing_(closing),
-      enclosure_(scan),
+      enclosure_(scan, doubt),
       balls_(empty_balls(scan)),
       models_(std::move(models)),
       brick_(scan.positions(), models_, balls_) {}
@@ -59,7 +59,7 @@ double Surface::distance(const Eigen::Vector3d& x) const {
 
 bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const double border = nearest[std::min(kBlended, nearest.size() - 1)].squared_distance;
-  if (!in_doubt(nearest.front().squared_distance, border)) return false;
+  if (!in_doubt(nearest.front().squared_distance, border, enclosure_.doubt())) return false;
   std::size_t behind = 0;
   for (const Neighbour& sample : nearest) behind += scan_.normals()[sample.index].dot(x - scan_.positions()[sample.index]) < 0.0 ? 1U : 0U;
   return (2 * behind > nearest.size()) != inside;
@@ -102,7 +102,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
     for (std::size_t s = 0; s < samples.size(); ++s) samples[s] = static_cast<float>(distance(place(first, s)));
     return result;
   }
-  BrickBlend::Doubt doubt;
+  BrickBlend::Doubt doubt{enclosure_.doubt()};
   samples = brick_(first, candidates, doubt);
   if (hold(first, doubt.suspect, candidates, samples) || astray) hold(first, doubt.far & ~doubt.suspect, candidates, samples);
   result.jumps = doubt.far != 0;  // beside it all of them may be held, or none

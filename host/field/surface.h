@@ -36,7 +36,8 @@ class Surface {
   /// closing   the body ends where this box ends
   explicit Surface(const Scan& scan, const Box& closing = kEverywhere) : Surface(scan, local_models(scan), closing) {}
   /// models    one a sample
-  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing);
+  /// doubt     as for `WindingSign`
+  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double doubt = kDoubt);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
   /// error.

@@ -111,5 +111,18 @@ TEST_F(HeldByEnclosure, TurnsTheSignFarFromEverySample) {
   EXPECT_GT(held(-1e9, {0, 0, 200}), 50.0);
 }
 
+TEST_F(HeldByEnclosure, SpeaksNearerToNoisySamples) {
+  const WindingSign in_noise(scan, kDoubtInNoise);
+  std::size_t usual = 0, noisy = 0;
+  for (double radius = 81.0; radius < 84.0; radius += 0.125) {
+    std::vector<Neighbour> found;
+    scan.tree().nearest({radius, 0, 0}, 9, found);
+    const double nearest = found.front().squared_distance, ninth = found.back().squared_distance;
+    usual += signed_by_winding(-20.0, {radius, 0, 0}, nearest, ninth, enclosure) > -20.0 ? 1U : 0U;
+    noisy += signed_by_winding(-20.0, {radius, 0, 0}, nearest, ninth, in_noise) > -20.0 ? 1U : 0U;
+  }
+  EXPECT_GT(noisy, usual);
+}
+
 }  // namespace
 }  // namespace isotouch::field

@@ -1,0 +1,68 @@
+#include "host/field/roughness.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <utility>
+
+#include "host/cloud/check.h"
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+#include "host/field/scan.h"
+
+namespace isotouch::field {
+namespace {
+
+using cloud::OrientedPoints;
+using Eigen::Vector3d;
+
+Vector3d scatter(cloud::Random& random) {
+  Vector3d result;
+  for (double& x : result) {
+    x = -6;
+    for (int k = 0; k < 12; ++k) x += random.uniform();
+  }
+  return result;
+}
+
+/// Thin rings and bolts: detail is finer than the spacing, so positions are rough without any noise.
+OrientedPoints detailed() { return cloud::sample_shape(cloud::shape("hydrant"), 3756); }
+
+Roughness of(OrientedPoints points, double spacing) { return roughness(Scan(std::move(points)), spacing); }
+
+TEST(Roughness, DetailAloneIsNoNoise) {
+  const OrientedPoints points = detailed();
+  const double spacing = cloud::median_spacing(points.positions);
+  const Roughness found = of(points, spacing);
+  EXPECT_GT(found.of_positions, 0.25 * spacing);
+  EXPECT_LT(found.of_no_step, 0.01 * spacing);
+  EXPECT_FALSE(found.is_noise());
+}
+
+TEST(Roughness, FindsNoiseBetweenDetail) {
+  for (const double noise : {0.05, 0.1, 0.25}) {
+    OrientedPoints points = detailed();
+    const double spacing = cloud::median_spacing(points.positions);
+    cloud::Random random(2);
+    for (Vector3d& p : points.positions) p += noise * spacing * scatter(random);
+    const Roughness found = of(std::move(points), spacing);
+    EXPECT_NEAR(found.of_no_step, noise * spacing, 0.15 * noise * spacing) << noise;
+    EXPECT_TRUE(found.is_noise()) << noise;
+  }
+}
+
+TEST(Roughness, TiltedNormalsAreNoNoise) {
+  for (const double tilt : {0.1, 0.25, 0.5}) {
+    OrientedPoints points = detailed();
+    const double spacing = cloud::median_spacing(points.positions);
+    cloud::Random random(2);
+    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
+    const Roughness found = of(std::move(points), spacing);
+    EXPECT_GT(found.of_pairs, 0.02 * spacing) << tilt;
+    EXPECT_LT(found.of_no_step, 0.3 * found.of_pairs) << tilt;
+    EXPECT_FALSE(found.is_noise()) << tilt;
+  }
+}
+
+}  // namespace
+}  // namespace isotouch::field
