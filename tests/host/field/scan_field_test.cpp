@@ -19,10 +19,10 @@ using Eigen::Vector3d;
 std::size_t wrong_signs(const BandField& field, const cloud::Shape& truth) {
   std::size_t wrong = 0;
   for (const auto& brick : field.bricks) {
-    for (std::size_t s = 0; s < brick.distance.size(); ++s) {
-      const Vector3d index = 4.0 * brick.cell.cast<double>() + Vector3d(s & 3U, s >> 2U & 3U, s >> 4U);
+    for (int s = 0; s < 64; ++s) {
+      const Vector3d index = 4.0 * brick.cell.cast<double>() + Vector3d(s & 3, s >> 2 & 3, s >> 4);
       const double distance = truth.distance(field.grid.origin + field.grid.edge * index);
-      wrong += std::abs(distance) > 2.0 && (distance < 0.0) != (brick.distance[s] < 0.0F) ? 1U : 0U;
+      wrong += std::abs(distance) > 2.0 && (distance < 0.0) != (brick.distance[static_cast<std::size_t>(s)] < 0.0F) ? 1U : 0U;
     }
   }
   return wrong;
