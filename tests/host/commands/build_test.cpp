@@ -65,8 +65,9 @@ TEST_F(Build, TheReportHasTheKeysThatScriptsRelyOn) {
   EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.05 * volume);
 
   const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
-  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "bricks", "hash", "version", "wire_bytes",
-                                                  "dense_float_bytes", "certificate", "stiffness_n_per_mm"}));
+  EXPECT_EQ(keys(info), (std::vector<std::string>{"bytes", "voxel_mm", "grid", "band_voxels", "interpolation", "bricks", "hash", "version",
+                                                  "wire_bytes", "dense_float_bytes", "certificate", "stiffness_n_per_mm"}));
+  EXPECT_EQ(info["interpolation"], "spline");
   EXPECT_EQ(info["hash"], json["hash"]);
   EXPECT_EQ(info["bytes"], json["bytes"]);
   EXPECT_EQ(info["wire_bytes"], fs::file_size(file("t.itf")));
@@ -78,6 +79,13 @@ TEST_F(Build, TheReportHasTheKeysThatScriptsRelyOn) {
   EXPECT_EQ(info["version"], "1.1");
   EXPECT_EQ(info["grid"].size(), 3U);
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 70.0 / 40, 0.05);
+}
+
+TEST_F(Build, ATrilinearFieldSaysSo) {
+  run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 40 --interpolation trilinear");
+  const auto info = nlohmann::ordered_json::parse(run("info " + file("t.itf") + " --json"));
+  EXPECT_EQ(info["interpolation"], "trilinear");
+  EXPECT_EQ(info["version"], "1.3");
 }
 
 TEST_F(Build, TheExportedImageIsTheSameField) {
