@@ -30,6 +30,7 @@ constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
 constexpr double kMostUnexplained = 0.4;
 constexpr double kMostSurprising = 0.024;
+constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
 constexpr double kPerStray = 0.3;      // a stray that was not found lies beside the surface; it surprises, and harms little
 constexpr double kMostVolume = 1.08;   // areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
 constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
@@ -188,7 +189,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
          "off in one plane");
   refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
                                                            " of the points; estimate the normals again, or scan again with less noise");
-  refuse(verdict.surprising_share > kMostSurprising + kPerStray * verdict.stray_share,
+  const double in_noise = std::max(0.0, 1.0 - kPerNoise * verdict.noise_spacing * verdict.noise_spacing);
+  refuse(verdict.surprising_share > kMostSurprising * in_noise + kPerStray * verdict.stray_share,
          per_cent(verdict.surprising_share) +
              " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
   refuse(!cut && verdict.volume_of_enclosed > kMostVolume,

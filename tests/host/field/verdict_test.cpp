@@ -10,6 +10,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/scan_field.h"
+#include "host/field/spacings.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::field {
@@ -52,6 +53,23 @@ TEST(Verdict, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
   EXPECT_THAT(verdict_of(points).reasons, Contains(HasSubstr("normals")));
+}
+
+TEST(Verdict, SurprisesWeighMoreInNoise) {
+  SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  Repair repair = built.repair;
+  const auto reasons = [&](double noise_spacing, double surprising) {
+    sound.noise = noise_spacing * sound.spacing;
+    repair.surprising = surprising;
+    return judge(built.field, sound, repair, Spacings(sound.points.positions)).reasons;
+  };
+  EXPECT_THAT(reasons(0.0, 0.023), IsEmpty());
+  EXPECT_THAT(reasons(0.0, 0.025), Contains(HasSubstr("do not expect")));
+  EXPECT_THAT(reasons(0.5, 0.011), IsEmpty());
+  EXPECT_THAT(reasons(0.5, 0.013), Contains(HasSubstr("do not expect")));
+  EXPECT_THAT(reasons(0.79, 0.0), IsEmpty());
 }
 
 TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
