@@ -19,7 +19,7 @@ struct FieldSample {
 };
 
 /// point     index coordinates, within ±8191 voxels; outside the grid it is moved to the border, which is far outside the object
-/// returns   the sample; distance within ±8 voxels, gradient and second derivatives continuous, or bounded by differences of neighbours
+/// returns   the sample: value and gradient are continuous; |distance| <= 8 voxels, |gradient| <= 16 and second derivatives <= 32 a component
 /// fails     never
 /// tick      yes: constant cost for a field, no division
 void sample_field(const FieldView& field, const Vec3<Voxel>& point, FieldSample& sample);
