@@ -65,10 +65,10 @@ TEST(Verdict, SurprisesWeighMoreInNoise) {
     repair.surprising = surprising;
     return judge(built.field, sound, repair, Spacings(sound.points.positions)).reasons;
   };
-  EXPECT_THAT(reasons(0.0, 0.023), IsEmpty());
-  EXPECT_THAT(reasons(0.0, 0.025), Contains(HasSubstr("do not expect")));
-  EXPECT_THAT(reasons(0.5, 0.011), IsEmpty());
-  EXPECT_THAT(reasons(0.5, 0.013), Contains(HasSubstr("do not expect")));
+  EXPECT_THAT(reasons(0.0, 0.019), IsEmpty());
+  EXPECT_THAT(reasons(0.0, 0.021), Contains(HasSubstr("do not expect")));
+  EXPECT_THAT(reasons(0.5, 0.0095), IsEmpty());
+  EXPECT_THAT(reasons(0.5, 0.0105), Contains(HasSubstr("do not expect")));
   EXPECT_THAT(reasons(0.79, 0.0), IsEmpty());
 }
 
