@@ -25,7 +25,7 @@ std::vector<FaceEdge> face_edges(const cloud::TriangleMesh& mesh) {
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   each_edge([&](const FaceEdge& edge) { edges[next[edge.low]++] = edge; });
   in_parallel(mesh.vertices.size(), 4096, [&](std::size_t first, std::size_t end) {
-    for (std::size_t v = first; v < end; ++v) std::sort(edges.begin() + begin[v], edges.begin() + begin[v + 1]);
+    for (std::size_t v = first; v < end; ++v) std::sort(edges.data() + begin[v], edges.data() + begin[v + 1]);
   });
   return edges;
 }
