@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "firmware/core/brick_line.h"
 #include "firmware/core/inner_format.h"
 
 namespace isotouch::core {
@@ -55,13 +56,8 @@ using Rows = std::array<Row, 2>;
 std::array<Rows, 2> rows_around(const FieldView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
   const std::int32_t x1 = x.in_brick(1), x2 = x.in_brick(2);
   const auto row = [&](std::int32_t brick_y, std::int32_t brick_z) -> Row {
-    const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
-    const std::uint32_t* slots = field.nodes + (((brick_z & 3) << 4) | ((brick_y & 3) << 2));
-    const auto brick = [&](std::int32_t brick_x) {
-      return field.bricks + slots[cells[brick_x >> 2] * kBricksPerNode + static_cast<std::uint32_t>(brick_x & 3)] * kSamplesPerBrick;
-    };
-    const std::int16_t* before = brick(x.before);
-    const std::int16_t* after = brick(x.after);
+    const BrickLine bricks(field, brick_y, brick_z);
+    const std::int16_t *before = bricks[x.before], *after = bricks[x.after];
     return {before + x.at, (x.at == 3 ? after : before) + x1, after + x2};
   };
   return {Rows{row(y.before, z.before), row(y.after, z.before)}, Rows{row(y.before, z.after), row(y.after, z.after)}};

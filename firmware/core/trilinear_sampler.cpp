@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "firmware/core/brick_line.h"
 #include "firmware/core/inner_format.h"
 
 namespace isotouch::core {
@@ -54,12 +55,8 @@ using Row = std::array<const std::int16_t*, 4>;
 /// The rows of the bricks before and after the point along y, in those before and after it along z.
 std::array<std::array<Row, 2>, 2> rows_around(const FieldView& field, const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) {
   const auto row = [&](std::int32_t brick_y, std::int32_t brick_z) -> Row {
-    const std::uint32_t* cells = field.root + ((brick_z >> 2) * field.root_size[1] + (brick_y >> 2)) * field.root_size[0];
-    const std::uint32_t* slots = field.nodes + (((brick_z & 3) << 4) | ((brick_y & 3) << 2));
-    const auto brick = [&](std::int32_t brick_x) {
-      return field.bricks + slots[cells[brick_x >> 2] * kBricksPerNode + static_cast<std::uint32_t>(brick_x & 3)] * kSamplesPerBrick;
-    };
-    const std::array<const std::int16_t*, 2> bricks = {brick(x.before), brick(x.after)};
+    const BrickLine line(field, brick_y, brick_z);
+    const std::array<const std::int16_t*, 2> bricks = {line[x.before], line[x.after]};
     const auto sample = [&](std::int32_t i) { return bricks[x.is_after(i)] + x.in_brick(i); };
     return {sample(0), sample(1), sample(2), sample(3)};
   };
