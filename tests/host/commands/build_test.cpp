@@ -14,36 +14,13 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
-#include "host/files/whole_file.h"
-#include "tests/host/commands/run_command.h"
-#include "tests/support/png16.h"
-#include "tests/support/range_image.h"
+#include "tests/host/commands/build_fixture.h"
 
 namespace isotouch::commands {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using ::testing::Not;
-
-/// `isotouch build` and `isotouch info` in this process, on a folder of their own.
-class Build : public ::testing::Test {
- protected:
-  void SetUp() override {
-    folder_ =
-        fs::path(::testing::TempDir()) / ("build_test_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::create_directories(folder_);
-    cloud::write_ply(folder_ / "torus.ply", cloud::sample_shape(cloud::shape("torus"), 400), "test");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-
-  static std::string run(const std::string& arguments) { return run_command(arguments); }
-
- private:
-  fs::path folder_;
-};
 
 std::vector<std::string> keys(const nlohmann::ordered_json& json) {
   std::vector<std::string> names;
@@ -186,88 +163,6 @@ TEST_F(Build, WhatAFileIsTakenForCanBeSaid) {
   run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as mesh --grid 20");
 }
 
-TEST_F(Build, AnOpenScanIsClosedAndItsRimTold) {
-  const cloud::OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 4000);
-  cloud::OrientedPoints half;
-  for (std::size_t i = 0; i < sphere.size(); ++i) {
-    if (sphere.positions[i].z() > 0) continue;
-    half.positions.push_back(sphere.positions[i]);
-    half.normals.push_back(sphere.normals[i]);
-  }
-  cloud::write_ply(file("half.ply"), half);
-  const auto json = nlohmann::json::parse(run("build " + file("half.ply") + " -o " + file("h.itf") + " --grid 80 --json"));
-  ASSERT_EQ(json["warnings"].size(), 2U);
-  EXPECT_THAT(json["warnings"][0].get<std::string>(), HasSubstr("only one side"));
-  const auto warning = json["warnings"][1].get<std::string>();
-  const std::string start = "the scan is open: its rims are about ";
-  ASSERT_EQ(warning.rfind(start, 0), 0U) << warning;
-  const double equator = M_PI * 70;
-  EXPECT_NEAR(std::stod(warning.substr(start.size())), equator, 0.15 * equator);
-  EXPECT_NEAR(json["verdict"]["rim_mm"].get<double>(), equator, 0.15 * equator);
-  EXPECT_TRUE(json["verdict"]["plausible"].get<bool>());
-  const auto info = nlohmann::json::parse(run("info " + file("h.itf") + " --surface --json"));
-  EXPECT_EQ(info["components"], 1);
-  EXPECT_NEAR(info["invented_share"].get<double>(), 1.4 / 3.4, 0.04) << "disc and wall beside half a sphere";
-  EXPECT_NEAR(info["invented_share"].get<double>(), json["verdict"]["invented_share"].get<double>(), 0.02);
-  EXPECT_THAT(run("info " + file("h.itf")), HasSubstr("% of the surface, where nobody scanned"));
-  const double with_back = 2.0 / 3 * M_PI * 35 * 35 * 35 + 7 * M_PI * 35 * 35;  // a wall of a tenth of the side goes on behind the rim
-  EXPECT_NEAR(info["volume_mm3"].get<double>(), with_back, 0.1 * with_back);
-}
-
-TEST_F(Build, MarksOfInventedSurfaceStayInPackedFilesAlone) {
-  cloud::OrientedPoints half = cloud::sample_shape(cloud::shape("sphere"), 2000);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < half.size(); ++i) {
-    if (half.positions[i].z() > 0) continue;
-    half.positions[kept] = half.positions[i];
-    half.normals[kept++] = half.normals[i];
-  }
-  half.positions.resize(kept);
-  half.normals.resize(kept);
-  cloud::write_ply(file("half.ply"), half);
-  run("build " + file("half.ply") + " -o " + file("h.itf") + " --grid 40");
-  const auto share = [&](const char* name) {
-    const auto info = nlohmann::json::parse(run("info " + file(name) + " --json"));
-    return info.contains("invented_share") ? info["invented_share"].get<double>() : -1;
-  };
-  run("export " + file("h.itf") + " -o " + file("again.itf"));
-  EXPECT_GT(share("h.itf"), 0.3);
-  EXPECT_EQ(share("again.itf"), share("h.itf"));
-  run("export " + file("h.itf") + " -o " + file("h.itfi"));
-  EXPECT_EQ(share("h.itfi"), -1) << "an image knows nothing of them";
-  EXPECT_THAT(run("info " + file("h.itfi")), Not(HasSubstr("invented")));
-  EXPECT_EQ(run("info " + file("h.itf") + " --field hash"), run("info " + file("h.itfi") + " --field hash"));
-  for (const char* name : {"h.itf", "h.itfi"})
-    run("render surface " + file(name) + " --size 320x320 --view 200,10 -o " + file(name) + ".png");
-  EXPECT_NE(read_file(file("h.itf.png")), read_file(file("h.itfi.png"))) << "only one of them shows what was invented";
-}
-
-TEST_F(Build, AnImplausibleFieldIsRefusedUnlessAccepted) {
-  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 1000);
-  for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
-  cloud::write_ply(file("bad.ply"), points);
-  const std::string build = "build " + file("bad.ply") + " -o " + file("b.itf") + " --grid 40 --json";
-  EXPECT_THROW(run(build), InputError);
-  EXPECT_FALSE(fs::exists(file("b.itf")));
-  const auto json = nlohmann::json::parse(run(build + " --accept-implausible"));
-  EXPECT_FALSE(json["verdict"]["plausible"].get<bool>());
-  EXPECT_GE(json["verdict"]["reasons"].size(), 1U);
-  for (const char* key : {"noise_spacing", "stray_share", "turned_share", "invented_share", "rim_mm", "volume_of_hull"}) {
-    EXPECT_TRUE(json["verdict"][key].is_number()) << key;
-  }
-  EXPECT_TRUE(fs::exists(file("b.itf")));
-}
-
-TEST_F(Build, PointsWithoutNormalsGetThemAndThatIsSaid) {
-  std::ofstream text(file("bare.xyz"));
-  for (const auto& p : cloud::sample_shape(cloud::shape("torus"), 2000).positions) text << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-  text.close();
-  const auto json = nlohmann::json::parse(run("build " + file("bare.xyz") + " -o " + file("bare.itf") + " --grid 60 --json"));
-  EXPECT_THAT(json["warnings"][0].get<std::string>(), HasSubstr("normals were estimated"));
-  EXPECT_TRUE(json["verdict"]["plausible"].get<bool>()) << json["verdict"].dump();
-  EXPECT_THROW(run("build " + file("bare.xyz") + " -o " + file("x.itf") + " --normals file"), InputError);
-}
-
 TEST_F(Build, AnEndingThatIsNotWrittenIsRefused) {
   for (const char* name : {"t.vdb", "t.ply", "t.JPG"}) {
     try {
@@ -352,77 +247,6 @@ TEST_F(Build, TheStiffnessOfThePointsReachesTheField) {
     EXPECT_NEAR(scaled["stiffness_n_per_mm"]["least"].get<double>(), 0.2, 0.002) << method;
     EXPECT_NEAR(scaled["stiffness_n_per_mm"]["largest"].get<double>(), 0.6, 0.0001) << method;
   }
-}
-
-/// A depth image of a ball half a metre before the camera, in tenths of a millimetre.
-std::string ball_png() {
-  const test::RangeImage image = test::ball_image(0.05, 0.5);
-  std::string rows;
-  for (const test::RangePixel& pixel : image.pixels) {
-    const auto depth = static_cast<unsigned>(std::lround(pixel.z * 10000));
-    rows += {static_cast<char>(depth >> 8), static_cast<char>(depth & 0xff)};
-  }
-  return test::png(static_cast<std::uint32_t>(image.width), static_cast<std::uint32_t>(image.height), rows);
-}
-
-/// The same ball as PCL would save it, without its grid.
-std::string ball_pcd(const std::string& viewpoint) {
-  const test::RangeImage image = test::ball_image(0.05, 0.5);
-  std::string rows;
-  std::size_t points = 0;
-  for (std::size_t i = 0; i < image.pixels.size(); i += 5) {
-    const double z = image.pixels[i].z;
-    if (z == 0) continue;
-    const auto [x, y, one] = image.ray(i);
-    rows += std::to_string(x * z) + ' ' + std::to_string(y * z) + ' ' + std::to_string(z) + '\n';
-    ++points;
-  }
-  return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nVIEWPOINT " + viewpoint + "\nPOINTS " + std::to_string(points) + "\nDATA ascii\n" + rows;
-}
-
-TEST_F(Build, ADepthImageBecomesAOneSidedBodyOfItsTrueSize) {
-  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
-  const std::string camera = " --intrinsics 500,480,80.25,58.5 --depth-scale 10000";
-  const auto json =
-      nlohmann::ordered_json::parse(run("build " + file("ball.png") + camera + " --units m --grid 60 -o " + file("b.itf") + " --json"));
-  EXPECT_GT(json["points"], 7000);
-  const auto warnings = json["warnings"].get<std::vector<std::string>>();
-  EXPECT_THAT(warnings, ::testing::Contains("the normals were taken from the scan's grid and face its sensor"));
-  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("only one side was scanned")));
-  EXPECT_EQ(json["verdict"]["plausible"], true);
-  // A little less than half of a ball of 50 mm was seen, and the camera sees it in the direction of -z.
-  const auto info = nlohmann::ordered_json::parse(run("info " + file("b.itf") + " --json"));
-  EXPECT_NEAR(info["voxel_mm"].get<double>(), 100.0 / 60, 0.06);
-}
-
-TEST_F(Build, ADepthImageNeedsACameraAndNothingElseDoes) {
-  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
-  EXPECT_THROW(run("build " + file("ball.png") + " -o " + file("b.itf")), InputError);
-  for (const char* wrong :
-       {"0,500,80,60", "500,-1,80,60", "nan,500,80,60", "500,500,inf,60", "1e999,500,80,60", "500,500,80", "500,500,80,60,1", "a,b,c,d"}) {
-    EXPECT_THROW(run("build " + file("ball.png") + " --intrinsics " + wrong + " -o " + file("b.itf")), CLI::ParseError) << wrong;
-  }
-  for (const char* wrong : {"0", "-1", "nan", "1e99"}) {
-    EXPECT_THROW(run("build " + file("ball.png") + " --intrinsics 500,480,80,60 --depth-scale " + wrong + " -o " + file("b.itf")),
-                 CLI::ParseError)
-        << wrong;
-  }
-  EXPECT_THROW(run("build " + file("ball.png") + " --depth-scale 5000 -o " + file("b.itf")), CLI::ParseError);
-  EXPECT_THROW(run("build " + file("torus.ply") + " --intrinsics 500,480,80,60 -o " + file("b.itf")), InputError);
-  EXPECT_FALSE(fs::exists(file("b.itf")));
-}
-
-TEST_F(Build, AFilesViewpointTellsTheSideUnlessTheCommandLineDoes) {
-  std::ofstream(file("stated.pcd")) << ball_pcd("0 0 -0.1 1 0 0 0");
-  std::ofstream(file("default.pcd")) << ball_pcd("0 0 0 1 0 0 0");
-  const std::string options = " --grid 40 --accept-implausible --json -o " + file("b.itf");
-  const std::string sentence = "the sensor's place is the file's own, (0, 0, -0.1); --viewpoint names another one";
-  const auto stated = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + options));
-  EXPECT_THAT(stated["warnings"].get<std::vector<std::string>>(), ::testing::Contains(sentence));
-  const auto own = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + " --viewpoint 0 0 1" + options));
-  EXPECT_THAT(own["warnings"].get<std::vector<std::string>>(), ::testing::Not(::testing::Contains(HasSubstr("the file's own"))));
-  EXPECT_NE(own["hash"], stated["hash"]) << "the cup instead of the ball";
-  EXPECT_THROW(run("build " + file("default.pcd") + options), InputError) << "nobody says where the sensor was";
 }
 
 }  // namespace
