@@ -90,6 +90,7 @@ Result<FieldView> FieldView::of_header(std::span<const std::uint8_t> header, std
   view.band = Distance::from_raw(field(kBandAt));
   view.stiffness = Stiffness::from_raw(field(kStiffnessAt));
   view.interpolation = Interpolation{load_le<std::uint32_t>(at + kInterpolationAt)};
+  view.method = Method{load_le<std::uint32_t>(at + kMethodAt)};
   if (const auto slope = load_le<std::uint32_t>(at + kMaxSlopeAt); slope > 1U << kSlopeBits) {
     view.inverse_slope = Ratio::from_raw(static_cast<std::int32_t>((std::uint64_t{1} << (Ratio::kFractionBits + kSlopeBits)) / slope));
   }
@@ -102,6 +103,8 @@ Result<FieldView> FieldView::of_header(std::span<const std::uint8_t> header, std
   if (view.edge < MmPerVoxel::of(1.0 / 64) || view.edge > MmPerVoxel::of(16)) return Error::kBadHeader;
   if (!is_reciprocal(view.edge.raw(), view.inverse_edge.raw())) return Error::kBadHeader;
   if (view.interpolation != Interpolation::kSpline && view.interpolation != Interpolation::kTrilinear) return Error::kBadHeader;
+  const bool published = view.method == Method::kPublished;
+  if (published ? view.interpolation != Interpolation::kTrilinear : view.method != Method::kDefault) return Error::kBadHeader;
   if (view.band < Distance::of(1) || view.band > Distance::of(7.99)) return Error::kBadHeader;
   if (view.stiffness <= Stiffness{} || view.stiffness > Stiffness::of(100)) return Error::kBadHeader;
 

@@ -75,6 +75,12 @@ enum class Interpolation : std::uint32_t {
   kTrilinear = 1,  ///< linear along each axis: the numbers are the distances at the samples
 };
 
+/// How a field was built, and so how it is rendered.
+enum class Method : std::uint32_t {
+  kDefault = 0,
+  kPublished = 1,  ///< levels, rendered by the published descent; always trilinear
+};
+
 /// A coefficient or distance as the image stores it.
 using Distance = Fixed<Unit<0, 0, 0, 1>, 12>;
 
@@ -87,6 +93,7 @@ struct FieldView {
   VoxelPerMm inverse_edge;
   Distance band;
   Interpolation interpolation = Interpolation::kSpline;
+  Method method = Method::kDefault;
   Stiffness stiffness;                      ///< the largest, where there is a table of it
   Ratio inverse_slope = Ratio::of(1);       ///< how much of a distance is surely free way: 1 / the largest slope where that is above 1
   std::array<std::int32_t, 3> size{};       ///< samples along x, y, z

@@ -13,7 +13,8 @@ bool is_short(const Vec3<Voxel>& step) {
   return within(step.x) && within(step.y) && within(step.z);
 }
 
-/// Begins, or goes on, without a surface to hold: the proxy is the HIP, and contact is possible once the HIP is outside.
+}  // namespace
+
 Contact rest_at(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state) {
   state.hip = state.point = hip;
   state.sample = sample_field(field, hip);
@@ -24,8 +25,6 @@ Contact rest_at(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& stat
   contact.outside_grid = state.sample.outside_grid;
   return contact;
 }
-
-}  // namespace
 
 Contact step_proxy(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state) {
   if (state.mode == ProxyMode::kUnplaced || state.mode == ProxyMode::kHeldInside) return rest_at(hip, field, state);

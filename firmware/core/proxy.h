@@ -45,6 +45,11 @@ struct Contact {
   bool outside_grid = false;  ///< the HIP is outside the sampled box
 };
 
+/// Begins, or goes on, without a surface to hold: the proxy is the HIP, and contact is possible once the HIP is outside.
+///
+/// tick      yes
+Contact rest_at(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state);
+
 /// Moves the proxy towards the HIP without passing the surface.
 ///
 /// hip       index coordinates, within ±8191 voxels

@@ -1,5 +1,6 @@
 #include "firmware/core/render.h"
 
+#include "firmware/core/descent_proxy.h"
 #include "firmware/core/stiffness_at.h"
 
 namespace isotouch::core {
@@ -15,6 +16,10 @@ Vec3<Voxel> to_index(const Vec3<Mm>& point, const FieldView& field) {
 Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const FieldView& field) { return mul<Mm>(index, field.edge) + field.origin; }
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
+
+Contact follow(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state) {
+  return field.method == Method::kPublished ? descend_proxy(hip, field, state) : step_proxy(hip, field, state);
+}
 
 /// Forces against the hand's speed.
 struct Damped {
@@ -67,7 +72,7 @@ RenderModel for_field(const RenderModel& any_field, const FieldView& field) {
 }
 
 Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
-  Contact contact = step_proxy(to_index(motion.hip, field), field, state.proxy);
+  Contact contact = follow(to_index(motion.hip, field), field, state.proxy);
   const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
   add_friction(stiffness, model.friction, state.friction, contact);
   const Damped damped = damp(motion.quiet, model, state.passivity);

@@ -101,17 +101,21 @@ void add_build(CLI::App& app) {
   add_output(*command, "-o,--out", options->out, {&forms::kField}, "the field file to write",
              "build it first, then write other forms with `isotouch export`")
       ->required();
-  const std::map<std::string, encoding::Method> methods = {{"default", encoding::Method::kDefault},
-                                                           {"published", encoding::Method::kPublished}};
-  command->add_option("--method", options->method, "'published' builds integer levels inside the object, as the paper does")
+  const std::map<std::string, Method> methods = {{"default", Method::kDefault}, {"published", Method::kPublished}};
+  command
+      ->add_option(
+          "--method", options->method,
+          "'published' builds integer levels inside the object, as the paper does, and the controller renders them as the paper does")
       ->transform(one_of(methods));
   const std::map<std::string, Interpolation> interpolations = {{"spline", Interpolation::kSpline},
                                                                {"trilinear", Interpolation::kTrilinear}};
-  command
-      ->add_option("--interpolation", options->interpolation,
-                   "what the field is between its samples: 'spline', a quadratic B-spline, or 'trilinear', as the paper does; by default "
-                   "'spline'")
-      ->transform(one_of(interpolations));
+  const CLI::Option* interpolation =
+      command
+          ->add_option(
+              "--interpolation", options->interpolation,
+              "what the field is between its samples: 'spline', a quadratic B-spline, or 'trilinear', as the paper does; by default "
+              "'spline'")
+          ->transform(one_of(interpolations));
   command->add_option("--grid-name", options->grid_name, "which grid of an OpenVDB file to read; by default its first level set");
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
@@ -151,10 +155,13 @@ void add_build(CLI::App& app) {
   camera->add_to(*command);
   command->add_flag("--accept-implausible", options->accept_implausible, "write the field although it was judged to be probably wrong");
   command->add_flag("--json", *json, "print one JSON object");
-  command->callback([options, camera, json] {
+  command->callback([options, camera, json, interpolation] {
     options->sensor.camera = camera->camera();
-    if (options->method == encoding::Method::kPublished && options->band) {
+    if (options->method == Method::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
+    }
+    if (options->method == Method::kPublished && interpolation->count() > 0 && options->interpolation == Interpolation::kSpline) {
+      throw CLI::ValidationError("--interpolation", "the published levels are trilinear");
     }
     require_apart(options->out, *json);
     const BuiltField built = [&] {

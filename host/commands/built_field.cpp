@@ -39,14 +39,14 @@ namespace isotouch::commands {
 namespace {
 
 /// How long the stages of a build take on two processors: of 120,000 points, of a mesh of 100,000 faces, of a level set of a million voxels.
-std::vector<PlannedStage> plan_for(InputKind kind, encoding::Method method) {
+std::vector<PlannedStage> plan_for(InputKind kind, Method method) {
   switch (kind) {
     case InputKind::kCloud: break;
     case InputKind::kMesh:
       return {{"read", 0.1}, {"check", 0.2}, {"tree", 0.3}, {"bricks", 2}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
     case InputKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   }
-  if (method == encoding::Method::kPublished)
+  if (method == Method::kPublished)
     return {{"read", 0.1}, {"outside", 1}, {"radii", 0.1}, {"indicator", 6}, {"levels", 3}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   return {{"read", 0.1}, {"outside", 1},   {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
           {"blob", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
@@ -85,7 +85,7 @@ field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vecto
 
 /// fails     InputError when the published method was asked for something else than points
 void require_default_method(const BuildOptions& options, const char* what) {
-  if (options.method == encoding::Method::kPublished) {
+  if (options.method == Method::kPublished) {
     throw InputError(options.input.string() + ": the published method works on points with normals, this is " + what +
                      "; leave --method out");
   }
@@ -120,7 +120,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   sound.place(report.placement);
   for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
 
-  if (options.method == encoding::Method::kPublished) {
+  if (options.method == Method::kPublished) {
     sound.drop_invented();
     const published::Built built = published::build(sound.points, grid_round(edge, sound.points.positions, published::kMargin), progress);
     Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound)};

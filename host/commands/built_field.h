@@ -27,7 +27,7 @@ struct BuildOptions {
   std::optional<InputKind> as = {};  ///< not given: as the file looks
   std::string grid_name = {};        ///< of a level set's file; empty = the first
   std::filesystem::path out;
-  encoding::Method method = encoding::Method::kDefault;
+  Method method = Method::kDefault;
   Interpolation interpolation = Interpolation::kSpline;
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl

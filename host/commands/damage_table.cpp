@@ -14,8 +14,7 @@ std::vector<DamageRow> damage_rows(const evaluate::ShapeTrial& trial) {
     DamageRow row;
     row.shape = trial.shape.name;
     row.damage = damage.name;
-    const field_file::OpenField field =
-        evaluate::trial_field(evaluate::damaged_trial(trial, damage), encoding::Method::kDefault, &row.repair);
+    const field_file::OpenField field = evaluate::trial_field(evaluate::damaged_trial(trial, damage), Method::kDefault, &row.repair);
     row.error = evaluate::surface_error(field.view, trial.truth);
     row.components = evaluate::pieces(evaluate::zero_surface(field.view)).size();
     rows.push_back(std::move(row));

@@ -90,7 +90,7 @@ Tour feel(const FieldView& field, const fs::path& folder, char up) {
 /// The paper's Fig. 9: sliding 4 voxels deep, by numbers at 100 and 300 mm/s; for the picture a hand that comes, slides and leaves.
 SphereForce sphere_force() {
   const evaluate::ShapeTrial trial = evaluate::shape_trial("sphere");
-  const field_file::OpenField field = evaluate::trial_field(trial, encoding::Method::kDefault);
+  const field_file::OpenField field = evaluate::trial_field(trial, Method::kDefault);
   SphereForce result;
   evaluate::SphereSlide slide;
   for (const double speed : {100.0, 300.0}) {

@@ -43,7 +43,7 @@ struct MethodResult {
 };
 
 /// One method on all shapes; the published one feels the sphere with its own tick.
-MethodResult measure(encoding::Method method, ProgressBar& bar) {
+MethodResult measure(Method method, ProgressBar& bar) {
   MethodResult result;
   for (const char* name : kShapes) {
     bar.begin(name);
@@ -51,14 +51,14 @@ MethodResult measure(encoding::Method method, ProgressBar& bar) {
     const field_file::OpenField built = evaluate::trial_field(trial, method);
     const field_file::OpenField floor = evaluate::floor_field(trial);
     result.shapes.push_back({name, evaluate::surface_error(built.view, trial.truth), evaluate::surface_error(floor.view, trial.truth)});
-    if (method == encoding::Method::kDefault) {
+    if (method == Method::kDefault) {
       for (DamageRow& row : damage_rows(trial)) result.damage.push_back(std::move(row));
     }
     if (trial.shape.name != "sphere") continue;
     for (const double speed : kSpeeds) {
       const evaluate::SphereSlide slide = evaluate::trial_slide(built.view, speed);
-      const evaluate::ForceTick tick = method == encoding::Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
-                                                                              : evaluate::core_force(built.view, slide.period_s);
+      const evaluate::ForceTick tick = method == Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
+                                                                    : evaluate::core_force(built.view, slide.period_s);
       result.forces.push_back(evaluate::force_error(evaluate::slide_on_sphere(slide, tick)));
     }
   }
@@ -148,11 +148,11 @@ std::vector<PlannedStage> plan_for(bool published) {
 
 void run(bool json, bool published) {
   ProgressBar bar(plan_for(published));
-  const MethodResult ours = measure(encoding::Method::kDefault, bar);
+  const MethodResult ours = measure(Method::kDefault, bar);
   std::optional<MethodResult> theirs;
   std::vector<evaluate::PublishedRow> table;
   if (published) {
-    theirs = measure(encoding::Method::kPublished, bar);
+    theirs = measure(Method::kPublished, bar);
     bar.begin("Table 1");
     table = evaluate::published_table();
   }

@@ -130,7 +130,7 @@ void print_text(const DescribedField& field) {
               field.packed_bytes, std::uintmax_t{encoding::dense_float_bytes(view)});
   std::printf("hash         %s\n", trace::hash_text(field.hash).c_str());
   std::printf("source hash  %s\n", trace::hash_text(info.source_hash).c_str());
-  std::printf("method       %s, from %u points\n", info.method == encoding::Method::kPublished ? "published" : "default", info.point_count);
+  std::printf("method       %s, from %u points\n", info.method == Method::kPublished ? "published" : "default", info.point_count);
   std::printf("between      samples: %s\n", view.interpolation == Interpolation::kSpline ? "quadratic B-spline" : "trilinear");
   std::printf("grid         %d × %d × %d samples\n", view.size[0], view.size[1], view.size[2]);
   std::printf("voxel        %.6f mm\n", to_double(view.edge));

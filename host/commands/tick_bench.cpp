@@ -6,8 +6,8 @@
 #include "firmware/core/render.h"
 #include "firmware/core/tick.h"
 #include "host/error.h"
+#include "host/evaluate/descent_tick.h"
 #include "host/motion/device_in_hand.h"
-#include "host/published/float_tick.h"
 #include "host/to_double.h"
 #include "shared/tick_io.h"
 
@@ -98,7 +98,7 @@ TickTimes time_device(const FieldView& field, const Motion& motion, const TickSe
 
 TickTimes time_published(const published::LevelField& levels, double stiffness, const Motion& motion) {
   return measure([&](const auto& report) {
-    published::FloatTick tick(levels, static_cast<float>(stiffness));
+    evaluate::DescentTick<float> tick(levels, static_cast<float>(stiffness));
     for (const Eigen::Vector3d& hip : motion) {
       const Eigen::Vector3f point = hip.cast<float>();
       const auto start = Clock::now();

@@ -102,7 +102,8 @@ std::vector<std::uint8_t> stiffness_table(const std::vector<double>& stiffness, 
 
 }  // namespace
 
-field_file::Image write_image(field::BandField field, const FieldInfo& info) {
+field_file::Image write_image(field::BandField field, FieldInfo info) {
+  if (info.method == Method::kPublished) info.interpolation = Interpolation::kTrilinear;
   std::array<std::uint8_t, kHeaderBytes> header{};
   store_header(header.data(), field, info);  // before the work: it refuses what does not fit
 
@@ -169,8 +170,7 @@ FieldInfo info_of(const FieldView& view) {
   FieldInfo info;
   info.stiffness_n_per_mm = static_cast<double>(view.stiffness.raw()) / (1 << Stiffness::kFractionBits);
   info.source_hash = load_le<std::uint64_t>(at + kSourceHashAt);
-  info.method =
-      load_le<std::uint32_t>(at + kMethodAt) == static_cast<std::uint32_t>(Method::kPublished) ? Method::kPublished : Method::kDefault;
+  info.method = view.method;
   info.interpolation = view.interpolation;
   info.point_count = load_le<std::uint32_t>(at + kPointCountAt);
   info.placement = {real(kScaleAt), {real(kOffsetAt), real(kOffsetAt + 8), real(kOffsetAt + 16)}};

@@ -10,14 +10,12 @@
 
 namespace isotouch::encoding {
 
-enum class Method : std::uint32_t { kDefault = 0, kPublished = 1 };
-
 /// What the image says beside the distances.
 struct FieldInfo {
   double stiffness_n_per_mm = 0.8;  ///< the largest, where the field has one for each brick: they are scaled to it
   std::uint64_t source_hash = 0;
   Method method = Method::kDefault;
-  Interpolation interpolation = Interpolation::kSpline;
+  Interpolation interpolation = Interpolation::kSpline;  ///< always trilinear with the published method
   std::uint32_t point_count = 0;
   cloud::Placement placement;
 };
@@ -30,7 +28,7 @@ struct FieldInfo {
 /// returns   an image that FieldView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
-field_file::Image write_image(field::BandField field, const FieldInfo& info);
+field_file::Image write_image(field::BandField field, FieldInfo info);
 
 /// What `write_image` was told, read back from a checked image; stiffness as rounded.
 FieldInfo info_of(const FieldView& view);

@@ -4,17 +4,17 @@
 #include <memory>
 #include <utility>
 
+#include "host/evaluate/descent_tick.h"
 #include "host/field/make_grid.h"
 #include "host/field/progress.h"
 #include "host/published/build.h"
-#include "host/published/float_tick.h"
 
 namespace isotouch::evaluate {
 
 ForceTick published_force(const ShapeTrial& trial, double stiffness) {
   struct Feel {
     published::LevelField levels;
-    published::FloatTick tick;
+    DescentTick<float> tick;
     Feel(published::LevelField made, float k) : levels(std::move(made)), tick(levels, k) {}
   };
   field::Progress progress;

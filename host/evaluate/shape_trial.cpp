@@ -21,7 +21,7 @@ cloud::OrientedPoints in_workspace(cloud::OrientedPoints points) {
   return points;
 }
 
-field_file::OpenField as_field(const field::BandField& field, const ShapeTrial& trial, encoding::Method method) {
+field_file::OpenField as_field(const field::BandField& field, const ShapeTrial& trial, Method method) {
   encoding::FieldInfo info;
   info.method = method;
   info.point_count = static_cast<std::uint32_t>(trial.points.size());
@@ -51,9 +51,9 @@ ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uin
   return result;
 }
 
-field_file::OpenField trial_field(const ShapeTrial& trial, encoding::Method method, field::Repair* repair) {
+field_file::OpenField trial_field(const ShapeTrial& trial, Method method, field::Repair* repair) {
   field::Progress progress;
-  if (method == encoding::Method::kPublished) {
+  if (method == Method::kPublished) {
     return as_field(published::to_band_field(published::build(trial.points, trial.grid, progress).levels), trial, method);
   }
   return as_field(field::build_field(trial.points, trial.grid, kTrialBand, progress, repair), trial, method);
@@ -61,7 +61,7 @@ field_file::OpenField trial_field(const ShapeTrial& trial, encoding::Method meth
 
 field_file::OpenField floor_field(const ShapeTrial& trial) {
   const auto distance = [&](const Eigen::Vector3d& point) { return trial.distance(point); };
-  return as_field(field::sample_distance(distance, trial.grid, kTrialBand), trial, encoding::Method::kDefault);
+  return as_field(field::sample_distance(distance, trial.grid, kTrialBand), trial, Method::kDefault);
 }
 
 SphereSlide trial_slide(const FieldView& field, double speed) {

@@ -41,7 +41,7 @@ ShapeTrial damaged_trial(const ShapeTrial& trial, const Damage& damage, std::uin
 /// The field that a method makes of the trial's points: kDefault the analytic one, kPublished the paper's levels.
 ///
 /// repair    where given, is told what the default method mended
-field_file::OpenField trial_field(const ShapeTrial& trial, encoding::Method method, field::Repair* repair = nullptr);
+field_file::OpenField trial_field(const ShapeTrial& trial, Method method, field::Repair* repair = nullptr);
 
 /// The field of the exact distances, on the same grid.
 field_file::OpenField floor_field(const ShapeTrial& trial);

@@ -27,9 +27,8 @@ inline constexpr double kMargin = 4;
 /// fails     InputError when the grid has more than 2^28 nodes: it is kept dense
 Built build(const cloud::OrientedPoints& points, const field::Grid& grid, field::Progress& progress);
 
-/// Levels as distances in voxels, so that a field can be written from them: band 7, one level is one voxel. The field's spline takes the
-/// level at every node, as the paper's trilinear field does, and differs between the nodes. Outside stays at level 1 up to the two
-/// outermost layers, which a field wants far outside.
+/// Levels as distances in voxels, so that a field can be written from them: band 7, one level is one voxel. Outside stays at level 1 up
+/// to the two outermost layers, which a field wants far outside.
 field::BandField to_band_field(const LevelField& levels);
 
 }  // namespace isotouch::published

@@ -12,13 +12,13 @@
 
 #include "firmware/core/render.h"
 #include "host/encoding/write_image.h"
+#include "host/evaluate/descent_tick.h"
 #include "host/evaluate/god_object.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
 #include "host/field_file/open_field.h"
 #include "host/motion/motion_csv.h"
 #include "host/motion/resample.h"
-#include "host/published/float_tick.h"
 #include "host/published/levels.h"
 #include "host/to_double.h"
 #include "tests/host/evaluate/box_mesh.h"
@@ -127,7 +127,7 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
       settings.stiffness = Stiffness::of(kStiffness);
       const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field.view);
       core::PositionState state;
-      published::FloatTick published(levels, static_cast<float>(kStiffness));
+      evaluate::DescentTick<float> published(levels, static_cast<float>(kStiffness));
       evaluate::GodObject exact(tree, place.surface + 3 * place.outward);
       Error ours, theirs;
       constexpr int kApproach = 400;

@@ -17,7 +17,7 @@ using evaluate::ForceError;
 using evaluate::SurfaceError;
 
 const field_file::OpenField& sphere() {
-  static const field_file::OpenField field = evaluate::trial_field(evaluate::shape_trial("sphere"), encoding::Method::kDefault);
+  static const field_file::OpenField field = evaluate::trial_field(evaluate::shape_trial("sphere"), Method::kDefault);
   return field;
 }
 
@@ -57,7 +57,7 @@ TEST(PointsToForce, EverySurfaceIsNearerTheTruthThanTheBetterPeer) {
                                                                {"box", 0.027, 0.140},
                                                                {"plate", 0.04, 0.414}})) {
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
-    const SurfaceError error = evaluate::surface_error(evaluate::trial_field(trial, encoding::Method::kDefault).view, trial.truth);
+    const SurfaceError error = evaluate::surface_error(evaluate::trial_field(trial, Method::kDefault).view, trial.truth);
     const SurfaceError floor = evaluate::surface_error(evaluate::floor_field(trial).view, trial.truth);
     EXPECT_THAT(error.rms_voxel, test::IsAccuracyOf(ours)) << name;
     EXPECT_LT(error.rms_voxel, peer) << name;

@@ -30,7 +30,7 @@ using trace::TraceWriter;
 constexpr std::uint64_t kTicks = 32'000;  // a whole round, whose last motion leaves the workspace
 
 const OpenField& capsules() {
-  static const OpenField field = evaluate::trial_field(evaluate::shape_trial("capsules"), encoding::Method::kDefault);
+  static const OpenField field = evaluate::trial_field(evaluate::shape_trial("capsules"), Method::kDefault);
   return field;
 }
 

@@ -13,7 +13,7 @@ sum='{"worst": 1000, "in_contact": {"median": '${FAKE_MEDIAN:-980}', "worst": 10
 stage='{"worst": 100}'
 echo "{\\"stages\\": {\\"packet\\": $stage, \\"pose\\": $stage, \\"sampler\\": $stage, \\"proxy\\": $stage, \\"feel\\": $stage, \\"words\\": $stage, \\"hip_to_force\\": $sum, \\"counts_to_words\\": $sum}}"
 """
-CEILINGS = "# a comment\ncortex-m7,1040,1040\naarch64,1040,1040\n"
+CEILINGS = "# a comment\ncortex-m7,default,1040,1040\ncortex-m7,published,5200,5200\naarch64,default,1040,1040\n"
 
 
 class CeilingsTest(fakes.Tree):
@@ -22,7 +22,8 @@ class CeilingsTest(fakes.Tree):
         (self.root / "hil/instructions/ceilings.csv").write_text(CEILINGS)
         self.script("hil/instructions/count", COUNT)
         self.script("hil/instructions/same_compiler", 'echo "another compiler: not judged"; exit ${FAKE_COMPILER:-0}\n')
-        self.script("hil/cases/run", """echo '{"case": "ball", "hip_to_force": '${FAKE_CASE:-1000}'}'; exit ${FAKE_CASES_EXIT:-0}\n""")
+        self.script("hil/cases/run", """echo '{"case": "ball", "method": "default", "hip_to_force": '${FAKE_CASE:-1000}'}'
+echo '{"case": "levels", "method": "published", "hip_to_force": '${FAKE_PUBLISHED:-5000}', "counts_to_words": 5000}'; exit ${FAKE_CASES_EXIT:-0}\n""")
         self.script("build/release/bin/isotouch", "exit ${FAKE_TOOL:-0}\n")
         self.script("build/release/bin/worst_tick", """echo '{"hip_to_force": '${FAKE_SEARCH:-1000}'}'\n""")
         self.script("build/cortex-m7/bin/replay_bare", "")
@@ -34,12 +35,15 @@ class CeilingsTest(fakes.Tree):
         code, said, complaints = self.ceilings()
         self.assertEqual((code, complaints), (0, ""))
         self.assertEqual(said.count("cortex-m7  "), 10, "a line for each of 8 motions, the stages and the sums")
+        self.assertRegex(said, r"cortex-m7, published +5000 +5200 +5000 +5200 ")
         self.assertRegex(said, r"cortex-m7 +1000 +1040 +1000 +1040 ")
 
     def test_a_motion_a_case_or_the_search_above_the_ceiling_fails(self) -> None:
         for source in ("FAKE_CASE", "FAKE_SEARCH"):
             code, _, complaints = self.ceilings(**{source: "1041"})
             self.assertEqual((code, complaints), (3, "ceilings: cortex-m7: HIP to force took 1041 instructions, the ceiling is 1040\n"), source)
+        code, _, complaints = self.ceilings(FAKE_PUBLISHED="5201")
+        self.assertEqual((code, complaints), (3, "ceilings: cortex-m7, published: HIP to force took 5201 instructions, the ceiling is 5200\n"))
         (self.root / "hil/instructions/ceilings.csv").write_text(CEILINGS.replace("1040,1040", "999,1040"))
         self.assertEqual(self.ceilings()[0], 3)
 
@@ -62,7 +66,7 @@ class CeilingsTest(fakes.Tree):
         self.assertEqual(self.ceilings(FAKE_CASES_EXIT="3")[0], 3)
 
     def test_a_processor_without_a_ceiling_fails(self) -> None:
-        (self.root / "hil/instructions/ceilings.csv").write_text("aarch64,1040,1040\n")
+        (self.root / "hil/instructions/ceilings.csv").write_text("aarch64,default,1040,1040\n")
         self.assertIn("cortex-m7 has no ceiling", self.ceilings()[2])
 
     def test_nothing_counted_is_no_success(self) -> None:

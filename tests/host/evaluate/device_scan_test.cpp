@@ -23,7 +23,7 @@ constexpr double kRadius = 80 * kTrialVoxel;
 class DeviceScan : public testing::Test {
  protected:
   const field_file::OpenField& sphere() {
-    static const field_file::OpenField field = trial_field(shape_trial("sphere"), encoding::Method::kDefault);
+    static const field_file::OpenField field = trial_field(shape_trial("sphere"), Method::kDefault);
     return field;
   }
   static Input hand(int tick) {

@@ -1,4 +1,4 @@
-#include "host/published/float_tick.h"
+#include "host/evaluate/descent_tick.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,12 @@
 #include <cmath>
 #include <limits>
 
-namespace isotouch::published {
+namespace isotouch::evaluate {
 namespace {
+
+using published::kDeepestLevel;
+using published::kOutsideLevel;
+using published::LevelField;
 
 constexpr float kEdge = 0.5F;
 
@@ -26,34 +30,34 @@ LevelField floor_levels() {
   return levels;
 }
 
-TEST(FloatTick, LevelAndGradientAreThoseOfTheNodesAtTheNodes) {
+TEST(DescentTick, LevelAndGradientAreThoseOfTheNodesAtTheNodes) {
   const LevelField levels = floor_levels();
   for (int k = 1; k < 14; ++k) {
-    const LevelSample sample = sample_levels(levels, {5, 6, static_cast<float>(k)});
+    const LevelSample<float> sample = sample_levels<float>(levels, {5, 6, static_cast<float>(k)});
     EXPECT_EQ(sample.level, static_cast<float>(levels.at(5, 6, k)));
     EXPECT_EQ(sample.gradient.z(), 0.5F * static_cast<float>(levels.at(5, 6, k + 1) - levels.at(5, 6, k - 1)));
     EXPECT_EQ(sample.gradient.x(), 0.0F);
   }
 }
 
-TEST(FloatTick, NoContactGivesNoForceAndTheProxyIsTheHand) {
+TEST(DescentTick, NoContactGivesNoForceAndTheProxyIsTheHand) {
   const LevelField levels = floor_levels();
-  FloatTick tick(levels, 0.8F);
+  DescentTick<float> tick(levels, 0.8F);
   const Eigen::Vector3f hand(0.1F, 0.2F, 0.3F);
   EXPECT_EQ(tick.force(hand), Eigen::Vector3f::Zero());
   EXPECT_TRUE(tick.proxy().isApprox(hand, 1e-5F));
 }
 
-TEST(FloatTick, BeyondTheGridThereIsNoContact) {
+TEST(DescentTick, BeyondTheGridThereIsNoContact) {
   const LevelField levels = floor_levels();
-  FloatTick tick(levels, 0.8F);
+  DescentTick<float> tick(levels, 0.8F);
   EXPECT_EQ(tick.force({0, 0, -100}), Eigen::Vector3f::Zero());
   EXPECT_EQ(tick.force({std::numeric_limits<float>::quiet_NaN(), 0, 0}), Eigen::Vector3f::Zero());
 }
 
-TEST(FloatTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
+TEST(DescentTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
   const LevelField levels = floor_levels();
-  FloatTick tick(levels, 0.8F);
+  DescentTick<float> tick(levels, 0.8F);
   for (const float depth : {1.5F, 3.0F, 4.0F}) {  // voxels
     tick.force({0, 0, 1});
     const Eigen::Vector3f force = tick.force({0, 0, -depth * kEdge});
@@ -62,9 +66,9 @@ TEST(FloatTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
   }
 }
 
-TEST(FloatTick, OneTickTakesAway99PercentOfASidewaysMove) {
+TEST(DescentTick, OneTickTakesAway99PercentOfASidewaysMove) {
   const LevelField levels = floor_levels();
-  FloatTick tick(levels, 0.8F);
+  DescentTick<float> tick(levels, 0.8F);
   tick.force({0, 0, 1});
   tick.force({0, 0, -1});
   const float moved = 0.5F;
@@ -72,7 +76,7 @@ TEST(FloatTick, OneTickTakesAway99PercentOfASidewaysMove) {
   EXPECT_NEAR(1 - tick.proxy().x() / moved, 0.0092F, 0.0005F);  // (30/31)^143
 }
 
-TEST(FloatTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
+TEST(DescentTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
   LevelField levels = floor_levels();  // now a slope along (1, 1, 1): every node a level below its upper neighbours
   for (int k = 0; k < 16; ++k) {
     for (int j = 0; j < 24; ++j) {
@@ -81,7 +85,7 @@ TEST(FloatTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
   }
   const Eigen::Vector3f start = levels.grid.origin.cast<float>() + kEdge * Eigen::Vector3f(11, 11, 10);
   const Eigen::Vector3f hand = levels.grid.origin.cast<float>() + kEdge * Eigen::Vector3f(9, 9, 8);  // four levels deep, 4/√3 voxels
-  FloatTick tick(levels, 1.0F);
+  DescentTick<float> tick(levels, 1.0F);
   tick.force(start);
   const Eigen::Vector3f force = tick.force(hand);
   EXPECT_NEAR(force.norm(), kEdge * 4 / std::sqrt(3.0F) * 30 / 31, 1e-3F);
@@ -89,4 +93,4 @@ TEST(FloatTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
 }
 
 }  // namespace
-}  // namespace isotouch::published
+}  // namespace isotouch::evaluate

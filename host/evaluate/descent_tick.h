@@ -1,10 +1,11 @@
-/// The published proxy and force, in single precision: the tick that ours is timed and compared with.
+/// The published proxy and force in floating point: in single precision the tick that ours is timed with, in double precision the twin of the controller's
+/// `core::descend_proxy`.
 ///
 /// Sreeni minimises Ψ = ½|X_p − X_h|² + (λ/2) φ(X_p)² by gradient descent with a fixed step (3.3, equations 5 to 9):
 ///
 ///     X_p ← X_p − γ (X_p − X_h) − γ λ φ(X_p) ∇φ(X_p),      f = −k (X_h − X_p)
 ///
-/// γ, λ, the number of steps and k are not given. Ours, in voxels and levels:
+/// γ, λ, the number of steps and k are not given. Ours, in voxels and levels, are those of the controller:
 ///
 ///   λ = 10            At rest the proxy stays 1 / (1 + λ|∇φ|²) of the depth below the surface, and the force is short by that share:
 ///                     9 % where a level is a voxel, 3 % along a diagonal. The levels' zero is half a voxel inside, 12 % of the force at
@@ -20,47 +21,51 @@
 
 #include <Eigen/Core>
 
+#include "firmware/core/descent_proxy.h"
 #include "host/published/level_field.h"
 
-namespace isotouch::published {
+namespace isotouch::evaluate {
 
-struct Descent {
-  float lambda = 10.0F;
-  float gamma = 1.0F / 31.0F;
-  int steps = 143;
-};
-
-class FloatTick {
+/// Real      float or double
+template <class Real>
+class DescentTick {
  public:
+  using Vector = Eigen::Vector3<Real>;
+
   /// levels       stays alive and unchanged
   /// stiffness    N/mm
-  FloatTick(const LevelField& levels, float stiffness, Descent descent = {});
+  DescentTick(const published::LevelField& levels, Real stiffness);
 
   /// One tick: where the hand is → the force on it.
   ///
   /// hip       workspace, mm; beyond the grid there is no contact
-  /// returns   N; zero where φ(hip) ≥ 0, and there the proxy is the HIP
+  /// returns   N; zero where φ ≥ 0 at the proxy, and there the proxy is the HIP
   /// fails     never
-  Eigen::Vector3f force(const Eigen::Vector3f& hip);
+  Vector force(const Vector& hip);
 
   /// workspace, mm
-  Eigen::Vector3f proxy() const { return origin_ + edge_ * proxy_; }
+  Vector proxy() const { return origin_ + edge_ * proxy_; }
 
  private:
-  const LevelField& levels_;
-  Descent descent_;
-  Eigen::Vector3f origin_;
-  float edge_;
-  float stiffness_;
-  Eigen::Vector3f proxy_ = Eigen::Vector3f::Zero();  // index coordinates
+  static constexpr Real kLambda = core::kDescentPenalty;
+  static constexpr Real kGamma = 1 / (1 + 3 * kLambda);
+
+  const published::LevelField& levels_;
+  Vector origin_;
+  Real edge_;
+  Real stiffness_;
+  Vector proxy_ = Vector::Zero();  // index coordinates
+  bool inside_ = false;
 };
 
 /// φ and ∇φ at a point in index coordinates: φ trilinear over the 8 nodes around it, ∇φ trilinear over the central differences at these
 /// nodes. Points nearer than one node to the grid's border are outside: level 1, no gradient.
+template <class Real>
 struct LevelSample {
-  float level;
-  Eigen::Vector3f gradient;
+  Real level;
+  Eigen::Vector3<Real> gradient;
 };
-LevelSample sample_levels(const LevelField& levels, const Eigen::Vector3f& point);
+template <class Real>
+LevelSample<Real> sample_levels(const published::LevelField& levels, const Eigen::Vector3<Real>& point);
 
-}  // namespace isotouch::published
+}  // namespace isotouch::evaluate
