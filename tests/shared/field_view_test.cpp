@@ -237,6 +237,8 @@ TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
       {"a reciprocal that is not the edge's", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(48, (2 << 24) + 33); }},
       {"a reciprocal of the other sign", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(48, -(2 << 24)); }},
       {"an interpolation that there is not", Error::kBadHeader, [](I& i) { i.put<std::uint32_t>(176, 2); }},
+      {"a method that there is not", Error::kBadHeader, [](I& i) { i.put<std::uint32_t>(104, 2); }},
+      {"a spline of the published method", Error::kBadHeader, [](I& i) { i.put<std::uint32_t>(104, 1); }},
       {"a band below 1 voxel", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(52, 4095); }},
       {"a band that int16 cannot hold", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(52, 8 * 4096); }},
       {"a stiffness of 0", Error::kBadHeader, [](I& i) { i.put<std::int32_t>(80, 0); }},

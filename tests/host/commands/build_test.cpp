@@ -102,7 +102,9 @@ TEST_F(Build, ThePublishedMethodMakesAFieldOfItsOwn) {
   EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "outside", "radii", "indicator", "levels", "blob", "pack", "write"}));
   EXPECT_GT(json["inside_nodes"], 1000);
   EXPECT_THAT(run("info " + file("p.itf")), HasSubstr("published, from 400 points"));
-  EXPECT_EQ(nlohmann::json::parse(run("info " + file("p.itf") + " --json"))["band_voxels"], 7.0);
+  const auto info = nlohmann::json::parse(run("info " + file("p.itf") + " --json"));
+  EXPECT_EQ(info["band_voxels"], 7.0);
+  EXPECT_EQ(info["interpolation"], "trilinear");
 }
 
 TEST_F(Build, SizeIsTrueWithUnitsAndMadeToFitWithout) {
@@ -119,7 +121,7 @@ TEST_F(Build, SizeIsTrueWithUnitsAndMadeToFitWithout) {
 TEST_F(Build, WrongUsageIsToldBeforeAnythingIsRead) {
   const std::string start = "build " + file("missing.ply") + " -o " + file("x.itf");
   for (const char* wrong : {"--voxel 0.5kg", "--voxel 0.5mm --grid 20", "--grid 12.5", "--band 9", "--stiffness nan", "--units mm --fit 70",
-                            "--units ft", "--method magic", "--method published --band 4"}) {
+                            "--units ft", "--method magic", "--method published --band 4", "--method published --interpolation spline"}) {
     EXPECT_THROW(run(start + " " + wrong), CLI::ParseError) << wrong;
   }
   EXPECT_THROW(run(start), InputError);
