@@ -7,7 +7,8 @@ namespace isotouch::core {
 namespace {
 
 constexpr int kGammaBits = 32;
-constexpr std::int64_t kGamma = ((std::int64_t{1} << kGammaBits) + kDescentPenalty * 3 / 2) / (1 + 3 * kDescentPenalty);
+constexpr std::int64_t kGamma = 138547332;
+static_assert(kGamma * (1 + 3 * kDescentPenalty) == (std::int64_t{1} << kGammaBits) - 4, "the nearest to 1 / (1 + 3λ)");
 
 /// One coordinate after a step. The worst: |φ| is 8 voxels (2^19), |g| 16 (2^20), so λφg is within 1280 voxels, and p, a mean of places and such pushes,
 /// within 9471; then p - h is below 17662 voxels, and with the push below 18942: 2^31.

@@ -5,7 +5,7 @@
 ///     p ← p - γ (p - h) - γ λ φ(p) ∇φ(p)
 ///
 /// It stays below the surface by 1 / (1 + λ|∇φ|²) of the depth, and it may pass thin parts: that is how the paper has it. DECISIONS 13 gives the reason for
-/// each number that the paper leaves open; host/published/descent.h is the same in floating point.
+/// each number that the paper leaves open; host/evaluate/descent_tick.h is the same in floating point.
 ///
 /// source    Sreeni K. G., Distance Field based Haptic Rendering of Scattered Oriented Points, section 3.3, equations 5 to 9, and 3.4
 #pragma once
