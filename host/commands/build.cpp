@@ -102,10 +102,7 @@ void add_build(CLI::App& app) {
              "build it first, then write other forms with `isotouch export`")
       ->required();
   const std::map<std::string, Method> methods = {{"default", Method::kDefault}, {"published", Method::kPublished}};
-  command
-      ->add_option(
-          "--method", options->method,
-          "'published' builds integer levels inside the object, as the paper does, and the controller renders them as the paper does")
+  command->add_option("--method", options->method, "'published' builds integer levels, which are felt as the paper describes")
       ->transform(one_of(methods));
   const std::map<std::string, Interpolation> interpolations = {{"spline", Interpolation::kSpline},
                                                                {"trilinear", Interpolation::kTrilinear}};
