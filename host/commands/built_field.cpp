@@ -268,7 +268,7 @@ Implausible::Implausible(const std::string& input, BuildReport judged)
     : InputError(refusal(input, *judged.verdict)), report(std::move(judged)) {}
 
 BuiltField built_field(const BuildOptions& options) {
-  field::threads_wanted = options.threads;
+  const field::ThreadLimit limit(options.threads);
   BuildReport report;
   ProgressBar bar(plan_for(InputKind::kCloud, options.method), options.quiet ? ProgressBar::Drawn::kNever : ProgressBar::Drawn::kAlways);
   field::Progress progress(bar.show());

@@ -10,8 +10,24 @@
 
 namespace isotouch::field {
 
-/// Threads that loops begun later use; 0 = as many as there are processors.
-inline std::atomic<unsigned> threads_wanted{0};
+/// How many threads loops use that begin while it lives, in all of the process; then as many as before.
+class ThreadLimit {
+ public:
+  /// threads   0 = as many as there are processors
+  explicit ThreadLimit(unsigned threads) : before_(wanted_.exchange(threads)) {}
+  ~ThreadLimit() { wanted_ = before_; }
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+  static unsigned threads() {
+    const unsigned wanted = wanted_;
+    return wanted != 0 ? wanted : std::max(1U, std::thread::hardware_concurrency());
+  }
+
+ private:
+  static inline std::atomic<unsigned> wanted_{0};
+  unsigned before_;
+};
 
 /// Calls work(begin, end) for ranges that together are [0, count), from several threads at once.
 ///
@@ -33,9 +49,8 @@ void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
     }
   };
   const std::size_t ranges = (count + grain - 1) / grain;
-  const unsigned threads = threads_wanted != 0 ? threads_wanted.load() : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(threads, ranges); ++t) helpers.emplace_back(run);
+  for (std::size_t t = 1; t < std::min<std::size_t>(ThreadLimit::threads(), ranges); ++t) helpers.emplace_back(run);
   run();
   helpers.clear();  // joins
   if (reason) std::rethrow_exception(reason);

@@ -67,7 +67,7 @@ std::uint64_t hash_of(const std::string& name, int voxels) {
 int main(int argc, char** argv) {
   if (argc < 4) return std::fprintf(stderr, "usage: build_plain GRID THREADS NAME...\n"), 2;
   try {
-    field::threads_wanted = static_cast<unsigned>(std::atoi(argv[2]));
+    const field::ThreadLimit limit(static_cast<unsigned>(std::atoi(argv[2])));
     for (const char* name : std::span(argv + 3, static_cast<std::size_t>(argc - 3))) {
       std::printf("%s %016llx\n", name, static_cast<unsigned long long>(hash_of(name, std::atoi(argv[1]))));
     }

@@ -95,16 +95,14 @@ TEST_F(Export, AFieldBuiltFromItsSurfaceIsTheSameToATenthOfAVoxel) {
 
 TEST_F(Export, TheBytesDoNotDependOnTheThreads) {
   build_far_away("--units m");
-  const unsigned before = field::threads_wanted;
   for (const std::string ending : {".ply", ".stl"}) {
     for (const unsigned threads : {1U, 2U, 7U}) {
-      field::threads_wanted = threads;
+      const field::ThreadLimit limit(threads);
       run_command("export " + file("far.itf") + " -o " + file(std::to_string(threads) + ending));
     }
     EXPECT_EQ(read_file(file("1" + ending)), read_file(file("2" + ending)));
     EXPECT_EQ(read_file(file("1" + ending)), read_file(file("7" + ending)));
   }
-  field::threads_wanted = before;
 }
 
 TEST_F(Export, WhatHasNoOtherFrameSaysSo) {
