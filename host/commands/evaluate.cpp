@@ -42,7 +42,7 @@ struct MethodResult {
   std::vector<DamageRow> damage;   ///< of the default method alone
 };
 
-/// One method on all shapes; the published one feels the sphere with its own tick.
+/// One method on all shapes.
 MethodResult measure(Method method, ProgressBar& bar) {
   MethodResult result;
   for (const char* name : kShapes) {
@@ -57,9 +57,7 @@ MethodResult measure(Method method, ProgressBar& bar) {
     if (trial.shape.name != "sphere") continue;
     for (const double speed : kSpeeds) {
       const evaluate::SphereSlide slide = evaluate::trial_slide(built.view, speed);
-      const evaluate::ForceTick tick = method == Method::kPublished ? evaluate::published_force(trial, slide.stiffness)
-                                                                    : evaluate::core_force(built.view, slide.period_s);
-      result.forces.push_back(evaluate::force_error(evaluate::slide_on_sphere(slide, tick)));
+      result.forces.push_back(evaluate::force_error(evaluate::slide_on_sphere(slide, evaluate::core_force(built.view, slide.period_s))));
     }
   }
   return result;

@@ -98,7 +98,7 @@ TickTimes time_device(const FieldView& field, const Motion& motion, const TickSe
 
 TickTimes time_published(const published::LevelField& levels, double stiffness, const Motion& motion) {
   return measure([&](const auto& report) {
-    evaluate::DescentTick<float> tick(levels, static_cast<float>(stiffness));
+    evaluate::DescentTick tick(levels, static_cast<float>(stiffness));
     for (const Eigen::Vector3d& hip : motion) {
       const Eigen::Vector3f point = hip.cast<float>();
       const auto start = Clock::now();

@@ -1,5 +1,4 @@
-/// The published proxy and force in floating point: in single precision the tick that ours is timed with, in double precision the twin of the controller's
-/// `core::descend_proxy`.
+/// The published proxy and force in single precision: the tick that ours is timed with, and what `core::descend_proxy` is compared with.
 ///
 /// Sreeni minimises Ψ = ½|X_p − X_h|² + (λ/2) φ(X_p)² by gradient descent with a fixed step (3.3, equations 5 to 9):
 ///
@@ -26,46 +25,40 @@
 
 namespace isotouch::evaluate {
 
-/// Real      float or double
-template <class Real>
 class DescentTick {
  public:
-  using Vector = Eigen::Vector3<Real>;
-
   /// levels       stays alive and unchanged
   /// stiffness    N/mm
-  DescentTick(const published::LevelField& levels, Real stiffness);
+  DescentTick(const published::LevelField& levels, float stiffness);
 
   /// One tick: where the hand is → the force on it.
   ///
   /// hip       workspace, mm; beyond the grid there is no contact
   /// returns   N; zero where φ ≥ 0 at the proxy, and there the proxy is the HIP
   /// fails     never
-  Vector force(const Vector& hip);
+  Eigen::Vector3f force(const Eigen::Vector3f& hip);
 
   /// workspace, mm
-  Vector proxy() const { return origin_ + edge_ * proxy_; }
+  Eigen::Vector3f proxy() const { return origin_ + edge_ * proxy_; }
 
  private:
-  static constexpr Real kLambda = core::kDescentPenalty;
-  static constexpr Real kGamma = 1 / (1 + 3 * kLambda);
+  static constexpr float kLambda = core::kDescentPenalty;
+  static constexpr float kGamma = 1 / (1 + 3 * kLambda);
 
   const published::LevelField& levels_;
-  Vector origin_;
-  Real edge_;
-  Real stiffness_;
-  Vector proxy_ = Vector::Zero();  // index coordinates
+  Eigen::Vector3f origin_;
+  float edge_;
+  float stiffness_;
+  Eigen::Vector3f proxy_ = Eigen::Vector3f::Zero();  // index coordinates
   bool inside_ = false;
 };
 
 /// φ and ∇φ at a point in index coordinates: φ trilinear over the 8 nodes around it, ∇φ trilinear over the central differences at these
 /// nodes. Points nearer than one node to the grid's border are outside: level 1, no gradient.
-template <class Real>
 struct LevelSample {
-  Real level;
-  Eigen::Vector3<Real> gradient;
+  float level;
+  Eigen::Vector3f gradient;
 };
-template <class Real>
-LevelSample<Real> sample_levels(const published::LevelField& levels, const Eigen::Vector3<Real>& point);
+LevelSample sample_levels(const published::LevelField& levels, const Eigen::Vector3f& point);
 
 }  // namespace isotouch::evaluate

@@ -1,26 +1,13 @@
 #include "host/evaluate/published_table.h"
 
-#include <cmath>
-#include <memory>
 #include <utility>
 
-#include "host/evaluate/descent_tick.h"
+#include "host/cloud/shapes.h"
 #include "host/field/make_grid.h"
 #include "host/field/progress.h"
 #include "host/published/build.h"
 
 namespace isotouch::evaluate {
-
-ForceTick published_force(const ShapeTrial& trial, double stiffness) {
-  struct Feel {
-    published::LevelField levels;
-    DescentTick<float> tick;
-    Feel(published::LevelField made, float k) : levels(std::move(made)), tick(levels, k) {}
-  };
-  field::Progress progress;
-  auto feel = std::make_shared<Feel>(published::build(trial.points, trial.grid, progress).levels, static_cast<float>(stiffness));
-  return [feel](const Eigen::Vector3d& hip) -> Eigen::Vector3d { return feel->tick.force(hip.cast<float>()).cast<double>(); };
-}
 
 std::vector<PublishedRow> published_table() {
   std::vector<PublishedRow> rows;

@@ -1,4 +1,4 @@
-/// The published method's own figures: its force on the sphere, and the columns of its Table 1.
+/// The published method's own figures: the columns of its Table 1.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,15 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/evaluate/force_error.h"
-#include "host/evaluate/shape_trial.h"
-
 namespace isotouch::evaluate {
-
-/// The published single-precision tick on the levels of a trial's points.
-///
-/// stiffness   N/mm
-ForceTick published_force(const ShapeTrial& trial, double stiffness);
 
 struct PublishedRow {
   std::string name;

@@ -127,7 +127,7 @@ TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
       settings.stiffness = Stiffness::of(kStiffness);
       const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field.view);
       core::PositionState state;
-      evaluate::DescentTick<float> published(levels, static_cast<float>(kStiffness));
+      evaluate::DescentTick published(levels, static_cast<float>(kStiffness));
       evaluate::GodObject exact(tree, place.surface + 3 * place.outward);
       Error ours, theirs;
       constexpr int kApproach = 400;

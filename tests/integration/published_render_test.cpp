@@ -30,12 +30,12 @@ TEST(PublishedRender, TheControllerFeelsWhatThePaperDescribes) {
   const field_file::OpenField field = field_file::open_field(encoding::write_image(published::to_band_field(levels), info), "sphere");
   const double stiffness = to_double(field.view.stiffness);
 
-  evaluate::DescentTick<double> twin(levels, stiffness);
+  evaluate::DescentTick floating(levels, static_cast<float>(stiffness));
   const evaluate::ForceTick core = evaluate::core_force(field.view);
   std::vector<double> differences;
   double strongest = 0;
   const auto both = [&](const Vector3d& hip) -> Vector3d {
-    const Vector3d felt = core(hip), meant = twin.force(hip);
+    const Vector3d felt = core(hip), meant = floating.force(hip.cast<float>()).cast<double>();
     strongest = std::max(strongest, meant.norm());
     differences.push_back((felt - meant).norm());
     return felt;

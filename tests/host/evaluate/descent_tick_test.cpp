@@ -33,7 +33,7 @@ LevelField floor_levels() {
 TEST(DescentTick, LevelAndGradientAreThoseOfTheNodesAtTheNodes) {
   const LevelField levels = floor_levels();
   for (int k = 1; k < 14; ++k) {
-    const LevelSample<float> sample = sample_levels<float>(levels, {5, 6, static_cast<float>(k)});
+    const LevelSample sample = sample_levels(levels, {5, 6, static_cast<float>(k)});
     EXPECT_EQ(sample.level, static_cast<float>(levels.at(5, 6, k)));
     EXPECT_EQ(sample.gradient.z(), 0.5F * static_cast<float>(levels.at(5, 6, k + 1) - levels.at(5, 6, k - 1)));
     EXPECT_EQ(sample.gradient.x(), 0.0F);
@@ -42,7 +42,7 @@ TEST(DescentTick, LevelAndGradientAreThoseOfTheNodesAtTheNodes) {
 
 TEST(DescentTick, NoContactGivesNoForceAndTheProxyIsTheHand) {
   const LevelField levels = floor_levels();
-  DescentTick<float> tick(levels, 0.8F);
+  DescentTick tick(levels, 0.8F);
   const Eigen::Vector3f hand(0.1F, 0.2F, 0.3F);
   EXPECT_EQ(tick.force(hand), Eigen::Vector3f::Zero());
   EXPECT_TRUE(tick.proxy().isApprox(hand, 1e-5F));
@@ -50,14 +50,14 @@ TEST(DescentTick, NoContactGivesNoForceAndTheProxyIsTheHand) {
 
 TEST(DescentTick, BeyondTheGridThereIsNoContact) {
   const LevelField levels = floor_levels();
-  DescentTick<float> tick(levels, 0.8F);
+  DescentTick tick(levels, 0.8F);
   EXPECT_EQ(tick.force({0, 0, -100}), Eigen::Vector3f::Zero());
   EXPECT_EQ(tick.force({std::numeric_limits<float>::quiet_NaN(), 0, 0}), Eigen::Vector3f::Zero());
 }
 
 TEST(DescentTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
   const LevelField levels = floor_levels();
-  DescentTick<float> tick(levels, 0.8F);
+  DescentTick tick(levels, 0.8F);
   for (const float depth : {1.5F, 3.0F, 4.0F}) {  // voxels
     tick.force({0, 0, 1});
     const Eigen::Vector3f force = tick.force({0, 0, -depth * kEdge});
@@ -68,7 +68,7 @@ TEST(DescentTick, OnAPlaneTheForceIsShortByOnePartInOnePlusLambda) {
 
 TEST(DescentTick, OneTickTakesAway99PercentOfASidewaysMove) {
   const LevelField levels = floor_levels();
-  DescentTick<float> tick(levels, 0.8F);
+  DescentTick tick(levels, 0.8F);
   tick.force({0, 0, 1});
   tick.force({0, 0, -1});
   const float moved = 0.5F;
@@ -85,7 +85,7 @@ TEST(DescentTick, TheStepIsStableWhereALevelCountsManhattanDistance) {
   }
   const Eigen::Vector3f start = levels.grid.origin.cast<float>() + kEdge * Eigen::Vector3f(11, 11, 10);
   const Eigen::Vector3f hand = levels.grid.origin.cast<float>() + kEdge * Eigen::Vector3f(9, 9, 8);  // four levels deep, 4/√3 voxels
-  DescentTick<float> tick(levels, 1.0F);
+  DescentTick tick(levels, 1.0F);
   tick.force(start);
   const Eigen::Vector3f force = tick.force(hand);
   EXPECT_NEAR(force.norm(), kEdge * 4 / std::sqrt(3.0F) * 30 / 31, 1e-3F);
