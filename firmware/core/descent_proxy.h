@@ -17,15 +17,15 @@
 
 namespace isotouch::core {
 
-inline constexpr int kDescentSteps = 143;      ///< a tick; each samples the field once
+inline constexpr int kDescentSteps = 143;      ///< a tick
 inline constexpr Narrow kDescentPenalty = 10;  ///< λ; γ = 1 / (1 + 3λ)
 
 /// Moves the proxy by a tick's steps.
 ///
 /// hip       index coordinates, within ±8191 voxels
 /// field     the same view in every tick of a state's life
-/// returns   contact where φ(proxy) < 0 after the last step, else the proxy is the HIP. It stays within 1280 voxels and the HIP's last motion of the HIP
-///           on each axis, whatever the field holds
+/// returns   contact if φ(proxy) < 0 after the last step; otherwise the proxy is the HIP. On each axis, proxy and HIP are never further apart than the
+///           HIP moved in this tick and 1280 voxels more, whatever the field holds
 /// fails     never; a HIP that begins inside the object gives no contact until it has left
 /// tick      yes: kDescentSteps + 1 samples, constant cost, no division
 Contact descend_proxy(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state);
