@@ -53,6 +53,16 @@ TEST(TickBench, TimesTheTicksInContactAndNoOthers) {
   expect_times(time_published(published::peel(inside, quiet), 0.8, dip()));
 }
 
+TEST(TickBench, ColdCachesMakeTheSameTicksSlower) {
+  const Motion all = dip();
+  const Motion some(all.begin() + 130, all.begin() + 160);  // into contact; writing the caches full takes a while
+  for (const auto time : {time_core, time_device}) {
+    const TickTimes warm = time(ball().view, some, {}, Caches::kWarm), cold = time(ball().view, some, {}, Caches::kCold);
+    EXPECT_EQ(cold.ticks, warm.ticks);
+    EXPECT_GT(cold.median_ns, 1.5 * warm.median_ns);
+  }
+}
+
 TEST(TickBench, AMotionThatNeverTouchesIsRefused) {
   const Motion away(100, Eigen::Vector3d(0, 0, 14));
   EXPECT_THROW(time_core(ball().view, away), InputError);
