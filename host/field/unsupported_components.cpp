@@ -14,6 +14,7 @@
 #include "host/field/dips.h"
 #include "host/field/parallel.h"
 #include "host/field/remaining_distance.h"
+#include "host/field/sample_masks.h"
 #include "host/field/unlisted_regions.h"
 
 namespace isotouch::field {
@@ -37,11 +38,9 @@ class Pieces {
  public:
   Pieces(const BandField& field, const Following& next) : regions_(field) {
     const std::vector<Brick>& bricks = field.bricks;
-    std::vector<BrickMask> inside(bricks.size(), 0);
+    std::vector<BrickMask> inside(bricks.size());
     in_parallel(bricks.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) {
-        for (std::size_t s = 0; s < 64; ++s) inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
-      }
+      for (std::size_t b = begin; b < end; ++b) inside[b] = inside_of(bricks[b].distance);
     });
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       first_.push_back(static_cast<std::uint32_t>(parts_.size()));
