@@ -32,7 +32,7 @@ struct Predictions {
   std::array<std::array<double, kMaxPieces>, kNeighbours + 1> distance;
   std::array<std::array<double, kMaxPieces>, kNeighbours + 1> error;  ///< squared, weighted; none of the sample itself
   double weights = 0.0;                                               ///< of all samples but itself
-  bool hopeless = false;                                              ///< no joining has a smaller error than `most`; then the rest is left out
+  bool hopeless = false;  ///< no joining has a smaller error than `most`; then the rest is left out
 
   /// How far each normal is off, and the angle under which the sample seems to lie off the surface, in radians.
   Predictions(const Samples& samples, const LocalModel& model, double most) : pieces(model.count) {

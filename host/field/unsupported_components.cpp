@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "host/field/brick_mask.h"
@@ -23,8 +22,6 @@ namespace {
 
 constexpr std::uint32_t kFew = 64;  // with so few the others are asked too
 constexpr float kTaken = 1.0F;      // until the distance to the rest is known
-
-auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
 /// Samples of one sign that hang together within a brick.
 struct Part {
@@ -153,7 +150,7 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
       const Eigen::Vector3i cell(sample.x() >> 2, sample.y() >> 2, sample.z() >> 2);
       if (brick == bricks.end() || brick->cell != cell) {  // most corners lie in one brick
         brick = std::lower_bound(bricks.begin(), bricks.end(), cell,
-                                 [](const Brick& b, const Eigen::Vector3i& c) { return place(b.cell) < place(c); });
+                                 [](const Brick& b, const Eigen::Vector3i& c) { return sort_key(b.cell) < sort_key(c); });
       }
       if (brick == bricks.end() || brick->cell != cell) continue;
       const auto in_brick = static_cast<std::size_t>(((sample.z() & 3) * 4 + (sample.y() & 3)) * 4 + (sample.x() & 3));
