@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "host/encoding/apron.h"
 #include "host/field/brick_mask.h"
 #include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
 #include "host/field/simd.h"
 
 namespace isotouch::encoding {
@@ -13,6 +16,8 @@ namespace isotouch::encoding {
 namespace {
 
 using namespace field;  // numbers by four
+
+using Numbers = int __attribute__((vector_size(16)));
 
 /// B c at the brick's 64 samples: one axis after the other.
 Samples blur(const Apron& apron) {
@@ -35,11 +40,17 @@ constexpr double kScale = 1 << 12;
 
 double rounded(double value) { return std::floor(value * kScale + 0.5); }
 
-/// The same of a coefficient.
-std::int16_t rounded_coefficient(float value) {
-  constexpr int kBelow = 1 << 16;  // cutting off a positive number is quicker than `floor`
-  return static_cast<std::int16_t>(static_cast<int>(static_cast<double>(value) * kScale + (0.5 + kBelow)) - kBelow);
+/// The same of four coefficients. Whole part and rest are exact.
+void store_rounded(Four value, std::int16_t* to) {
+  using Shorts = std::int16_t __attribute__((vector_size(8)));
+  const Four scaled = value * static_cast<float>(kScale);
+  const auto whole = __builtin_convertvector(scaled, Numbers);  // towards zero
+  const Four rest = scaled - __builtin_convertvector(whole, Four);
+  const auto rounded = __builtin_convertvector(whole - (rest >= 0.5F) + (rest < -0.5F), Shorts);  // a true comparison is -1
+  std::memcpy(to, &rounded, sizeof rounded);
 }
+
+Four clamped(Four value, float limit) { return lesser(all(limit), larger(all(-limit), value)); }
 
 /// The band as the field will hold it: exact in a float, so that what is clamped to it is it.
 float rounded_band(const field::BandField& field) { return static_cast<float>(rounded(field.band) / kScale); }
@@ -63,10 +74,10 @@ std::vector<BrickMask> thinned(const std::vector<BrickMask>& sets, const std::ve
 /// May a sample be corrected, are it and all its 26 neighbours within the band?
 std::vector<BrickMask> correctable(const field::BandField& field, const std::vector<Neighbours>& around) {
   const float band = rounded_band(field);
-  std::vector<BrickMask> known(field.bricks.size(), 0);
+  std::vector<BrickMask> known(field.bricks.size());
   field::in_parallel(known.size(), kMaskGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      for (std::size_t n = 0; n < 64; ++n) known[b] |= BrickMask{std::abs(field.bricks[b].distance[n]) <= band} << n;
+      known[b] = samples_that(field.bricks[b].distance, [=](Four d) { return magnitude(d) <= band; });
     }
   });
   return thinned(thinned(thinned(known, around, 0), around, 1), around, 2);
@@ -81,7 +92,7 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, con
   std::vector<Samples> now(field.bricks.size());
   field::in_parallel(now.size(), kMaskGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      for (std::size_t n = 0; n < 64; ++n) now[b][n] = std::clamp(field.bricks[b].distance[n], -band, band);
+      for (std::size_t n = 0; n < 64; n += 4) store(clamped(load(&field.bricks[b].distance[n]), band), &now[b][n]);
     }
   });
   std::vector<Samples> next = now;
@@ -90,9 +101,11 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, con
       for (std::size_t b = begin; b < end; ++b) {
         if (masks[b] == 0) continue;
         const Samples blurred = blur(gather(now, around[b]));
-        for (std::size_t n = 0; n < 64; ++n) {
-          const float corrected = now[b][n] + (field.bricks[b].distance[n] - blurred[n]);
-          next[b][n] = (masks[b] >> n & 1U) != 0 ? corrected : now[b][n];
+        for (std::size_t n = 0; n < 64; n += 4) {
+          const Four here = load(&now[b][n]);
+          const Four corrected = here + (load(&field.bricks[b].distance[n]) - load(&blurred[n]));
+          const auto may = ((Numbers{} + static_cast<int>(masks[b] >> n & 15U)) & Numbers{1, 2, 4, 8}) != 0;
+          store(may ? corrected : here, &next[b][n]);
         }
       }
     });
@@ -102,9 +115,7 @@ std::vector<Coefficients> spline_coefficients(const field::BandField& field, con
   std::vector<Coefficients> coefficients(now.size());
   field::in_parallel(now.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      for (std::size_t n = 0; n < 64; ++n) {
-        coefficients[b][n] = rounded_coefficient(std::clamp(now[b][n], -band, band));
-      }
+      for (std::size_t n = 0; n < 64; n += 4) store_rounded(clamped(load(&now[b][n]), band), &coefficients[b][n]);
     }
   });
   return coefficients;

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace isotouch::field {
@@ -17,6 +18,9 @@ struct Grid {
   Eigen::Vector3d position(const Eigen::Vector3i& sample) const { return origin + edge * sample.cast<double>(); }
   Eigen::Vector3d to_index(const Eigen::Vector3d& point) const { return (point - origin) / edge; }
 };
+
+/// Cells of bricks are sorted by this: z, then y, then x.
+inline auto sort_key(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
 /// 4x4x4 samples, stored together (image_layout::kBrickShift).
 struct Brick {

@@ -56,10 +56,14 @@ Lanes joined(const Model& model, const Places& at) {
   return value;
 }
 
-/// `LocalModel::distance`; away: squared distances from the sample.
-Lanes model_distance(const Model& model, const Places& at, Lanes away) {
-  if (!any(away > model.reach * model.reach)) return joined(model, at);
-  const Lanes share = away > model.reach * model.reach ? model.reach / root(away) : all<Lanes>(1.0F);
+/// `LocalModel::distance` where it counts.
+///
+/// away      squared distances from the sample
+template <class Truth>
+Lanes model_distance(const Model& model, const Places& at, Lanes away, Truth counts) {
+  const auto beyond = counts & (away > model.reach * model.reach);
+  if (!any(beyond)) return joined(model, at);
+  const Lanes share = beyond ? model.reach / root(away) : all<Lanes>(1.0F);
   return joined(model, {at.x * share, at.y * share, at.z * share}) / share;
 }
 
@@ -162,7 +166,7 @@ Rows blended(const Neighbourhood& around) {
       const auto counts = nearness >= light[r];
       if (!any(counts)) continue;
       const Lanes weight = counts ? n.model->trust * nearness + kNoWeight : Lanes{};
-      sum[r] += weight * model_distance(*n.model, row_of_block(r) - n.own, n.away[r]);
+      sum[r] += weight * model_distance(*n.model, row_of_block(r) - n.own, n.away[r], counts);
       weights[r] += weight;
     }
   }

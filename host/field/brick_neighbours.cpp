@@ -2,15 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
 
 namespace isotouch::field {
-
-namespace {
-
-auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
-
-}  // namespace
 
 Following following(const std::vector<Brick>& bricks) {
   Following next(bricks.size(), {kNoBrick, kNoBrick, kNoBrick});
@@ -18,7 +11,7 @@ Following following(const std::vector<Brick>& bricks) {
     std::size_t ahead = 0;
     for (std::size_t b = 0; b < bricks.size(); ++b) {
       const Eigen::Vector3i wanted = bricks[b].cell + Eigen::Vector3i::Unit(static_cast<Eigen::Index>(axis));
-      while (ahead < bricks.size() && place(bricks[ahead].cell) < place(wanted)) ++ahead;
+      while (ahead < bricks.size() && sort_key(bricks[ahead].cell) < sort_key(wanted)) ++ahead;
       if (ahead < bricks.size() && bricks[ahead].cell == wanted) next[b][axis] = static_cast<std::uint32_t>(ahead);
     }
   }

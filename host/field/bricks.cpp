@@ -1,7 +1,6 @@
 #include "host/field/bricks.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -10,6 +9,7 @@
 
 #include "host/field/brick_mask.h"
 #include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
 
 namespace isotouch::field {
 
@@ -36,6 +36,8 @@ Vector3d centre_of(const Vector3i& cell) { return 4.0 * cell.cast<double>() + Ve
 
 /// From a brick's centre to its corner samples.
 const double kReach = 1.5 * std::sqrt(3.0);
+
+constexpr std::uint8_t kEveryWay = 0b111111;  // to all six neighbours
 
 /// A brick that was looked at.
 struct Visited {
@@ -122,34 +124,37 @@ class Walk {
     const BrickDistances found = distance_.brick(cell_of(key), band_ + distance_.slope * kReach);
     if (!found.samples) return {{key, false, found.middle < 0.0 ? ~std::uint64_t{0} : 0}, {}};
     const auto& d = *found.samples;
-    const auto [least, most] = std::minmax_element(d.begin(), d.end());
-    if (static_cast<double>(*least) > band_) return {{key, false, 0}, {}};
-    if (static_cast<double>(*most) < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
+    const auto [least, largest] = extremes(d);
+    if (static_cast<double>(least) > band_) return {{key, false, 0}, {}};
+    if (static_cast<double>(largest) < -band_) return {{key, false, ~std::uint64_t{0}}, {}};
     return listed(key, d, found.jumps);
   }
 
-  Look listed(Key key, const std::array<float, 64>& d, bool jumps) const {
-    Look look{{key, true, 0}, {cell_of(key), d}, leads(d, jumps)};
-    for (std::size_t s = 0; s < d.size(); ++s) look.visited.inside |= std::uint64_t{d[s] < 0.0F} << s;
-    return look;
+  Look listed(Key key, const BrickSamples& d, bool jumps) const {
+    return {{key, true, inside_of(d)}, {cell_of(key), d}, jumps ? kEveryWay : leads(d)};
   }
 
-  /// Which neighbours hold samples of the band, as far as the last two layers before them tell; all of them beside a brick where the distance may jump.
-  std::uint8_t leads(const std::array<float, 64>& distance, bool jumps) const {
+  /// Which neighbours hold samples of the band, as far as the last two layers before them tell.
+  std::uint8_t leads(const BrickSamples& distance) const {
     constexpr double kBend = 0.5;  // by how much a distance may leave its straight course from one sample to the next
     const auto near = static_cast<float>(band_ + kBend);
-    unsigned leads = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto step = static_cast<std::size_t>(kNext[axis]);
-      bool below = jumps, above = jumps;
-      for (BrickMask low = kLowFace[axis]; low != 0; low &= low - 1) {
-        const float* row = &distance[static_cast<std::size_t>(std::countr_zero(low))];
-        below |= std::abs(2.0F * row[0] - row[step]) <= near;
-        above |= std::abs(2.0F * row[3 * step] - row[2 * step]) <= near;
+    const auto leads_near = [near](Four last, Four before) { return magnitude(2.0F * last - before) <= near; };
+    const auto row = [&](std::size_t y, std::size_t z) { return load(&distance[16 * z + 4 * y]); };
+    unsigned x = 0;  // the outer lanes tell
+    auto y_below = Four{} > 0.0F, y_above = y_below, z_below = y_below, z_above = y_below;
+    for (std::size_t n = 0; n < 4; ++n) {
+      for (std::size_t m = 0; m < 4; ++m) {
+        const Four along = row(n, m);
+        x |= true_lanes(leads_near(along, Four{along[1], along[0], along[3], along[2]}));
       }
-      leads |= ((below ? 1U : 0U) | (above ? 2U : 0U)) << (2 * axis);
+      y_below |= leads_near(row(0, n), row(1, n));
+      y_above |= leads_near(row(3, n), row(2, n));
+      z_below |= leads_near(row(n, 0), row(n, 1));
+      z_above |= leads_near(row(n, 3), row(n, 2));
     }
-    return static_cast<std::uint8_t>(leads);
+    const unsigned y = (any(y_below) ? 1U : 0U) | (any(y_above) ? 2U : 0U);
+    const unsigned z = (any(z_below) ? 1U : 0U) | (any(z_above) ? 2U : 0U);
+    return static_cast<std::uint8_t>((x & 1U) | (x >> 2 & 2U) | y << 2 | z << 4);
   }
 
   void push_neighbours(const Look& look, std::vector<Key>& keys) const {

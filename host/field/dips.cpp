@@ -7,6 +7,7 @@
 
 #include "host/field/numbered_samples.h"
 #include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
 
 namespace isotouch::field {
 
@@ -20,11 +21,9 @@ std::vector<BrickMask> dips(const std::vector<Brick>& bricks, const Following& n
   std::vector<BrickMask> inside(bricks.size(), 0), outside(bricks.size(), 0), near(bricks.size(), 0);
   in_parallel(bricks.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b) {
-      for (std::size_t s = 0; s < 64; ++s) {
-        inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
-        near[b] |= BrickMask{std::abs(bricks[b].distance[s]) < kDip} << s;
-      }
+      inside[b] = inside_of(bricks[b].distance);
       outside[b] = ~inside[b];
+      near[b] = samples_that(bricks[b].distance, [](Four d) { return magnitude(d) < kDip; });
     }
   });
   const std::vector<BrickMask> beside_inside = with_neighbours(inside, next), beside_outside = with_neighbours(outside, next);

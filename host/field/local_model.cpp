@@ -32,10 +32,13 @@ struct Predictions {
   std::array<std::array<double, kMaxPieces>, kNeighbours + 1> distance;
   std::array<std::array<double, kMaxPieces>, kNeighbours + 1> error;  ///< squared, weighted; none of the sample itself
   double weights = 0.0;                                               ///< of all samples but itself
+  bool hopeless = false;  ///< no joining has a smaller error than `most`; then the rest is left out
 
   /// How far each normal is off, and the angle under which the sample seems to lie off the surface, in radians.
-  Predictions(const Samples& samples, const LocalModel& model) : pieces(model.count) {
-    for (std::size_t j = 0; j < samples.size(); ++j) {
+  Predictions(const Samples& samples, const LocalModel& model, double most) : pieces(model.count) {
+    for (std::size_t j = 1; j < samples.size(); ++j) weights += samples[j].weight;
+    double least = 0.0;  // if the best piece spoke for each sample
+    for (std::size_t j = 0; j < samples.size() && !hopeless; ++j) {
       const double reach = (samples[j].position - samples[0].position).squaredNorm();
       for (std::size_t piece = 0; piece < pieces; ++piece) {
         const ToroidalPatch::Value value = model.pieces[piece].value(samples[j].position);
@@ -43,7 +46,8 @@ struct Predictions {
         const double off_surface = reach > 0.0 ? 4.0 * value.distance * value.distance / reach : 0.0;
         error[j][piece] = samples[j].weight * ((value.gradient - samples[j].normal).squaredNorm() + off_surface);
       }
-      if (j > 0) weights += samples[j].weight;
+      if (j > 0) least += *std::min_element(error[j].begin(), error[j].begin() + static_cast<std::ptrdiff_t>(pieces));
+      hopeless = least > most * weights;
     }
   }
 };
@@ -89,10 +93,13 @@ std::size_t speaker(const Predictions& predicted, const Joining& joining, std::s
   return chosen;
 }
 
-/// Mean square error in radians. The model must pass through its own sample.
-double squared_error(const Samples& samples, const Predictions& predicted, const Joining& joining) {
+/// Mean square error in radians; infinite as soon as it is larger than `most`. The model must pass through its own sample.
+double squared_error(const Samples& samples, const Predictions& predicted, const Joining& joining, double most) {
   double sum = 0.0;
-  for (std::size_t j = 1; j < samples.size(); ++j) sum += predicted.error[j][speaker(predicted, joining, j)];
+  for (std::size_t j = 1; j < samples.size(); ++j) {
+    sum += predicted.error[j][speaker(predicted, joining, j)];
+    if (sum > most * predicted.weights) return std::numeric_limits<double>::infinity();
+  }
   const double reach = (samples.back().position - samples[0].position).squaredNorm();
   const double own = predicted.distance[0][speaker(predicted, joining, 0)];
   return sum / predicted.weights + (reach > 0.0 ? 32.0 * own * own / reach : 0.0);
@@ -143,14 +150,19 @@ LocalModel best_model(const Samples& samples) {
   double least = std::numeric_limits<double>::infinity();
   std::vector<std::size_t> piece_of;
   // Generalised cross-validation: what each parameter would gain by chance is taken back.
+  const auto freedom = [&](std::size_t parameters) { return std::max(1.0 - static_cast<double>(parameters) / equations, 1e-3); };
   const auto penalised = [&](double error, std::size_t parameters) {
-    const double freedom = std::max(1.0 - static_cast<double>(parameters) / equations, 1e-3);
-    return (error + kExplained * kExplained) / (freedom * freedom);
+    return (error + kExplained * kExplained) / (freedom(parameters) * freedom(parameters));
+  };
+  // An error that is larger gives no less than the least, also as rounded.
+  const auto most_error = [&](std::size_t parameters) {
+    return least * (freedom(parameters) * freedom(parameters) + 1e-9) - kExplained * kExplained;
   };
   const auto consider = [&](const LocalModel& model, std::size_t parameters) {
-    const Predictions predicted(samples, model);
+    const Predictions predicted(samples, model, most_error(parameters));
+    if (predicted.hopeless) return;
     for (const auto& joining : kJoinings[model.count]) {
-      const double error = penalised(squared_error(samples, predicted, joining), parameters);
+      const double error = penalised(squared_error(samples, predicted, joining, most_error(parameters)), parameters);
       if (error < least) {
         least = error;
         best = joined(model, joining);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace isotouch::field {
 
@@ -37,8 +36,7 @@ BandField sample_distance(const std::function<double(const Eigen::Vector3d&)>& d
   int size = 1;
   while (4 * size < grid.size.maxCoeff()) size *= 2;
   visit(distance, field, Eigen::Vector3i::Zero(), size);
-  const auto place = [](const Brick& brick) { return std::tuple(brick.cell.z(), brick.cell.y(), brick.cell.x()); };
-  std::sort(field.bricks.begin(), field.bricks.end(), [=](const Brick& a, const Brick& b) { return place(a) < place(b); });
+  std::sort(field.bricks.begin(), field.bricks.end(), [](const Brick& a, const Brick& b) { return sort_key(a.cell) < sort_key(b.cell); });
   return field;
 }
 

@@ -105,7 +105,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   BrickBlend::Doubt doubt{enclosure_.doubt()};
   samples = brick_(first, candidates, doubt);
   if (hold(first, doubt.suspect, candidates, samples) || astray) hold(first, doubt.far & ~doubt.suspect, candidates, samples);
-  result.jumps = doubt.far != 0;  // beside it all of them may be held, or none
+  result.jumps = astray || doubt.suspect != 0;  // there the whole scan was asked: beside it all of them may be held, or none
   if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
     for (std::size_t s = 0; s < samples.size(); ++s)
       samples[s] = std::max(samples[s], static_cast<float>(closing_.distance(place(first, s))));

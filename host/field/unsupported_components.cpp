@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "host/field/brick_mask.h"
@@ -14,6 +13,7 @@
 #include "host/field/dips.h"
 #include "host/field/parallel.h"
 #include "host/field/remaining_distance.h"
+#include "host/field/sample_masks.h"
 #include "host/field/unlisted_regions.h"
 
 namespace isotouch::field {
@@ -22,8 +22,6 @@ namespace {
 
 constexpr std::uint32_t kFew = 64;  // with so few the others are asked too
 constexpr float kTaken = 1.0F;      // until the distance to the rest is known
-
-auto place(const Eigen::Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
 /// Samples of one sign that hang together within a brick.
 struct Part {
@@ -37,11 +35,9 @@ class Pieces {
  public:
   Pieces(const BandField& field, const Following& next) : regions_(field) {
     const std::vector<Brick>& bricks = field.bricks;
-    std::vector<BrickMask> inside(bricks.size(), 0);
+    std::vector<BrickMask> inside(bricks.size());
     in_parallel(bricks.size(), 1024, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) {
-        for (std::size_t s = 0; s < 64; ++s) inside[b] |= BrickMask{bricks[b].distance[s] < 0.0F} << s;
-      }
+      for (std::size_t b = begin; b < end; ++b) inside[b] = inside_of(bricks[b].distance);
     });
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       first_.push_back(static_cast<std::uint32_t>(parts_.size()));
@@ -154,7 +150,7 @@ std::vector<std::uint32_t> support(const std::vector<Brick>& bricks, Pieces& pie
       const Eigen::Vector3i cell(sample.x() >> 2, sample.y() >> 2, sample.z() >> 2);
       if (brick == bricks.end() || brick->cell != cell) {  // most corners lie in one brick
         brick = std::lower_bound(bricks.begin(), bricks.end(), cell,
-                                 [](const Brick& b, const Eigen::Vector3i& c) { return place(b.cell) < place(c); });
+                                 [](const Brick& b, const Eigen::Vector3i& c) { return sort_key(b.cell) < sort_key(c); });
       }
       if (brick == bricks.end() || brick->cell != cell) continue;
       const auto in_brick = static_cast<std::size_t>(((sample.z() & 3) * 4 + (sample.y() & 3)) * 4 + (sample.x() & 3));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <tuple>
 
 #include "host/field/hull_volume.h"
 #include "host/field/parallel.h"
@@ -44,8 +43,6 @@ constexpr double kBehindCut = 0.002;
 constexpr double kTubeEnd = 0.25;
 
 constexpr std::size_t kAsked = 20'000;  // points, at most
-
-auto place(const Vector3i& cell) { return std::tuple(cell.z(), cell.y(), cell.x()); }
 
 /// Distances and gradients between the samples of a band field.
 class Sampled {
@@ -87,7 +84,7 @@ class Sampled {
  private:
   const Brick* find(const Vector3i& cell) const {
     const auto found = std::lower_bound(field_.bricks.begin(), field_.bricks.end(), cell,
-                                        [](const Brick& b, const Vector3i& c) { return place(b.cell) < place(c); });
+                                        [](const Brick& b, const Vector3i& c) { return sort_key(b.cell) < sort_key(c); });
     return found != field_.bricks.end() && found->cell == cell ? &*found : nullptr;
   }
 
