@@ -30,7 +30,8 @@ using field::TriangleTree;
 const Colour kMaterial = srgb(0xD4DEE8);
 const Colour kCutFace = srgb(0xD9C7A4);
 const Colour kPlace = srgb(0x101418);
-constexpr double kWidestScale = 2;  // voxels: beyond, colours are full
+constexpr double kWidestScale = 2;       // voxels: beyond, colours are full
+constexpr double kNarrowestScale = 0.5;  // voxels, where a touch is drawn
 
 /// A surface, and where the other one is as seen from it.
 struct Body {
@@ -199,7 +200,8 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
                                          at + half * level.up()};
     return Camera(eye.direction, Vector3d::UnitY(), shown, area);
   };
-  const double full = std::min(worst.distance_mm / worst.voxel_mm, kWidestScale) * worst.voxel_mm;
+  const double narrowest = worst.touch ? kNarrowestScale : 0;  // surfaces may agree where a touch is worst
+  const double full = std::clamp(worst.distance_mm / worst.voxel_mm, narrowest, kWidestScale) * worst.voxel_mm;
   const std::array<const Body*, 2> bodies = {&felt, &mesh};
   const std::array<const char*, 2> names = {"the field's surface, as the core samples it", "the true surface"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -226,7 +228,7 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   canvas.frame(overview, 1.2F * scale, srgb(0xAEB8C2));
   draw_text(canvas, {overview.left + 2 * scale, top - 12 * scale}, "where it is", {.capital = 9.5F * scale, .colour = kInk});
   const Rect bar{overview.left, overview.bottom + 92 * scale, overview.left + 26 * scale, foot_of_panels - 44 * scale};
-  draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.distance_mm > full);
+  draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.touch || worst.distance_mm > full);
 
   const Point sign{panels[1].left + 10 * scale, foot_of_panels + 20 * scale};
   draw_sign(canvas, sign, sign + Point{18 * scale, 0}, 6 * scale);

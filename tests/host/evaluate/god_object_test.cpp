@@ -189,6 +189,32 @@ TEST(GodObject, SettledItPassesNoWallInAHundredThousandTicks) {
   EXPECT_LT(touching, 100'000U);
 }
 
+TEST(GodObject, SettledItRestsWhereNoPlaceRoundItIsNearer) {
+  cloud::Random random(9);
+  cloud::TriangleMesh mesh = ball(6, 3);
+  for (Vector3d& vertex : mesh.vertices) vertex *= random.uniform(0.85, 1);  // pits, peaks, and saddles of every kind
+  const field::TriangleTree tree(mesh);
+  GodObject object(tree, {0, 0, 20});
+  Vector3d hip(0, 0, 20);
+  std::size_t touching = 0, farther = 0;
+  for (int tick = 0; tick < 40'000; ++tick) {
+    hip = tick % 40 == 0 ? draw(random, 9) : Vector3d(hip + draw(random, 0.4));
+    const Vector3d place = object.settle(hip);
+    if (!object.touching()) continue;
+    ++touching;
+    bool is_nearest = true;
+    for (int i = 0; i < 16; ++i) {
+      const Vector3d foot = tree.nearest(place + draw(random, 1e-4)).point;  // a place beside it on the surface
+      const Vector3d middle = (foot + place) / 2;
+      if (field::is_inside(tree, middle + 1e-7 * (place - hip).normalized())) continue;  // not by a straight way
+      is_nearest = is_nearest && (foot - hip).norm() > (place - hip).norm() - 1e-6;
+    }
+    farther += is_nearest ? 0U : 1U;
+  }
+  EXPECT_GT(touching, 5000U);
+  EXPECT_EQ(farther, 0U);
+}
+
 /// Work of a unit spring on the hand along a closed way, by the trapezoidal rule.
 double work_of_cycle(const field::TriangleTree& tree, const Vector3d& start, const std::vector<Vector3d>& corners, double step) {
   GodObject object(tree, start);
