@@ -11,12 +11,20 @@
 #include "host/cloud/mesh.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/commands.h"
+#include "host/commands/felt_table.h"
 #include "host/commands/progress_bar.h"
+#include "host/error.h"
 #include "host/evaluate/compare_mesh.h"
+#include "host/evaluate/felt_comparison.h"
+#include "host/evaluate/felt_hands.h"
+#include "host/evaluate/recorded_hand.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/field/parallel.h"
+#include "host/field/triangle_tree.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
+#include "host/trace/trace_file.h"
 #include "host/view/png_file.h"
 #include "host/view/worst_picture.h"
 
@@ -33,6 +41,10 @@ struct Options {
   std::filesystem::path beside;  ///< another program's mesh, in the cloud's frame; empty: none
   std::filesystem::path worst;   ///< the picture to write; empty: none
   bool floor = false;
+  bool felt = false;
+  std::vector<std::string> traces;  ///< hands for --felt
+  std::uint64_t seed = 1;           ///< of the others
+  unsigned threads = 0;             ///< 0: one for each processor
   bool json = false;
 };
 
@@ -149,6 +161,50 @@ void run(const Options& options) {
   if (options.json) std::printf("%s\n", json.dump(2).c_str());
 }
 
+/// Draws the touch whose direction is worst.
+void draw_felt(const Options& options, const FieldView& field, const field::TriangleTree& tree, const evaluate::FeltPlace& worst) {
+  const cloud::TriangleMesh surface = evaluate::zero_surface(field);
+  const double distance = field::TriangleTree(surface).nearest(worst.god).distance;
+  const view::WorstTouch touch{worst.hip, worst.god, worst.proxy, words_of(worst)};
+  view::write_png(options.worst, view::worst_picture(field, surface, tree.mesh(), {worst.god, true, distance, to_double(field.edge), touch},
+                                                     {.title = options.field.stem().string()}));
+}
+
+/// What hands feel of the field, beside the true surface.
+void run_felt(const Options& options) {
+  std::FILE* to = text_stream(options.worst);
+  const field::ThreadLimit limit(options.threads);
+  const field_file::OpenField field = field_file::open_field(options.field);
+  const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
+  cloud::require_closed(in_cloud, options.mesh.string());
+  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
+  std::vector<evaluate::RecordedHand> recorded;
+  for (const std::string& file : options.traces) recorded.push_back(evaluate::recorded_hand(trace::read_trace(file)));
+  ProgressBar bar({{"hands", 5}, {"touch", 4}, {"floor", options.floor ? 5.0 : 0.0}, {"picture", options.worst.empty() ? 0.0 : 1.0}});
+  bar.begin("hands");
+  const field::TriangleTree tree(mesh);
+  const std::vector<evaluate::FeltHand> hands = evaluate::felt_hands(tree, recorded, {.seed = options.seed});
+  bar.begin("touch");
+  const evaluate::FeltComparison felt = evaluate::compare_felt(field.view, tree, hands);
+  bar.end();
+  nlohmann::ordered_json json = felt_json(felt);
+  if (!options.json) print_felt(to, "field", felt);
+  if (options.floor) {
+    bar.begin("floor");
+    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
+    const evaluate::FeltComparison floor = evaluate::compare_felt(exact.view, tree, hands);
+    bar.end();
+    json["floor"] = felt_json(floor);
+    if (!options.json) print_felt(to, "\nfloor", floor);
+  }
+  if (!options.worst.empty()) {
+    bar.begin("picture");
+    draw_felt(options, field.view, tree, felt.worst_direction);
+    bar.end();
+  }
+  if (options.json) std::printf("%s\n", json.dump(2).c_str());
+}
+
 }  // namespace
 
 void add_compare(CLI::App& app) {
@@ -159,13 +215,28 @@ void add_compare(CLI::App& app) {
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("MESH", options->mesh, "the true surface in the cloud's frame: PLY, OBJ or STL")->required();
   command->add_flag("--floor", options->floor, "also compare the mesh's exact distances on the field's grid: the errors of the grid alone");
-  command->add_option("--beside", options->beside,
-                      "also compare another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL");
-  add_output(*command, "--worst", options->worst, {&forms::kPicture}, "draw the worst place of the field");
+  CLI::Option* felt =
+      command->add_option("--felt", options->traces,
+                          "instead, measure what hands feel: direction and force beside an exact god-object on the mesh, for eight "
+                          "kinds of motion, and for the recorded hands that follow (.trace)");
+  felt->expected(0, CLI::detail::expected_max_vector_size)->type_name("[TRACE...]");
+  command
+      ->add_option("--beside", options->beside,
+                   "also compare another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL")
+      ->excludes(felt);
+  add_output(*command, "--worst", options->worst, {&forms::kPicture},
+             "draw the worst place of the field; with --felt, the touch whose direction is worst");
+  command->add_option("--seed", options->seed, "with --felt: seed of the places and motions")->needs(felt)->capture_default_str();
+  command
+      ->add_option("--threads", options->threads,
+                   "with --felt: number of threads; by default one for each processor. The result does not depend on it")
+      ->needs(felt);
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] {
+  command->callback([options, felt] {
     require_apart(options->worst, options->json);
-    run(*options);
+    options->felt = felt->count() > 0;
+    std::erase(options->traces, "");
+    options->felt ? run_felt(*options) : run(*options);
   });
 }
 

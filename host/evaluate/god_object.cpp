@@ -15,6 +15,7 @@ using field::TriangleTree;
 namespace {
 
 constexpr double kEdgeWidth = 1e-9;  // share of a face by which its sides reach beyond its edges, so that no way leads between two faces
+constexpr int kPasses = 1000;        // of one tick; some tens on the finest meshes at 1 m/s
 constexpr double kParallel = 1e-12;  // determinant of unit normals below which planes count as parallel
 
 }  // namespace
@@ -99,6 +100,40 @@ const Vector3d& GodObject::follow(const Vector3d& hip) {
     planes_[plane_count_++] = obstacle.plane;
     goal = best_under_planes(hip);
   }
+}
+
+/// Goes along a face that it touches, if that leads nearer to the hand.
+bool GodObject::leave_corner(const Vector3d& hip) {
+  constexpr double kTouches = 10;  // gaps: where planes meet at a sharp angle it stays farther from them
+  const double distance = (position_ - hip).norm();
+  const double near = kTouches * gap_;
+  Vector3d best = position_;
+  double best_distance = distance - gap_;
+  tree_.visit([&](const TriangleTree::Box& box) { return box.squared_distance(position_) <= near * near; },
+              [&](std::uint32_t face) {
+                const field::Corners corners = tree_.corners(face);
+                if ((field::nearest_on_triangle(position_, corners).point - position_).norm() > near) return;
+                const Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+                const Vector3d goal = field::nearest_on_triangle(hip, corners).point + 1.01 * gap_ * across.normalized();
+                const double reached = (goal - hip).norm();
+                Obstacle obstacle{};
+                if (reached >= best_distance || first_on_way(goal - position_, obstacle)) return;
+                best = goal;
+                best_distance = reached;
+              });
+  const bool moved = best_distance < distance - gap_;
+  position_ = best;
+  return moved;
+}
+
+const Vector3d& GodObject::settle(const Vector3d& hip) {
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const double before = (position_ - hip).norm();
+    follow(hip);
+    if ((position_ - hip).norm() < before - gap_) continue;
+    if (plane_count_ < 2 || !leave_corner(hip)) break;
+  }
+  return position_;
 }
 
 }  // namespace isotouch::evaluate

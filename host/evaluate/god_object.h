@@ -25,8 +25,11 @@ class GodObject {
   /// start     outside
   GodObject(const field::TriangleTree& tree, const Eigen::Vector3d& start);
 
-  /// Follows the hand for one tick and returns where it is.
+  /// Follows the hand for one tick and returns where it is. On a convex place it may stop in front of the face that it came to beyond an edge.
   const Eigen::Vector3d& follow(const Eigen::Vector3d& hip);
+  /// Follows again and again until nothing brings it nearer to the hand: converged in this tick, also on convex places. Where the planes met hold it
+  /// at a corner, it also tries the way along each face that meets there, because such a plane goes on beyond its face.
+  const Eigen::Vector3d& settle(const Eigen::Vector3d& hip);
 
   const Eigen::Vector3d& position() const { return position_; }
   /// Faces held it in the last tick.
@@ -45,6 +48,7 @@ class GodObject {
   };
   bool first_on_way(const Eigen::Vector3d& way, Obstacle& found) const;
   Eigen::Vector3d best_under_planes(const Eigen::Vector3d& hip) const;
+  bool leave_corner(const Eigen::Vector3d& hip);
 
   const field::TriangleTree& tree_;
   double gap_;

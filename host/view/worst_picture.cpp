@@ -30,7 +30,8 @@ using field::TriangleTree;
 const Colour kMaterial = srgb(0xD4DEE8);
 const Colour kCutFace = srgb(0xD9C7A4);
 const Colour kPlace = srgb(0x101418);
-constexpr double kWidestScale = 2;  // voxels: beyond, colours are full
+constexpr double kWidestScale = 2;       // voxels: beyond, colours are full
+constexpr double kNarrowestScale = 0.5;  // voxels, where a touch is drawn
 
 /// A surface, and where the other one is as seen from it.
 struct Body {
@@ -189,7 +190,9 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   const std::array<Rect, 2> panels = {{{gap, top, gap + side, foot_of_panels}, {2 * gap + side, top, 2 * gap + 2 * side, foot_of_panels}}};
   const Rect overview{width - column, top, width - gap, top + column - gap};
 
-  const double reach = std::max(9 * worst.voxel_mm, 1.4 * worst.distance_mm + 4 * worst.voxel_mm);
+  const double length = worst.touch ? std::max((worst.touch->proxy - worst.touch->hip).norm(), (worst.touch->god - worst.touch->hip).norm())
+                                    : worst.distance_mm;
+  const double reach = std::max(9 * worst.voxel_mm, 1.4 * length + 4 * worst.voxel_mm);
   const Vector3d centre = (worst.place + foot) / 2;
   const auto looking = [&](double half, const Vector3d& at, const Rect& area) {
     const Camera level(eye.direction, Vector3d::UnitY(), std::array{at}, area);
@@ -197,7 +200,8 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
                                          at + half * level.up()};
     return Camera(eye.direction, Vector3d::UnitY(), shown, area);
   };
-  const double full = std::min(worst.distance_mm / worst.voxel_mm, kWidestScale) * worst.voxel_mm;
+  const double narrowest = worst.touch ? kNarrowestScale : 0;  // surfaces may agree where a touch is worst
+  const double full = std::clamp(worst.distance_mm / worst.voxel_mm, narrowest, kWidestScale) * worst.voxel_mm;
   const std::array<const Body*, 2> bodies = {&felt, &mesh};
   const std::array<const char*, 2> names = {"the field's surface, as the core samples it", "the true surface"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -205,7 +209,11 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
     const std::optional<double> begin =
         eye.free ? std::nullopt : std::optional(camera.project(worst.place).distance - 0.1 * worst.voxel_mm);
     draw_body(image, panels[i], *bodies[i], {camera, begin, full});
-    draw_place(canvas.within(panels[i]), camera, worst.place, foot);
+    if (worst.touch) {
+      draw_place(canvas.within(panels[i]), camera, i == 0 ? worst.touch->proxy : worst.touch->god, worst.touch->hip);
+    } else {
+      draw_place(canvas.within(panels[i]), camera, worst.place, foot);
+    }
     canvas.frame(panels[i], 1.2F * scale, srgb(0xAEB8C2));
     draw_text(canvas, {panels[i].left + 2 * scale, top - 12 * scale}, names[i], {.capital = 9.5F * scale, .colour = kInk});
     draw_scale_bar(canvas, {panels[i].right - 12 * scale, panels[i].bottom - 14 * scale}, camera.project(centre).pixel_per_mm,
@@ -220,16 +228,22 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   canvas.frame(overview, 1.2F * scale, srgb(0xAEB8C2));
   draw_text(canvas, {overview.left + 2 * scale, top - 12 * scale}, "where it is", {.capital = 9.5F * scale, .colour = kInk});
   const Rect bar{overview.left, overview.bottom + 92 * scale, overview.left + 26 * scale, foot_of_panels - 44 * scale};
-  draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.distance_mm > full);
+  draw_legend(canvas, bar, full / worst.voxel_mm, worst.voxel_mm, worst.touch || worst.distance_mm > full);
 
   const Point sign{panels[1].left + 10 * scale, foot_of_panels + 20 * scale};
   draw_sign(canvas, sign, sign + Point{18 * scale, 0}, 6 * scale);
-  draw_text(canvas, {sign.x + 30 * scale, sign.y + 4 * scale}, "the worst place, and the nearest one of the other surface",
+  draw_text(canvas, {sign.x + 30 * scale, sign.y + 4 * scale},
+            worst.touch ? "what holds the hand (left the proxy, right the god-object), and the hand"
+                        : "the worst place, and the nearest one of the other surface",
             {.capital = 8.5F * scale, .colour = kInk});
 
   char where[96];
   std::snprintf(where, sizeof where, "(%.2f, %.2f, %.2f) mm", worst.place.x(), worst.place.y(), worst.place.z());
   const std::string figure = number(worst.distance_mm / worst.voxel_mm, 2) + " voxels = " + number(worst.distance_mm, 3) + " mm";
+  if (worst.touch) {
+    draw_caption(canvas, options.title + ": felt worst", {worst.touch->words + ", at " + where + (eye.free ? "" : "; cut open there")});
+    return image;
+  }
   draw_caption(canvas, options.title + ": worst place",
                {figure + (worst.on_truth ? " from the true surface to the field's" : " from the field's surface to the true one") +
                 ", at " + where + (eye.free ? "" : "; cut open there")});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "host/cloud/mesh.h"
@@ -10,11 +11,18 @@
 
 namespace isotouch::view {
 
+/// What a hand feels there.
+struct WorstTouch {
+  Eigen::Vector3d hip, god, proxy;  ///< mm: the hand, where a god-object rests on the true surface, where the field's proxy is
+  std::string words;                ///< for the caption
+};
+
 struct WorstPlace {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< mm, on one of the two surfaces
   bool on_truth = false;                            ///< on the true one
   double distance_mm = 0;                           ///< from there to the other surface
   double voxel_mm = 1;
+  std::optional<WorstTouch> touch = {};  ///< then lines lead from the hand to what holds it, on the field's surface and on the true one
 };
 
 struct WorstOptions {

@@ -1,0 +1,209 @@
+#include "host/evaluate/felt_comparison.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "firmware/core/render.h"
+#include "firmware/core/stiffness_at.h"
+#include "host/error.h"
+#include "host/evaluate/equal_answers.h"
+#include "host/field/first_hit.h"
+#include "host/field/line_crossings.h"
+#include "host/field/parallel.h"
+#include "host/to_double.h"
+#include "shared/device_model.h"
+
+namespace isotouch::evaluate {
+
+using Eigen::Vector3d;
+using field::TriangleTree;
+
+namespace {
+
+constexpr double kFarthestAnswer = 2;  // times as far from the hand as the god-object: beyond, it is no equal answer
+
+/// What one hand says.
+struct Felt {
+  std::vector<double> direction_deg, force_n, depth;  ///< of the compared ticks
+  std::size_t touching = 0, contact_differs = 0, jumps = 0, wrong_side = 0, phantom = 0, equal = 0;
+  FeltPlace worst_direction, worst_force;
+};
+
+double angle_deg(const Vector3d& a, const Vector3d& b) {
+  if (a.squaredNorm() == 0 || b.squaredNorm() == 0) return 180;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
+class Comparer {
+ public:
+  Comparer(const FieldView& field, const TriangleTree& tree)
+      : field_(field), tree_(tree), tolerance_(kWrongSideVoxels * to_double(field.edge)) {}
+
+  double tolerance() const { return tolerance_; }
+
+  Felt run(const FeltHand& hand) const {
+    TickSettings settings;
+    settings.force_limit = Newton::of(100);
+    settings.ramp_ticks = 0;
+    const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field_);
+    core::PositionState state;
+    Felt felt;
+    Output before;
+    bool apart = false;
+    for (std::size_t i = 0; i < hand.ticks.size(); ++i) {
+      const FeltTick& tick = hand.ticks[i];
+      const Output out = core::render_position(position_input(tick.hip), field_, model, state);
+      judge(hand, i, before, out, apart, felt);
+      before = out;
+    }
+    return felt;
+  }
+
+ private:
+  double stiffness_near(const Vector3d& place) const {
+    const Vec3<Voxel> index = mul<Voxel>(to_fixed<Mm>(place) - field_.origin, field_.inverse_edge);
+    return to_double(core::stiffness_at(index, field_, field_.stiffness));
+  }
+
+  Vector3d normal_at(const Vector3d& place) const {
+    const auto [a, b, c] = tree_.corners(tree_.nearest(place).face);
+    return (b - a).cross(c - a).normalized();
+  }
+
+  bool is_on_wrong_side(const Vector3d& proxy, const Vector3d& god) const {
+    const Vector3d way = proxy - god;
+    const double length = way.norm();
+    if (length <= tolerance_) return false;
+    if (field::is_inside(tree_, proxy)) return tree_.nearest(proxy).distance > tolerance_;
+    const auto hit = field::first_hit(tree_, god, way / length);
+    return hit && hit->t < length && normal_at(proxy).dot(normal_at(god)) < 0;
+  }
+
+  bool jumps(const FeltHand& hand, std::size_t i, const Output& before, const Output& out) const {
+    if (i == 0 || (before.status & out.status & kContact) == 0) return false;
+    const FeltTick &last = hand.ticks[i - 1], &now = hand.ticks[i];
+    const double most = kJumpFactor * (to_double(now.hip) - to_double(last.hip)).norm() + kJumpMm;
+    const bool exact_jumps = (now.god - last.god).norm() > most;
+    return !exact_jumps && (to_double(out.proxy) - to_double(before.proxy)).norm() > most;
+  }
+
+  void judge(const FeltHand& hand, std::size_t i, const Output& before, const Output& out, bool& apart, Felt& felt) const {
+    const FeltTick& tick = hand.ticks[i];
+    const Vector3d hip = to_double(tick.hip), proxy = to_double(out.proxy), force = to_double(out.force);
+    const bool touching = (out.status & kContact) != 0;
+    const double depth = tick.touching ? (tick.god - hip).norm() : 0;
+    const bool differs = touching != tick.touching;
+    const bool jump = jumps(hand, i, before, out);
+    const bool wrong = is_on_wrong_side(proxy, tick.god);
+    const bool phantom = !tick.touching && force.norm() > kPhantomForce;
+    const bool compared = touching && tick.touching && depth >= kFeltDepths.front() && depth <= kFeltDepths.back();
+    felt.touching += tick.touching ? 1U : 0U;
+    // Where two answers are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
+    const Vector3d exact = stiffness_near(tick.god) * (tick.god - hip);
+    const bool other_answer = touching && tick.touching && !wrong && angle_deg(force, exact) > kOtherDirectionDeg &&
+                              (proxy - hip).norm() < kFarthestAnswer * depth;
+    apart = apart && other_answer;
+    if (!differs && !jump && !wrong && !phantom && !compared) return;
+    if (apart || (tick.touching && has_equal_answer(tree_, hip, tick.god))) {
+      apart = other_answer;
+      ++felt.equal;
+      return;
+    }
+    felt.contact_differs += differs ? 1U : 0U;
+    felt.jumps += jump ? 1U : 0U;
+    felt.wrong_side += wrong ? 1U : 0U;
+    felt.phantom += phantom ? 1U : 0U;
+    if (!compared) return;
+    FeltPlace place{hand.kind, hand.number, hand.from, i, hip, tick.god, proxy, force, exact, 0, 0};
+    place.direction_deg = angle_deg(place.felt, place.exact);
+    place.force_n = (place.felt - place.exact).norm();
+    felt.direction_deg.push_back(place.direction_deg);
+    felt.force_n.push_back(place.force_n);
+    felt.depth.push_back(depth);
+    if (place.direction_deg > felt.worst_direction.direction_deg) felt.worst_direction = place;
+    if (place.force_n > felt.worst_force.force_n) felt.worst_force = place;
+  }
+
+  const FieldView& field_;
+  const TriangleTree& tree_;
+  double tolerance_;
+};
+
+FeltFigures figures_of(const std::vector<const FeltHand*>& hands, const std::vector<const Felt*>& felt) {
+  FeltFigures figures;
+  std::vector<double> direction, force;
+  std::array<std::vector<double>, kFeltDepths.size() - 1> directions, forces;
+  for (std::size_t h = 0; h < hands.size(); ++h) {
+    const Felt& one = *felt[h];
+    ++figures.hands;
+    figures.ticks += hands[h]->ticks.size();
+    figures.touching += one.touching;
+    figures.contact_differs += one.contact_differs;
+    figures.jumps += one.jumps;
+    figures.wrong_side += one.wrong_side;
+    figures.force_without_contact += one.phantom;
+    figures.equal_answers += one.equal;
+    for (std::size_t i = 0; i < one.depth.size(); ++i) {
+      direction.push_back(one.direction_deg[i]);
+      force.push_back(one.force_n[i]);
+      std::size_t range = 0;
+      while (range + 2 < kFeltDepths.size() && one.depth[i] > kFeltDepths[range + 1]) ++range;
+      directions[range].push_back(one.direction_deg[i]);
+      forces[range].push_back(one.force_n[i]);
+    }
+  }
+  figures.errors = {quantiles(std::move(direction)), quantiles(std::move(force))};
+  for (std::size_t r = 0; r < directions.size(); ++r)
+    figures.by_depth[r] = {quantiles(std::move(directions[r])), quantiles(std::move(forces[r]))};
+  return figures;
+}
+
+}  // namespace
+
+Quantiles quantiles(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto rank = [&](double share) {
+    const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::max<std::size_t>(place, 1) - 1];
+  };
+  return {values.size(), rank(0.5), rank(0.95), rank(0.99), values.back()};
+}
+
+FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, const std::vector<FeltHand>& hands) {
+  const Comparer comparer(field, tree);
+  std::vector<Felt> felt(hands.size());
+  field::in_parallel(hands.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) felt[i] = comparer.run(hands[i]);
+  });
+  FeltComparison comparison;
+  comparison.wrong_side_mm = comparer.tolerance();
+  std::vector<const FeltHand*> every_hand;
+  std::vector<const Felt*> every_felt;
+  for (std::size_t first = 0; first < hands.size();) {
+    std::vector<const FeltHand*> of_kind;
+    std::vector<const Felt*> felt_of_kind;
+    std::size_t i = first;
+    for (; i < hands.size() && hands[i].kind == hands[first].kind; ++i) {
+      of_kind.push_back(&hands[i]);
+      felt_of_kind.push_back(&felt[i]);
+      if (felt[i].worst_direction.direction_deg > comparison.worst_direction.direction_deg)
+        comparison.worst_direction = felt[i].worst_direction;
+      if (felt[i].worst_force.force_n > comparison.worst_force.force_n) comparison.worst_force = felt[i].worst_force;
+    }
+    comparison.kinds.push_back({hands[first].kind, figures_of(of_kind, felt_of_kind)});
+    every_hand.insert(every_hand.end(), of_kind.begin(), of_kind.end());
+    every_felt.insert(every_felt.end(), felt_of_kind.begin(), felt_of_kind.end());
+    first = i;
+  }
+  comparison.all = figures_of(every_hand, every_felt);
+  if (comparison.all.errors.direction_deg.count == 0) {
+    throw InputError(
+        "no hand feels both the field and the mesh between 0.1 and 1 mm deep: nothing was compared; is this the mesh of the field?");
+  }
+  return comparison;
+}
+
+}  // namespace isotouch::evaluate

@@ -1,0 +1,226 @@
+#include "host/evaluate/felt_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "host/encoding/write_image.h"
+#include "host/error.h"
+#include "host/field/make_grid.h"
+#include "host/field/parallel.h"
+#include "host/field/sample_distance.h"
+#include "host/field_file/open_field.h"
+#include "tests/host/evaluate/ball_mesh.h"
+#include "tests/host/evaluate/box_mesh.h"
+
+namespace isotouch::evaluate {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRadius = 15;
+constexpr double kEdge = 0.4;
+constexpr double kShare = 0.25;  // of the usual number of hands
+
+using DistanceTo = std::function<double(const Vector3d&)>;
+
+double to_ball(const Vector3d& p) { return p.norm() - kRadius; }
+
+field_file::OpenField field_of(const DistanceTo& distance, double half, Interpolation interpolation = Interpolation::kSpline) {
+  const field::Grid grid = field::make_grid(Vector3d::Constant(-half), Vector3d::Constant(half), kEdge, 7);
+  encoding::FieldInfo info;
+  info.interpolation = interpolation;
+  return field_file::open_field(encoding::write_image(field::sample_distance(distance, grid, 3), info), "made");
+}
+
+/// A fine ball, and hands on it.
+struct Ball {
+  cloud::TriangleMesh mesh = ball(kRadius, 6);
+  field::TriangleTree tree{mesh};
+  std::vector<FeltHand> hands = felt_hands(tree, {}, {.seed = 3, .share = kShare});
+
+  FeltComparison compare(const DistanceTo& distance, Interpolation interpolation = Interpolation::kSpline) const {
+    const field_file::OpenField field = field_of(distance, kRadius + 0.5, interpolation);
+    return compare_felt(field.view, tree, hands);
+  }
+};
+const Ball& the_ball() {
+  static const Ball ball;
+  return ball;
+}
+
+TEST(FeltComparison, QuantilesAreRanks) {
+  std::vector<double> values;
+  for (int i = 100; i > 0; --i) values.push_back(i);
+  const Quantiles of = quantiles(values);
+  EXPECT_EQ(of.count, 100U);
+  EXPECT_EQ(of.median, 50);
+  EXPECT_EQ(of.p95, 95);
+  EXPECT_EQ(of.p99, 99);
+  EXPECT_EQ(of.max, 100);
+  EXPECT_EQ(quantiles({}).count, 0U);
+  EXPECT_EQ(quantiles({7}).median, 7);
+}
+
+// The mesh itself is off by half the angle between its faces, 0.6 degrees of 1.2, and the god-object stays on a face a little longer.
+TEST(FeltComparison, AnExactBallIsFeltExactly) {
+  for (const Interpolation interpolation : {Interpolation::kSpline, Interpolation::kTrilinear}) {
+    const FeltFigures all = the_ball().compare(to_ball, interpolation).all;
+    EXPECT_GT(all.errors.direction_deg.count, 10'000U);
+    EXPECT_LT(all.errors.direction_deg.p95, 0.9);
+    EXPECT_GT(all.errors.direction_deg.p95, 0.3);
+    EXPECT_LT(all.errors.force_n.p95, 0.012);
+    EXPECT_GT(all.errors.force_n.p95, 0.004);
+    EXPECT_EQ(all.jumps, 0U);
+    EXPECT_EQ(all.wrong_side, 0U);
+    EXPECT_EQ(all.force_without_contact, 0U);
+    EXPECT_LT(all.contact_differs, all.touching / 200);
+  }
+}
+
+TEST(FeltComparison, AnExactPlaneIsFeltExactly) {
+  const Vector3d middle(0, 0, -3);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Vector3d(2, 1, 3).normalized()).toRotationMatrix();  // no axis of the grid
+  cloud::TriangleMesh mesh = box({-20, -20, -3}, {20, 20, 3});
+  for (Vector3d& vertex : mesh.vertices) vertex = turn * vertex + middle;
+  const auto to_slab = [&](const Vector3d& p) {
+    const Vector3d out = (turn.transpose() * (p - middle)).cwiseAbs() - Vector3d(20, 20, 3);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  const field::TriangleTree tree(mesh);
+  FeltHand hand{FeltKind::kSlide100, 0, {}, {}};
+  FeltPath path(tree, turn * Vector3d(-8, -8, 5) + middle);
+  SteeredHand steered(tree, path, turn.col(2), turn.col(0) + 0.7 * turn.col(1));
+  for (const double depth : {0.15, 0.4, 0.9}) {
+    steered.sink(depth);
+    for (int tick = 0; tick < 60; ++tick) steered.step(0.1, 0, depth);
+  }
+  hand.ticks = path.take();
+  const FeltFigures all = compare_felt(field_of(to_slab, 34).view, tree, {hand}).all;
+  EXPECT_GT(all.errors.direction_deg.count, 170U);
+  EXPECT_LT(all.errors.direction_deg.p95, 0.03);
+  EXPECT_GT(all.errors.direction_deg.p95, 0.0003) << "the field's numbers are rounded";
+  EXPECT_LT(all.errors.force_n.p95, 0.0005);
+  EXPECT_GT(all.errors.force_n.p95, 0.000005);
+  for (const FeltErrors& range : all.by_depth) EXPECT_GT(range.direction_deg.count, 50U);
+  EXPECT_EQ(all.jumps + all.wrong_side + all.force_without_contact + all.equal_answers, 0U);
+}
+
+TEST(FeltComparison, AShiftedFieldIsFound) {
+  const FeltFigures sound = the_ball().compare(to_ball).all;
+  const FeltFigures shifted = the_ball().compare([](const Vector3d& p) { return to_ball(p - Vector3d(0.3, 0, 0)); }).all;
+  EXPECT_GT(shifted.errors.force_n.median, 10 * sound.errors.force_n.median);
+  EXPECT_GT(shifted.errors.force_n.max, 0.2) << "0.8 N/mm times 0.3 mm";
+  EXPECT_LT(shifted.errors.force_n.max, 0.3);
+  EXPECT_GT(shifted.contact_differs, 3 * sound.contact_differs);
+  EXPECT_GT(shifted.force_without_contact, 20U);
+  EXPECT_GT(shifted.wrong_side, 1000U) << "0.3 mm are more than half a voxel";
+}
+
+TEST(FeltComparison, TurnedNormalsAreFound) {
+  const auto rippled = [](const Vector3d& p) {
+    return to_ball(p) + 0.03 * std::sin(3 * p.x()) * std::sin(3 * p.y()) * std::sin(3 * p.z());
+  };
+  const FeltFigures sound = the_ball().compare(to_ball).all;
+  const FeltFigures turned = the_ball().compare(rippled).all;
+  EXPECT_GT(turned.errors.direction_deg.median, 3 * sound.errors.direction_deg.median);
+  EXPECT_GT(turned.errors.direction_deg.p95, 3);
+  EXPECT_LT(turned.errors.direction_deg.p95, 10);
+  EXPECT_GT(turned.errors.force_n.p95, 4 * sound.errors.force_n.p95);
+}
+
+TEST(FeltComparison, GroovesInWhichTheProxyIsCaughtAreJumps) {
+  const auto grooved = [](const Vector3d& p) { return to_ball(p) + 0.5 * std::sin(2.5 * p.x()); };
+  const FeltFigures all = the_ball().compare(grooved).all;
+  EXPECT_GT(all.jumps, 30U);
+  EXPECT_GT(all.errors.direction_deg.p95, 20);
+}
+
+TEST(FeltComparison, AMissingWallIsFound) {
+  const auto open = [](const Vector3d& p) { return std::max(to_ball(p), p.z() - 12); };
+  const FeltFigures sound = the_ball().compare(to_ball).all;
+  const FeltFigures all = the_ball().compare(open).all;
+  EXPECT_GT(all.contact_differs, 10 * sound.contact_differs + 500);
+  EXPECT_GT(all.wrong_side, 500U);
+}
+
+TEST(FeltComparison, APlateThroughWhichTheProxyFallsIsTheWrongSide) {
+  const auto mesh = box({-15, -15, -0.5}, {15, 15, 0.5});
+  const field::TriangleTree tree(mesh);
+  std::vector<FeltHand> hands;
+  for (const double x : {8.0, 0.0}) {
+    FeltPath path(tree, {x, 0, 3});
+    path.move({x, 0, -1.5}, 0.1);
+    path.hold(50);
+    EXPECT_TRUE(path.touching());
+    hands.push_back({FeltKind::kThin, hands.size(), {}, path.take()});
+  }
+  const auto plate = [](const Vector3d& p) {
+    const Vector3d out = p.cwiseAbs() - Vector3d(15, 15, 0.5);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  EXPECT_EQ(compare_felt(field_of(plate, 15).view, tree, hands).all.wrong_side, 0U);
+  const auto holed = [&](const Vector3d& p) { return std::max(plate(p), 4 - std::hypot(p.x(), p.y())); };
+  const FeltFigures all = compare_felt(field_of(holed, 15).view, tree, hands).all;
+  EXPECT_GT(all.wrong_side, 50U);
+  EXPECT_GT(all.contact_differs, 50U);
+}
+
+TEST(FeltComparison, RoundedEdgesAreMeasuredAsEdges) {
+  const auto mesh = box({-10, -10, -10}, {10, 10, 10});
+  const field::TriangleTree tree(mesh);
+  const std::vector<FeltHand> hands = felt_hands(tree, {}, {.seed = 3, .share = kShare});
+  const auto cube = [](const Vector3d& p) {
+    const Vector3d out = p.cwiseAbs() - Vector3d::Constant(10);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  const FeltComparison felt = compare_felt(field_of(cube, 10).view, tree, hands);
+  std::optional<FeltFigures> edge, slide;
+  for (const auto& [kind, figures] : felt.kinds) {
+    if (kind == FeltKind::kEdge) edge = figures;
+    if (kind == FeltKind::kSlide100) slide = figures;
+    EXPECT_NE(kind, FeltKind::kCrease) << "a cube has none";
+    EXPECT_NE(kind, FeltKind::kThin) << "a cube is not thin";
+  }
+  ASSERT_TRUE(edge && slide);
+  EXPECT_GT(edge->errors.direction_deg.count, 1000U);
+  EXPECT_GT(edge->errors.direction_deg.p95, slide->errors.direction_deg.p95);
+  EXPECT_GT(edge->equal_answers, 0U);
+  EXPECT_LT(slide->errors.direction_deg.median, 0.01);
+  EXPECT_EQ(felt.all.wrong_side, 0U);
+}
+
+TEST(FeltComparison, AnyNumberOfThreadsGivesTheSame) {
+  std::vector<FeltComparison> of;
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    const field::ThreadLimit limit(threads);
+    const std::vector<FeltHand> hands = felt_hands(the_ball().tree, {}, {.seed = 9, .share = 0.1});
+    of.push_back(compare_felt(field_of(to_ball, kRadius + 0.5).view, the_ball().tree, hands));
+  }
+  for (const FeltComparison& other : of) {
+    ASSERT_EQ(other.kinds.size(), of[0].kinds.size());
+    for (std::size_t k = 0; k < other.kinds.size(); ++k) {
+      const FeltFigures &a = of[0].kinds[k].figures, &b = other.kinds[k].figures;
+      EXPECT_EQ(a.errors.direction_deg.p95, b.errors.direction_deg.p95);
+      EXPECT_EQ(a.errors.direction_deg.max, b.errors.direction_deg.max);
+      EXPECT_EQ(a.errors.force_n.p99, b.errors.force_n.p99);
+      EXPECT_EQ(a.ticks, b.ticks);
+      EXPECT_EQ(a.contact_differs, b.contact_differs);
+    }
+    EXPECT_EQ(other.worst_force.force_n, of[0].worst_force.force_n);
+    EXPECT_EQ(other.worst_force.hip, of[0].worst_force.hip);
+  }
+}
+
+TEST(FeltComparison, AFieldThatNobodyTouchesIsRefused) {
+  const auto far = [](const Vector3d& p) { return (p - Vector3d::Constant(60)).norm() - 5; };
+  const field_file::OpenField field = field_of(far, 70);
+  EXPECT_THROW(compare_felt(field.view, the_ball().tree, the_ball().hands), InputError);
+  EXPECT_THROW(compare_felt(field.view, the_ball().tree, {}), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::evaluate
