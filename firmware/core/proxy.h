@@ -32,7 +32,6 @@ struct ProxyState {
   Vec3<Voxel> point;   ///< where the field was sampled last, index coordinates
   FieldSample sample;  ///< the field there
   Vec3<Voxel> proxy;   ///< the last proxy in contact
-  bool held = false;   ///< it stayed behind while the search was not settled, and has not caught up yet
   Vec3<Voxel> hip;     ///< the last HIP
   StepMemory steps;
 };
@@ -55,8 +54,7 @@ Contact rest_at(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& stat
 ///
 /// hip       index coordinates, within ±8191 voxels
 /// field     the same view in every tick of a state's life
-/// returns   contact; φ(proxy) >= -0.05 voxel in contact, as sampled; in a trilinear field, -0.13. Where the search has not settled, the proxy stays
-///           where it was; then it goes straight to the place that was found, at most twice as far as the hand and half a voxel in a tick
+/// returns   contact; φ(proxy) >= -0.05 voxel in contact, as sampled; in a trilinear field, -0.13
 /// fails     never; a HIP that begins inside the object gives no contact until it has left
 /// tick      yes: kProxySteps samples, constant cost, no division
 Contact step_proxy(const Vec3<Voxel>& hip, const FieldView& field, ProxyState& state);

@@ -20,16 +20,8 @@ class Hand {
  public:
   explicit Hand(const FieldView& field) : field_(field) {}
   Contact move_to(const test::Point& hip) {
-    const Vec3<Voxel> place = test::to_voxel(hip), before = state_.proxy;
-    const test::Point motion = test::to_point(place - state_.hip);
-    const bool was_held = state_.held;
-    const Contact contact = step_proxy(place, field_, state_);
-    if (contact.touching && was_held) {
-      const double pace = std::max({std::abs(motion.x), std::abs(motion.y), std::abs(motion.z)});
-      leap_ = std::max(leap_, test::length(test::to_point(contact.proxy - before)) - 2 * pace);
-      ++held_;
-    }
-    if (contact.touching && !state_.held) deepest_ = std::min(deepest_, test::to_double(sample_field(field_, contact.proxy).distance));
+    const Contact contact = step_proxy(test::to_voxel(hip), field_, state_);
+    if (contact.touching) deepest_ = std::min(deepest_, test::to_double(sample_field(field_, contact.proxy).distance));
     return contact;
   }
   /// Ticks until `to` is reached at `speed` voxels a tick; calls `see` after each.
@@ -48,15 +40,12 @@ class Hand {
     for (int t = 0; t < ticks; ++t) contact = other.move_to(hip);
     return contact;
   }
-  double deepest() const { return deepest_; }  // smallest φ(proxy) seen in contact, but where it was held or caught up
-  int held() const { return held_; }           // ticks after one in which the proxy was held or caught up
-  double leap() const { return leap_; }        // furthest that it then went in a tick, beyond twice the hand's pace
+  double deepest() const { return deepest_; }  // smallest φ(proxy) seen in contact
 
  private:
   const FieldView& field_;
   ProxyState state_;
-  double deepest_ = 1.0, leap_ = 0;
-  int held_ = 0;
+  double deepest_ = 1.0;
 };
 
 /// A property of the proxy that holds for both interpolations.

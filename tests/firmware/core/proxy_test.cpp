@@ -213,9 +213,9 @@ struct CrossedPlates {
 TEST_P(ProxyOnHeavy, AmongThreeCrossedPlatesItStaysInItsChamber) {
   for (const double degrees : {90.0, 40.0}) {
     Random random(33);
-    int runs = 0, wrong = 0, held = 0;
+    int runs = 0, wrong = 0;
     std::int64_t in_contact = 0;
-    double lowest = 1.0, leap = 0;
+    double lowest = 1.0;
     for (int body = 0; body < 20; ++body) {
       const CrossedPlates plates(random, degrees, options());
       for (int run = 0; run < 100; ++run) {
@@ -240,8 +240,6 @@ TEST_P(ProxyOnHeavy, AmongThreeCrossedPlatesItStaysInItsChamber) {
         }
         wrong += left ? 1 : 0;
         lowest = std::min(lowest, hand.deepest());
-        held += hand.held();
-        leap = std::max(leap, hand.leap());
         ++runs;
       }
     }
@@ -249,9 +247,6 @@ TEST_P(ProxyOnHeavy, AmongThreeCrossedPlatesItStaysInItsChamber) {
     EXPECT_EQ(wrong, 0) << degrees << " degrees";
     EXPECT_GT(in_contact, 100000);
     EXPECT_GT(lowest, deepest()) << degrees << " degrees";
-    EXPECT_GT(held, 100) << degrees << " degrees";
-    EXPECT_LT(leap, 0.501) << degrees << " degrees: a proxy that was held goes on, it does not leap";
-    EXPECT_GT(leap, 0.4) << degrees << " degrees";
   }
 }
 
