@@ -61,10 +61,10 @@ struct Sphere {
     return published::peel(inside, quiet);
   }
   /// The same levels as the controller renders them, by the descent of the published method.
-  field_file::OpenField published_field() const {
+  static field_file::OpenField published_field(const published::LevelField& levels) {
     encoding::FieldInfo info;
     info.method = Method::kPublished;
-    return field_file::open_field(encoding::write_image(published::to_band_field(levels()), info), "sphere");
+    return field_file::open_field(encoding::write_image(published::to_band_field(levels), info), "sphere");
   }
   /// Anywhere on the sphere, four voxels deep at 300 mm/s: great circles that turn at random every 50 ms.
   Motion wander(int ticks) const {
@@ -162,8 +162,9 @@ void bench_tick(const std::vector<std::filesystem::path>& fields, bool as_json) 
   const TickTimes device = time_device(field.view, motion);
   const TickTimes device_felt = time_device(varied.view, motion, every_feature());
   bar.begin("published");
-  const TickTimes published = time_published(small.levels(), to_double(field.view.stiffness), motion);
-  const TickTimes descent = time_core(small.published_field().view, motion);
+  const published::LevelField levels = small.levels();
+  const TickTimes published = time_published(levels, to_double(field.view.stiffness), motion);
+  const TickTimes descent = time_core(Sphere::published_field(levels).view, motion);
   bar.begin("wide");
   const TickTimes wide = time_core(large.field().view, large.slide());
   bar.end();

@@ -1,12 +1,12 @@
 #include "host/evaluate/felt_comparison.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "firmware/core/render.h"
 #include "firmware/core/stiffness_at.h"
+#include "host/angle.h"
+#include "host/cloud/mesh.h"
 #include "host/error.h"
 #include "host/evaluate/equal_answers.h"
 #include "host/field/first_hit.h"
@@ -31,9 +31,9 @@ struct Felt {
   FeltPlace worst_direction, worst_force;
 };
 
-double angle_deg(const Vector3d& a, const Vector3d& b) {
-  if (a.squaredNorm() == 0 || b.squaredNorm() == 0) return 180;
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+/// No force at all is as wrong as one in the opposite direction.
+double direction_error(const Vector3d& felt, const Vector3d& exact) {
+  return felt.isZero(0) || exact.isZero(0) ? 180 : angle_deg(felt, exact);
 }
 
 class Comparer {
@@ -67,10 +67,7 @@ class Comparer {
     return to_double(core::stiffness_at(index, field_, field_.stiffness));
   }
 
-  Vector3d normal_at(const Vector3d& place) const {
-    const auto [a, b, c] = tree_.corners(tree_.nearest(place).face);
-    return (b - a).cross(c - a).normalized();
-  }
+  Vector3d normal_at(const Vector3d& place) const { return cloud::face_normal(tree_.mesh(), tree_.nearest(place).face); }
 
   bool is_on_wrong_side(const Vector3d& proxy, const Vector3d& god) const {
     const Vector3d way = proxy - god;
@@ -102,7 +99,7 @@ class Comparer {
     felt.touching += tick.touching ? 1U : 0U;
     // Where two answers are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
     const Vector3d exact = stiffness_near(tick.god) * (tick.god - hip);
-    const bool other_answer = touching && tick.touching && !wrong && angle_deg(force, exact) > kOtherDirectionDeg &&
+    const bool other_answer = touching && tick.touching && !wrong && direction_error(force, exact) > kOtherDirectionDeg &&
                               (proxy - hip).norm() < kFarthestAnswer * depth;
     apart = apart && other_answer;
     if (!differs && !jump && !wrong && !phantom && !compared) return;
@@ -117,7 +114,7 @@ class Comparer {
     felt.phantom += phantom ? 1U : 0U;
     if (!compared) return;
     FeltPlace place{hand.kind, hand.number, hand.from, i, hip, tick.god, proxy, force, exact, 0, 0};
-    place.direction_deg = angle_deg(place.felt, place.exact);
+    place.direction_deg = direction_error(place.felt, place.exact);
     place.force_n = (place.felt - place.exact).norm();
     felt.direction_deg.push_back(place.direction_deg);
     felt.force_n.push_back(place.force_n);

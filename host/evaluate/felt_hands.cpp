@@ -1,13 +1,14 @@
 #include "host/evaluate/felt_hands.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "host/cloud/mesh.h"
 #include "host/cloud/random.h"
 #include "host/error.h"
+#include "host/evaluate/plane_motion.h"
 #include "host/evaluate/sharp_edges.h"
 #include "host/field/first_hit.h"
 #include "host/field/line_crossings.h"
@@ -41,34 +42,9 @@ Vector3d in_cube(Random& random, double half) {
   return {x, y, random.uniform(-half, half)};
 }
 
-/// How a recorded hand moves, in the frame of the surface.
-struct PlaneMotion {
-  std::vector<double> ahead, aside;  ///< mm, from tick to tick
-  std::vector<double> depth;         ///< mm
-};
-
-/// Main plane: the two directions in which the hand moves most.
-PlaneMotion on_plane(const std::vector<Vector3d>& positions) {
-  Vector3d mean = Vector3d::Zero();
-  for (const Vector3d& p : positions) mean += p / static_cast<double>(positions.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3d& p : positions) spread += (p - mean) * (p - mean).transpose();
-  const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();  // the least first
-  constexpr std::size_t kWindow = 250;                                                                 // ticks on either side
-  constexpr double kMaxStep = 1;                                                                       // mm a tick
-  PlaneMotion motion;
-  double sum = 0;
-  std::size_t begin = 0, end = 0;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vector3d step = i == 0 ? Vector3d(Vector3d::Zero()) : Vector3d(positions[i] - positions[i - 1]);
-    motion.ahead.push_back(std::clamp(step.dot(axes.col(2)), -kMaxStep, kMaxStep));
-    motion.aside.push_back(std::clamp(step.dot(axes.col(1)), -kMaxStep, kMaxStep));
-    for (; end < std::min(i + kWindow, positions.size()); ++end) sum += positions[end].dot(axes.col(0));
-    for (; begin + kWindow < i; ++begin) sum -= positions[begin].dot(axes.col(0));
-    const double slow = sum / static_cast<double>(end - begin);
-    motion.depth.push_back(std::clamp(0.5 + slow - positions[i].dot(axes.col(0)), 0.1, 1.0));
-  }
-  return motion;
+/// What a wave of amplitude 1 moves in this tick.
+double swing(double per_second, int tick) {
+  return motion::wave(per_second * kTick * (tick + 1)) - motion::wave(per_second * kTick * tick);
 }
 
 class Planner {
@@ -81,7 +57,7 @@ class Planner {
     }
     if (places_.empty()) throw InputError("the mesh has no place that can be touched from outside");
     for (const SharpEdge& edge : sharp_edges(tree.mesh(), kSharpDeg)) (edge.turn_deg > 0 ? convex_ : concave_).push_back(edge);
-    for (const RecordedHand& hand : recorded) motions_.push_back(on_plane(hand.positions));
+    for (const RecordedHand& hand : recorded) motions_.push_back(plane_motion(hand.positions));
     for (std::size_t kind = 0; kind < kHands.size(); ++kind) {
       const double wanted = static_cast<double>(kHands[kind]) * options.share;
       for (std::size_t i = 0; i < std::max<std::size_t>(1, static_cast<std::size_t>(wanted)); ++i) {
@@ -179,8 +155,7 @@ class Planner {
     const double depth = random.uniform(0.1, 1);
     hand.sink(depth);
     for (int tick = 0; tick < 700; ++tick) {
-      const double before = motion::wave(kPerSecond * kTick * tick), after = motion::wave(kPerSecond * kTick * (tick + 1));
-      hand.step(kStroke * (before - after), 0, depth);
+      hand.step(-kStroke * swing(kPerSecond, tick), 0, depth);
     }
     return path.take();
   }
@@ -201,36 +176,17 @@ class Planner {
     return path.take();
   }
 
-  /// Somewhere on one of the edges, by length.
-  static const SharpEdge* any_edge(const std::vector<SharpEdge>& edges, Random& random, Vector3d& point) {
-    double length = 0;
-    for (const SharpEdge& edge : edges) length += (edge.end - edge.begin).norm();
-    if (!(length > 0)) return nullptr;
-    double left = random.uniform() * length;
-    for (const SharpEdge& edge : edges) {
-      const double own = (edge.end - edge.begin).norm();
-      if (left < own) {
-        point = edge.begin + left / own * (edge.end - edge.begin);
-        return &edge;
-      }
-      left -= own;
-    }
-    point = edges.back().end;
-    return &edges.back();
-  }
-
   std::vector<FeltTick> edge(Random& random) const {
     constexpr double kBeside = 1, kPerSecond = 2.5, kSpeed = 20;  // mm, times a second, mm/s
-    Vector3d on_edge;
-    const SharpEdge* edge = any_edge(convex_, random, on_edge);
-    if (edge == nullptr) return {};
-    const Vector3d along = (edge->end - edge->begin).normalized();
+    const std::optional<EdgePlace> found = place_on_edges(convex_, random);
+    if (!found) return {};
+    const auto& [edge, on_edge] = *found;
+    const Vector3d along = (edge.end - edge.begin).normalized();
     const std::size_t side = random.bits() & 1U;
-    Vector3d into_face = edge->normals[side].cross(along).normalized();
-    if (into_face.dot(edge->normals[1 - side]) > 0) into_face = -into_face;  // the other face's front lies beyond the edge
+    Vector3d into_face = edge.normals[side].cross(along).normalized();
+    if (into_face.dot(edge.normals[1 - side]) > 0) into_face = -into_face;  // the other face's front lies beyond the edge
     const TriangleTree::Foot foot = tree_.nearest(on_edge + kBeside * into_face);
-    const auto [a, b, c] = tree_.corners(foot.face);
-    const Place place{foot.point, (b - a).cross(c - a).normalized()};
+    const Place place{foot.point, cloud::face_normal(tree_.mesh(), foot.face)};
     if (!is_free(place)) return {};
     const std::optional<Vector3d> begin = above(place);
     if (!begin) return {};
@@ -240,31 +196,29 @@ class Planner {
     hand.sink(depth);
     const double width = into_face.dot(hand.aside()) > 0 ? kBeside : -kBeside;
     for (int tick = 0; tick < 400; ++tick) {
-      const double before = motion::wave(kPerSecond * kTick * tick), after = motion::wave(kPerSecond * kTick * (tick + 1));
-      hand.step(kSpeed * kTick, width * (after - before), depth);
+      hand.step(kSpeed * kTick, width * swing(kPerSecond, tick), depth);
     }
     return path.take();
   }
 
   std::vector<FeltTick> crease(Random& random) const {
     constexpr double kPerSecond = 2.5, kSpeed = 20;  // times a second, mm/s
-    Vector3d on_edge;
-    const SharpEdge* edge = any_edge(concave_, random, on_edge);
-    if (edge == nullptr) return {};
-    const Vector3d out = edge->normals[0] + edge->normals[1];
+    const std::optional<EdgePlace> found = place_on_edges(concave_, random);
+    if (!found) return {};
+    const auto& [edge, on_edge] = *found;
+    const Vector3d out = edge.normals[0] + edge.normals[1];
     if (out.norm() < 0.1) return {};
     const Place place{on_edge, out.normalized()};
     if (!is_free(place)) return {};
     const std::optional<Vector3d> begin = above(place);
     if (!begin) return {};
     FeltPath path(tree_, *begin);
-    SteeredHand hand(tree_, path, place.outward, edge->end - edge->begin);
+    SteeredHand hand(tree_, path, place.outward, edge.end - edge.begin);
     const double depth = random.uniform(0.1, 1);
     const double width = (random.bits() & 1U) != 0 ? 0.5 : 0.0;
     hand.sink(depth);
     for (int tick = 0; tick < 400; ++tick) {
-      const double before = motion::wave(kPerSecond * kTick * tick), after = motion::wave(kPerSecond * kTick * (tick + 1));
-      hand.step(kSpeed * kTick, width * (after - before), depth);
+      hand.step(kSpeed * kTick, width * swing(kPerSecond, tick), depth);
     }
     return path.take();
   }

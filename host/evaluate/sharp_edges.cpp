@@ -30,4 +30,17 @@ std::vector<SharpEdge> sharp_edges(const cloud::TriangleMesh& mesh, double least
   return sharp;
 }
 
+std::optional<EdgePlace> place_on_edges(const std::vector<SharpEdge>& edges, cloud::Random& random) {
+  double length = 0;
+  for (const SharpEdge& edge : edges) length += (edge.end - edge.begin).norm();
+  if (!(length > 0)) return std::nullopt;
+  double left = random.uniform() * length;
+  for (const SharpEdge& edge : edges) {
+    const double own = (edge.end - edge.begin).norm();
+    if (left < own) return EdgePlace{edge, edge.begin + left / own * (edge.end - edge.begin)};
+    left -= own;
+  }
+  return EdgePlace{edges.back(), edges.back().end};
+}
+
 }  // namespace isotouch::evaluate

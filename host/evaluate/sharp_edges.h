@@ -3,9 +3,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "host/cloud/mesh.h"
+#include "host/cloud/random.h"
 
 namespace isotouch::evaluate {
 
@@ -19,5 +21,13 @@ struct SharpEdge {
 /// least     degrees by which the normals of its two faces differ at least
 /// returns   in the order of their vertices' numbers; faces without area have no sharp edges
 std::vector<SharpEdge> sharp_edges(const cloud::TriangleMesh& mesh, double least_deg);
+
+struct EdgePlace {
+  SharpEdge edge;
+  Eigen::Vector3d point;  ///< on it
+};
+
+/// returns   somewhere on one of the edges, each as likely as it is long; nothing where there is none
+std::optional<EdgePlace> place_on_edges(const std::vector<SharpEdge>& edges, cloud::Random& random);
 
 }  // namespace isotouch::evaluate

@@ -1,12 +1,11 @@
 #include "host/evaluate/surface_error.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "host/angle.h"
 #include "host/error.h"
 #include "host/motion/felt_surface.h"
 
@@ -44,10 +43,6 @@ std::optional<double> crossing(const motion::FeltSurface& surface, const Eigen::
     below = next_below;
   }
   return found;
-}
-
-double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
 }  // namespace
