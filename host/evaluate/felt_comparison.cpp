@@ -27,7 +27,7 @@ constexpr double kFarthestAnswer = 2;  // times as far from the hand as the god-
 /// What one hand says.
 struct Felt {
   std::vector<double> direction_deg, force_n, depth;  ///< of the compared ticks
-  std::size_t touching = 0, contact_differs = 0, jumps = 0, wrong_side = 0, phantom = 0, equal = 0;
+  std::size_t touching = 0, contact_differs = 0, jumps = 0, wrong_side = 0, force_without_contact = 0, equal = 0;
   FeltPlace worst_direction, worst_force;
 };
 
@@ -94,7 +94,7 @@ class Comparer {
     const bool differs = touching != tick.touching;
     const bool jump = jumps(hand, i, before, out);
     const bool wrong = is_on_wrong_side(proxy, tick.god);
-    const bool phantom = !tick.touching && force.norm() > kPhantomForce;
+    const bool without_contact = !tick.touching && force.norm() > kForceWithoutContact;
     const bool compared = touching && tick.touching && depth >= kFeltDepths.front() && depth <= kFeltDepths.back();
     felt.touching += tick.touching ? 1U : 0U;
     // Where two answers are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
@@ -102,7 +102,7 @@ class Comparer {
     const bool other_answer = touching && tick.touching && !wrong && direction_error(force, exact) > kOtherDirectionDeg &&
                               (proxy - hip).norm() < kFarthestAnswer * depth;
     apart = apart && other_answer;
-    if (!differs && !jump && !wrong && !phantom && !compared) return;
+    if (!differs && !jump && !wrong && !without_contact && !compared) return;
     if (apart || (tick.touching && has_equal_answer(tree_, hip, tick.god))) {
       apart = other_answer;
       ++felt.equal;
@@ -111,7 +111,7 @@ class Comparer {
     felt.contact_differs += differs ? 1U : 0U;
     felt.jumps += jump ? 1U : 0U;
     felt.wrong_side += wrong ? 1U : 0U;
-    felt.phantom += phantom ? 1U : 0U;
+    felt.force_without_contact += without_contact ? 1U : 0U;
     if (!compared) return;
     FeltPlace place{hand.kind, hand.number, hand.from, i, hip, tick.god, proxy, force, exact, 0, 0};
     place.direction_deg = direction_error(place.felt, place.exact);
@@ -140,7 +140,7 @@ FeltFigures figures_of(const std::vector<const FeltHand*>& hands, const std::vec
     figures.contact_differs += one.contact_differs;
     figures.jumps += one.jumps;
     figures.wrong_side += one.wrong_side;
-    figures.force_without_contact += one.phantom;
+    figures.force_without_contact += one.force_without_contact;
     figures.equal_answers += one.equal;
     for (std::size_t i = 0; i < one.depth.size(); ++i) {
       direction.push_back(one.direction_deg[i]);

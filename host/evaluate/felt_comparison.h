@@ -20,7 +20,7 @@ inline constexpr double kJumpMm = 0.02;
 /// How far inside the true body a proxy may be, voxels.
 inline constexpr double kWrongSideVoxels = 0.5;
 /// N: a force that is felt though the god-object touches nothing.
-inline constexpr double kPhantomForce = 0.1;
+inline constexpr double kForceWithoutContact = 0.1;
 
 /// Of a set of values; all zero when it is empty.
 struct Quantiles {
@@ -45,7 +45,7 @@ struct FeltFigures {
   std::size_t contact_differs = 0;                          ///< ticks: one of the two touches, the other does not
   std::size_t jumps = 0;                                    ///< ticks: the proxy jumps and the god-object does not
   std::size_t wrong_side = 0;                               ///< ticks: the proxy is in the body or on the other side of a part
-  std::size_t force_without_contact = 0;                    ///< ticks: more than kPhantomForce where the god-object touches nothing
+  std::size_t force_without_contact = 0;                    ///< ticks: more than kForceWithoutContact where the god-object touches nothing
   std::size_t equal_answers =
       0;  ///< ticks left out of all but `ticks` and `touching`: two places are equally near, or the two took different ones there and have not met again
 };

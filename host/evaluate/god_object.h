@@ -27,8 +27,8 @@ class GodObject {
 
   /// Follows the hand for one tick and returns where it is. On a convex place it may stop in front of the face that it came to beyond an edge.
   const Eigen::Vector3d& follow(const Eigen::Vector3d& hip);
-  /// Follows again and again until nothing brings it nearer to the hand: converged in this tick, also on convex places. Where the planes met hold it
-  /// at a corner, it also tries the way along each face that meets there, because such a plane goes on beyond its face.
+  /// Follows again and again, at most 1,000 times, until nothing brings it nearer to the hand: converged in this tick, also on convex places. Where the
+  /// planes hold it at a corner, it also tries the way along each face that meets there, because such a plane goes on beyond its face.
   const Eigen::Vector3d& settle(const Eigen::Vector3d& hip);
 
   const Eigen::Vector3d& position() const { return position_; }
