@@ -1,7 +1,6 @@
 #include "firmware/core/render.h"
 
 #include "firmware/core/descent_proxy.h"
-#include "firmware/core/stiffness_at.h"
 
 namespace isotouch::core {
 
@@ -73,8 +72,9 @@ RenderModel for_field(const RenderModel& any_field, const FieldView& field) {
 
 Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
   Contact contact = follow(to_index(motion.hip, field), field, state.proxy);
-  const Stiffness stiffness = stiffness_at(contact.proxy, field, model.coupling.stiffness);
-  add_friction(stiffness, model.friction, state.friction, contact);
+  lean_to_the_softer(state.proxy.sample, state.spring, contact);
+  add_friction(part_of(model.coupling.stiffness, state.spring.felt.part), model.friction, state.friction, contact);
+  const Stiffness stiffness = felt_stiffness(contact, field, model.coupling.stiffness, state.spring);
   const Damped damped = damp(motion.quiet, model, state.passivity);
   const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
   if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);

@@ -6,6 +6,7 @@
 #include "firmware/core/motion.h"
 #include "firmware/core/passivity.h"
 #include "firmware/core/proxy.h"
+#include "firmware/core/spring_energy.h"
 #include "shared/field_view.h"
 #include "shared/tick_io.h"
 
@@ -46,6 +47,7 @@ void retune(const TickSettings& settings, RenderModel& model);
 /// Everything that rendering remembers; a default one is the state before the first tick.
 struct RenderState {
   ProxyState proxy;
+  SpringState spring;
   CouplingState coupling;
   FrictionState friction;
   PassivityState passivity;
@@ -59,7 +61,7 @@ struct Rendering {
   std::uint32_t status = 0;  ///< StatusBits
 };
 
-/// Renders the contact: proxy, stiffness there, friction, damping, coupling, energy balance.
+/// Renders the contact: proxy, friction, stiffness there, damping, coupling, energy balance.
 ///
 /// motion    of the hand, HIP within kReach
 /// field     a checked view, the same in every tick of a state's life

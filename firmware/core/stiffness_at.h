@@ -9,20 +9,30 @@
 
 namespace isotouch::core {
 
-/// Trilinear between the centres of the eight nearest bricks; those without a value are left out, and the others weigh accordingly more.
+/// Change of a logarithm over a voxel. Range ±127.
+using PerVoxel = Fixed<Unit<0, 0, 0, -1>, 24>;
+
+struct StiffnessSample {
+  Ratio part = Ratio::of(1);  ///< of the largest stiffness; above 0, at most 1
+  Vec3<PerVoxel> slope;       ///< gradient of the part over the part: ∇ ln k, index coordinates, within ±127
+};
+
+/// A quadratic B-spline over the 27 nearest bricks; those without a value are left out, and the others weigh accordingly more. So the stiffness has
+/// no kinks, and a force that follows its slope has no leaps.
 ///
 /// point     index coordinates, within ±8191 voxels; outside the outermost bricks' centres it is moved there
 /// field     with a table
-/// largest   what the table's 255 stands for: the field's stiffness, or the settings'
-/// returns   above 0, at most `largest`, and just that where all bricks have it or no stored brick is near; continuous within every stored
-///           brick, and so wherever the proxy is held
+/// returns   1 and no slope where all bricks have the largest stiffness or no stored brick is near; continuous within every stored brick, and so
+///           wherever the proxy is held
 /// fails     never
-/// tick      yes: eight look-ups, constant cost, no division
-Stiffness interpolated_stiffness(const Vec3<Voxel>& point, const FieldView& field, Stiffness largest);
+/// tick      yes: 27 look-ups, constant cost, no division
+StiffnessSample sample_stiffness(const Vec3<Voxel>& point, const FieldView& field);
 
-/// The same for any field; one without a table has `largest` everywhere.
+/// For any field; one without a table has `largest` everywhere.
+///
+/// largest   what the table's 255 stands for: the field's stiffness, or the settings'
 inline Stiffness stiffness_at(const Vec3<Voxel>& point, const FieldView& field, Stiffness largest) {
-  return field.stiffness_parts == nullptr ? largest : interpolated_stiffness(point, field, largest);
+  return field.stiffness_parts == nullptr ? largest : mul<Stiffness>(largest, sample_stiffness(point, field).part);
 }
 
 }  // namespace isotouch::core

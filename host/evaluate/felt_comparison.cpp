@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "firmware/core/render.h"
-#include "firmware/core/stiffness_at.h"
 #include "host/angle.h"
 #include "host/cloud/mesh.h"
 #include "host/error.h"
@@ -36,10 +35,16 @@ double direction_error(const Vector3d& felt, const Vector3d& exact) {
   return felt.isZero(0) || exact.isZero(0) ? 180 : angle_deg(felt, exact);
 }
 
+/// One stiffness everywhere: the exact god-object has no other, and the shape is what is compared.
+FieldView evenly_stiff(FieldView field) {
+  field.stiffness_parts = nullptr;
+  return field;
+}
+
 class Comparer {
  public:
   Comparer(const FieldView& field, const TriangleTree& tree)
-      : field_(field), tree_(tree), tolerance_(kWrongSideVoxels * to_double(field.edge)) {}
+      : field_(evenly_stiff(field)), tree_(tree), tolerance_(kWrongSideVoxels * to_double(field.edge)) {}
 
   double tolerance() const { return tolerance_; }
 
@@ -62,11 +67,6 @@ class Comparer {
   }
 
  private:
-  double stiffness_near(const Vector3d& place) const {
-    const Vec3<Voxel> index = mul<Voxel>(to_fixed<Mm>(place) - field_.origin, field_.inverse_edge);
-    return to_double(core::stiffness_at(index, field_, field_.stiffness));
-  }
-
   Vector3d normal_at(const Vector3d& place) const { return cloud::face_normal(tree_.mesh(), tree_.nearest(place).face); }
 
   bool is_on_wrong_side(const Vector3d& proxy, const Vector3d& god) const {
@@ -98,7 +98,7 @@ class Comparer {
     const bool compared = touching && tick.touching && depth >= kFeltDepths.front() && depth <= kFeltDepths.back();
     felt.touching += tick.touching ? 1U : 0U;
     // Where two answers are equally near each may take its own; then they are apart until they agree again, or until the field's is no answer any more.
-    const Vector3d exact = stiffness_near(tick.god) * (tick.god - hip);
+    const Vector3d exact = to_double(field_.stiffness) * (tick.god - hip);
     const bool other_answer = touching && tick.touching && !wrong && direction_error(force, exact) > kOtherDirectionDeg &&
                               (proxy - hip).norm() < kFarthestAnswer * depth;
     apart = apart && other_answer;
@@ -123,7 +123,7 @@ class Comparer {
     if (place.force_n > felt.worst_force.force_n) felt.worst_force = place;
   }
 
-  const FieldView& field_;
+  FieldView field_;
   const TriangleTree& tree_;
   double tolerance_;
 };

@@ -82,23 +82,31 @@ ReferenceSample reference_sample(const FieldView& field, const Point& index) {
   return sample;
 }
 
-double reference_stiffness_part(const FieldView& field, const Point& index) {
-  const Point place = (index - Point{1.5, 1.5, 1.5}) * 0.25;
-  std::array<std::int32_t, 3> before{};
-  for (std::size_t axis = 0; axis < 3; ++axis) before[axis] = static_cast<std::int32_t>(std::floor(place[axis]));
+ReferenceStiffness reference_stiffness(const FieldView& field, const Point& index) {
+  const Point place = (index - Point{1.5, 1.5, 1.5}) * 0.25;  // brick centres at whole numbers
+  std::array<std::int32_t, 3> middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] = static_cast<std::int32_t>(std::floor(place[axis] + 0.5));
   double sum = 0, known = 0;
-  for (std::int32_t n = 0; n < 8; ++n) {
+  Point sum_slope{}, known_slope{};
+  for (std::int32_t n = 0; n < 27; ++n) {
+    const std::array<std::int32_t, 3> step = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
     std::array<std::int32_t, 3> cell{};
-    double weight = 1;
+    Point weight, slope;  // of the quadratic B-spline and of its derivative
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      cell[axis] = before[axis] + ((n >> axis) & 1);
-      weight *= 1 - std::abs(place[axis] - cell[axis]);
+      cell[axis] = middle[axis] + step[axis];
+      const double t = place[axis] - cell[axis], size = std::abs(t);
+      weight[axis] = size <= 0.5 ? 0.75 - t * t : (1.5 - size) * (1.5 - size) / 2;
+      slope[axis] = size <= 0.5 ? -2 * t : (t > 0 ? size - 1.5 : 1.5 - size);
     }
     const int part = field.stiffness_parts[field.brick_number(4 * cell[0], 4 * cell[1], 4 * cell[2])];
-    sum += weight * part / 255;
-    known += part > 0 ? weight : 0;
+    const double all = weight[0] * weight[1] * weight[2];
+    const Point change = Point{slope[0] * weight[1] * weight[2], weight[0] * slope[1] * weight[2], weight[0] * weight[1] * slope[2]} * 0.25;
+    sum += all * part / 255;
+    sum_slope = sum_slope + change * (part / 255.0);
+    known += part > 0 ? all : 0;
+    if (part > 0) known_slope = known_slope + change;
   }
-  return sum / known;
+  return {sum / known, sum_slope * (1 / sum) - known_slope * (1 / known)};
 }
 
 Point reference_step(const Point& pull, const ReferenceSample& s) {

@@ -19,8 +19,13 @@ struct ReferenceSample {
 /// at the eight samples around the point.
 ReferenceSample reference_sample(const FieldView& field, const Point& index);
 
-/// The stiffness at a point, as part of the largest: the definition in SPEC.md 2.4, at a point between the outermost bricks' centres.
-double reference_stiffness_part(const FieldView& field, const Point& index);
+struct ReferenceStiffness {
+  double part;  ///< of the largest
+  Point slope;  ///< ∇ ln k, a voxel
+};
+
+/// The stiffness at a point: the definition in SPEC.md 2.4, at a point between the outermost bricks' centres.
+ReferenceStiffness reference_stiffness(const FieldView& field, const Point& index);
 
 /// The step of a proxy as `core::step_towards` describes it, with eigenvectors instead of traces.
 Point reference_step(const Point& pull, const ReferenceSample& sample);

@@ -36,14 +36,18 @@ Point near_surface(Random& random) { return kCentre + random.direction() * (kRad
 TEST(StiffnessAt, AgreesWithItsTwin) {
   Random values(61), places(62);
   const FieldImage image = ball([&](const Point&) { return 1 + static_cast<int>(values.bits() % 255); });
-  double worst = 0;
+  double worst = 0, worst_slope = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3<Voxel> point = test::to_voxel(near_surface(places));
-    const double exact = 1.2 * test::reference_stiffness_part(image.view(), test::to_point(point));
-    worst = std::max(worst, std::abs(newton_per_mm(stiffness_at(point, image.view(), Stiffness::of(1.2))) - exact));
+    const test::ReferenceStiffness exact = test::reference_stiffness(image.view(), test::to_point(point));
+    const StiffnessSample sample = sample_stiffness(point, image.view());
+    worst = std::max(worst, std::abs(newton_per_mm(mul<Stiffness>(Stiffness::of(1.2), sample.part)) - 1.2 * exact.part));
+    const Point slope = Point{1.0 * sample.slope.x.raw(), 1.0 * sample.slope.y.raw(), 1.0 * sample.slope.z.raw()} * (1.0 / (1 << 24));
+    worst_slope = std::max(worst_slope, test::length(slope - exact.slope));
   }
-  // A place is cut off at 1/4096 voxel, which moves a quotient of up to 4 parts a voxel and axis; rounding of the result adds 2^-17.
-  EXPECT_THAT(worst, test::IsAccuracyOf(0.00015));
+  // A place is cut off at 1/512 voxel, which moves a quotient of up to 4 parts a voxel and axis; rounding of the result adds 2^-17.
+  EXPECT_THAT(worst, test::IsAccuracyOf(0.0015));
+  EXPECT_THAT(worst_slope, test::IsAccuracyOf(0.0025));
 }
 
 TEST(StiffnessAt, WithoutATableOrWithAFullOneIsTheLargest) {
@@ -132,13 +136,13 @@ TEST(StiffnessAt, TheForceOnASoftAndAHardHalfIsStiffnessTimesDepth) {
   int soft = 0, hard = 0, between = 0;
   for (int touch = 0; touch < 150; ++touch) {
     const Press felt = press(image, random.direction());
-    const double exact = 1.2 * test::reference_stiffness_part(image.view(), felt.proxy);
-    EXPECT_NEAR(felt.newton, exact * felt.depth_mm, 0.003 * felt.depth_mm + 0.001);
+    const double exact = 1.2 * test::reference_stiffness(image.view(), felt.proxy).part;
+    EXPECT_NEAR(felt.newton, exact * felt.depth_mm, 0.01 * felt.depth_mm);  // what is felt may lag behind the table where it changes fast
     const double above = felt.proxy.z - kCentre.z;
-    if (above < -6) {
+    if (above < -8) {
       ++soft;
       EXPECT_NEAR(felt.newton, 0.4 * felt.depth_mm, 0.001);
-    } else if (above > 6) {
+    } else if (above > 8) {
       ++hard;
       EXPECT_NEAR(felt.newton, 1.2 * felt.depth_mm, 0.001);
     } else {
