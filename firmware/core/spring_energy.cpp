@@ -79,7 +79,7 @@ void lean_to_the_softer(const FieldSample& surface, SpringState& state, Contact&
 Stiffness felt_stiffness(const Contact& contact, const FieldView& field, Stiffness largest, SpringState& state) {
   if (field.stiffness_parts == nullptr) return largest;
   StiffnessSample there = sample_stiffness(contact.proxy, field);
-  if (contact.touching && state.holds) {
+  if (state.holds) {
     const Vec3<Voxel> hip = contact.proxy - contact.deflection;
     const std::int64_t energy =
         state.felt.part.raw() * square_length(state.proxy - hip) + state.reserve;  // of the stretched spring, below 2^63
