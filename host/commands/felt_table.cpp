@@ -2,24 +2,20 @@
 
 #include <string>
 
+#include "host/board_commands/quantiles_json.h"
+
 namespace isotouch::commands {
 
 using evaluate::FeltFigures;
 using evaluate::FeltPlace;
-using evaluate::Quantiles;
 
 namespace {
-
-nlohmann::ordered_json to_json(const Quantiles& of) {
-  if (of.count == 0) return {{"median", nullptr}, {"p95", nullptr}, {"p99", nullptr}, {"max", nullptr}};
-  return {{"median", of.median}, {"p95", of.p95}, {"p99", of.p99}, {"max", of.max}};
-}
 
 nlohmann::ordered_json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 nlohmann::ordered_json to_json(const FeltFigures& figures) {
-  return {{"direction_deg", to_json(figures.errors.direction_deg)},
-          {"force_n", to_json(figures.errors.force_n)},
+  return {{"direction_deg", quantiles_json(figures.errors.direction_deg)},
+          {"force_n", quantiles_json(figures.errors.force_n)},
           {"contact_differs", figures.contact_differs},
           {"jumps", figures.jumps},
           {"wrong_side", figures.wrong_side},

@@ -159,16 +159,6 @@ FeltFigures figures_of(const std::vector<const FeltHand*>& hands, const std::vec
 
 }  // namespace
 
-Quantiles quantiles(std::vector<double> values) {
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const auto rank = [&](double share) {
-    const auto place = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-    return values[std::max<std::size_t>(place, 1) - 1];
-  };
-  return {values.size(), rank(0.5), rank(0.95), rank(0.99), values.back()};
-}
-
 FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, const std::vector<FeltHand>& hands) {
   const Comparer comparer(field, tree);
   std::vector<Felt> felt(hands.size());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/evaluate/felt_hands.h"
+#include "host/quantiles.h"
 #include "shared/field_view.h"
 
 namespace isotouch::evaluate {
@@ -21,14 +22,6 @@ inline constexpr double kJumpMm = 0.02;
 inline constexpr double kWrongSideVoxels = 0.5;
 /// N: a force that is felt though the god-object touches nothing.
 inline constexpr double kForceWithoutContact = 0.1;
-
-/// Of a set of values; all zero when it is empty.
-struct Quantiles {
-  std::size_t count = 0;
-  double median = 0, p95 = 0, p99 = 0, max = 0;
-};
-/// source    nearest rank
-Quantiles quantiles(std::vector<double> values);
 
 /// Errors in the ticks in which both touch.
 struct FeltErrors {
