@@ -6,8 +6,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
+
+#include "host/trace/replay.h"
 
 namespace isotouch::commands {
 
@@ -30,9 +35,20 @@ void add_set(CLI::App& app);
 void add_record(CLI::App& app);
 void add_stop(CLI::App& app);
 void add_resume(CLI::App& app);
-void add_replay(CLI::App& app);
+
+/// Makes the renderer that feels a mesh with the exact god-object: for `replay`.
+///
+/// field     stays alive as long as the renderer
+/// mesh      the file
+/// header    of the trace
+/// fails     InputError: no closed mesh
+using MakeGodObject =
+    std::function<std::unique_ptr<trace::Renderer>(const FieldView& field, const std::filesystem::path& mesh, const TraceHeader& header)>;
+
+/// god_object     none: the command knows no such renderer, because what measures fields stays on the desk
+void add_replay(CLI::App& app, const MakeGodObject& god_object = nullptr);
 
 /// All of them but those of `trace`.
-void add_on_board(CLI::App& app);
+void add_on_board(CLI::App& app, const MakeGodObject& god_object = nullptr);
 
 }  // namespace isotouch::commands

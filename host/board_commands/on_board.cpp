@@ -2,7 +2,7 @@
 
 namespace isotouch::commands {
 
-void add_on_board(CLI::App& app) {
+void add_on_board(CLI::App& app, const MakeGodObject& god_object) {
   add_status(app);
   add_latency(app);
   add_watch(app);
@@ -12,7 +12,7 @@ void add_on_board(CLI::App& app) {
   add_record(app);
   add_stop(app);
   add_resume(app);
-  add_replay(app);
+  add_replay(app, god_object);
 }
 
 }  // namespace isotouch::commands

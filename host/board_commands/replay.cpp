@@ -1,4 +1,4 @@
-/// isotouch replay: a trace through the core, and whether it answers as recorded.
+/// isotouch replay: a trace through the core, and whether it answers as recorded; or through another renderer, and how that differs.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -6,13 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "host/board_commands/choice.h"
 #include "host/board_commands/commands.h"
 #include "host/board_commands/output.h"
 #include "host/board_commands/print_field.h"
+#include "host/board_commands/quantiles_json.h"
+#include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
+#include "host/trace/rendering_difference.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "shared/certificate.h"
@@ -21,20 +26,52 @@ namespace isotouch::commands {
 
 namespace {
 
+constexpr const char* kField = "field";
+constexpr const char* kPublished = "published";
+constexpr const char* kGodObject = "god-object";
+
 struct Options {
   std::filesystem::path field;
   std::filesystem::path trace;
+  std::string renderer;  ///< empty: the core, and nothing is measured
+  std::filesystem::path mesh;
+  MakeGodObject make_god_object;
   std::filesystem::path out;
   bool check = false;
   bool json = false;
   std::string key;  ///< only this value of the JSON object
 };
 
-nlohmann::ordered_json to_json(const trace::ReplayReport& report) {
+/// A run, and how it differs from the recording where that was asked for.
+struct Replayed {
+  trace::ReplayReport report;
+  std::optional<trace::RenderingFigures> difference;
+};
+
+nlohmann::ordered_json to_json(const trace::RenderingErrors& errors) {
+  return {{"force_n", quantiles_json(errors.force_n)},
+          {"direction_deg", quantiles_json(errors.direction_deg)},
+          {"proxy_mm", quantiles_json(errors.proxy_mm)}};
+}
+
+nlohmann::ordered_json to_json(const trace::RenderingFigures& figures) {
+  nlohmann::ordered_json json = to_json(figures.all);
+  json["contact_differs"] = figures.contact_differs;
+  json["touching"] = figures.touching;
+  json["shallow"] = to_json(figures.shallow);
+  return json;
+}
+
+nlohmann::ordered_json to_json(const Options& options, const Replayed& replayed) {
+  const trace::ReplayReport& report = replayed.report;
   nlohmann::ordered_json json{{"ticks", report.ticks}, {"seconds", report.seconds}, {"hash", trace::hash_text(report.hash)}};
   json["first_difference"] = nullptr;
   if (report.first_difference)
     json["first_difference"] = {{"tick", report.first_difference->tick}, {"field", report.first_difference->field}};
+  if (options.renderer.empty()) return json;
+  json["renderer"] = options.renderer;
+  json["difference"] = nullptr;
+  if (replayed.difference) json["difference"] = to_json(*replayed.difference);
   return json;
 }
 
@@ -44,6 +81,29 @@ void print_text(std::FILE* to, const trace::ReplayReport& report, bool checked) 
   if (report.seconds > 0) std::fprintf(to, "ticks/s      %.0f\n", static_cast<double>(report.ticks) / report.seconds);
   std::fprintf(to, "replay hash  %s\n", trace::hash_text(report.hash).c_str());
   if (checked && !report.first_difference) std::fprintf(to, "check        equal to the recorded outputs, every bit\n");
+}
+
+void print_row(std::FILE* to, const char* name, const Quantiles& of) {
+  if (of.count == 0) {
+    std::fprintf(to, "%-14s %8zu  no tick was compared\n", name, of.count);
+    return;
+  }
+  std::fprintf(to, "%-14s %8zu %9.4f %9.4f %9.4f %9.4f\n", name, of.count, of.median, of.p95, of.p99, of.max);
+}
+
+void print_rows(std::FILE* to, const trace::RenderingErrors& errors) {
+  print_row(to, "force, N", errors.force_n);
+  print_row(to, "direction, deg", errors.direction_deg);
+  print_row(to, "proxy, mm", errors.proxy_mm);
+}
+
+void print_text(std::FILE* to, const std::string& renderer, const trace::RenderingFigures& figures) {
+  std::fprintf(to, "\n%s beside the recording: contact differs in %zu of %zu ticks, %zu of them touch\n", renderer.c_str(),
+               figures.contact_differs, figures.ticks, figures.touching);
+  std::fprintf(to, "%-14s %8s %9s %9s %9s %9s\n", "", "ticks", "median", "p95", "p99", "max");
+  print_rows(to, figures.all);
+  std::fprintf(to, "of a hand up to %.0f mm deep\n", trace::kShallowMm);
+  print_rows(to, figures.shallow);
 }
 
 /// Says so where this field with these settings would feed energy into the hand, on the device that its certificate assumes.
@@ -61,20 +121,70 @@ void warn(const Options& options, const FieldView& field, const TraceHeader& run
   std::fprintf(stderr, "\n");
 }
 
+/// What can be refused before anything is computed.
+void check_renderer(const Options& options, const FieldView& field, const trace::Trace& trace) {
+  if (options.renderer == kPublished && field.method != Method::kPublished) {
+    throw InputError(options.field.string() +
+                     ": the default method made it, and the paper's renderer needs a field of the paper's levels; build one with: "
+                     "isotouch build CLOUD --method published -o FIELD.itf");
+  }
+  if (options.renderer == kGodObject && options.mesh.empty())
+    throw InputError("--renderer god-object needs the true surface of the object; name its closed mesh with --mesh");
+  if (options.renderer != kGodObject && !options.mesh.empty())
+    throw InputError("--mesh is the surface for the god-object; add --renderer god-object");
+  if (options.renderer == kGodObject && options.check) {
+    throw InputError(
+        "--check compares every bit with the controller's own answers, which a god-object does not give; leave it out to read the "
+        "differences");
+  }
+  if (options.renderer == kGodObject && !options.out.empty() && trace.kind() == InputKind::kPacket) {
+    throw InputError(
+        options.trace.string() +
+        ": it holds packets of a device, whose trace also needs motor commands, which a god-object does not give; leave -o out");
+  }
+  if (!options.renderer.empty() && options.out.empty() && !trace.header().has_outputs) {
+    throw InputError(options.trace.string() +
+                     ": it holds inputs only, so there is nothing to compare the renderer with; replay it with -o first");
+  }
+}
+
+Replayed replayed(const Options& options, const FieldView& field, const trace::Trace& trace) {
+  std::unique_ptr<trace::Renderer> god_object;
+  if (options.renderer == kGodObject) god_object = options.make_god_object(field, options.mesh, trace.header());
+  std::optional<trace::TraceWriter> writer;
+  if (!options.out.empty()) writer.emplace(options.out, god_object ? god_object->header() : trace::replay_header(field, trace.header()));
+  trace::TraceWriter* const out = writer ? &*writer : nullptr;
+  trace::RenderingDifference difference;
+  const bool compares = !options.renderer.empty() && trace.header().has_outputs;
+  trace::RenderingDifference* const beside = compares ? &difference : nullptr;
+
+  Replayed replayed;
+  replayed.report = god_object ? trace::replay(*god_object, trace, out, beside) : trace::replay(field, trace, options.check, out, beside);
+  if (compares) {
+    replayed.difference = difference.figures();
+    if (replayed.difference->touching == 0) {
+      throw InputError(options.trace.string() + ": neither in the recording nor by the " + options.renderer +
+                       " renderer does the hand touch the object, so nothing was compared");
+    }
+  }
+  if (writer) writer->finish();
+  return replayed;
+}
+
 void run(const Options& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const trace::Trace trace = trace::read_trace(options.trace);
+  check_renderer(options, field.view, trace);
   warn(options, field.view, trace.header());
-  std::optional<trace::TraceWriter> writer;
-  if (!options.out.empty()) writer.emplace(options.out, trace::replay_header(field.view, trace.header()));
-  const trace::ReplayReport report = trace::replay(field.view, trace, options.check, writer ? &*writer : nullptr);
-  if (writer) writer->finish();
+  const Replayed done = replayed(options, field.view, trace);
+  const trace::ReplayReport& report = done.report;
   if (!options.key.empty()) {
-    print_field(to_json(report), options.key);
+    print_field(to_json(options, done), options.key);
   } else if (options.json) {
-    std::printf("%s\n", to_json(report).dump(2).c_str());
+    std::printf("%s\n", to_json(options, done).dump(2).c_str());
   } else {
     print_text(text_stream(options.out), report, options.check);
+    if (done.difference) print_text(text_stream(options.out), options.renderer, *done.difference);
   }
   if (report.first_difference) {
     throw ComparisonFailed(options.trace.string() + ": differs first at tick " + std::to_string(report.first_difference->tick) + " in " +
@@ -84,12 +194,27 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& app) {
+void add_replay(CLI::App& app, const MakeGodObject& god_object) {
   auto options = std::make_shared<Options>();
+  options->make_god_object = god_object;
+  std::vector<std::string> renderers = {kField, kPublished};
+  if (god_object) renderers.emplace_back(kGodObject);
   CLI::App* command =
       app.add_subcommand("replay", "Compute a trace's outputs again; the same field and inputs give the same hash on every machine");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
+  command
+      ->add_option("--renderer", options->renderer,
+                   god_object
+                       ? "also print how the forces and proxies of this renderer differ from the recorded ones: of the controller on "
+                         "FIELD, of the paper on a field of --method published, or of the exact god-object on the true mesh"
+                       : "also print how the forces and proxies of this renderer differ from the recorded ones: of the controller on "
+                         "FIELD, or of the paper on a field of --method published")
+      ->check(one_of(renderers));
+  if (god_object) {
+    command->add_option("--mesh", options->mesh,
+                        "for --renderer god-object: the closed true surface in the frame of FIELD's cloud (PLY, OBJ or STL)");
+  }
   command->add_flag("--check", options->check, "compare with the recorded outputs to the bit; exit code 3 when they differ");
   add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "write the trace with this run's outputs");
   command->add_flag("--json", options->json, "print one JSON object");

@@ -51,6 +51,30 @@ std::optional<std::string> difference_at(const Trace& trace, std::size_t tick, c
   return chain_goes_on ? "chain" : "input";
 }
 
+ReplayReport run_all(Renderer& renderer, const Trace& trace, bool check, TraceWriter* out, RenderingDifference* difference) {
+  if (difference != nullptr && !trace.header().has_outputs) {
+    throw InputError(trace.path() + ": " + describe(Error::kNoOutputs) + "; replay it with -o first");
+  }
+  ReplayReport report;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord recorded = trace.record(tick);
+    TraceRecord computed = renderer.step(recorded.input);
+    if (check && !report.first_difference) {
+      if (const auto name = difference_at(trace, tick, computed)) report.first_difference = Difference{tick, *name};
+    }
+    if (difference != nullptr) difference->add(trace.kind(), recorded.output, computed.output);
+    if (out != nullptr) {
+      computed.arrival_ns = recorded.arrival_ns;
+      out->append(computed);
+    }
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.ticks = trace.size();
+  report.hash = renderer.hash();
+  return report;
+}
+
 }  // namespace
 
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
@@ -77,26 +101,15 @@ TraceRecord Run::step(const Input& input) {
   return record;
 }
 
-ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out) {
+ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out, RenderingDifference* difference) {
   check_usable(field, trace, check);
   Run run(field, trace.header());
-  ReplayReport report;
-  const auto start = std::chrono::steady_clock::now();
-  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    const TraceRecord recorded = trace.record(tick);
-    TraceRecord computed = run.step(recorded.input);
-    if (check && !report.first_difference) {
-      if (const auto name = difference_at(trace, tick, computed)) report.first_difference = Difference{tick, *name};
-    }
-    if (out != nullptr) {
-      computed.arrival_ns = recorded.arrival_ns;
-      out->append(computed);
-    }
-  }
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  report.ticks = trace.size();
-  report.hash = run.hash();
-  return report;
+  return run_all(run, trace, check, out, difference);
+}
+
+ReplayReport replay(Renderer& renderer, const Trace& trace, TraceWriter* out, RenderingDifference* difference) {
+  check_inputs(trace);
+  return run_all(renderer, trace, false, out, difference);
 }
 
 }  // namespace isotouch::trace

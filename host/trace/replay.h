@@ -5,26 +5,47 @@
 #include <optional>
 
 #include "firmware/core/tick.h"
+#include "host/trace/rendering_difference.h"
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
 #include "shared/field_view.h"
 
 namespace isotouch::trace {
 
+/// Computes the outputs of a trace's inputs, one tick after the other.
+class Renderer {
+ public:
+  virtual ~Renderer() = default;
+
+  /// One tick: what a trace stores of it, arrival time apart.
+  virtual TraceRecord step(const Input& input) = 0;
+  /// The replay hash: the chain after the last step.
+  virtual std::uint64_t hash() const = 0;
+  /// The header of a trace of these outputs.
+  virtual const TraceHeader& header() const = 0;
+};
+
 /// One run of the core with its chain: the device's tick for packets, rendering alone for positions. After construction nothing is allocated.
-class Run {
+class Run final : public Renderer {
  public:
   /// field     stays alive as long as the run; loaded in the ticks whose input names a field
   /// header    device, period and settings of the run
   Run(const FieldView& field, const TraceHeader& header);
 
-  /// One tick: what a trace stores of it, arrival time apart.
-  TraceRecord step(const Input& input);
+  TraceRecord step(const Input& input) override;
+  std::uint64_t hash() const override { return chain_.value(); }
+  /// With outputs, of this field.
+  const TraceHeader& header() const override { return header_; }
 
-  /// The replay hash: the chain after the last step.
-  std::uint64_t hash() const { return chain_.value(); }
-  /// The header of a trace of this run: with outputs, of this field.
-  const TraceHeader& header() const { return header_; }
+  /// What the last step felt with, in device or position alike.
+  ///
+  /// kind     of the run's inputs
+  const core::RenderModel& felt(InputKind kind) const { return kind == InputKind::kPosition ? position_model_.render : tick_state_.felt; }
+  /// Was nothing rendered yet since the run began, or since it forgot everything?
+  bool is_unplaced(InputKind kind) const {
+    const core::RenderState& state = kind == InputKind::kPosition ? position_state_.render : tick_state_.render;
+    return state.proxy.mode == core::ProxyMode::kUnplaced;
+  }
 
  private:
   const FieldView& field_;
@@ -45,11 +66,19 @@ struct ReplayReport {
 
 /// Runs a trace's inputs.
 ///
-/// check     compares every tick with the recorded outputs and chain. Looking stops at the first that differs, running goes on. Its field is an
-///           output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
-/// out       nullptr, or takes every record, with the input's arrival times
-/// fails     InputError: a second field where the trace names one; with `check`, no outputs or no records, or another field
-ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr);
+/// check       compares every tick with the recorded outputs and chain. Looking stops at the first that differs, running goes on. Its field is an
+///             output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
+/// out         nullptr, or takes every record, with the input's arrival times
+/// difference  nullptr, or takes in every tick beside the recorded one
+/// fails       InputError: a second field where the trace names one; with `check`, no outputs or no records, or another field; with `difference`,
+///             no outputs
+ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr,
+                    RenderingDifference* difference = nullptr);
+
+/// The same by another renderer, whose bits nobody recorded.
+///
+/// renderer    at its beginning, with the trace's header
+ReplayReport replay(Renderer& renderer, const Trace& trace, TraceWriter* out, RenderingDifference* difference);
 
 /// The header that a trace of this replay has: for the writer.
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs);
