@@ -80,7 +80,9 @@ FieldRays::FieldRays(const FieldView& field)
 
 FieldRays::Value FieldRays::value(const Eigen::Vector3d& point) const {
   const core::FieldSample sample = core::sample_field(field_, to_core(to_index(point)));
-  return {to_double(sample.distance), {to_double(sample.gradient.x), to_double(sample.gradient.y), to_double(sample.gradient.z)}};
+  return {to_double(sample.distance),
+          {to_double(sample.gradient.x), to_double(sample.gradient.y), to_double(sample.gradient.z)},
+          sample.outside_grid};
 }
 
 double FieldRays::distance_at(const Eigen::Vector3d& index) const { return to_double(core::sample_field(field_, to_core(index)).distance); }

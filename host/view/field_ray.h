@@ -19,6 +19,7 @@ class FieldRays {
   struct Value {
     double distance = 0;                                 ///< voxels, clamped to the band, negative inside
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< voxels a voxel
+    bool outside_grid = false;                           ///< then both are those of the border
   };
   Value value(const Eigen::Vector3d& point) const;
 

@@ -33,7 +33,8 @@ struct Plane {
 ///
 /// slope_in_slice   length of the gradient's part in the slice, voxels a voxel
 /// voxel            pixels a voxel
-Colour pixel_colour(double distance, double slope_in_slice, double band, double voxel) {
+/// lined_outside    are there lines outside the object? A published field is one whole level there, which would be a line everywhere
+Colour pixel_colour(double distance, double slope_in_slice, double band, double voxel, bool lined_outside) {
   if (slope_in_slice < 1e-3 && std::fabs(distance) > band - 0.01) return distance > 0 ? kFarOutside : kFarInside;
   const double slope = std::max(slope_in_slice, 0.05) / voxel;  // voxels a pixel
   const Colour base = distance_colour(distance / band);
@@ -41,7 +42,8 @@ Colour pixel_colour(double distance, double slope_in_slice, double band, double 
     return static_cast<float>(std::clamp(half_width + 0.5 - std::fabs(distance - level) / slope, 0.0, 1.0));
   };
   const double nearest = std::round(distance);
-  const float thin = voxel >= 2 && nearest != 0 && std::fabs(nearest) < band - 0.5 ? 0.5F * line(nearest, 0.5) : 0.0F;
+  const bool lined = nearest < 0 || (nearest > 0 && lined_outside);
+  const float thin = voxel >= 2 && lined && std::fabs(nearest) < band - 0.5 ? 0.5F * line(nearest, 0.5) : 0.0F;
   return mix(mix(base, kSurface, thin), kSurface, line(0, 1.0));
 }
 
@@ -165,7 +167,9 @@ Image slice_picture(const FieldView& field, const SliceOptions& options) {
       point[plane.up] = axes.y_of(top + row + 0.5);
       const FieldRays::Value value = rays.value(point);
       const double slope = std::hypot(value.gradient[plane.right], value.gradient[plane.up]);
-      image.at(x, top + row) = pixel_colour(value.distance, slope, band, rays.edge() / mm);
+      image.at(x, top + row) = value.outside_grid
+                                   ? kFarOutside
+                                   : pixel_colour(value.distance, slope, band, rays.edge() / mm, field.method != Method::kPublished);
     }
   });
   if (options.touch) draw_touch(canvas, *options.touch, plane, axes);

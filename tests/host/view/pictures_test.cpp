@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/published/build.h"
 #include "host/view/caption.h"
 #include "host/view/colour_map.h"
 #include "host/view/force_picture.h"
@@ -114,6 +115,28 @@ TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {
     EXPECT_NEAR(radius(axis, 0.6 * kTestRadius) / whole, 0.8, 0.01) << axis;
     EXPECT_NEAR(radius(axis, -0.8 * kTestRadius) / whole, 0.6, 0.01) << axis;
   }
+}
+
+// A published field is a whole level outside, up to the border of its grid; beyond the border it is far outside.
+TEST(SlicePicture, AConstantLevelHasNoLinesAndTheGridABorder) {
+  published::LevelField levels(SphereField::field().grid, published::kOutsideLevel);
+  for (std::size_t n = 0; n < levels.values.size(); ++n) {
+    const int i = static_cast<int>(n);
+    const Eigen::Vector3i node(i % 48, i / 48 % 48, i / (48 * 48));
+    const double layers = std::ceil((levels.grid.position(node).norm() - kTestRadius) / kTestEdge);
+    levels.values[n] = static_cast<std::int8_t>(std::clamp<double>(layers, published::kDeepestLevel, published::kOutsideLevel));
+  }
+  encoding::FieldInfo info;
+  info.method = Method::kPublished;
+  const field_file::Image written = encoding::write_image(published::to_band_field(levels), info);
+  const FieldView view = *FieldView::parse(written.bytes());
+  const Image image = slice_picture(view, {.axis = 'z', .at_mm = 0});
+  const Colour level = distance_colour(1.0 / 7), border = image.at(90, 360);
+  const auto same = [](const Colour& a, const Colour& b) {
+    return std::fabs(a.r - b.r) < 0.02F && std::fabs(a.g - b.g) < 0.02F && std::fabs(a.b - b.b) < 0.02F;
+  };
+  EXPECT_GT(count(image, [&](const Colour& c) { return same(c, level); }), 20'000);
+  EXPECT_GT(border.r, 0.8F) << "beyond the grid it is far outside, not blue";
 }
 
 TEST(SlicePicture, BesideTheObjectIsEmptyButDrawn) {
