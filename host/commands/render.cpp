@@ -1,5 +1,4 @@
 /// isotouch render: pictures of points, surfaces, slices and forces.
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "host/commands/progress_bar.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
+#include "host/evaluate/exact_sphere.h"
 #include "host/field/sound_scan.h"
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
@@ -150,8 +150,7 @@ struct ForceRun {
       curve.time_s.push_back(static_cast<double>(tick) * recorded.header().period_ns * 1e-9);
       curve.felt_n.push_back(to_double(record.output.force).norm());
       if (sphere_mm <= 0) return;
-      const double depth = std::max(0.0, sphere_mm - to_double(record.output.hip).norm());
-      curve.exact_n.push_back(std::min(stiffness * depth, limit));
+      curve.exact_n.push_back(evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, stiffness, limit));
     });
     view::write_png(picture.out, view::force_picture(curve, {.width = picture.size[0],
                                                              .height = picture.size[1],
