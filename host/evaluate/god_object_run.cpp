@@ -60,6 +60,7 @@ core::Contact GodObjectRun::follow(const Vec3<Mm>& hip) {
   object_->settle(hand);
   if (!object_->touching()) return contact;
   const Vec3<Voxel> held = to_index(to_fixed<Mm>(object_->position()), field_);
+  if (field_.stiffness_parts != nullptr) core::sample_field(field_, held, render_.proxy.sample);  // how the surface bends there
   contact.touching = true;
   contact.deflection = held - contact.proxy;
   contact.proxy = held;

@@ -143,6 +143,22 @@ TEST(GodObjectRun, FrictionDampingLimitAndRampAreThoseOfTheRecording) {
   EXPECT_GT(difference.figures().all.force_n.p95, 0.05) << "without friction it feels something else";
 }
 
+TEST(GodObjectRun, WhereTheStiffnessVariesItLeansAsTheFieldsProxyDoes) {
+  const field::Grid grid = field::make_grid(Vector3d::Constant(-kRadius), Vector3d::Constant(kRadius), kEdge, 7);
+  field::BandField made = field::sample_distance([](const Vector3d& p) { return p.norm() - kRadius; }, grid, 3);
+  for (const field::Brick& brick : made.bricks)
+    made.stiffness.push_back(0.8 + 0.04 * made.grid.position(4 * brick.cell + Eigen::Vector3i::Constant(2)).x());
+  encoding::FieldInfo info;
+  info.stiffness_n_per_mm = 1.4;
+  const field_file::OpenField field = field_file::open_field(encoding::write_image(made, info), "made");
+  const RenderingFigures figures = compare(field.view, the_ball().mesh, the_ball().tour);
+  EXPECT_GT(figures.shallow.force_n.p95, 0.004);
+  EXPECT_LT(figures.shallow.force_n.p95, 0.015);
+  EXPECT_LT(figures.all.direction_deg.p95, 1) << "deep hands lean by how the surface bends, which the field says";
+  EXPECT_GT(figures.all.direction_deg.p95, 0.5);
+  EXPECT_LT(figures.all.proxy_mm.p95, 0.026);
+}
+
 TEST(GodObjectRun, AHandThatBeginsInsideFeelsNothingUntilItHasLeft) {
   const field::TriangleTree tree(the_ball().mesh);
   GodObjectRun god_object(the_ball().field.view, tree, {});
