@@ -1,6 +1,7 @@
 /// isotouchd: reads the command line and runs the controller, again whenever a new calibration is to hold.
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -22,12 +23,14 @@ int run(const Options& options) {
   settings::LiveSettings live(options.settings);
   const char* socket = std::getenv("NOTIFY_SOCKET");
   ServiceNotify systemd(socket == nullptr ? "" : socket);
+  std::uint32_t heat = 0;
   for (bool again = false;; again = true) {
-    Controller controller(options, live, systemd);
+    Controller controller(options, live, systemd, heat);
     if (const Refusal refusal = controller.build(again)) return refuse(refusal.sentence().c_str());
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();
+    heat = controller.heat();
     if (end == Controller::End::kOver) {
       std::fputs(controller.summary().c_str(), stdout);
       return 0;

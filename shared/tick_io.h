@@ -21,7 +21,7 @@ enum class InputKind : std::uint8_t {
 enum RequestBits : std::uint8_t {
   kRequestStop = 1U << 0,     ///< no force from this tick on: fault "stopped"
   kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
-  kRequestRestart = 1U << 2,  ///< forget everything before this tick: a recording that begins here replays
+  kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
 };
 
 /// The state of the safety lines, already judged by `loop/watchdog.h`. Without lines no bit is ever set.
@@ -42,6 +42,7 @@ struct Input {
   std::uint8_t requests = 0;           ///< RequestBits
   std::uint16_t age = 0;               ///< whole ticks since the sample was fresh
   SettingChange change;                ///< what a person set anew
+  std::uint32_t heat = 0;              ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
   std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
   FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first
   Vec3<Mm> hip;                        ///< kPosition: workspace frame

@@ -65,7 +65,11 @@ constexpr void record_fields(Record& r, Use& use) {
   use("input.requests", r.input.requests);
   use("input.setting", r.input.change.setting);
   use("input.age", r.input.age);
-  use("input.value", r.input.change.raw);
+  if ((r.input.requests & kRequestRestart) != 0 && r.input.change.setting == TickSetting::kNone) {
+    use("input.heat", r.input.heat);
+  } else {
+    use("input.value", r.input.change.raw);
+  }
   use("input.field_generation", r.input.field_generation);
   if (r.input.kind == InputKind::kPosition) {
     use("input.hip", r.input.hip);

@@ -8,8 +8,11 @@
 namespace isotouch::core {
 
 namespace {
-constexpr int kCommandBits = 8, kSquareBits = 16, kQuarterBits = 40, kPartBits = 30;
-}
+constexpr int kCommandBits = 8, kSquareBits = 16, kInputBits = 8, kQuarterBits = 40, kPartBits = 30;
+
+std::int64_t warmest(const MotorHeat& heat) { return std::max({heat.squares[0], heat.squares[1], heat.squares[2]}); }
+
+}  // namespace
 
 HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) {
   HeatBudget budget;
@@ -26,9 +29,23 @@ HeatBudget make_heat_budget(const DeviceModel& device, std::uint32_t period_ns) 
   return budget;
 }
 
+std::uint32_t heat_input(const MotorHeat& heat) {
+  if (!heat.has_begun) return 0;
+  constexpr std::int64_t kPart = std::int64_t{1} << (kSquareBits - kInputBits);
+  const std::int64_t most = std::min(warmest(heat), std::int64_t{UINT32_MAX} * kPart);  // unwatched heat is as large as it can be
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>((most + kPart - 1) >> (kSquareBits - kInputBits), 1, UINT32_MAX));
+}
+
+MotorHeat heat_from(std::uint32_t input) {
+  MotorHeat heat;
+  heat.squares.fill(std::int64_t{input} << (kSquareBits - kInputBits));
+  heat.has_begun = input != 0;
+  return heat;
+}
+
 CommandLimit command_limit(const Motors& motors, const HeatBudget& budget, const MotorHeat& heat) {
   CommandLimit limit{motors, false};
-  const std::int64_t most = std::max({heat.squares[0], heat.squares[1], heat.squares[2]});
+  const std::int64_t most = warmest(heat);
   if (most <= budget.knee) return limit;
   const std::int64_t over = std::min((most - budget.knee) >> kSquareBits, budget.quarter);
   const std::int64_t lower = (budget.fall * (over * budget.of_quarter)) >> kQuarterBits;  // below 2^60

@@ -35,6 +35,18 @@ struct CommandLimit {
   bool lowered = false;  ///< it is below the model's
 };
 
+/// What a tick that forgets everything else is told of the heat: the mean square of the warmest motor's commands, 8 fraction bits, rounded up, so that no
+/// motor is taken for cooler than it is.
+///
+/// returns   at least 1; 0 where no tick has begun, for "not known"
+/// tick      yes
+std::uint32_t heat_input(const MotorHeat& heat);
+
+/// The heat that such a tick begins with: all motors are as warm as the warmest was.
+///
+/// tick      yes
+MotorHeat heat_from(std::uint32_t input);
+
 /// The limit of the warmest motor: the model's up to three quarters of the budget, from there on falling in proportion, so that the heat never
 /// passes the budget by more than one tick's.
 ///

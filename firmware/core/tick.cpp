@@ -131,7 +131,10 @@ TickModel make_tick_model(const DeviceModel& device, const TickSettings& setting
 }
 
 Output tick(const Input& in, const FieldView* field, const TickModel& model, TickState& state) {
-  if ((in.requests & kRequestRestart) != 0) state = {};
+  if ((in.requests & kRequestRestart) != 0) {
+    state = {};
+    state.heat = heat_from(in.change.setting == TickSetting::kNone ? in.heat : 0);
+  }
   take_settings(in.change, model, state);
   const bool new_field = take_field(field, in.field_generation, model, state);
 

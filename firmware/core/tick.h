@@ -45,7 +45,7 @@ struct TickState {
   MotionState motion;
   RenderState render;
   SupervisorMemory supervisor;
-  MotorHeat heat;
+  MotorHeat heat;  ///< kept by a restart, see `Input::heat`
   MotorCommands commands{};
 };
 

@@ -36,11 +36,12 @@ Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
 
 }  // namespace
 
-Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd)
+Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat)
     : options_(options),
       live_(live),
       systemd_(systemd),
       settings_(live.now()),
+      heat_(heat),
       fields_(settings::field_bytes(settings_)),
       trace_(ticks_in(4)),
       watched_(ticks_in(4)) {}
@@ -154,7 +155,7 @@ void Controller::start() {
   loop::keep_crash_stack();
   loop::Device& device = direct_ ? static_cast<loop::Device&>(*direct_) : *exchange_;
   loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
-  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, options_.lockstep}, device, clock,
+  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, heat_, options_.lockstep}, device, clock,
                 loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
   records_ = std::thread([this] {
     loop::keep_crash_stack();

@@ -43,7 +43,8 @@ class Controller {
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
   ///
   /// live      the settings as they are now; what is set while it runs stays there for the next run
-  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd);
+  /// heat      of the motors, as the run before left them; 0 = not known
+  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat);
   /// As `stop`.
   ~Controller() { stop(); }
   Controller(const Controller&) = delete;
@@ -59,6 +60,9 @@ class Controller {
   End supervise();
 
   void stop();
+
+  /// Of the motors when it has stopped, for the next run.
+  std::uint32_t heat() const { return loop_ ? loop_->heat() : heat_; }
 
   /// What there is to say when it has stopped.
   std::string summary() const;
@@ -82,6 +86,7 @@ class Controller {
   settings::LiveSettings& live_;
   ServiceNotify& systemd_;
   const settings::Settings settings_;  ///< of this run
+  const std::uint32_t heat_;           ///< at its begin
 
   // What the threads exchange.
   std::atomic<bool> stop_ticks_{false}, stop_exchange_{false}, stop_recorder_{false}, ticks_ended_{false};

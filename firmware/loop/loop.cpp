@@ -20,7 +20,9 @@ Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Nei
       device_(device),
       clock_(clock),
       neighbours_(neighbours),
-      pace_(settings.period_ns, clock.now_ns()) {}
+      pace_(settings.period_ns, clock.now_ns()) {
+  state_.heat = core::heat_from(settings.heat);
+}
 
 bool Loop::step() {
   pace_.stay_near(clock_.now_ns());
@@ -45,7 +47,11 @@ bool Loop::step() {
   record.in = look(sample, missed);
   const ActiveField field = neighbours_.fields.field();
   record.in.requests = requests();
-  record.in.change = neighbours_.requests.take_change();
+  if ((record.in.requests & kRequestRestart) != 0) {
+    record.in.heat = core::heat_input(state_.heat);
+  } else {
+    record.in.change = neighbours_.requests.take_change();
+  }
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
   record.out = core::tick(record.in, field.view, model_, state_);
@@ -76,7 +82,7 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
   }
 }
 
-/// What is asked of this tick. A restart forgets everything, but it is no way out of a fault: there it comes with a stop.
+/// What is asked of this tick. A restart is no way out of a fault: there it comes with a stop.
 std::uint8_t Loop::requests() {
   const std::uint8_t asked = neighbours_.requests.take();
   if ((asked & kRequestRestart) != 0) neighbours_.requests.repeat_changes();

@@ -32,6 +32,7 @@ struct LoopSettings {
   DeviceModel device = libnifalcon_model();
   TickSettings tick = {};
   std::uint32_t period_ns = 1'000'000;  ///< 100,000 to 4,000,000
+  std::uint32_t heat = 0;               ///< of the motors, as an earlier loop left them; 0 = not known
   bool lockstep = false;                ///< wait for every reply without a due time: a run is then a pure function of the device's answers
 };
 
@@ -49,6 +50,9 @@ class Loop {
 
   /// Ticks until told to stop, until `step` returns false, or so often. `stop` is read once a tick.
   void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
+
+  /// Of the motors, for the loop that follows this one. Not while it runs.
+  std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
  private:
   std::uint8_t requests();

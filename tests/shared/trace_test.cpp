@@ -97,6 +97,23 @@ TEST(Trace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::uint32_t>(at + 252), crc32(at, 252));
 }
 
+TEST(Trace, ARestartWithoutAChangeHoldsTheHeat) {
+  for (const InputKind kind : kKinds) {
+    TraceRecord record = some_record(kind);
+    record.input.requests = kRequestRestart;
+    record.input.change = {};
+    record.input.heat = 0xF1020304;
+    EXPECT_EQ(load_le<std::uint32_t>(encode(record).data() + 8), 0xF1020304);
+    record.input.buttons = kind == InputKind::kPosition ? std::uint8_t{3} : std::uint8_t{0};
+    const auto read = decode_record(encode(record));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, record);
+    TraceRecordBytes no_restart = encode(record);
+    no_restart[4] = 0;
+    EXPECT_FALSE(decode_record(no_restart)) << "a value of no setting";
+  }
+}
+
 TEST(Trace, TheRecordStandsAsTheSpecificationDrawsIt) {
   for (const InputKind kind : kKinds) {
     const TraceRecordBytes bytes = encode(some_record(kind));

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace isotouch::core {
 namespace {
@@ -83,6 +85,27 @@ TEST(MotorHeat, WhatIsNotKnownIsTakenForThreeQuarters) {
   bench.ask(0, 1);
   EXPECT_NEAR(bench.square(0), 3'000'000, 200);
   EXPECT_LT(bench.ask(4095, 3000), 4000);
+}
+
+TEST(MotorHeat, WhatIsHandedOnIsThatOfTheWarmestRoundedUp) {
+  MotorHeat heat;
+  EXPECT_EQ(heat_input(heat), 0U) << "not known";
+  EXPECT_FALSE(heat_from(0).has_begun);
+  heat.has_begun = true;
+  EXPECT_EQ(heat_input(heat), 1U) << "known, and cold";
+  for (const std::int64_t most : {std::int64_t{1}, std::int64_t{255}, std::int64_t{256}, std::int64_t{257}, std::int64_t{4'000'000} << 16,
+                                  std::int64_t{4095 * 4095} << 16}) {
+    heat.squares = {most / 2, most, 0};
+    const MotorHeat after = heat_from(heat_input(heat));
+    for (const std::int64_t square : after.squares) {
+      EXPECT_GE(square, most);
+      EXPECT_LT(square, most + 256);
+    }
+    EXPECT_TRUE(after.has_begun);
+    EXPECT_EQ(heat_input(after), heat_input(heat)) << "it does not grow by being handed on";
+  }
+  heat.squares[2] = std::numeric_limits<std::int64_t>::max();  // nobody watches
+  EXPECT_EQ(heat_input(heat), std::numeric_limits<std::uint32_t>::max());
 }
 
 TEST(MotorHeat, IsTheSameAtEveryRateAndAtTheBordersOfItsSettings) {

@@ -203,13 +203,14 @@ TEST(Loop, ARequestReachesOneTick) {
   EXPECT_EQ(bench.step().in.requests, 0);
 }
 
-TEST(Loop, ASettingChangesInOneTickAndAgainAfterARestart) {
+TEST(Loop, ASettingChangesInOneTickAndAgainInTheTickAfterARestart) {
   Bench bench;
   const SettingChange friction = {TickSetting::kFriction, 1000};
   bench.requests.set(friction);
   EXPECT_EQ(bench.step().in.change, friction);
   EXPECT_EQ(bench.step().in.change, SettingChange{});
   bench.requests.ask(kRequestRestart);
+  EXPECT_EQ(bench.step().in.change, SettingChange{}) << "this tick is told of the heat instead";
   EXPECT_EQ(bench.step().in.change, friction);
   EXPECT_EQ(bench.step().in.change, SettingChange{});
 }
@@ -279,6 +280,55 @@ TEST(LoopHeavy, AMillionTicksAllocateNothing) {
   EXPECT_EQ(guard.count(), 0U);
   EXPECT_GT(contacts, 300'000U);
   EXPECT_EQ(bench.state(), SupervisorState::kActive);
+}
+
+/// Whoever begins a recording every second heats the motors no more than whoever begins none.
+TEST(Loop, ALoopGoesOnWithTheHeatOfTheOneBefore) {
+  Bench first;
+  EXPECT_EQ(first.loop.heat(), 0U) << "not known";
+  first.steps(1000);
+  LoopSettings wish;
+  wish.heat = first.loop.heat();
+  EXPECT_GT(wish.heat, 0U);
+  Bench second(wish);
+  EXPECT_EQ(second.loop.heat(), wish.heat);
+}
+
+TEST(Loop, RecordingsDoNotMakeTheMotorsForgetTheirHeat) {
+  constexpr int kSecond = 1000, kSeconds = 60;
+  const auto mean_square = [](bool recording, std::vector<TickRecord>& last) {
+    LoopSettings wish;
+    wish.device.heat_word = 200;
+    wish.device.heat_ms = 5000;
+    Bench bench(wish);
+    std::vector<FalconPacket> second;  // out, in, and a second in the object less that
+    for (int t = 0; t < kSecond; ++t) second.push_back(grip_at({t < 300 ? 11.0 : std::max(11.0 - 0.05 * (t - 300), 5.0), 0, 0}));
+    bench.device.answer = [&second, t = std::size_t{0}](const Command&) mutable { return second[t++ % second.size()]; };
+    bench.load(ball());
+    double sum = 0;
+    for (int t = 0; t < kSecond * kSeconds; ++t) {
+      if (recording && t % kSecond == 0) bench.requests.ask(kRequestRestart);
+      const TickRecord record = bench.step();
+      if (record.in.requests != 0) last.clear();
+      last.push_back(record);
+      if (t >= kSecond * 30) sum += double(record.out.commands[1]) * record.out.commands[1];
+    }
+    // What was recorded answers the same from the state before the first tick.
+    const core::TickModel model = core::make_tick_model(wish.device, wish.tick, wish.period_ns);
+    core::TickState fresh;
+    const ActiveField field = bench.fields.published();
+    for (const TickRecord& tick : last)
+      EXPECT_EQ(core::tick(tick.in, tick.in.field_generation != 0 ? field.view : nullptr, model, fresh), tick.out);
+    EXPECT_FALSE(last.empty());
+    return sum / (kSecond * 30);
+  };
+  std::vector<TickRecord> last;
+  const double once = mean_square(false, last);
+  last.clear();
+  const double often = mean_square(true, last);
+  EXPECT_GT(once, 10'000) << "warm enough to be limited";
+  EXPECT_LE(often, once * 1.02);
+  EXPECT_GE(often, once * 0.8) << "nor does it take force away";
 }
 
 }  // namespace
