@@ -15,7 +15,7 @@ struct FaultName {
   std::string_view sentence;  ///< what happened, and what to do before it is resumed
 };
 
-inline constexpr std::array<FaultName, 9> kFaultNames = {{
+inline constexpr std::array<FaultName, 10> kFaultNames = {{
     {kFaultStopped, "stopped", "a stop was requested"},
     {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},
     {kFaultPenetration, "penetration", "the hand was too deep in the object; let go, and move out of it"},
@@ -25,6 +25,8 @@ inline constexpr std::array<FaultName, 9> kFaultNames = {{
     {kFaultLate, "late", "ticks came too late for too long; give the controller its priority and a core, or a lower rate"},
     {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or the watchdog no longer reads it; release it"},
     {kFaultEnable, "enable", "the enable line of the motors does not read back as it was set; check its relay and wires"},
+    {kFaultMemory, "memory",
+     "the supervisor's memory was damaged; restart the controller, and test the board's memory if it happens again"},
 }};
 
 }  // namespace isotouch

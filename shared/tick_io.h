@@ -107,6 +107,7 @@ enum Faults : std::uint16_t {
   kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age
   kFaultEmergency = 1U << 7,    ///< kLineStop
   kFaultEnable = 1U << 8,       ///< kLineEnableWrong
+  kFaultMemory = 1U << 9,       ///< what the supervisor remembered contradicted itself
 };
 
 using MotorCommands = std::array<std::int16_t, 3>;

@@ -23,15 +23,22 @@ Doubts doubts_of(const Observations& seen, const Supervision& limits, const Supe
           memory.lateness >= limits.hold_ticks * kLatenessOfAPeriod};
 }
 
+/// No step of the state machine leaves such a memory behind: a bit of it was changed since.
+bool is_damaged(const SupervisorMemory& memory, S state) {
+  return !memory.state.is_whole() || (state == S::kFault) != (memory.faults != 0);
+}
+
 /// The causes of a fault in this tick.
-std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Supervision& limits, const SupervisorMemory& memory) {
-  const bool forces = memory.state == S::kActive || memory.state == S::kHold;
-  const bool too_long = memory.state == S::kHold && memory.held_ticks >= limits.fault_ticks;
+std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Supervision& limits, const SupervisorMemory& memory,
+                        S state) {
+  const bool forces = state == S::kActive || state == S::kHold;
+  const bool too_long = state == S::kHold && memory.held_ticks >= limits.fault_ticks;
   return static_cast<std::uint16_t>(
       when((seen.requests & kRequestStop) != 0, kFaultStopped) | when(seen.heard && seen.stale_ticks > limits.fault_ticks, kFaultSilent) |
-      when(seen.too_deep && memory.state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
+      when(seen.too_deep && state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
       when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) | when(doubts.late && too_long, kFaultLate) |
-      when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable));
+      when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable) |
+      when(is_damaged(memory, state), kFaultMemory));
 }
 
 Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits) {
@@ -78,16 +85,19 @@ Permission supervise(const Observations& seen, const Supervision& limits, Superv
   const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
   memory.buttons = seen.buttons;
   const bool asks = (seen.requests & kRequestResume) != 0 || pressed != 0;
-  const std::uint16_t now = faults_of(seen, doubts, limits, memory);
-  const bool resumed = memory.state == S::kFault && asks && now == 0;
+  const S before = memory.state;
+  const std::uint16_t now = faults_of(seen, doubts, limits, memory, before);
+  const bool resumed = before == S::kFault && asks && now == 0;
   memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
-  memory.state = next_state(memory.state, finding(seen, doubts, now, resumed, limits));
-  memory.held_ticks = memory.state == S::kHold ? std::min(memory.held_ticks + 1, kMaxTicks) : 0;
+  const S state = next_state(before, finding(seen, doubts, now, resumed, limits));
+  memory.state = state;
+  memory.held_ticks = state == S::kHold ? std::min(memory.held_ticks + 1, kMaxTicks) : 0;
 
-  if (allows_force(memory.state) && !seen.new_field) return ramped(limits, memory);
+  const bool allowed = allows_force(state) && memory.faults == 0 && seen.lines == 0;
+  if (allowed && !seen.new_field) return ramped(limits, memory);
   memory.ramp = 0;
   Permission none;
-  none.granted = allows_force(memory.state);
+  none.granted = allowed;
   return none;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "firmware/core/guarded_state.h"
 #include "firmware/core/supervisor_table.h"
 #include "shared/device_model.h"
 #include "shared/tick_io.h"
@@ -48,7 +49,7 @@ struct Observations {
 };
 
 struct SupervisorMemory {
-  SupervisorState state = SupervisorState::kBoot;
+  GuardedState state;
   std::uint16_t faults = 0;
   std::uint32_t ramp = 0;        ///< ticks of the ramp done
   std::uint32_t lateness = 0;    ///< see `supervise`
@@ -56,7 +57,10 @@ struct SupervisorMemory {
   std::uint8_t buttons = 0xFF;   ///< of the tick before; at first all, so that a button that is stuck resumes nothing
 };
 
-/// How much of the force is allowed: none but in kActive, there all of it once the ramp is done.
+/// Does no force return without a person? Also with a memory that contradicts itself.
+constexpr bool is_in_fault(const SupervisorMemory& memory) { return memory.state == SupervisorState::kFault || memory.faults != 0; }
+
+/// How much of the force is allowed: none but in kActive without a fault and with good lines, there all of it once the ramp is done.
 struct Permission {
   bool granted = false;
   bool ramping = false;
@@ -68,7 +72,8 @@ struct Permission {
 inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 
 /// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by kRequestResume, or by
-/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault.
+/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault. So does a memory that contradicts itself: a state that is
+/// none, a fault without a reason, or a reason without a fault.
 ///
 /// tick      yes
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory);

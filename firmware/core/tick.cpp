@@ -24,7 +24,7 @@ void take_settings(const SettingChange& change, const TickModel& model, TickStat
     state.felt = model.any_field;
     state.has_settings = true;
   }
-  const bool felt = state.supervisor.state == SupervisorState::kActive;
+  const bool felt = state.supervisor.state.is(SupervisorState::kActive);
   if (advance_settings(change, !felt, state.felt.coupling, state.settings)) take_over(state.settings, state.felt);
 }
 
@@ -152,14 +152,15 @@ Output tick(const Input& in, const FieldView* field, const TickModel& model, Tic
   out.proxy = felt.proxy;
   out.force = drive.force;
   out.commands = drive.motors.commands;
-  out.state = static_cast<std::uint16_t>(state.supervisor.state);
+  const SupervisorState now = state.supervisor.state;
+  out.state = static_cast<std::uint16_t>(now);
   out.status = felt.status | when(!reading.fresh, kStale) | when(reading.malformed, kBadReply) | when(reading.jumped, kCountJump) |
                when(state.reply.homed && !pose.settled, kPoseUncertain) | when(seen.too_fast, kTooFast) |
                when(pose.settled && pose.statics.near_singular, kNearSingular) | when(permission.ramping, kRamping) |
                when(drive.motors.limited, kCommandsLimited) | when(drive.motors.slew_limited, kSlewLimited) |
                when(drive.heat_limited, kHeatLimited) | when(in.late > 0, kLate);
   out.faults = state.supervisor.faults;
-  out.packet_flags = packet_flags(state.supervisor.state, model.device);
+  out.packet_flags = packet_flags(now, model.device);
   out.buttons = state.reply.buttons;
   return out;
 }

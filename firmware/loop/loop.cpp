@@ -86,8 +86,7 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
 std::uint8_t Loop::requests() {
   const std::uint8_t asked = neighbours_.requests.take();
   if ((asked & kRequestRestart) != 0) neighbours_.requests.repeat_changes();
-  const bool in_fault = state_.supervisor.state == SupervisorState::kFault;
-  return in_fault && (asked & kRequestRestart) != 0 ? static_cast<std::uint8_t>(asked | kRequestStop) : asked;
+  return core::is_in_fault(state_.supervisor) && (asked & kRequestRestart) != 0 ? static_cast<std::uint8_t>(asked | kRequestStop) : asked;
 }
 
 /// What the device has sent for this tick, and how old it is.

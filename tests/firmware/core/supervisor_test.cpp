@@ -144,6 +144,23 @@ TEST(Supervisor, EachConditionHasItsOwnFault) {
   EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true, o.homed = false; }), 0) << "homing begins again, by itself";
 }
 
+TEST(Supervisor, AMemoryThatContradictsItselfIsAFault) {
+  SupervisorMemory fault_without_reason, reason_without_fault;
+  fault_without_reason.state = S::kFault;
+  reason_without_fault.state = S::kActive;
+  reason_without_fault.faults = kFaultStopped;
+  for (SupervisorMemory memory : {fault_without_reason, reason_without_fault}) {
+    Observations seen = well();
+    seen.requests = kRequestResume;
+    EXPECT_TRUE(is_in_fault(memory));
+    EXPECT_FALSE(supervise(seen, limits(), memory).granted);
+    EXPECT_EQ(memory.state, S::kFault);
+    EXPECT_TRUE(memory.faults & kFaultMemory) << "and nobody resumes in the same tick";
+    EXPECT_FALSE(supervise(seen, limits(), memory).granted);
+    EXPECT_EQ(memory.state, S::kIdle) << "a person resumes";
+  }
+}
+
 TEST(Supervisor, AHoldThatLastsIsAFaultOfItsReason) {
   const auto fault_of = [](auto change, std::uint32_t ticks) {
     SupervisorMemory memory;

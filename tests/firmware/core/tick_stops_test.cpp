@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 
 #include "firmware/core/tick.h"
 #include "tests/support/device_bench.h"
@@ -208,6 +211,52 @@ TEST(DeviceTickStops, TooDeepIsAFault) {
   EXPECT_EQ(out.faults, kFaultPenetration);
   EXPECT_NEAR(r, 6, 0.06);
   EXPECT_EQ(out.commands, Words{});
+}
+
+/// Damages one bit of what the supervisor remembers.
+void flip(SupervisorMemory& memory, std::size_t bit) {
+  std::array<std::uint8_t, sizeof(SupervisorMemory)> bytes{};
+  std::memcpy(bytes.data(), &memory, sizeof memory);
+  bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1U << bit % 8);
+  std::memcpy(static_cast<void*>(&memory), bytes.data(), sizeof memory);
+}
+
+TEST(DeviceTickStops, NoBitOfTheSupervisorEndsAFault) {
+  Bench begun;
+  begun.begin();
+  begun.press(7);
+  Input in = packet(begun.counts_at(kCentre + Point{7, 0, 0}));
+  ASSERT_NE(begun(in).commands, Words{});
+  in.requests = kRequestStop;
+  ASSERT_EQ(begun(in).faults, kFaultStopped);
+  in.requests = 0;
+  for (std::size_t bit = 0; bit < 8 * sizeof(SupervisorMemory); ++bit) {
+    Bench bench = begun;
+    flip(bench.state.supervisor, bit);
+    for (int t = 0; t < 100; ++t) {
+      const Output out = bench(in);
+      ASSERT_EQ(out.commands, Words{}) << "bit " << bit << " tick " << t << " state " << out.state << " faults " << out.faults;
+      ASSERT_EQ(state_of(out), SupervisorState::kFault) << bit;
+      ASSERT_NE(out.faults, 0) << bit;
+    }
+  }
+}
+
+TEST(DeviceTickStops, AFlippedBitOfTheStateIsAFaultOfItsOwn) {
+  Bench begun;
+  begun.begin();
+  begun.press(7);
+  const Input in = packet(begun.counts_at(kCentre + Point{7, 0, 0}));
+  int noticed = 0;
+  for (std::size_t bit = 0; bit < 8 * sizeof(SupervisorState) * 2; ++bit) {  // the state stands first, twice
+    Bench bench = begun;
+    flip(bench.state.supervisor, bit);
+    const Output out = bench(in);
+    EXPECT_EQ(out.commands, Words{}) << bit;
+    EXPECT_EQ(out.faults, kFaultMemory) << bit;
+    noticed += state_of(out) == SupervisorState::kFault ? 1 : 0;
+  }
+  EXPECT_EQ(noticed, 32);
 }
 
 TEST(DeviceTickStops, AFastHandIsTold) {
