@@ -162,7 +162,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
       if (upload_.sender == &client) upload_ = {};
       return client.say(Kind::kDone);
     case Kind::kStatus:
-      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.hash()));
+      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published().image_hash));
     case Kind::kHistogram: {
       const auto wanted = protocol::decode<protocol::HistogramRequest>(frame.body);
       return wanted ? histogram(client, wanted->measure) : malformed();
@@ -283,9 +283,10 @@ void ControlServer::finish_work() {
   }
   protocol::BodyWriter entries(scratch_);
   protocol::FieldList list;
+  const std::uint64_t felt = neighbours_.fields.published().image_hash;
   for (const store::StoredField& stored : done->stored) {
     if (entries.used() + 128 > protocol::kMaxBody) break;
-    const protocol::FieldEntry entry{stored.hash, stored.bytes, stored.hash == neighbours_.fields.hash(), protocol::Text::of(stored.name)};
+    const protocol::FieldEntry entry{stored.hash, stored.bytes, stored.hash == felt, protocol::Text::of(stored.name)};
     protocol::FieldEntry::fields(entry, entries);
     ++list.count;
   }
@@ -314,7 +315,7 @@ void ControlServer::set(ControlClient& client, const protocol::Set& wanted) cons
 void ControlServer::begin_recording(ControlClient& client) {
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
-  feed_.record(client, neighbours_.fields.hash(), neighbours_.fields.generation());
+  feed_.record(client, neighbours_.fields.published());
 }
 
 /// Where the arms stand, over a second in which no force may begin.

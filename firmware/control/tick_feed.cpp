@@ -29,15 +29,15 @@ void TickFeed::subscribe(ControlClient& client, std::uint32_t every) {
   client.ring_lost = ring_->lost();
 }
 
-void TickFeed::record(ControlClient& client, std::uint64_t field_hash, std::uint32_t generation) {
-  header_.field_hash = field_hash;
+void TickFeed::record(ControlClient& client, const protocol::Accepted& field) {
+  header_.field_hash = field.image_hash;
   records_ = recording::RecordMaker(header_);
   const TraceHeaderBytes header = encode(header_);
   client.say(Kind::kRecording, protocol::Recording{header});
   client.records = true;
   client.every = 0;
   begun_ = false;
-  generation_ = generation;
+  generation_ = field.generation;
   requests_.ask(kRequestRestart);
 }
 

@@ -32,8 +32,8 @@ class TickFeed {
 
   /// Begins the one recording: asks the tick to forget what was before, and tells the client the header. The first record is the tick that forgot.
   ///
-  /// field_hash, generation   what the tick feels
-  void record(ControlClient& client, std::uint64_t field_hash, std::uint32_t generation);
+  /// field     what the tick feels
+  void record(ControlClient& client, const protocol::Accepted& field);
   void end_recording(ControlClient& client);
   /// Nobody has it: another client may.
   bool is_free(std::span<const ControlClient> clients) const;

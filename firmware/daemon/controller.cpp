@@ -107,7 +107,7 @@ Refusal Controller::load_field(bool again) {
 }
 
 Refusal Controller::begin_recording() {
-  const auto hash_of = [this](std::uint32_t generation) { return intake_->generation() == generation ? intake_->hash() : 0; };
+  const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5)}, trace_,
                     settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
@@ -222,7 +222,7 @@ std::uint32_t Controller::measured_delay() const { return loop::measured_delay_t
 /// returns   what that has changed; empty: nothing
 std::string Controller::judge_delay() {
   const auto assumed = static_cast<std::uint32_t>(settings_.delay_ticks);
-  const std::pair now(options_.lockstep ? 0 : measured_delay(), intake_->generation());
+  const std::pair now(options_.lockstep ? 0 : measured_delay(), intake_->published().generation);
   if (now.first <= assumed || now == judged_delay_) return {};
   if (std::string lowered = live_.keep_within(requests_, now.first); !lowered.empty()) {
     judged_delay_ = now;

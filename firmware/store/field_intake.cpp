@@ -101,8 +101,11 @@ bool FieldIntake::check_again(Refusal& refusal) {
   const loop::ActiveField field = slots_.published();
   const Refusal why = field.view == nullptr ? Refusal() : judge(*field.view);
   if (!why) return true;
-  if (!slots_.clear()) return false;
-  show_published(0);
+  {
+    const std::lock_guard handing_over(handing_over_);
+    if (!slots_.clear()) return false;
+    remember(0);
+  }
   refusal = "the field was unloaded: " + why.sentence() + " and load it again";
   return true;
 }
@@ -152,29 +155,46 @@ Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uin
 
 /// What was unpacked becomes the tick's, unless something spoke against it.
 IntakeOutcome FieldIntake::activate(std::uint64_t hash, Refusal refusal, const Before& before) {
-  const std::uint64_t felt = hash_.load(std::memory_order_acquire);
+  const std::uint64_t felt = published().image_hash;
   if (!refusal) refusal = publish(hash);
   if (!refusal && !was_taken_over()) refusal = take_back(hash, felt, before);
   slots_.abandon();
-  return {std::move(refusal), {hash_.load(std::memory_order_acquire), generation()}};
+  return {std::move(refusal), published()};
 }
 
 Refusal FieldIntake::publish(std::uint64_t hash) {
+  const std::lock_guard handing_over(handing_over_);
   const Result<std::uint32_t> generation = slots_.commit();
   if (!generation) return unusable(generation.error());
-  show_published(hash);
+  remember(hash);
   return {};
 }
 
-void FieldIntake::show_published(std::uint64_t hash) {
-  hash_.store(hash, std::memory_order_release);
-  generation_.store(slots_.published().generation, std::memory_order_release);
+/// What was just handed over. While `handing_over_` is held.
+void FieldIntake::remember(std::uint64_t hash) {
+  newest_ = (newest_ + 1) % kRemembered;
+  handed_over_[newest_] = {hash, slots_.published().generation};
+}
+
+protocol::Accepted FieldIntake::published() const {
+  const std::lock_guard handing_over(handing_over_);
+  return handed_over_[newest_];
+}
+
+std::uint64_t FieldIntake::hash_of(std::uint32_t generation) const {
+  const std::lock_guard handing_over(handing_over_);
+  const auto found = std::find_if(handed_over_.begin(), handed_over_.end(),
+                                  [&](const protocol::Accepted& field) { return field.generation == generation; });
+  return generation != 0 && found != handed_over_.end() ? found->image_hash : 0;
 }
 
 /// The tick does not come: as if nothing had been sent. returns no refusal: the tick has come after all
 Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
-  if (!slots_.take_back()) return {};
-  show_published(felt);
+  {
+    const std::lock_guard handing_over(handing_over_);
+    if (!slots_.take_back()) return {};
+    remember(felt);
+  }
   std::string refusal = "the field is good, but the controller's loop does not run, so the field is not loaded";
   if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", although the next start may load it";
   return refusal + "; restart the controller";
@@ -182,7 +202,8 @@ Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Bef
 
 bool FieldIntake::was_taken_over() {
   const std::int64_t until = clock_.now_ns() + kPatience;
-  while (slots_.acknowledged() != generation()) {
+  const std::uint32_t wanted = published().generation;
+  while (slots_.acknowledged() != wanted) {
     const std::int64_t now = clock_.now_ns();
     if (now >= until) return false;
     clock_.sleep_until_ns(now + kNap);

@@ -2,7 +2,7 @@
 /// something is wrong.
 #pragma once
 
-#include <atomic>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -76,9 +76,13 @@ class FieldIntake {
   /// What is stored, oldest first; empty without a store.
   std::vector<StoredField> stored();
 
-  /// The field handed to the tick last; 0 = none. Any thread.
-  std::uint64_t hash() const { return hash_.load(std::memory_order_acquire); }
-  std::uint32_t generation() const { return generation_.load(std::memory_order_acquire); }
+  /// The field handed to the tick last: hash and generation belong together. Any thread but the tick's.
+  protocol::Accepted published() const;
+
+  /// Of one of the fields handed to the tick lately, also of one that the tick has left since; any thread but the tick's.
+  ///
+  /// returns   its hash; 0: none, or too long ago
+  std::uint64_t hash_of(std::uint32_t generation) const;
 
  private:
   /// What the store was like before a request.
@@ -94,7 +98,7 @@ class FieldIntake {
   Refusal keep(const protocol::Begin& field, std::span<const std::uint8_t> packed);
   IntakeOutcome activate(std::uint64_t hash, Refusal refusal, const Before& before);
   Refusal publish(std::uint64_t hash);
-  void show_published(std::uint64_t hash);
+  void remember(std::uint64_t hash);
   bool was_taken_over();
   Refusal take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
 
@@ -105,8 +109,12 @@ class FieldIntake {
   std::vector<std::uint8_t> upload_, residuals_;
   ZSTD_DCtx_s* context_;
   std::mutex exchanging_;  ///< held while the slots or the store change
-  std::atomic<std::uint64_t> hash_{0};
-  std::atomic<std::uint32_t> generation_{0};
+
+  static constexpr std::size_t kRemembered = 16;
+  mutable std::mutex
+      handing_over_;  ///< held while a field is handed to the tick, so that nobody hears of a generation before its hash is here
+  std::array<protocol::Accepted, kRemembered> handed_over_{};  ///< a circle
+  std::size_t newest_ = 0;
 };
 
 }  // namespace isotouch::store

@@ -33,7 +33,7 @@ TEST(TickFeed, ManyTicksAtOnceReachAClientThatReads) {
   WorstTicks worst;
   std::array<ControlClient, 1> clients;
   clients[0].open(ends[0], 0);
-  feed.record(clients[0], 0, 0);
+  feed.record(clients[0], {0, 0});
   loop::TickRecord tick;
   tick.in.requests = requests.take();
   for (tick.number = 1; tick.number <= kTicks; ++tick.number) {

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "firmware/loop/linux_clock.h"
@@ -65,7 +67,7 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
   EXPECT_EQ(outcome.accepted.image_hash, ball.promise.image_hash);
   EXPECT_EQ(outcome.accepted.generation, rig.slots.acknowledged());
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
-  EXPECT_EQ(rig.intake.hash(), ball.promise.image_hash);
+  EXPECT_EQ(rig.intake.published().image_hash, ball.promise.image_hash);
 
   loop::FieldSlots slots(1 << 18);
   FieldIntake next(slots, &rig.store, rig.clock, {});
@@ -86,6 +88,39 @@ TEST(FieldIntake, AStoredFieldIsSelected) {
   EXPECT_EQ(rig.felt(), one.promise.image_hash);
 }
 
+TEST(FieldIntake, AFieldThatTheTickHasLeftStillHasItsHash) {
+  Rig rig;
+  const PackedField one = packed_ball(1), two = packed_ball(2);
+  const std::uint32_t first = rig.upload(one).accepted.generation;
+  const std::uint32_t second = rig.upload(two).accepted.generation;
+  EXPECT_EQ(rig.intake.hash_of(first), one.promise.image_hash) << "of a tick that is recorded late";
+  EXPECT_EQ(rig.intake.hash_of(second), two.promise.image_hash);
+  EXPECT_EQ(rig.intake.hash_of(second + 1), 0U);
+  EXPECT_EQ(rig.intake.hash_of(0), 0U);
+}
+
+TEST(FieldIntake, NobodySeesTheHashOfOneFieldWithTheGenerationOfAnother) {
+  Rig rig;
+  const PackedField one = packed_ball(1), two = packed_ball(2);
+  ASSERT_EQ(rig.upload(one).refusal.sentence(), "");
+  ASSERT_EQ(rig.upload(two).refusal.sentence(), "");
+  std::atomic<bool> stop{false};
+  int wrong = 0, seen = 0;
+  std::thread reader([&] {
+    while (!stop) {
+      const protocol::Accepted field = rig.intake.published();
+      const std::uint64_t of_it = field.generation % 2 == 1 ? one.promise.image_hash : two.promise.image_hash;  // they take turns
+      wrong += field.image_hash != of_it ? 1 : 0;
+      ++seen;
+    }
+  });
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(rig.intake.select((i % 2 == 0 ? one : two).promise.image_hash).refusal.sentence(), "");
+  stop = true;
+  reader.join();
+  EXPECT_EQ(wrong, 0) << "of " << seen;
+  EXPECT_GT(seen, 1000);
+}
+
 TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   bool check_fails = false;
   Rig rig([&](const FieldView&) { return std::string(check_fails ? "too steep for this device" : ""); });
@@ -95,7 +130,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
     EXPECT_THAT(outcome.refusal.sentence(), HasSubstr(why));
     EXPECT_EQ(rig.felt(), old.promise.image_hash) << why;
     EXPECT_EQ(rig.store.active(), old.promise.image_hash) << why;
-    EXPECT_EQ(rig.intake.hash(), old.promise.image_hash) << why;
+    EXPECT_EQ(rig.intake.published().image_hash, old.promise.image_hash) << why;
   };
   protocol::Begin other = good.promise;
   other.image_hash ^= 1;
@@ -126,8 +161,8 @@ TEST(FieldIntake, AFieldThatIsRefusedLaterIsTakenAwayOnce) {
   EXPECT_TRUE(rig.intake.check_again(said));
   EXPECT_EQ(said.sentence(), "the field was unloaded: too stiff; set less and load it again");
   EXPECT_EQ(rig.felt(), 0U);
-  EXPECT_EQ(rig.intake.hash(), 0U);
-  EXPECT_EQ(rig.intake.generation(), 0U);
+  EXPECT_EQ(rig.intake.published().image_hash, 0U);
+  EXPECT_EQ(rig.intake.published().generation, 0U);
   said = {};
   EXPECT_TRUE(rig.intake.check_again(said));
   EXPECT_EQ(said.sentence(), "");
@@ -164,16 +199,16 @@ TEST(FieldIntake, WhatTheTickDoesNotTakeIsNeitherStoredNorFeltLater) {
     const std::uint64_t before = has_old ? old.promise.image_hash : 0;
     rig.clock.runs = false;
     EXPECT_THAT(rig.upload(late).refusal.sentence(), HasSubstr("loop does not run"));
-    EXPECT_EQ(rig.intake.hash(), before);
+    EXPECT_EQ(rig.intake.published().image_hash, before);
     EXPECT_EQ(rig.store.active().value_or(0), before);
     EXPECT_FALSE(rig.store.holds(late.promise.image_hash));
     loop::FieldSlots slots(1 << 18);
     FieldIntake next(slots, &rig.store, rig.clock, {});
     EXPECT_EQ(next.begin_with_active().sentence(), "");
-    EXPECT_EQ(next.hash(), before) << "nor at the next start";
+    EXPECT_EQ(next.published().image_hash, before) << "nor at the next start";
     rig.clock.runs = true;
     EXPECT_EQ(rig.felt(), before) << "nor when the loop runs again";
-    EXPECT_EQ(rig.intake.generation(), rig.slots.field().generation);
+    EXPECT_EQ(rig.intake.published().generation, rig.slots.field().generation);
     EXPECT_EQ(rig.upload(late).refusal.sentence(), "");
     EXPECT_EQ(rig.felt(), late.promise.image_hash);
   }
