@@ -133,8 +133,11 @@ void Controller::mark_run() {
     requests_.ask(kRequestStop);
     say("the previous run crashed, was killed or lost power; no force until 'resume'");
   }
-  if (const store::StoreResult<void> set = mark_->set(); !set)
-    say(settings_.state + ": cannot be written, so the next start will not know if this run crashed: " + describe(set.error()));
+  if (const store::StoreResult<void> set = mark_->set(); !set) {
+    requests_.ask(kRequestStop);
+    say(settings_.state + ": cannot be written (" + describe(set.error()) +
+        "), so the next start will not know if this run crashed; no force until 'resume'");
+  }
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.

@@ -2,11 +2,13 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
+#include <utility>
 
 namespace isotouch::store {
 
@@ -21,6 +23,7 @@ StoreError error_of(int code) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG: return StoreError::kNoSpace;
+    case EWOULDBLOCK: return StoreError::kInUse;
     default: return StoreError::kFailed;
   }
 }
@@ -43,7 +46,9 @@ struct File {
 LinuxFolder::LinuxFolder(const std::string& path) {
   if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) trouble_ = error_of(errno);
   folder_ = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder_ < 0) trouble_ = error_of(errno);
+  if (folder_ >= 0 && ::flock(folder_, LOCK_EX | LOCK_NB) == 0) return;
+  trouble_ = error_of(errno);
+  if (folder_ >= 0) ::close(std::exchange(folder_, -1));
 }
 
 LinuxFolder::~LinuxFolder() {

@@ -10,7 +10,8 @@ namespace isotouch::store {
 
 class LinuxFolder final : public Folder {
  public:
-  /// Opens the folder, made if there is none (mode 0700, without parents). `is_open` tells whether that worked, `trouble` why not.
+  /// Opens the folder, made if there is none (mode 0700, without parents), and locks it for as long as it lives: two controllers must not share one.
+  /// `is_open` tells whether that worked, `trouble` why not: kInUse where another program, or another object of this one, has it.
   explicit LinuxFolder(const std::string& path);
   ~LinuxFolder() override;
   LinuxFolder(const LinuxFolder&) = delete;

@@ -13,6 +13,7 @@ enum class StoreError : std::uint8_t {
   kTooLarge,    ///< the file does not fit into the memory given
   kDamaged,     ///< the file does not hold what was written to it
   kNoSpace,     ///< the file system is full
+  kInUse,       ///< another program has the folder
   kFailed,      ///< reading or writing failed in another way
 };
 
@@ -27,6 +28,7 @@ constexpr const char* describe(StoreError error) {
     case StoreError::kTooLarge: return "it is larger than expected";
     case StoreError::kDamaged: return "the checksum does not match: the bytes were changed after they were written";
     case StoreError::kNoSpace: return "there is no space left for it";
+    case StoreError::kInUse: return "another controller uses it; stop that one, or name another folder";
     case StoreError::kFailed: return "the storage failed";
   }
   return "unknown error";

@@ -15,6 +15,19 @@ namespace {
 
 const std::vector<std::uint8_t> kBytes = {1, 2, 3};
 
+TEST(LinuxFolder, BelongsToOneAtATime) {
+  const ScratchFolder scratch;
+  const std::string path = (scratch.path() / "state").string();
+  {
+    const LinuxFolder first(path);
+    ASSERT_TRUE(first.is_open());
+    const LinuxFolder second(path);
+    EXPECT_FALSE(second.is_open());
+    EXPECT_EQ(second.trouble(), StoreError::kInUse);
+  }
+  EXPECT_TRUE(LinuxFolder(path).is_open());
+}
+
 TEST(LinuxFolder, DoesWhatItSays) {
   const ScratchFolder scratch;
   LinuxFolder folder((scratch.path() / "state").string());
