@@ -15,7 +15,7 @@ void ControlClient::open(int socket, std::int64_t now_ns) {
   greeted = waiting = leaving = records = false;
   every = ring_lost = 0;
   lost = 0;
-  moved_ns = now_ns;
+  opened_ns = moved_ns = now_ns;
 }
 
 void ControlClient::close() {
@@ -28,12 +28,13 @@ void ControlClient::close() {
 bool ControlClient::receive(std::int64_t now_ns) {
   const ssize_t got = ::recv(socket_, in_.data() + in_size_, in_.size() - in_size_, 0);
   if (got < 0) return errno == EAGAIN || errno == EINTR;
+  if (in_size_ == 0) moved_ns = now_ns;
   in_size_ += static_cast<std::size_t>(got);
-  moved_ns = now_ns;
   return got > 0;
 }
 
-void ControlClient::drop(std::size_t bytes) {
+void ControlClient::drop(std::size_t bytes, std::int64_t now_ns) {
+  moved_ns = now_ns;
   std::copy(in_.begin() + static_cast<std::ptrdiff_t>(bytes), in_.begin() + static_cast<std::ptrdiff_t>(in_size_), in_.begin());
   in_size_ -= bytes;
 }

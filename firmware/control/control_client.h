@@ -31,7 +31,7 @@ class ControlClient {
   /// The first frame of what has come; size 0 when there is none yet.
   Result<protocol::Frame> frame() const { return protocol::read_frame(std::span(in_).first(in_size_)); }
   /// Forgets the first frame.
-  void drop(std::size_t bytes);
+  void drop(std::size_t bytes, std::int64_t now_ns);
 
   /// True when any frame would fit and leave room for a refusal.
   bool has_room() const { return out_.size() - (out_end_ - out_begin_) >= 2 * protocol::kMaxFrame; }
@@ -50,12 +50,13 @@ class ControlClient {
   bool wants_more() const { return in_size_ < in_.size(); }
 
   bool greeted = false;
-  bool waiting = false;         ///< for the field worker: nothing further is read from it meanwhile
-  bool leaving = false;         ///< to be closed as soon as it was told why
-  std::int64_t moved_ns = 0;    ///< when bytes last went either way
-  std::uint32_t every = 0;      ///< subscription to ticks; 0 = none
-  bool records = false;         ///< has the recording
-  std::uint64_t lost = 0;       ///< records not sent since the subscription began
+  bool waiting = false;  ///< for the field worker: nothing further is read from it meanwhile
+  bool leaving = false;  ///< to be closed as soon as it was told why
+  std::int64_t opened_ns = 0;
+  std::int64_t moved_ns = 0;  ///< when a frame last began or ended, or bytes were taken: a frame has one deadline, however slowly it comes
+  std::uint32_t every = 0;    ///< subscription to ticks; 0 = none
+  bool records = false;       ///< has the recording
+  std::uint64_t lost = 0;     ///< records not sent since the subscription began
   std::uint32_t ring_lost = 0;  ///< what the ring had lost then
 
  private:

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <utility>
 
 #include "firmware/control/tick_report.h"
@@ -22,6 +23,8 @@ constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seco
 constexpr std::int64_t kMeasuringNs = 1'000'000'000;
 constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
 
+constexpr std::int64_t kDeafNs = 200'000'000;
+
 constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
 constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
 constexpr std::string_view kBusy = "another client is sending a field; try again when that has ended";
@@ -31,7 +34,7 @@ constexpr std::string_view kBusy = "another client is sending a field; try again
 ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& neighbours)
     : settings_(std::move(settings)),
       neighbours_(neighbours),
-      clients_(settings_.clients),
+      clients_(settings_.clients + 1),
       feed_(neighbours.ring, settings_.recordings, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
       scratch_(std::max(kHistogramScratch, protocol::kMaxBody)),
@@ -79,18 +82,24 @@ void ControlServer::run() {
 
 /// Until something happens, or for a nap; then reads what has come. returns false: interrupted
 bool ControlServer::wait(bool busy) {
-  polled_.assign({{bell_, POLLIN, 0}, {worker_.bell(), POLLIN, 0}, {socket_.number(), POLLIN, 0}});
+  const bool is_deaf = neighbours_.clock.now_ns() < deaf_until_ns_;
+  polled_.assign({{bell_, POLLIN, 0}, {worker_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
   for (const ControlClient& client : clients_) {
+    if (!client.is_open()) continue;  // poll takes no more entries than there may be file handles
     const bool reads = !client.waiting && !client.leaving && client.wants_more() && client.has_room();
     polled_.push_back({client.socket(), static_cast<short>((reads ? POLLIN : 0) | (client.has_unsent() ? POLLOUT : 0)), 0});
   }
   const auto nap_ms = static_cast<int>(std::min<std::int64_t>(kNapMs, settings_.patience_ns / 4'000'000 + 1));
-  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : nap_ms) < 0) return false;
+  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : nap_ms) < 0) {
+    if (errno != EINTR) neighbours_.clock.sleep_until_ns(neighbours_.clock.now_ns() + kDeafNs);
+    return false;
+  }
   const std::int64_t now = neighbours_.clock.now_ns();
-  for (std::size_t i = 0; i < clients_.size(); ++i) {
-    if ((polled_[i + 3].revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
+  std::size_t at = 3;
+  for (ControlClient& client : clients_) {
+    if (!client.is_open() || (polled_[at++].revents & (POLLIN | POLLHUP | POLLERR)) == 0) continue;
     // One that hung up is read to its end, whatever it waits for: that is how its end is seen.
-    if (!clients_[i].wants_more() || !clients_[i].receive(now)) forget(clients_[i]);
+    if (!client.wants_more() || !client.receive(now)) forget(client);
   }
   if (polled_[2].revents != 0) admit();
   return true;
@@ -98,14 +107,28 @@ bool ControlServer::wait(bool busy) {
 
 void ControlServer::admit() {
   const int socket = socket_.accept();
-  if (socket < 0) return;
   const std::int64_t now = neighbours_.clock.now_ns();
-  const auto place = std::find_if(clients_.begin(), clients_.end(), [](const ControlClient& c) { return !c.is_open(); });
-  Refusal refusal = refusal_of(settings_.peer(socket), settings_.admission);
-  if (!refusal && place == clients_.end()) {
-    refusal = std::to_string(clients_.size()) + " clients are connected, the most that are allowed; close one of them";
+  if (socket < 0) {
+    if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) deaf_until_ns_ = now + kDeafNs;  // it knocks on
+    return;
   }
-  if (!refusal) return place->open(socket, now);
+  const Refusal refusal = refusal_of(settings_.peer(socket), settings_.admission);
+  if (refusal) return turn_away(socket, refusal);
+  const auto place = std::find_if(clients_.begin(), clients_.end() - 1, [](const ControlClient& c) { return !c.is_open(); });
+  if (place->is_open()) {  // nobody may hold the place for a stop: it is the newest one's
+    place->refuse(Kind::kHello, full());
+    (void)place->send(now);
+    forget(*place);
+  }
+  place->open(socket, now);
+}
+
+std::string ControlServer::full() const {
+  return std::to_string(settings_.clients) + " clients are connected, the most that are allowed; close one of them";
+}
+
+void ControlServer::turn_away(int socket, const Refusal& refusal) {
+  const std::int64_t now = neighbours_.clock.now_ns();
   stranger_.open(socket, now);
   stranger_.refuse(Kind::kHello, refusal.sentence());
   (void)stranger_.send(now);  // a fresh connection has room for it
@@ -124,7 +147,7 @@ void ControlServer::serve(ControlClient& client) {
     }
     if (frame->size == 0 || must_wait(*frame)) return;
     answer(client, *frame);
-    client.drop(frame->size);
+    client.drop(frame->size, neighbours_.clock.now_ns());
   }
 }
 
@@ -145,6 +168,11 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     client.leaving = true;
     return;
   }
+  if (is_for_stop(client) && frame.kind != Kind::kStop && frame.kind != Kind::kStatus) {
+    client.refuse(frame.kind, full());
+    client.leaving = true;
+    return;
+  }
   // What may lead to a force waits until the hand has been measured.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
   if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
@@ -162,7 +190,8 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
       if (upload_.sender == &client) upload_ = {};
       return client.say(Kind::kDone);
     case Kind::kStatus:
-      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published().image_hash));
+      return client.say(Kind::kStatusReport,
+                        status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published().image_hash));
     case Kind::kHistogram: {
       const auto wanted = protocol::decode<protocol::HistogramRequest>(frame.body);
       return wanted ? histogram(client, wanted->measure) : malformed();
@@ -363,12 +392,16 @@ void ControlServer::forget(ControlClient& client) {
   client.close();
 }
 
-/// Who stops in the middle of something is not waited for for ever. A client that has said and read everything may stay.
+/// Nobody is waited for for ever: who stops in the middle of something, does not complete the greeting, or has the place for a stop. A client that has
+/// said and read everything may stay.
 void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {
-    const bool in_the_middle = !client.greeted || client.leaving || client.has_unsent() || client.has_unread() || upload_.sender == &client;
-    if (client.is_open() && in_the_middle && worker_.is_idle() && client.moved_ns < since) forget(client);
+    const bool may_stay = client.greeted && !is_for_stop(client);
+    const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || upload_.sender == &client;
+    if (!client.is_open()) continue;
+    if (in_the_middle && worker_.is_idle() && client.moved_ns < since) forget(client);
+    if (!may_stay && client.opened_ns < since) forget(client);
   }
 }
 

@@ -38,8 +38,8 @@ struct ControlSettings {
   Admission admission;                        ///< who may come in
   std::string program;                        ///< name and version, for people
   TraceHeader recordings;                     ///< device, settings and period of every recording
-  std::size_t clients = 8;                    ///< at once
-  std::int64_t patience_ns = 10'000'000'000;  ///< with a client that stops in the middle of something
+  std::size_t clients = 8;                    ///< at once; one place more is kept for whoever wants to stop
+  std::int64_t patience_ns = 10'000'000'000;  ///< with a client that stops in the middle of something, or does not complete its greeting
   std::function<Peer(int)> peer = peer_of;    ///< who is at the other end; a seam for tests
 };
 
@@ -82,6 +82,9 @@ class ControlServer {
   void run();
   bool wait(bool busy);
   void admit();
+  std::string full() const;
+  void turn_away(int socket, const Refusal& refusal);
+  bool is_for_stop(const ControlClient& client) const { return &client == &clients_.back(); }
   void serve(ControlClient& client);
   bool must_wait(const protocol::Frame& frame) const;
   void answer(ControlClient& client, const protocol::Frame& frame);
@@ -104,8 +107,9 @@ class ControlServer {
   ControlSettings settings_;
   ControlNeighbours neighbours_;
   ControlSocket socket_;
-  std::vector<ControlClient> clients_;
-  ControlClient stranger_;  ///< whoever is told why not, and goes
+  std::vector<ControlClient> clients_;  ///< the last place is for a stop, when all others are taken
+  ControlClient stranger_;              ///< whoever is told why not, and goes
+  std::int64_t deaf_until_ns_ = 0;      ///< nobody is let in before: there were no file handles
   std::vector<pollfd> polled_;
   TickFeed feed_;
   FieldWorker worker_;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 
@@ -92,7 +93,81 @@ TEST(ControlServer, MoreClientsThanPlacesAreToldSo) {
   Speaker one(rig.settings.path), two(rig.settings.path);
   one.greet(), two.greet();
   Speaker three(rig.settings.path);
+  three.greet();
+  three.say(Kind::kFields);
   expect_sentence(three.hear(), "2 clients are connected");
+  EXPECT_EQ(three.hear().kind, Kind{});
+}
+
+TEST(ControlServer, WhoeverIsConnectedAStopGetsThrough) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.clients = 2; });
+  Speaker one(rig.settings.path), two(rig.settings.path);
+  one.greet(), two.greet();
+  Speaker idle(rig.settings.path), silent(rig.settings.path);  // they want the place for the stop, too
+  Speaker stop(rig.settings.path);
+  EXPECT_EQ(stop.greet().kind, Kind::kWelcome);
+  stop.say(Kind::kStop);
+  EXPECT_EQ(stop.hear().kind, Kind::kDone);
+  stop.say(Kind::kStatus);
+  EXPECT_EQ(stop.hear().kind, Kind::kStatusReport) << "whether it has stopped";
+  for (int tries = 0; tries < 1000 && (rig.tick.obeyed & kRequestStop) == 0; ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_TRUE(rig.tick.obeyed & kRequestStop);
+  expect_sentence(idle.hear(), "2 clients are connected");
+}
+
+TEST(ControlServer, AGreetingHasOneDeadlineHoweverSlowlyItComes) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = 200'000'000; });
+  Speaker slow(rig.settings.path);
+  const std::vector<std::uint8_t> hello = frames_of(store::packed_ball(1), 512).front();
+  std::size_t sent = 0;
+  while (sent < hello.size() - 1 && slow.send(std::span(hello).subspan(sent, 1))) {
+    ++sent;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_LT(sent, hello.size() - 1) << "a byte at a time held the place";
+}
+
+TEST(ControlServer, ARequestHasOneDeadlineHoweverSlowlyItComes) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = 200'000'000; });
+  Speaker slow(rig.settings.path);
+  slow.greet();
+  const std::vector<std::uint8_t> begin = frames_of(store::packed_ball(1), 512)[1];
+  std::size_t sent = 0;
+  while (sent < begin.size() - 1 && slow.send(std::span(begin).subspan(sent, 1))) {
+    ++sent;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_LT(sent, begin.size() - 1) << "a byte at a time held the place";
+}
+
+/// Processor time of this process, seconds.
+double used_s() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+TEST(ControlServer, WithoutFileHandlesItWaitsInsteadOfSpinning) {
+  ControlRig rig(1 << 18, [](ControlSettings& settings) { settings.clients = 100; });  // more than there are handles
+  rig.tick.rests = true;
+  Speaker let_in(rig.settings.path);
+  let_in.greet();
+  rlimit before{};
+  ::getrlimit(RLIMIT_NOFILE, &before);
+  const int last = ::dup(let_in.socket());
+  ::close(last);
+  const rlimit one_more{static_cast<rlim_t>(last) + 1, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &one_more), 0);
+  Speaker knocking(rig.settings.path);  // has the last handle that there may be
+  const double began = used_s();
+  std::this_thread::sleep_for(std::chrono::seconds(2));
+  EXPECT_LT(used_s() - began, 0.2);
+  let_in.say(Kind::kStatus);
+  EXPECT_EQ(let_in.hear().kind, Kind::kStatusReport);
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(knocking.greet().kind, Kind::kWelcome) << "as soon as there are some again";
 }
 
 TEST(ControlServer, WhoStopsInTheMiddleIsNotWaitedFor) {
