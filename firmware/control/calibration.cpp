@@ -1,5 +1,7 @@
 #include "firmware/control/calibration.h"
 
+#include <cstdint>
+#include <cstdlib>
 #include <utility>
 
 namespace isotouch::control {
@@ -8,6 +10,22 @@ namespace {
 
 void take(const store::AnglesAtZero& angles, DeviceModel& model) {
   for (std::size_t i = 0; i < angles.size(); ++i) model.legs[i].at_zero = angles[i];
+}
+
+std::string too_far() {
+  return "an arm would stand more than " + std::to_string(Calibration::kMaxTurnDeg) +
+         " degrees away from where the device's geometry has it; measure again, or try the other [device] geometry";
+}
+
+/// Does every arm stand near enough to where it is expected?
+bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
+  constexpr auto kMost = static_cast<std::int64_t>(Calibration::kMaxTurnDeg / 360.0 * 4294967296.0);
+  bool near = true;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const auto turn = static_cast<std::int32_t>(angles[i].raw() - expected.legs[i].at_zero.raw());  // the shorter way round
+    near = near && std::abs(std::int64_t{turn}) <= kMost;
+  }
+  return near;
 }
 
 }  // namespace
@@ -28,6 +46,11 @@ bool Calibration::waits() const {
   return waits_;
 }
 
+bool Calibration::has_changed() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return has_changed_ && waits_;
+}
+
 protocol::DeviceReport Calibration::report() const {
   protocol::DeviceReport report;
   for (std::size_t i = 0; i < report.at_zero.size(); ++i) report.at_zero[i] = in_use_.model.legs[i].at_zero.raw();
@@ -45,15 +68,19 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
     if (serial_.empty() || serial != serial_) return "another device than the measured one is plugged in; calibrate again";
   }
   if (store_ == nullptr) return "this controller has no state folder to store it in; set [files] state and start it again";
-  if (by_settings_(serial).source == protocol::AnglesFrom::kSettings) {
+  const Choice expected = by_settings_(serial);
+  if (expected.source == protocol::AnglesFrom::kSettings) {
     return "the controller's settings have a calibration for this device, which is used instead of a measured one; remove [calibration." +
            serial + "] from the settings";
   }
   store::AnglesAtZero angles;
   for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);
+  if (!is_near(angles, expected.model)) return too_far();
   const store::StoreResult<void> kept = store_->put(serial, angles);
   if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
   answers(serial);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_changed_ = true;
   return {};
 }
 
@@ -61,7 +88,9 @@ Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trou
   Choice choice = by_settings_(serial);
   if (store_ == nullptr || choice.source == protocol::AnglesFrom::kSettings) return choice;
   const store::StoreResult<store::AnglesAtZero> kept = store_->read(serial);
-  if (kept) {
+  if (kept && !is_near(*kept, choice.model)) {
+    trouble = "the stored calibration of " + serial + " is not used: " + too_far();
+  } else if (kept) {
     take(*kept, choice.model);
     choice.source = protocol::AnglesFrom::kMeasured;
   } else if (kept.error() != store::StoreError::kNotFound) {

@@ -49,8 +49,9 @@ Controller::Controller(const Options& options, settings::LiveSettings& live, Ser
 Refusal Controller::build(bool again) {
   if (!settings::device_model(settings_, {}))
     return "the numbers in the settings contradict each other: no device can have them; check [device] and [limits]";
-  if (Refusal refusal = make_hardware(options_, stop_exchange_, hardware_)) return refusal;
   if (Refusal refusal = open_state()) return refusal;
+  const bool home_anew = mark_ && mark_->left() == store::RunMark::Left::kCalibration;
+  if (Refusal refusal = make_hardware(options_, home_anew, stop_exchange_, hardware_)) return refusal;
   choose_calibration();
   if (Refusal refusal = connect_device()) return refusal;
   if (Refusal refusal = load_field(again)) return refusal;
@@ -66,6 +67,7 @@ Refusal Controller::open_state() {
   if (!folder_->is_open()) return settings_.state + ": the state folder cannot be used: " + describe(folder_->trouble());
   store_.emplace(*folder_, 8);
   measured_.emplace(*folder_);
+  if (!options_.lockstep) mark_.emplace(*folder_);  // there nobody is there to resume
   return {};
 }
 
@@ -125,19 +127,15 @@ Refusal Controller::listen() {
   return control_->start();
 }
 
-/// A run that follows one without an orderly end is in fault until a person resumes. In lockstep nobody is there.
 void Controller::mark_run() {
-  if (!folder_ || options_.lockstep) return;
-  mark_.emplace(*folder_);
-  if (mark_->was_left()) {
-    requests_.ask(kRequestStop);
-    say("the previous run crashed, was killed or lost power; no force until 'resume'");
-  }
-  if (const store::StoreResult<void> set = mark_->set(); !set) {
-    requests_.ask(kRequestStop);
-    say(settings_.state + ": cannot be written (" + describe(set.error()) +
-        "), so the next start will not know if this run crashed; no force until 'resume'");
-  }
+  const Refusal doubt = mark_ ? mark_->begin() : Refusal();
+  if (!doubt) return;
+  requests_.ask(kRequestStop);
+  say(doubt.sentence());
+}
+
+void Controller::note_calibration() {
+  if (mark_ && calibration_->has_changed()) mark_->note_calibration();
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
@@ -189,6 +187,7 @@ Controller::End Controller::supervise() {
   while (!ticks_ended_) {
     say_what_changed();
     systemd_.alive(stats_.ticks.value());
+    note_calibration();
     if (may_begin_again()) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }
@@ -250,7 +249,8 @@ void Controller::stop() {
   if (records_.joinable()) records_.join();
   recorder_->drain();
   recorder_->stop();
-  if (mark_) mark_->clear();
+  note_calibration();
+  if (mark_) mark_->end();
   crash_.reset();
 }
 

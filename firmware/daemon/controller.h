@@ -75,6 +75,7 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
+  void note_calibration();
   std::thread begin_thread(const char* name, int priority, int core, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;

@@ -27,7 +27,7 @@ Refusal make_replay(const Options& options, Hardware& made) {
 
 }  // namespace
 
-Refusal make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made) {
+Refusal make_hardware(const Options& options, bool home_anew, const std::atomic<bool>& stop, Hardware& made) {
   const settings::Settings& settings = options.settings;
   if (options.lockstep) {
     made.clock = std::make_unique<loop::LockstepClock>();
@@ -47,7 +47,9 @@ Refusal make_hardware(const Options& options, const std::atomic<bool>& stop, Har
   } else {
     made.link = std::make_unique<falcon::FalconUsb>(*made.clock, options.name);
   }
-  made.session = std::make_unique<falcon::FalconSession>(*made.link, *made.clock, made.image, settings::session_settings(settings),
+  falcon::SessionSettings session = settings::session_settings(settings);
+  session.boot.always_upload |= home_anew;  // a device whose firmware begins anew has no reference
+  made.session = std::make_unique<falcon::FalconSession>(*made.link, *made.clock, made.image, session,
                                                          [&stop](const falcon::BootProgress&) { return !stop.load(); });
   made.falcon = std::make_unique<falcon::FalconPort>(*made.session, *made.link);
   return {};

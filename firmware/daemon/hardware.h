@@ -29,9 +29,10 @@ struct Hardware {
 
 /// Makes what the command line asks for. Nothing is opened yet but a recording and the firmware's file.
 ///
+/// home_anew the device must lose its reference, so that a person homes it; without its firmware's file it keeps it
 /// stop      ends a boot of the device; lives as long as `made`
 /// returns   none: `made` is complete
-Refusal make_hardware(const Options& options, const std::atomic<bool>& stop, Hardware& made);
+Refusal make_hardware(const Options& options, bool home_anew, const std::atomic<bool>& stop, Hardware& made);
 
 /// The serial whose calibration holds: the one asked for, else that of the only device there; empty: not known yet.
 std::string serial_of(const Options& options, const Hardware& hardware);

@@ -58,7 +58,9 @@ void print(const Options& options, const protocol::Calibrate& calibration, const
   std::printf("%s: arms at count 0 at %.3f, %.3f, %.3f degrees (top, right, left), %+.3f, %+.3f, %+.3f from before\n", serial.c_str(),
               degrees[0], degrees[1], degrees[2], found.turned_deg[0], found.turned_deg[1], found.turned_deg[2]);
   if (options.at.size() > 1) std::printf("the places contradict each other by at most %.3f degrees\n", found.apart_deg);
-  std::printf("stored; it takes effect at once if the controller is idle, otherwise at its next start\n");
+  std::printf(
+      "stored; it takes effect at once if the controller is idle, otherwise at its next start; then home the device and run isotouch "
+      "resume\n");
 }
 
 void run(Options options) {

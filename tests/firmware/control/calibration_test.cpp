@@ -19,7 +19,12 @@ Calibration::Choice by_settings(const std::string& serial) {
 AnglesFrom from(const Calibration& calibration) { return static_cast<AnglesFrom>(calibration.report().from); }
 
 struct CalibrationTest : testing::Test {
-  protocol::Calibrate measured(const char* serial) { return {protocol::Text::of(serial), {1, 2, 3}}; }
+  /// A little beside where the geometry set has the arms.
+  static std::uint32_t near(std::uint32_t by) { return libnifalcon_model().legs[0].at_zero.raw() + by; }
+  static protocol::Calibrate measured(const char* serial) { return {protocol::Text::of(serial), {near(1), near(2), near(3)}}; }
+  static store::AnglesAtZero angles(std::uint32_t by) {
+    return {Angle::from_raw(near(by)), Angle::from_raw(near(by)), Angle::from_raw(near(by))};
+  }
 
   store::CrashingFolder folder;
   store::CalibrationStore store{folder};
@@ -37,13 +42,13 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
 
   Calibration next(&store, by_settings, "A1");
   EXPECT_EQ(from(next), AnglesFrom::kMeasured);
-  EXPECT_EQ(next.report().at_zero, (std::array<std::uint32_t, 3>{1, 2, 3}));
+  EXPECT_EQ(next.report().at_zero, (std::array<std::uint32_t, 3>{near(1), near(2), near(3)}));
   next.answers("A1");
   EXPECT_FALSE(next.waits());
 }
 
 TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
-  ASSERT_TRUE(store.put("B2", {Angle::from_raw(7), Angle::from_raw(8), Angle::from_raw(9)}));
+  ASSERT_TRUE(store.put("B2", angles(7)));
   Calibration unknown(&store, by_settings, "");
   EXPECT_FALSE(unknown.waits());
   unknown.answers("A1");
@@ -58,8 +63,40 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   EXPECT_TRUE(b.waits()) << "the angles of another device are in use";
 }
 
+TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
+  constexpr double kTurn = 4294967296.0;
+  Calibration calibration(&store, by_settings, "A1");
+  calibration.answers("A1");
+  for (const double degrees : {-26.0, -25.0, -20.1, 20.1, 90.0, 180.0}) {
+    const std::uint32_t at = near(static_cast<std::uint32_t>(static_cast<std::int64_t>(degrees / 360 * kTurn)));
+    EXPECT_THAT(calibration.keep({protocol::Text::of("A1"), {near(1), near(2), at}}).sentence(), HasSubstr("more than 20 degrees away"))
+        << degrees;
+    EXPECT_FALSE(calibration.waits()) << degrees;
+    ASSERT_TRUE(store.put("A1", {Angle::from_raw(at), Angle::from_raw(near(2)), Angle::from_raw(near(3))}));
+    Calibration next(&store, by_settings, "A1");
+    EXPECT_EQ(from(next), AnglesFrom::kGeometry) << degrees;
+    EXPECT_THAT(next.trouble().sentence(), HasSubstr("more than 20 degrees away")) << degrees;
+    ASSERT_TRUE(folder.remove("calibration-A1"));
+  }
+  for (const double degrees : {-19.9, 15.0, 19.9}) {
+    const std::uint32_t at = near(static_cast<std::uint32_t>(static_cast<std::int64_t>(degrees / 360 * kTurn)));
+    EXPECT_EQ(calibration.keep({protocol::Text::of("A1"), {near(1), near(2), at}}).sentence(), "") << degrees;
+  }
+}
+
+TEST_F(CalibrationTest, OnlyWhatWasMeasuredSinceTheStartHasChanged) {
+  ASSERT_TRUE(store.put("B2", angles(7)));
+  Calibration calibration(&store, by_settings, "A1");
+  calibration.answers("B2");
+  EXPECT_TRUE(calibration.waits());
+  EXPECT_FALSE(calibration.has_changed()) << "it was confirmed when it was measured";
+  calibration.answers("A1");
+  EXPECT_EQ(calibration.keep(measured("A1")).sentence(), "");
+  EXPECT_TRUE(calibration.has_changed());
+}
+
 TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
-  ASSERT_TRUE(store.put("SET", {Angle::from_raw(7), Angle::from_raw(8), Angle::from_raw(9)}));
+  ASSERT_TRUE(store.put("SET", angles(7)));
   Calibration calibration(&store, by_settings, "SET");
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");

@@ -30,10 +30,11 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   const DeviceModelBytes model = encode(libnifalcon_model());
   EXPECT_THAT(posture.device, testing::ElementsAreArray(model));
 
-  speaker.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {5, 6, 7}});
+  const std::uint32_t near = libnifalcon_model().legs[0].at_zero.raw();
+  speaker.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {near + 5, near + 6, near + 7}});
   const Heard kept = speaker.hear();
   EXPECT_EQ(kept.kind, Kind::kDone) << kept.refusal();
-  EXPECT_EQ((*rig.measured.read("A1"))[1].raw(), 6U);
+  EXPECT_EQ((*rig.measured.read("A1"))[1].raw(), near + 6);
   const Heard device = ask(speaker, Kind::kDevice);
   ASSERT_EQ(device.kind, Kind::kDeviceReport);
   const auto report = *protocol::decode<protocol::DeviceReport>(device.body);
