@@ -18,7 +18,7 @@ struct Sample {
   std::uint64_t number = 0;         ///< counts replies from 1; 0 = none yet. The same number = the same sample
   std::int64_t sent_ns = 0;         ///< when the command that it answers was handed to the link
   std::int64_t arrival_ns = 0;      ///< when it was there
-  std::int64_t word_delay_ns = -1;  ///< from the sample that the command was computed from, to `sent_ns`; -1 = not known
+  std::int64_t word_delay_ns = -1;  ///< from the sample before to the first command computed from it being handed over; -1 = not known
 };
 
 /// What the tick asks of the device.

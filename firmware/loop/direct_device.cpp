@@ -9,11 +9,12 @@ Wake DirectDevice::wait(std::int64_t /*until_ns*/) {
   while (answer == Answer::kAbsent) {
     if (stop_.load(std::memory_order_relaxed)) return Wake::kEnd;
     answer = port_.exchange(command_.falcon, packet);
+    word_delay_.handed_over(command_, sent, answer);
   }
   if (answer == Answer::kEnd) return Wake::kEnd;
   clock_.sleep_until_ns(sent + period_ns_);
   if (answer == Answer::kSilent) return Wake::kDue;
-  sample_ = {packet, sample_.number + 1, sent, clock_.now_ns(), command_.arrival_ns < 0 ? -1 : sent - command_.arrival_ns};
+  sample_ = {packet, sample_.number + 1, sent, clock_.now_ns(), word_delay_.take()};
   return Wake::kReply;
 }
 

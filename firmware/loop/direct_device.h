@@ -7,6 +7,7 @@
 
 #include "firmware/loop/device.h"
 #include "firmware/loop/virtual_clock.h"
+#include "firmware/loop/word_delay.h"
 
 namespace isotouch::loop {
 
@@ -28,6 +29,7 @@ class DirectDevice final : public Device {
   const std::atomic<bool>& stop_;
   Sample sample_;
   Command command_;
+  WordDelay word_delay_;
 };
 
 }  // namespace isotouch::loop

@@ -1,5 +1,7 @@
 #include "firmware/loop/exchange_thread.h"
 
+#include "firmware/loop/word_delay.h"
+
 namespace isotouch::loop {
 
 Wake ExchangeThread::wait(std::int64_t until_ns) {
@@ -25,6 +27,7 @@ void ExchangeThread::leave(const Command& command) {
 
 void ExchangeThread::serve(const std::atomic<bool>& stop) {
   Sample sample;
+  WordDelay word_delay;
   std::uint64_t tick = 0;
   std::int64_t ticked_ns = clock_.now_ns();
   while (!stop.load(std::memory_order_relaxed)) {
@@ -36,9 +39,9 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
     if (sent - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
     const Answer answer = port_.exchange(command.falcon, packet);
     if (answer == Answer::kEnd) break;
+    if (command.sample == sample.number) word_delay.handed_over(command, sent, answer);
     if (answer != Answer::kReply) continue;
-    const bool first_with_it = command.sample == sample.number && command.arrival_ns >= 0;
-    sample = {packet, sample.number + 1, sent, clock_.now_ns(), first_with_it ? sent - command.arrival_ns : -1};
+    sample = {packet, sample.number + 1, sent, clock_.now_ns(), word_delay.take()};
     samples_.put(sample);
     replies_.ring();
     await_words(sample);

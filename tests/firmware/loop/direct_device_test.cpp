@@ -47,6 +47,21 @@ std::vector<TickRecord> run(std::vector<Answer> script) {
   return records;
 }
 
+TEST(DirectDevice, TheSilenceOfADeviceIsNoDelayOfItsCommands) {
+  std::vector<Answer> script(200, Answer::kSilent);
+  script.front() = script.back() = Answer::kReply;
+  ScriptPort port(script);
+  VirtualClock clock;
+  const std::atomic<bool> stop{false};
+  DirectDevice device(port, clock, 1'000'000, stop);
+  for (std::uint64_t tick = 1; device.wait(kNever) != Wake::kEnd; ++tick) {
+    const Sample sample = device.newest();
+    device.leave({{}, tick, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
+  }
+  EXPECT_EQ(device.newest().number, 2U);
+  EXPECT_EQ(device.newest().word_delay_ns, 0);
+}
+
 TEST(DirectDevice, OneExchangeIsOneTickAndOnePeriod) {
   const auto records = run(std::vector<Answer>(100, Answer::kReply));
   ASSERT_EQ(records.size(), 100U);

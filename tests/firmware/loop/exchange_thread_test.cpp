@@ -6,7 +6,10 @@
 
 #include <atomic>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "firmware/loop/virtual_clock.h"
 
 namespace isotouch::loop {
 namespace {
@@ -88,6 +91,54 @@ TEST(ExchangeThread, WithoutATickForTooLongPacketsCarryNoForce) {
   ASSERT_EQ(port.commands.size(), 50U);
   EXPECT_EQ(port.commands.front(), (FalconCommand{{7, 7, 7}, 1}));
   EXPECT_EQ(port.commands.back(), (FalconCommand{{}, 1}));
+}
+
+/// Answers as a script says, each after some time. Before each answer the tick leaves a command made of the newest sample.
+class ScriptedPort final : public Port {
+ public:
+  struct Step {
+    Answer answer;
+    std::int64_t takes_ns;
+  };
+  ScriptedPort(VirtualClock& clock, std::vector<Step> script) : clock_(clock), script_(std::move(script)) {}
+  Answer exchange(const FalconCommand& /*command*/, FalconPacket& reply) override {
+    if (at_ == script_.size()) return Answer::kEnd;
+    const Sample sample = device->newest();
+    if (sample.number > 0) device->leave({{}, ++tick_, sample.number, sample.arrival_ns});
+    const Step step = script_[at_++];
+    clock_.sleep_until_ns(clock_.now_ns() + step.takes_ns);
+    reply = encode(FalconReply{});
+    return step.answer;
+  }
+  void rest() override {}
+  ExchangeThread* device = nullptr;
+
+ private:
+  VirtualClock& clock_;
+  std::vector<Step> script_;
+  std::size_t at_ = 0;
+  std::uint64_t tick_ = 0;
+};
+
+/// Of the last reply of a script.
+std::int64_t word_delay(std::vector<ScriptedPort::Step> script) {
+  VirtualClock clock;
+  ScriptedPort port(clock, std::move(script));
+  ExchangeThread device(port, clock, 0);
+  port.device = &device;
+  const std::atomic<bool> stop{false};
+  device.serve(stop);
+  return device.newest().word_delay_ns;
+}
+
+TEST(ExchangeThread, TheSilenceOfADeviceIsNoDelayOfItsCommands) {
+  using enum Answer;
+  constexpr std::int64_t kUs = 1000, kMs = 1'000'000;
+  EXPECT_EQ(word_delay({{kReply, kMs}, {kSilent, 100 * kUs}, {kReply, kMs}}), 100 * kUs);
+  EXPECT_EQ(word_delay({{kReply, kMs}, {kSilent, 100 * kUs}, {kSilent, 20 * kMs}, {kSilent, 20 * kMs}, {kSilent, 20 * kMs}, {kReply, kMs}}),
+            100 * kUs);
+  EXPECT_EQ(word_delay({{kReply, kMs}, {kSilent, 100 * kUs}, {kAbsent, 5000 * kMs}, {kReply, kMs}}), -1)
+      << "a device that is gone gets no command";
 }
 
 TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {
