@@ -1,6 +1,7 @@
 #include "shared/certificate.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 
@@ -27,8 +28,8 @@ struct Stored {
   }
 };
 
-/// Without a certificate the proxy takes a distance for a free way, and a wall of 2 voxels may not be jumped: 12 fraction bits.
-constexpr std::int32_t kSteepest = 2 << Distance::kFractionBits;
+/// Without a certificate the proxy takes a distance for a free way, and a wall of 2 voxels may not be jumped: 16 fraction bits.
+constexpr std::int64_t kSteepest = 2 << kSlopeBits;
 constexpr int kGained = kSlopeBits - Distance::kFractionBits;
 
 /// The stiffness may be rounded down, and stand for a damping that was rounded up: one unit either way.
@@ -56,6 +57,54 @@ std::int32_t largest_difference(const FieldView& field) {
   return most;
 }
 
+/// The largest difference of the numbers on both sides of the face between two bricks, of which `next` follows `brick` on an axis.
+std::int32_t largest_step(const std::int16_t* brick, const std::int16_t* next, std::size_t axis) {
+  constexpr std::array<std::size_t, 3> kStep = {1, 4, 16};
+  std::int32_t most = 0;
+  for (std::size_t n = 0; n < 16; ++n) {
+    const std::size_t at = axis == 0 ? 4 * n : axis == 1 ? n / 4 * 16 + n % 4 : n;
+    most = std::max<std::int32_t>(most, std::abs(next[at] - brick[at + 3 * kStep[axis]]));
+  }
+  return most;
+}
+
+/// The same of all faces between the bricks of a node, and of those towards the node that follows it on an axis; constant bricks that are the same have no
+/// step between them.
+std::int32_t largest_step_from(const FieldView& field, std::uint32_t node, std::uint32_t next, std::size_t axis, bool within) {
+  constexpr std::array<std::size_t, 3> kSlotStep = {1, 4, 16};
+  const std::uint32_t *own = field.nodes + std::size_t{node} * kBricksPerNode, *theirs = field.nodes + std::size_t{next} * kBricksPerNode;
+  std::int32_t most = 0;
+  for (std::size_t slot = 0; slot < kBricksPerNode; ++slot) {
+    const bool last = (slot / kSlotStep[axis] & 3) == 3;
+    if (last == within) continue;
+    const std::uint32_t brick = own[slot], after = within ? own[slot + kSlotStep[axis]] : theirs[slot - 3 * kSlotStep[axis]];
+    if (brick == after && brick <= kInside) continue;
+    most = std::max(most, largest_step(field.bricks + std::size_t{brick} * kSamplesPerBrick,
+                                       field.bricks + std::size_t{after} * kSamplesPerBrick, axis));
+  }
+  return most;
+}
+
+/// The largest difference of two numbers on both sides of any face between bricks, constant ones included.
+std::int32_t largest_step(const FieldView& field) {
+  std::int32_t most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t node = kInside + 1; node < field.node_count; ++node)
+      most = std::max(most, largest_step_from(field, node, node, axis, true));
+  }
+  const auto width = static_cast<std::size_t>(field.root_size[0]), layer = width * static_cast<std::size_t>(field.root_size[1]);
+  const std::size_t cells = layer * static_cast<std::size_t>(field.root_size[2]);
+  const std::array<std::size_t, 3> step = {1, width, layer}, around = {width, layer, cells};
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (cell % around[axis] + step[axis] >= around[axis]) continue;  // the last on its axis
+      const std::uint32_t node = field.root[cell], next = field.root[cell + step[axis]];
+      if (node != next || node > kInside) most = std::max(most, largest_step_from(field, node, next, axis, false));
+    }
+  }
+  return most;
+}
+
 /// As far as the header alone tells.
 bool header_agrees(const Stored& stored, const FieldView& field) {
   if (stored.slope == 0) return true;                                               // no certificate
@@ -63,9 +112,14 @@ bool header_agrees(const Stored& stored, const FieldView& field) {
   return stiffness_follows(stored) && stored.wall <= widest;
 }
 
+/// Does the field rise by no more than this from one number to the next, within its bricks and from one to another? `slope` has 16 fraction bits.
+bool rises_at_most(const FieldView& field, std::int64_t slope) {
+  return slope >= std::int64_t{std::max(largest_difference(field), largest_step(field))} * (1 << kGained);
+}
+
 bool agrees_with_itself(const FieldView& field) {
   const Stored stored(field.image.data());
-  return header_agrees(stored, field) && (stored.slope == 0 || stored.slope >= std::int64_t{largest_difference(field)} * (1 << kGained));
+  return header_agrees(stored, field) && (stored.slope == 0 || rises_at_most(field, stored.slope));
 }
 
 CertificateCheck suits(const FieldView& field, const Loop& loop, Stiffness wanted) {
@@ -90,7 +144,7 @@ Stiffness largest_stiffness(const Loop& loop) {
 
 CertificateCheck check_certificate(const FieldView& field, const Loop& loop, Stiffness wanted) {
   if (!agrees_with_itself(field)) return {false, Error::kBadCertificate, {}};
-  if (Stored(field.image.data()).slope == 0 && largest_difference(field) > kSteepest) return {false, Error::kTooSteep, {}};
+  if (Stored(field.image.data()).slope == 0 && !rises_at_most(field, kSteepest)) return {false, Error::kTooSteep, {}};
   return suits(field, loop, wanted);
 }
 

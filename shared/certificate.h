@@ -34,7 +34,7 @@ struct CertificateCheck {
 };
 
 /// Checks the wanted stiffness against the loop, and the certificate against all that can be derived again cheaply: its stiffness from its own
-/// period, damping and delay; its slope against neighbouring coefficients of every stored brick; its wall against the band.
+/// period, damping and delay; its slope against neighbouring coefficients within every stored brick and across every face of it; its wall against the band.
 ///
 /// field     a checked view; one without a certificate (version 1.0) has nothing that could contradict, its stiffness counts all the same, and
 ///           from one coefficient to the next it may rise by 2 voxels: with a certificate the proxy's steps are bounded by its slope, whatever that is

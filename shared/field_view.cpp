@@ -31,6 +31,13 @@ bool all_equal(const std::int16_t* values, std::int32_t expected) {
   return std::all_of(values, values + kSamplesPerBrick, [=](std::int16_t v) { return v == expected; });
 }
 
+/// True when no stored number is beyond the band.
+bool is_within_band(const FieldView& view) {
+  const std::int32_t band = view.band.raw();
+  const std::int16_t* end = view.bricks + std::size_t{view.brick_count} * kSamplesPerBrick;
+  return std::none_of(view.bricks, end, [band](std::int16_t number) { return number > band || number < -band; });
+}
+
 /// True when the two outermost layers on all sides are far outside: nothing is open towards the border.
 bool border_is_outside(const FieldView& view) {
   const auto outermost = [&](std::int32_t index, std::size_t axis) { return index < 2 || index >= view.size[axis] - 2; };
@@ -154,6 +161,7 @@ Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
   if (!std::all_of(view.nodes, nodes_end, [&](std::uint32_t b) { return b < view.brick_count; })) return Error::kBadIndex;
   if (!all_equal(view.nodes, kOutside) || !all_equal(view.nodes + kBricksPerNode, kInside)) return Error::kBadIndex;
   if (!all_equal(view.bricks, view.band.raw()) || !all_equal(view.bricks + kSamplesPerBrick, -view.band.raw())) return Error::kBadIndex;
+  if (!is_within_band(view)) return Error::kBadSample;
   if (!border_is_outside(view)) return Error::kBadIndex;
   if (view.stiffness_parts != nullptr && !is_stiffness_table(view)) return Error::kBadIndex;
   return view;

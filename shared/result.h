@@ -28,6 +28,7 @@ enum class Error : std::uint8_t {
   kBadMessage,      ///< a message that breaks the protocol
   kBadModel,        ///< a device model with a number outside its range
   kBadMarks,        ///< marks of invented surface that do not fit the bricks of their field
+  kBadSample,       ///< a number of a field that is beyond its band
 };
 
 constexpr const char* describe(Error error) {
@@ -52,6 +53,7 @@ constexpr const char* describe(Error error) {
     case Error::kBadMessage: return "a message does not follow the protocol";
     case Error::kBadModel: return "the device model holds a number outside its range";
     case Error::kBadMarks: return "its marks of invented surface do not fit its bricks";
+    case Error::kBadSample: return "a distance in it is beyond the band that its header states";
   }
   return "unknown error";
 }

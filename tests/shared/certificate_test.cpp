@@ -113,6 +113,35 @@ TEST(Certificate, EveryContradictionIsSeen) {
   for (std::size_t n = 0; n < truths.size(); ++n) EXPECT_TRUE(check_certificate(Certified(truths[n]).view(), kFalcon, {}).accepted) << n;
 }
 
+/// A ball whose distance jumps at one face between two bricks, in voxels, with no step within any brick.
+struct Stepped {
+  Stepped(std::size_t axis, double step, double at, double largest_slope)
+      : image({48, 48, 48},
+              [=](const Point& p) {
+                const double along = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+                return test::length(p - Point{23.7, 24.1, 24.3}) - 8.0 + (along >= at ? step : 0.0);
+              },
+              {.band = 7.9, .stiffness = 0.8, .largest_slope = largest_slope, .prefilter = false}) {}
+  test::FieldImage image;
+};
+
+TEST(Certificate, AStepAtAFaceBetweenBricksIsSeen) {
+  // Within a node (4 a side) and between two of them (16 a side); a certificate that tells 1.5, and none, which stands for 2.
+  for (const double at : {20.0, 16.0}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double slope : {1.5, 0.0}) {
+        EXPECT_TRUE(check_certificate(Stepped(axis, 0.1, at, slope).image.view(), kFalcon, {}).accepted)
+            << axis << " " << at << " " << slope;
+        for (const double step : {-6.0, 6.0}) {
+          const CertificateCheck check = check_certificate(Stepped(axis, step, at, slope).image.view(), kFalcon, {});
+          EXPECT_FALSE(check.accepted) << axis << " " << at << " " << slope << " " << step;
+          EXPECT_EQ(check.error, slope == 0.0 ? Error::kTooSteep : Error::kBadCertificate);
+        }
+      }
+    }
+  }
+}
+
 TEST(Certificate, AHeaderAloneContradictsItselfButNoBrick) {
   const auto header_of = [](const Certified& field) {
     FieldView view = *FieldView::of_header(field.view().image.first(kHeaderBytes), field.view().image.size());
