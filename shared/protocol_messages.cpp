@@ -1,17 +1,14 @@
 #include "shared/protocol_messages.h"
 
+#include "shared/printable.h"
+
 namespace isotouch::protocol {
-
-namespace {
-
-constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }
-
-}  // namespace
 
 Text Text::of(std::string_view text) {
   Text out;
   out.size = static_cast<std::uint8_t>(std::min(text.size(), kMaxName));
-  std::transform(text.begin(), text.begin() + out.size, out.characters.begin(), [](char c) { return is_control(c) ? ' ' : c; });
+  std::copy_n(text.begin(), out.size, out.characters.begin());
+  make_printable(std::span(out.characters).first(out.size), ' ');
   return out;
 }
 
@@ -33,8 +30,7 @@ void BodyReader::operator()(Text& text) {
   const auto bytes = size <= kMaxName ? take(size) : take(body_.size() + 1);
   std::copy(bytes.begin(), bytes.end(), text.characters.begin());
   text.size = static_cast<std::uint8_t>(bytes.size());
-  const std::string_view view = text.view();
-  good_ &= std::none_of(view.begin(), view.end(), is_control);
+  good_ &= is_printable(text.view());
 }
 
 void BodyWriter::operator()(const Text& text) {

@@ -21,13 +21,13 @@ inline constexpr std::size_t kMaxName = 63;
 inline constexpr std::size_t kMaxSentence = 1000;
 inline constexpr std::size_t kMaxChunk = 1U << 15;
 
-/// One line for people: UTF-8 without control characters.
+/// One line for people: UTF-8 that a terminal may get, see `printable.h`.
 struct Text {
   std::array<char, kMaxName> characters{};
   std::uint8_t size = 0;
 
   std::string_view view() const { return {characters.data(), size}; }
-  /// The text as far as it fits; control characters become blanks.
+  /// The text as far as it fits; bytes of what a terminal must not get become blanks.
   static Text of(std::string_view text);
 
   bool operator==(const Text&) const = default;

@@ -258,10 +258,13 @@ void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) c
 void ControlServer::begin(ControlClient& client, const protocol::Begin& promised) {
   if (upload_.sender == &client) upload_ = {};  // from the beginning
   if (upload_.sender != nullptr) return client.refuse(Kind::kBegin, kBusy);
-  if (promised.image_bytes > neighbours_.fields.image_limit() || promised.packed_bytes > neighbours_.fields.upload().size()) {
-    return client.refuse(Kind::kBegin, "the field takes " + std::to_string(promised.image_bytes) +
-                                           " bytes and this controller has room for " + std::to_string(neighbours_.fields.image_limit()) +
-                                           "; build it with a larger --voxel, or raise the controller's limit");
+  if (promised.image_bytes > neighbours_.fields.image_limit()) {
+    return client.refuse(Kind::kBegin, store::too_large(promised.image_bytes, neighbours_.fields.image_limit()));
+  }
+  if (promised.packed_bytes > neighbours_.fields.upload().size()) {
+    return client.refuse(Kind::kBegin, "the packed field takes " + std::to_string(promised.packed_bytes) + " bytes, more than the " +
+                                           std::to_string(neighbours_.fields.upload().size()) +
+                                           " that the largest field may take; build it again and send it again");
   }
   upload_ = {&client, promised, 0};
   client.say(Kind::kDone);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "shared/bytes.h"
+#include "shared/printable.h"
 
 namespace isotouch::falcon {
 
@@ -41,7 +42,8 @@ LinkResult<void> SimLink::open() {
   address.sun_family = AF_UNIX;
   if (path_.size() >= sizeof address.sun_path) return LinkError::kNotFound;
   std::copy(path_.begin(), path_.end(), address.sun_path);
-  socket_ = ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0);
+  socket_ =
+      ::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);  // a simulator that accepts nobody is busy, and not waited for
   if (socket_ < 0) return error_of(errno);
   if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
     const LinkError error = error_of(errno);
@@ -128,6 +130,7 @@ bool SimLink::take_identity(std::span<const std::uint8_t> answer) {
   for (std::string* text : {&identity_.manufacturer, &identity_.name, &identity_.serial}) {
     if (answer.empty() || answer.size() - 1 < answer[0]) return false;
     text->assign(answer.begin() + 1, answer.begin() + 1 + answer[0]);
+    make_printable(*text, '?');
     answer = answer.subspan(std::size_t{1} + answer[0]);
   }
   return identity_.vendor == kFalconVendor && identity_.product == kFalconProduct;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "shared/printable.h"
+
 namespace isotouch::falcon {
 
 LinkError usb_error(int code) {
@@ -23,7 +25,9 @@ namespace {
 std::string text_of(libusb_device_handle* handle, std::uint8_t index) {
   std::array<unsigned char, 128> text{};
   const int size = index == 0 ? 0 : libusb_get_string_descriptor_ascii(handle, index, text.data(), static_cast<int>(text.size()));
-  return {text.begin(), text.begin() + std::max(size, 0)};
+  std::string name(text.begin(), text.begin() + std::max(size, 0));
+  make_printable(name, '?');
+  return name;
 }
 
 }  // namespace

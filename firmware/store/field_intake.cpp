@@ -24,6 +24,11 @@ std::string unusable(Error error) {
 
 }  // namespace
 
+std::string too_large(std::uint64_t image_bytes, std::size_t limit) {
+  return "the field takes " + std::to_string(image_bytes) + " bytes and [limits] field_mib leaves room for " + std::to_string(limit) +
+         "; raise that setting of the controller, or build the field with a larger --voxel";
+}
+
 FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock& clock, FieldCheck check)
     : slots_(slots),
       store_(store),
@@ -82,6 +87,7 @@ Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
     hash = packed->image_hash;
     refusal = unpack(*packed);
   } else {
+    if (field.size() > slots_.capacity()) return too_large(field.size(), slots_.capacity());
     const std::span<std::uint8_t> image = slots_.begin(field.size());
     if (image.empty()) return unusable(Error::kBadSize);
     std::copy(field.begin(), field.end(), image.begin());
@@ -129,7 +135,7 @@ Refusal FieldIntake::unpack(std::span<const std::uint8_t> bytes, std::uint64_t h
 
 /// Into the slot that the tick does not use.
 Refusal FieldIntake::unpack(const PackedField& packed) {
-  if (packed.image_bytes > slots_.capacity()) return unusable(Error::kBadSize);
+  if (packed.image_bytes > slots_.capacity()) return too_large(packed.image_bytes, slots_.capacity());
   const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
   if (!slots_.free()) return "the controller is still loading the previous field; try again in a moment";
   const std::span<std::uint8_t> image = slots_.begin(image_bytes);

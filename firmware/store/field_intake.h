@@ -27,6 +27,9 @@ namespace isotouch::store {
 /// Says whether this device may render a field: or why not.
 using FieldCheck = std::function<Refusal(const FieldView&)>;
 
+/// What is said of a field that does not fit, with both sizes in bytes.
+std::string too_large(std::uint64_t image_bytes, std::size_t limit);
+
 struct IntakeOutcome {
   Refusal refusal;  ///< none: the field is active
   protocol::Accepted accepted;

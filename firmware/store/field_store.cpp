@@ -57,7 +57,10 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
 
 }  // namespace
 
-FieldStore::FieldStore(Folder& folder, std::size_t most) : folder_(folder), most_(most) { assert(most >= 2); }
+FieldStore::FieldStore(Folder& folder, std::size_t most) : folder_(folder), most_(most) {
+  assert(most >= 2);
+  if (folder_.size(kPart)) (void)folder_.remove(kPart);  // of a run that was killed
+}
 
 std::vector<StoredField> FieldStore::list() {
   std::vector<StoredField> fields;
@@ -87,15 +90,14 @@ StoreResult<std::size_t> FieldStore::read(std::uint64_t hash, std::span<std::uin
 }
 
 StoreResult<void> FieldStore::put(std::uint64_t hash, std::string_view name, std::span<const std::uint8_t> packed) {
-  std::uint32_t count = 0;
-  std::string file;
-  for (const StoredField& field : list()) {
-    count = std::max(count, field.number);
-    if (field.hash == hash) file = field.file;
+  const std::vector<StoredField> before = list();
+  const std::uint32_t count = before.empty() ? 0 : before.back().number;
+  const StoreResult<void> written = write(file_name(count + 1, hash, name), packed);
+  if (!written) return written;
+  for (const StoredField& field : before) {  // what is sent again is the newest
+    if (field.hash == hash) (void)folder_.remove(field.file);
   }
-  if (file.empty()) file = file_name(count + 1, hash, name);
-  const StoreResult<void> written = write(file, packed);
-  if (written) drop_oldest(hash);
+  drop_oldest(hash);
   return written;
 }
 

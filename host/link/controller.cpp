@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/error.h"
+#include "shared/printable.h"
 
 namespace isotouch::link {
 
@@ -19,8 +20,7 @@ constexpr std::size_t kSentAhead = 16;  ///< chunks without their answers: a far
 /// Nothing that a terminal would obey.
 std::string for_people(std::span<const std::uint8_t> bytes) {
   std::string text(bytes.begin(), bytes.end());
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  make_printable(text, ' ');
   return text;
 }
 

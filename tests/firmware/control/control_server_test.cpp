@@ -115,10 +115,10 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
   };
   protocol::Begin large = ball.promise;
   large.image_bytes = rig.intake.image_limit() + 1;
-  expect_sentence(ask(Kind::kBegin, large), "has room for 1048576");
+  expect_sentence(ask(Kind::kBegin, large), "field_mib leaves room for 1048576");
   large = ball.promise;
   large.packed_bytes = UINT64_MAX;
-  expect_sentence(ask(Kind::kBegin, large), "has room for");
+  expect_sentence(ask(Kind::kBegin, large), "the packed field takes");
   expect_sentence(ask(Kind::kChunk, protocol::Chunk{0, ball.bytes}), "no upload is under way");
   speaker.say(Kind::kCommit);
   expect_sentence(speaker.hear(), "no upload is under way");
@@ -143,6 +143,17 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
   expect_sentence(speaker.hear(), "does not know the request");
   EXPECT_EQ(rig.tick.generation, 0U);
   EXPECT_EQ(upload(speaker, ball).kind, Kind::kAccepted) << "and the connection is as good as before";
+}
+
+TEST(ControlServer, AnUploadThatIsPackedTooLargeIsToldBothSizes) {
+  ControlRig rig(1 << 16);
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  protocol::Begin promise;
+  promise.image_bytes = 5;
+  promise.packed_bytes = 1 << 20;
+  speaker.say(Kind::kBegin, promise);
+  expect_sentence(speaker.hear(), "the packed field takes 1048576 bytes");
 }
 
 TEST(ControlServer, TwoSendersDoNotMixTheirFields) {

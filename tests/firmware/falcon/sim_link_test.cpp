@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <thread>
@@ -108,6 +109,50 @@ TEST(SimLink, SpeaksTheContractByteForByte) {
                                        {'I', 128, 0, 1, 0, 0, 0}};
   EXPECT_EQ(requests, expected);
   link.close();
+}
+
+TEST(SimLink, NoNameOfItReachesATerminalAsACommand) {
+  Desk desk;
+  const Server server(desk.path, 1, [&](const Bytes&) -> Bytes {
+    Bytes answer = descriptor();
+    answer.resize(19);
+    for (const std::string& text : {std::string("a\x1B[2J"), std::string("b\xC2\x9B"), std::string("c\xE2\x80\xAE")}) {
+      answer.push_back(static_cast<std::uint8_t>(text.size()));
+      answer.insert(answer.end(), text.begin(), text.end());
+    }
+    return answer;
+  });
+  SimLink link(desk.path);
+  ASSERT_TRUE(link.open());
+  EXPECT_EQ(link.identity().manufacturer, "a?[2J");
+  EXPECT_EQ(link.identity().name, "b??");
+  EXPECT_EQ(link.identity().serial, "c???");
+}
+
+TEST(SimLink, ASimulatorThatAcceptsNobodyIsNotWaitedFor) {
+  Desk desk;
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::copy(desk.path.begin(), desk.path.end(), address.sun_path);
+  const int listener = ::socket(AF_UNIX, SOCK_SEQPACKET, 0);
+  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(::listen(listener, 0), 0);
+  std::vector<int> waiting;  // the backlog is full
+  for (bool full = false; !full && waiting.size() < 100;) {
+    waiting.push_back(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK, 0));
+    full = ::connect(waiting.back(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
+  }
+  std::thread helper([&] {  // the test must end, too
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    ::shutdown(listener, SHUT_RDWR);
+    ::close(listener);
+  });
+  SimLink link(desk.path);
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_EQ(link.open().error(), LinkError::kBusy);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(700));
+  helper.join();
+  for (const int socket : waiting) ::close(socket);
 }
 
 TEST(SimLink, StatusesAreErrors) {

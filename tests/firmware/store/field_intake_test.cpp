@@ -121,6 +121,16 @@ TEST(FieldIntake, NobodySeesTheHashOfOneFieldWithTheGenerationOfAnother) {
   EXPECT_GT(seen, 1000);
 }
 
+TEST(FieldIntake, AFieldThatDoesNotFitNamesTheSettingThatLimitsIt) {
+  const PackedField ball = packed_ball(1);
+  Rig rig({}, 1 << 11);
+  const std::string said =
+      "the field takes " + std::to_string(ball.promise.image_bytes) + " bytes and [limits] field_mib leaves room for 2048; ";
+  EXPECT_THAT(rig.intake.begin_with(ball.bytes).sentence(), HasSubstr(said));
+  EXPECT_THAT(rig.intake.begin_with(std::vector<std::uint8_t>(5000)).sentence(), HasSubstr("takes 5000 bytes and [limits] field_mib"))
+      << "an image";
+}
+
 TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   bool check_fails = false;
   Rig rig([&](const FieldView&) { return std::string(check_fails ? "too steep for this device" : ""); });
@@ -136,7 +146,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   other.image_hash ^= 1;
   expect_refused(rig.upload(good.bytes, other), "checksum");
   expect_refused(rig.upload({}, good.promise), "not a file of this kind");
-  expect_refused(rig.upload(packed_ball(3, 128)), "sizes in its header");
+  expect_refused(rig.upload(packed_ball(3, 128)), "[limits] field_mib leaves room for 262144");
   check_fails = true;
   expect_refused(rig.upload(good), "too steep");
   check_fails = false;

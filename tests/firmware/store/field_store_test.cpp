@@ -56,7 +56,16 @@ TEST(FieldStore, TheOldestGoFirstAndTheActiveOneStays) {
   for (std::uint64_t hash = 2; hash <= 5; ++hash) ASSERT_TRUE(store.put(hash, "", field(hash)));
   EXPECT_EQ(hashes(store), (std::vector<std::uint64_t>{1, 4, 5}));
   ASSERT_TRUE(store.put(4, "again", field(4)));
-  EXPECT_EQ(hashes(store), (std::vector<std::uint64_t>{1, 4, 5})) << "the same field takes no second place";
+  EXPECT_EQ(hashes(store), (std::vector<std::uint64_t>{1, 5, 4})) << "the same field takes no second place, and is the newest";
+  ASSERT_TRUE(store.put(6, "", field(6)));
+  EXPECT_EQ(hashes(store), (std::vector<std::uint64_t>{1, 4, 6})) << "what was sent again does not go first";
+}
+
+TEST(FieldStore, WhatAKilledRunLeftHalfWrittenIsRemoved) {
+  CrashingFolder folder;
+  ASSERT_TRUE(folder.write("new.part", field(1)));
+  FieldStore store(folder, 2);
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(FieldStore, FilesOfOthersAreLeftAlone) {
