@@ -138,7 +138,7 @@ TraceHeaderBytes encode(const TraceHeader& header) {
   return bytes;
 }
 
-Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes) {
+Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes) {
   const std::uint8_t* at = bytes.data();
   if (bytes.size() < 6 || !std::equal(kMagic.begin(), kMagic.end(), at)) return Error::kBadMagic;
   if (load_le<std::uint16_t>(at + 4) != kMajor) return Error::kBadVersion;
@@ -151,6 +151,13 @@ Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint
   header_fields(header, reader);
   if (!reader.good) return reader.error;
   if (!raw_range(rows::kPeriod).holds(header.period_ns)) return Error::kBadHeader;
+  return header;
+}
+
+Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes) {
+  const Result<TraceHeader> read = decode_header(bytes);
+  if (!read) return read.error();
+  const TraceHeader& header = *read;
   const std::uint64_t record_bytes = file_bytes - kHeaderBytes;
   if (header.record_count > record_bytes / kRecordBytes) return Error::kTruncated;
   if (header.record_count * kRecordBytes != record_bytes) return Error::kBadSize;

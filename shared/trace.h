@@ -13,9 +13,12 @@
 
 namespace isotouch {
 
+/// The record count of a file that has no end yet.
+inline constexpr std::uint64_t kUnfinished = ~std::uint64_t{0};
+
 struct TraceHeader {
-  std::uint64_t record_count = 0;
-  std::uint64_t field_hash = 0;  ///< of the field's image; 0 = none was loaded, or any
+  std::uint64_t record_count = 0;  ///< kUnfinished while the file is written, and for ever where its writer was killed
+  std::uint64_t field_hash = 0;    ///< of the field's image; 0 = none was loaded, or any
   bool has_outputs = false;
   std::uint32_t period_ns = static_cast<std::uint32_t>(rows::kPeriod.standard);
   TickSettings settings;
@@ -165,8 +168,13 @@ TraceHeaderBytes encode(const TraceHeader& header);
 /// Checks the header's bytes and the size of the file that follows it.
 ///
 /// fails     kTruncated, kBadMagic, kBadVersion, kBadHeader (a field outside its range), kBadModel, kBadSize (record count against file size),
-///           kBadChecksum
+///           kBadChecksum; kTruncated for an unfinished file, too
 Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint64_t file_bytes);
+
+/// The same without the size of the file.
+///
+/// fails     as above, without kBadSize
+Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes);
 
 /// tick      yes
 TraceRecordBytes encode(const TraceRecord& record);

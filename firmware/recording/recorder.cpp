@@ -66,7 +66,7 @@ void Recorder::record(const loop::TickRecord& tick) {
   const std::uint32_t generation = tick.in.field_generation;
   if (generation_ != 0 && generation != 0 && generation != generation_) return end("another field was loaded");
   if (generation != 0) generation_ = generation;
-  if (generation_ != 0 && hash_ == 0) hash_ = hash_of_(generation_);
+  if (generation_ != 0 && hash_ == 0) writer_.name_field(hash_ = hash_of_(generation_));
   if (const Refusal refusal = writer_.append(tick)) end(refusal.sentence());
 }
 

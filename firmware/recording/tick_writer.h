@@ -33,6 +33,9 @@ class TickWriter {
   /// returns   the file takes no more, which may be so since some ticks before; `finish` keeps what it took whole
   Refusal append(const loop::TickRecord& tick);
 
+  /// The hash of the field that the ticks feel, as soon as it is known: for the file of a program that is killed.
+  void name_field(std::uint64_t hash) { file_.set_field_hash(hash); }
+
   /// Completes the file with the records that arrived there whole. Without a record there is none.
   ///
   /// field_hash  of the field that the ticks felt; 0 = none

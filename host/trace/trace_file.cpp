@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -26,6 +27,7 @@ Trace read_trace(const std::filesystem::path& file) {
   Trace trace;
   if (is_standard(file)) claim_standard_input();
   or_throw(files::read_trace(is_standard(file) ? "/dev/stdin" : file.string(), trace));
+  if (!trace.cut_off().empty()) std::fprintf(stderr, "isotouch: %s\n", trace.cut_off().c_str());
   return trace;
 }
 

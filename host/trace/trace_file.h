@@ -11,6 +11,8 @@ namespace isotouch::trace {
 
 using Trace = files::TraceFile;
 
+/// Of a file that was cut off, what is whole; a sentence on standard error says so.
+///
 /// file      `-` is standard input
 /// fails     InputError naming the file, and the record and its byte where there is one
 Trace read_trace(const std::filesystem::path& file);

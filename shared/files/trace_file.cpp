@@ -54,14 +54,32 @@ bool TraceFile::chain_follows(std::size_t tick) const {
   return chain(tick) == hash64(at(tick).data(), kChainAt, before);
 }
 
+/// Keeps the records that are whole and follow from each other.
+void TraceFile::drop_what_is_torn(std::uint64_t promised) {
+  const std::size_t bytes = bytes_.size();
+  std::size_t whole = 0;
+  while (whole < size() && decode_record(at(whole)) && (!header_.has_outputs || chain_follows(whole))) ++whole;
+  bytes_.resize(whole * kRecordBytes);
+  header_.record_count = whole;
+  const std::string missing =
+      promised == kUnfinished ? "nobody knows how many are missing" : std::to_string(promised - whole) + " are missing";
+  cut_off_ = path_ + ": was cut off: it holds the first " + std::to_string(whole) + " ticks, " + missing + "; " +
+             std::to_string(bytes - bytes_.size()) + " bytes behind them are no whole tick";
+}
+
 Refusal read_trace(const std::string& path, TraceFile& trace) {
   std::vector<std::uint8_t> bytes;
   if (!read_bytes(path, bytes)) return path + ": cannot be read as a trace; check the path and its permissions";
-  const Result<TraceHeader> header = decode_header(bytes, bytes.size());
+  Result<TraceHeader> header = decode_header(bytes, bytes.size());
+  const bool is_cut = !header && header.error() == Error::kTruncated && bytes.size() >= kHeaderBytes + kRecordBytes;
+  if (is_cut) header = decode_header(bytes);
   if (!header) return path + ": not usable as a trace: " + describe(header.error()) + "; make or record it again";
   trace.path_ = path;
   trace.header_ = *header;
   trace.bytes_.assign(bytes.begin() + kHeaderBytes, bytes.end());
+  trace.cut_off_.clear();
+  if (is_cut) trace.drop_what_is_torn(header->record_count);
+  if (is_cut && trace.size() == 0) return path + ": was cut off before its first tick; record it again";
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const auto at = trace.at(tick);
     const std::string place = path + ": record " + std::to_string(tick) + " at byte " + std::to_string(kHeaderBytes + tick * kRecordBytes);

@@ -24,6 +24,8 @@ class TraceFile {
 
   const TraceHeader& header() const { return header_; }
   const std::string& path() const { return path_; }
+  /// One sentence where the file ends before it should: how much of it there is, and what is missing. Else empty.
+  const std::string& cut_off() const { return cut_off_; }
   std::size_t size() const { return bytes_.size() / trace_layout::kRecordBytes; }
   /// Of all inputs; an empty trace counts as one of positions.
   InputKind kind() const { return size() == 0 ? InputKind::kPosition : record(0).input.kind; }
@@ -36,15 +38,18 @@ class TraceFile {
   bool chain_follows(std::size_t tick) const;
 
  private:
+  void drop_what_is_torn(std::uint64_t promised);
+
   friend Refusal read_trace(const std::string& path, TraceFile& trace);
   std::span<const std::uint8_t, trace_layout::kRecordBytes> at(std::size_t tick) const;
 
-  std::string path_;
+  std::string path_, cut_off_;
   TraceHeader header_;
   std::vector<std::uint8_t> bytes_;  ///< the records, without the header
 };
 
-/// Reads and checks a whole file: header, size, every record; without outputs, that nothing stands where they would be.
+/// Reads and checks a whole file: header, size, every record; without outputs, that nothing stands where they would be. Of a file that was cut off, by a
+/// kill or a full disk, the records up to the first that is not whole or does not follow from those before it; `cut_off` says so.
 ///
 /// returns   file and place, what is wrong and what to do
 Refusal read_trace(const std::string& path, TraceFile& trace);

@@ -36,13 +36,28 @@ Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header) {
   failed_ = 0;
   const Result<TraceHeader> readable = decode_header(encode(header_), kHeaderBytes);
   if (!readable) return path_ + ": the trace cannot be written: " + describe(readable.error());
-  file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file_ < 0 && errno == ELOOP) return part() + ": is a symbolic link, which may lead anywhere; remove it";
   if (file_ < 0) return because(path_, "the trace cannot be written", errno);
-  waiting_.assign(kHeaderBytes, 0);  // the header comes last: until then the file is none
+  const TraceHeaderBytes bytes = unfinished();
+  waiting_.assign(bytes.begin(), bytes.end());
   if (flush()) return {};
   const int why = failed_;
   discard();
   return because(path_, "the trace cannot be written", why);
+}
+
+TraceHeaderBytes TraceWriter::unfinished() const {
+  TraceHeader header = header_;
+  header.record_count = kUnfinished;
+  return encode(header);
+}
+
+void TraceWriter::set_field_hash(std::uint64_t hash) {
+  if (hash == header_.field_hash) return;
+  header_.field_hash = hash;
+  const TraceHeaderBytes bytes = unfinished();
+  if (is_open()) (void)!::pwrite(file_, bytes.data(), bytes.size(), 0);  // `finish` says what goes wrong
 }
 
 Refusal TraceWriter::append(const TraceRecord& record) {

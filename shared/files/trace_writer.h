@@ -17,7 +17,8 @@ enum class Keep : std::uint8_t {
   kWhatFits,  ///< the whole records that it took
 };
 
-/// Writes to "NAME.part", and renames it at the end: the old file or the whole new one. Used by one thread.
+/// Writes to "NAME.part", and renames it at the end: the old file or the whole new one. Where the program is killed, the part holds a valid header of
+/// an unfinished file and all records but the last few hundred. Used by one thread.
 class TraceWriter {
  public:
   TraceWriter() = default;
@@ -42,8 +43,8 @@ class TraceWriter {
   /// Leaves nothing behind.
   void discard();
 
-  /// Of the header that `finish` writes.
-  void set_field_hash(std::uint64_t hash) { header_.field_hash = hash; }
+  /// Of the header, also of the one that an unfinished file has.
+  void set_field_hash(std::uint64_t hash);
 
   bool is_open() const { return file_ >= 0; }
   /// Has a write failed? What is appended then is lost.
@@ -56,6 +57,7 @@ class TraceWriter {
 
  private:
   std::string part() const { return path_ + ".part"; }
+  TraceHeaderBytes unfinished() const;
   bool flush();
   bool cut_to_whole_records();
 

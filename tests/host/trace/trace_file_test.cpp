@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -83,6 +84,67 @@ TEST(TraceFile, AnUnfinishedWriterLeavesTheOldFileAndNothingElse) {
   }
   EXPECT_EQ(bytes_of(file), before);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(TraceFile, WhatAKilledWriterLeavesIsReadUpToItsLastWholeRecord) {
+  const ScratchFolder folder;
+  const std::filesystem::path part = folder.path() / "a.trace.part";
+  std::string left;
+  {
+    TraceHeader header;
+    header.has_outputs = true;
+    Chain chain(header);
+    TraceWriter writer(folder.path() / "a.trace", header);
+    for (std::size_t tick = 0; tick < 1000; ++tick) {
+      TraceRecord record = record_at(tick, true);
+      record.chain = chain.extend(record.input, record.output);
+      writer.append(record);
+    }
+    left = bytes_of(part);  // as a kill leaves it
+  }
+  ASSERT_FALSE(left.empty());
+  for (const std::size_t lost : {0U, 1U, 103U, 104U, 250U}) {
+    const std::filesystem::path file = folder.write("left.trace", left.substr(0, left.size() - lost));
+    const Trace trace = read_trace(file);
+    const std::size_t whole = (left.size() - lost - 256) / 104;
+    EXPECT_GE(whole, 700U) << lost;
+    ASSERT_EQ(trace.size(), whole) << lost;
+    EXPECT_EQ(trace.header().record_count, whole);
+    EXPECT_TRUE(trace.chain_follows(whole - 1));
+    EXPECT_THAT(trace.cut_off(), HasSubstr("holds the first " + std::to_string(whole) + " ticks, nobody knows how many are missing"))
+        << lost;
+  }
+  std::string torn = left;  // a power cut may leave zeros, or the blocks of another file
+  std::fill(torn.begin() + 256 + 104 * 500, torn.end(), '\0');
+  EXPECT_EQ(read_trace(folder.write("torn.trace", torn)).size(), 500U);
+  torn = left;
+  torn[256 + 104 * 300 + 60] ^= 1;
+  EXPECT_EQ(read_trace(folder.write("torn.trace", torn)).size(), 300U);
+}
+
+TEST(TraceFile, AFinishedFileThatWasCutSaysHowMuchIsMissing) {
+  const ScratchFolder folder;
+  EXPECT_EQ(read_trace(write_trace(folder, 10, true)).cut_off(), "");
+  for (const bool outputs : {true, false}) {
+    std::string bytes = bytes_of(write_trace(folder, 10, outputs));
+    bytes.resize(bytes.size() - 130);
+    const Trace trace = read_trace(folder.write("cut.trace", bytes));
+    EXPECT_EQ(trace.size(), 8U);
+    EXPECT_THAT(trace.cut_off(), HasSubstr("holds the first 8 ticks, 2 are missing; 78 bytes behind them"));
+  }
+}
+
+TEST(TraceFile, APartThatIsASymbolicLinkIsNotFollowed) {
+  const ScratchFolder folder;
+  const std::filesystem::path victim = folder.write("victim", "precious");
+  std::filesystem::create_symlink(victim, folder.path() / "a.trace.part");
+  try {
+    const TraceWriter writer(folder.path() / "a.trace", {});
+    ADD_FAILURE() << "the link was followed";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.trace.part: is a symbolic link"));
+  }
+  EXPECT_EQ(bytes_of(victim), "precious");
 }
 
 /// So many records on a disk with room for fewer.
@@ -178,9 +240,8 @@ TEST(TraceFile, EveryMalformedTraceGetsItsSentence) {
       {"flipped header bit", [](std::string& b) { b[40] = static_cast<char>(b[40] ^ 4); }, true, "checksum"},
       {"period of zero", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 36, 0U), seal(b); }, true,
        "header field"},
-      {"half a record", [](std::string& b) { b.resize(b.size() - 30); }, true, "ends before"},
-      {"hostile count", [](std::string& b) { store_le(reinterpret_cast<std::uint8_t*>(b.data()) + 16, ~std::uint64_t{0} / 104), seal(b); },
-       true, "ends before"},
+      {"no whole record", [](std::string& b) { b.resize(256 + 103); }, true, "ends before"},
+      {"no record that is whole", [](std::string& b) { b.resize(256 + 104), b[256 + 1] = 2; }, true, "cut off before its first tick"},
       {"bytes after the last record", [](std::string& b) { b += "trailing"; }, true, "contradict"},
       {"undefined button", [](std::string& b) { b[256 + 104 * 3 + 28] = 0x40; }, true, "record 3 at byte 568"},
       {"fresh with an age", [](std::string& b) { b[256 + 104 * 4 + 6] = 1; }, true, "record 4 at byte 672"},
