@@ -110,8 +110,9 @@ Refusal Controller::load_field(bool again) {
 
 Refusal Controller::begin_recording() {
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
-  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5)}, trace_,
-                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16,
+                                                mark_ && mark_->left() == store::RunMark::Left::kRun},
+                    trace_, settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
 

@@ -19,13 +19,44 @@ Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::Trace
       requests_(requests),
       hash_of_(std::move(hash_of)),
       tell_(std::move(tell)),
-      memory_(settings_.state.empty() ? 0 : settings_.remembered + 1 + settings_.after_fault) {}
+      memory_(settings_.state.empty() ? 0 : settings_.remembered + 1 + settings_.after_fault) {
+  if (!settings_.state.empty()) keep_last_ticks();
+}
 
 Recorder::~Recorder() {
   drain();
   const std::lock_guard guard(mutex_);
   if (save_in_ > 0) save();
   if (writer_.is_open()) end("the program ends");
+  last_ticks_.end();
+}
+
+/// What a killed run left becomes a file of its own; then the place is this run's.
+void Recorder::keep_last_ticks() {
+  const std::string place = settings_.state + "/last-ticks";
+  TraceHeader header;
+  const std::vector<LastTick> left = settings_.crashed ? LastTicks::read(place, header) : std::vector<LastTick>{};
+  if (!left.empty()) {
+    const std::string path = free_path("crash");
+    TickWriter writer;
+    Refusal refusal = writer.begin(path, header);
+    // A trace names one field: that of the last ticks.
+    const std::uint64_t hash = left.back().field_hash;
+    for (const LastTick& last : left) {
+      if (last.field_hash == hash && !refusal) refusal = writer.append(last.tick);
+    }
+    if (Refusal unfinished = writer.finish(hash)) refusal = std::move(unfinished);
+    tell_(refusal ? refusal.sentence() : path + ": the last ticks of the run before");
+  }
+  if (const Refusal refusal = last_ticks_.begin(place, settings_.header, memory_.size())) tell_(refusal.sentence());
+}
+
+std::string Recorder::free_path(const char* kind) const {
+  std::string path;
+  std::size_t number = 1;
+  do path = settings_.state + "/" + kind + "-" + std::to_string(number++) + ".trace";
+  while (access(path.c_str(), F_OK) == 0);
+  return path;
 }
 
 Refusal Recorder::start(const std::string& path) {
@@ -77,6 +108,10 @@ void Recorder::remember(const loop::TickRecord& tick) {
     faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;
   }
+  const bool same_field = tick.in.field_generation == newest_.tick.in.field_generation && newest_.field_hash != 0;
+  if (!same_field) newest_.field_hash = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);
+  newest_.tick = tick;
+  last_ticks_.put(newest_);
   memory_[end_] = tick;
   end_ = (end_ + 1) % memory_.size();
   remembered_ = std::min(remembered_ + 1, memory_.size());
@@ -105,10 +140,7 @@ void Recorder::save() {
   std::size_t to = from + 1;
   while (to < remembered_ && same_field(to) && at(to).number == at(to - 1).number + 1) ++to;
   while (from > 0 && same_field(from - 1) && at(from - 1).number + 1 == at(from).number) --from;
-  std::string path;
-  std::size_t number = 1;
-  do path = settings_.state + "/fault-" + std::to_string(number++) + ".trace";
-  while (access(path.c_str(), F_OK) == 0);
+  const std::string path = free_path("fault");
   TickWriter writer;
   Refusal refusal = writer.begin(path, settings_.header);
   for (std::size_t i = from; i < to && !refusal; ++i) refusal = writer.append(at(i));

@@ -3,7 +3,7 @@
 ///
 /// A recording begins with a tick that forgot everything before it, so that it replays; one that the ring lost a tick of, or that another field came
 /// into, ends there. What is saved at a fault holds the fault whatever came after it. It begins in the middle: it shows what happened, its first ticks
-/// do not replay.
+/// do not replay. The same seconds are in a file that survives a kill, `last_ticks.h`; the next run saves them.
 #pragma once
 
 #include <atomic>
@@ -16,6 +16,7 @@
 
 #include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
+#include "firmware/recording/last_ticks.h"
 #include "firmware/recording/tick_writer.h"
 #include "shared/files/refusal.h"
 
@@ -27,6 +28,7 @@ struct RecorderSettings {
   std::size_t remembered = 5000;  ///< ticks before a fault
   std::size_t after_fault = 500;  ///< ticks after it, saved too
   std::size_t most_saved = 16;    ///< in one run of the program
+  bool crashed = false;           ///< the run before had no orderly end: what it left of its last ticks is saved
 };
 
 class Recorder {
@@ -62,6 +64,8 @@ class Recorder {
   void remember(const loop::TickRecord& tick);
   void end(const std::string& why);
   void save();
+  void keep_last_ticks();
+  std::string free_path(const char* kind) const;
 
   RecorderSettings settings_;
   loop::TraceRing& ring_;
@@ -77,6 +81,8 @@ class Recorder {
   std::uint32_t generation_ = 0;  ///< of the recording's field
   std::uint64_t hash_ = 0;
 
+  LastTicks last_ticks_;                  ///< the same for a kill
+  LastTick newest_;                       ///< its field, so that its hash is asked for once
   std::vector<loop::TickRecord> memory_;  ///< a circle
   std::size_t end_ = 0, remembered_ = 0;
   std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved

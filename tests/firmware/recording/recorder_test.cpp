@@ -11,6 +11,15 @@
 namespace isotouch::recording {
 namespace {
 
+/// The recordings in a state folder.
+std::vector<std::string> saved(const std::string& state) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(state)) {
+    if (entry.path().extension() == ".trace") names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
 /// A recorder whose ticks the test makes.
 struct Bench {
   explicit Bench(bool keeps = false) {
@@ -113,7 +122,7 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   EXPECT_EQ(bench.recorder->state(), SupervisorState::kActive);
   bench.ticks(5, 3, SupervisorState::kFault);
   EXPECT_EQ(bench.recorder->faults(), kFaultSilent);
-  EXPECT_TRUE(std::filesystem::is_empty(state)) << "what comes after it belongs to it";
+  EXPECT_TRUE(saved(state).empty()) << "what comes after it belongs to it";
   bench.ticks(100, 3, SupervisorState::kFault);
   const files::TraceFile trace = bench.read(state + "/fault-1.trace");
   ASSERT_EQ(trace.size(), 61U);
@@ -127,11 +136,33 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   EXPECT_FALSE(std::filesystem::exists(state + "/fault-3.trace")) << "a fault that comes and goes does not fill the disk";
 }
 
+TEST(Recorder, TheLastTicksOfAKilledRunAreSavedByTheNext) {
+  Bench bench(true);
+  bench.ticks(100, 3, SupervisorState::kActive);
+  const std::string left = bench.state + "/last-ticks", aside = (bench.folder.path() / "aside").string();
+  std::filesystem::copy_file(left, aside);  // as a kill leaves it
+  bench.recorder.reset();
+  EXPECT_FALSE(std::filesystem::exists(left)) << "an orderly end";
+  const auto start = [&](bool crashed) {
+    std::filesystem::copy_file(aside, left, std::filesystem::copy_options::overwrite_existing);
+    RecorderSettings settings{TraceHeader{}, bench.state, 50, 10, 2, crashed};
+    const Recorder next(
+        settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [](const std::string&) {});
+  };
+  start(false);
+  EXPECT_TRUE(saved(bench.state).empty());
+  start(true);
+  ASSERT_EQ(saved(bench.state), std::vector<std::string>{"crash-1.trace"});
+  const files::TraceFile trace = Bench::read(bench.state + "/crash-1.trace");
+  EXPECT_EQ(trace.size(), 61U);
+  EXPECT_EQ(trace.header().field_hash, 3000U);
+}
+
 TEST(Recorder, ARunThatBeginsInFaultHasNothingToShow) {
   Bench bench(true);
   bench.ticks(200, 3, SupervisorState::kFault);
   EXPECT_EQ(bench.recorder->state(), SupervisorState::kFault);
-  EXPECT_TRUE(std::filesystem::is_empty(bench.state));
+  EXPECT_TRUE(saved(bench.state).empty());
 }
 
 /// Saved with so many ticks before the fault and from it on; no others.

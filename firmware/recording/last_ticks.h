@@ -1,0 +1,57 @@
+/// The last seconds of ticks in a memory-mapped file: what a controller that is killed cannot save itself, the next one finds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware/loop/tick_record.h"
+#include "shared/files/refusal.h"
+#include "shared/trace.h"
+
+namespace isotouch::recording {
+
+/// A tick, and the field that it felt; 0 = none, or not known.
+struct LastTick {
+  loop::TickRecord tick;
+  std::uint64_t field_hash = 0;
+};
+
+/// A circle of slots behind the header of a trace. Each slot has a checksum of its own, so a tick that was being written at the kill counts as none. The
+/// file survives the end of the process in any way; a power cut may take the last half minute of it. Not for the tick.
+class LastTicks {
+ public:
+  LastTicks() = default;
+  ~LastTicks();
+  LastTicks(const LastTicks&) = delete;
+  LastTicks& operator=(const LastTicks&) = delete;
+
+  /// Makes the file anew, with all its room taken on the disk: a write to it later cannot fail.
+  ///
+  /// header    of the ticks that will come
+  /// slots     ticks that it holds, at least 1
+  /// returns   why nothing is kept
+  Refusal begin(const std::string& path, const TraceHeader& header, std::size_t slots);
+
+  /// Where it has not begun, nothing happens.
+  void put(const LastTick& last);
+
+  /// Takes the file away: the run ended as it should.
+  void end();
+
+  /// What a run that was killed left: the newest ticks that follow each other, oldest first.
+  ///
+  /// header    changed only when there are any
+  static std::vector<LastTick> read(const std::string& path, TraceHeader& header);
+
+ private:
+  void unmap();
+
+  std::string path_;
+  std::span<std::uint8_t> bytes_;
+  std::size_t slots_ = 0, next_ = 0;
+};
+
+}  // namespace isotouch::recording
