@@ -2,8 +2,8 @@
 ///
 ///     void isotouch::count_allocation()
 ///
-/// which the program defines; it runs on every thread and must not allocate. `operator new` ends in malloc too. With an address sanitizer malloc is
-/// the sanitizer's: nothing is replaced, and ISOTOUCH_ADDRESS_SANITIZER is defined.
+/// which the program defines; it runs on every thread and must not allocate. `operator new` ends in malloc too. With an address or thread
+/// sanitizer malloc is the sanitizer's: nothing is replaced, and ISOTOUCH_SANITIZER_MALLOC is defined.
 ///
 /// real-time   yes
 /// source      the GNU C library's manual, "Replacing malloc": a program may define them, and the library keeps its own under __libc_ names
@@ -13,19 +13,19 @@
 #include <cstddef>
 
 #if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define ISOTOUCH_ADDRESS_SANITIZER
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ISOTOUCH_SANITIZER_MALLOC
 #endif
 #endif
-#if defined(__SANITIZE_ADDRESS__)
-#define ISOTOUCH_ADDRESS_SANITIZER
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ISOTOUCH_SANITIZER_MALLOC
 #endif
 
 namespace isotouch {
 void count_allocation();
 }
 
-#if !defined(ISOTOUCH_ADDRESS_SANITIZER)
+#if !defined(ISOTOUCH_SANITIZER_MALLOC)
 
 // NOLINTBEGIN(misc-definitions-in-headers, bugprone-reserved-identifier, readability-identifier-naming): the C library's own names
 extern "C" {
