@@ -129,13 +129,13 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   const double bulge = std::min(kBulge, margin - band - 2.0);
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
   const bool whole = measured >= points.size();  // the walls and the back of a scan of one side are invented, and so is what they enclose
-  const double doubt = whole && noise > kNoisy * grid.edge * described.scan->median_spacing() ? kDoubtInNoise : kDoubt;
-  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, doubt);
+  const double noise_voxels = whole && noise > kNoisy * grid.edge * described.scan->median_spacing() ? noise / grid.edge : 0.0;
+  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, noise_voxels);
   AdaptiveSamples closed;
   if (whole) {  // a scan of one side got walls at its rims already
     if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {
       closed = with_added(described, skins);
-      model.emplace(*closed.scan, closed.models, closing, doubt);
+      model.emplace(*closed.scan, closed.models, closing, noise_voxels);
     }
   }
   const Scan& scan = closed.scan ? *closed.scan : *described.scan;

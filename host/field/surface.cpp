@@ -6,9 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "host/field/doubtful_samples.h"
+
 namespace isotouch::field {
 
 namespace {
+
+constexpr double kFarInDoubt = 0.05;  // of the nearest nine's spread, beside doubtful samples
 
 double squared(double x) { return x * x; }
 
@@ -21,12 +25,14 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double doubt)
+Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise)
     : scan_(scan),
       closing_(closing),
-      enclosure_(scan, doubt),
+      noisy_(noise > 0.0),
+      enclosure_(scan, noise),
       balls_(empty_balls(scan)),
       models_(std::move(models)),
+      level_(scan, noisy_ ? std::vector<std::uint8_t>(scan.size(), 1) : doubtful_samples(scan, models_), enclosure_),
       brick_(scan.positions(), models_, balls_) {}
 
 double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> nearest, bool held) const {
@@ -47,7 +53,10 @@ double Surface::blend(const Eigen::Vector3d& x, std::span<const Neighbour> neare
   // All at one distance: x is the centre of a ball through the samples.
   const double blended = weights > 0.0 ? sum / weights : models_[nearest.front().index].distance(x);
   double distance = held_by_balls(blended, x, nearest.first(count), balls_);
-  if (held) distance = signed_by_winding(distance, x, nearest.front().squared_distance, border, enclosure_);
+  if (held) {
+    distance = level_.hold(distance, x, nearest);
+    distance = signed_by_winding(distance, x, nearest.front().squared_distance, border, enclosure_);
+  }
   return std::max(distance, closing_.distance(x));
 }
 
@@ -59,28 +68,31 @@ double Surface::distance(const Eigen::Vector3d& x) const {
 
 bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const double border = nearest[std::min(kBlended, nearest.size() - 1)].squared_distance;
-  if (!in_doubt(nearest.front().squared_distance, border, enclosure_.doubt())) return false;
+  if (!in_doubt(nearest.front().squared_distance, border)) return false;
   std::size_t behind = 0;
   for (const Neighbour& sample : nearest) behind += scan_.normals()[sample.index].dot(x - scan_.positions()[sample.index]) < 0.0 ? 1U : 0U;
   return (2 * behind > nearest.size()) != inside;
 }
 
-bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates,
+bool Surface::hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates, bool level,
                    std::array<float, 64>& samples) const {
   bool turned = false;
   for (; places != 0; places &= places - 1) {
     const auto s = static_cast<std::size_t>(std::countr_zero(places));
     const Eigen::Vector3d x = place(first, s);
-    std::array<double, kBlended + 1> away;  // squared, of the nearest, ascending
-    away.fill(std::numeric_limits<double>::max());
+    std::array<Neighbour, kBlended + 1> nearest;  // ascending
+    nearest.fill({std::numeric_limits<double>::max(), 0});
     for (const Neighbour& c : candidates) {
       const double square = (scan_.positions()[c.index] - x).squaredNorm();
-      if (!(square < away.back())) continue;
+      if (!(square < nearest.back().squared_distance)) continue;
       std::size_t rank = kBlended;
-      for (; rank > 0 && square < away[rank - 1]; --rank) away[rank] = away[rank - 1];
-      away[rank] = square;
+      for (; rank > 0 && square < nearest[rank - 1].squared_distance; --rank) nearest[rank] = nearest[rank - 1];
+      nearest[rank] = {square, c.index};
     }
-    const auto held = static_cast<float>(signed_by_winding(static_cast<double>(samples[s]), x, away.front(), away.back(), enclosure_));
+    auto distance = static_cast<double>(samples[s]);
+    if (level) distance = level_.hold(distance, x, nearest);
+    const auto held =
+        static_cast<float>(signed_by_winding(distance, x, nearest.front().squared_distance, nearest.back().squared_distance, enclosure_));
     turned = turned || (held < 0.0F) != (samples[s] < 0.0F);
     samples[s] = held;
   }
@@ -92,9 +104,12 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   thread_local std::vector<Neighbour> candidates;  // keeps its memory
   scan_.tree().nearest_and_beyond(centre, kBlended + 1, 2.0 * kBrickReach, candidates);
   const auto nearest = std::span(candidates).first(std::min(kBlended + 1, candidates.size()));
+  const bool doubtful = std::any_of(candidates.begin(), candidates.end(), [&](const Neighbour& c) { return level_.is_doubtful(c.index); });
   BrickDistances result{blend(centre, nearest, false), {}};
-  const bool astray = contradicted(result.middle < 0.0, centre, nearest);
-  if (astray) result.middle = blend(centre, nearest, true);
+  const bool inside = result.middle < 0.0;
+  bool astray = !doubtful && contradicted(inside, centre, nearest);
+  if (astray || doubtful) result.middle = blend(centre, nearest, true);
+  if (doubtful) astray = (result.middle < 0.0) != inside;
   if (std::abs(result.middle) > reach) return result;
 
   auto& samples = result.samples.emplace();
@@ -102,9 +117,15 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
     for (std::size_t s = 0; s < samples.size(); ++s) samples[s] = static_cast<float>(distance(place(first, s)));
     return result;
   }
-  BrickBlend::Doubt doubt{enclosure_.doubt()};
+  BrickBlend::Doubt doubt{doubtful ? kFarInDoubt : kDoubt};
   samples = brick_(first, candidates, doubt);
-  if (hold(first, doubt.suspect, candidates, samples) || astray) hold(first, doubt.far & ~doubt.suspect, candidates, samples);
+  if (doubtful) {
+    // In noise every place; otherwise, as that costs time, all of a brick or none.
+    const std::uint64_t asked = noisy_ ? ~std::uint64_t{0} : doubt.suspect;
+    if (hold(first, asked, candidates, true, samples) || astray) hold(first, ~asked, candidates, true, samples);
+  } else if (hold(first, doubt.suspect, candidates, false, samples) || astray) {
+    hold(first, doubt.far & ~doubt.suspect, candidates, false, samples);
+  }
   result.jumps = astray || doubt.suspect != 0;  // there the whole scan was asked: beside it all of them may be held, or none
   if (closing_.distance(centre) + kBrickReach > static_cast<double>(*std::min_element(samples.begin(), samples.end()))) {
     for (std::size_t s = 0; s < samples.size(); ++s)

@@ -16,6 +16,7 @@
 #include "host/field/blend_brick.h"
 #include "host/field/bricks.h"
 #include "host/field/scan.h"
+#include "host/field/winding_level.h"
 #include "host/field/winding_sign.h"
 
 namespace isotouch::field {
@@ -36,8 +37,8 @@ class Surface {
   /// closing   the body ends where this box ends
   explicit Surface(const Scan& scan, const Box& closing = kEverywhere) : Surface(scan, local_models(scan), closing) {}
   /// models    one a sample
-  /// doubt     as for `WindingSign`
-  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double doubt = kDoubt);
+  /// noise     as for `WindingSign`; above 0, all samples are doubtful
+  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise = 0.0);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
   /// error.
@@ -56,15 +57,18 @@ class Surface {
   bool contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const;
   /// Holds the distances at the places of a brick whose bits are set. Did one change its sign?
   ///
+  /// level        hold them to the level of the winding number, too
   /// candidates   as for `BrickBlend`
-  bool hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates,
+  bool hold(const Eigen::Vector3d& first, std::uint64_t places, std::span<const Neighbour> candidates, bool level,
             std::array<float, 64>& samples) const;
 
   const Scan& scan_;
   Box closing_;
+  bool noisy_;
   WindingSign enclosure_;
   std::vector<EmptyBalls> balls_;
   std::vector<LocalModel> models_;
+  WindingLevel level_;
   BrickBlend brick_;
 };
 

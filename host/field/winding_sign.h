@@ -18,19 +18,19 @@ namespace isotouch::field {
 /// The area that each sample stands for: its cell among its neighbours on its tangent plane, as far as the neighbours' spacing reaches.
 std::vector<double> sample_areas(const Scan& scan);
 
-/// At 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out by two voxels: where few samples lie, the number is not sharper than that.
+/// Share of the nearest nine's spread beyond which the number counts. At 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out by two voxels: where few samples lie, the number is not sharper than that.
 inline constexpr double kDoubt = 0.25;
-/// In noise models are worth less, and the number, a mean over many samples, as much as before. Noise of 25 % of the spacing on a hydrant: 0.69 voxels from
-/// surface to truth with 0.25, 0.56 with this.
-inline constexpr double kDoubtInNoise = 0.12;
 
 class WindingSign {
  public:
   /// scan      at least 1 sample; normals outward
-  /// doubt     share of the nearest nine's spread beyond which the number counts
-  explicit WindingSign(const Scan& scan, double doubt = kDoubt);
+  /// noise     standard deviation of the samples across the surface, the scan's unit
+  explicit WindingSign(const Scan& scan, double noise = 0.0);
 
-  double doubt() const { return doubt_; }
+  /// What a sample stands for.
+  double area(std::size_t sample) const { return areas_[sample]; }
+  /// By how much a patch of an area is smoothed, squared: sharper, the number would show each sample and its noise.
+  double softening(double area) const { return 0.125 * area + 2.0 * noise_ * noise_; }
 
   /// The winding number, to a tenth at one spacing from the samples or more; nearer it is smoothed.
   double operator()(const Eigen::Vector3d& place) const;
@@ -48,9 +48,10 @@ class WindingSign {
 
   void add_node(std::uint32_t first, std::uint32_t count);
 
-  double doubt_;
+  double noise_;
+  std::vector<double> areas_;
   std::vector<Dipole> samples_;
-  std::vector<double> softening_;  ///< of a sample, squared: an eighth of the area
+  std::vector<double> softening_;  ///< of a sample, squared
   std::vector<Node> nodes_;        ///< parents before children
 };
 
@@ -59,7 +60,7 @@ class WindingSign {
 /// say, and its distance from one half stands for the way to the surface.
 ///
 /// nearest, ninth   squared distances to the nearest sample and to the ninth
-inline bool in_doubt(double nearest, double ninth, double doubt) { return nearest > doubt * (ninth - nearest); }
+inline bool in_doubt(double nearest, double ninth) { return nearest > kDoubt * (ninth - nearest); }
 double signed_by_winding(double distance, const Eigen::Vector3d& place, double nearest, double ninth, const WindingSign& enclosure);
 
 }  // namespace isotouch::field

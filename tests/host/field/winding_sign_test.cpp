@@ -111,17 +111,20 @@ TEST_F(HeldByEnclosure, TurnsTheSignFarFromEverySample) {
   EXPECT_GT(held(-1e9, {0, 0, 200}), 50.0);
 }
 
-TEST_F(HeldByEnclosure, SpeaksNearerToNoisySamples) {
-  const WindingSign in_noise(scan, kDoubtInNoise);
-  std::size_t usual = 0, noisy = 0;
-  for (double radius = 81.0; radius < 84.0; radius += 0.125) {
-    std::vector<Neighbour> found;
-    scan.tree().nearest({radius, 0, 0}, 9, found);
-    const double nearest = found.front().squared_distance, ninth = found.back().squared_distance;
-    usual += signed_by_winding(-20.0, {radius, 0, 0}, nearest, ninth, enclosure) > -20.0 ? 1U : 0U;
-    noisy += signed_by_winding(-20.0, {radius, 0, 0}, nearest, ninth, in_noise) > -20.0 ? 1U : 0U;
-  }
-  EXPECT_GT(noisy, usual);
+TEST(WindingSign, HardlyShowsTheNoiseOfSamples) {
+  auto points = cloud::sample_shape(cloud::shape("sphere"), 2500);
+  cloud::Random random(5);
+  for (auto& p : points.positions) p += random.uniform(-2, 2) * p.normalized();
+  const Scan scan(points);
+  const auto deviation = [&](const WindingSign& winding) {
+    double squares = 0.0;
+    for (int n = 0; n < 500; ++n) {
+      const Vector3d way = Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+      squares += std::pow(winding(82.5 * way) - winding(-82.5 * way), 2);
+    }
+    return std::sqrt(squares / 500);
+  };
+  EXPECT_LT(deviation(WindingSign(scan, 1.2)), 0.8 * deviation(WindingSign(scan)));
 }
 
 }  // namespace
