@@ -32,7 +32,8 @@ AxisPlace place(Voxel coordinate, std::int32_t size) {
   const std::int32_t middle = along >> kPlaceBits;
   const std::int32_t past = (along & ((1 << kPlaceBits) - 1)) >> (kPlaceBits - kWeightBits), left = kOne - past;
   const auto weight = [](std::int32_t t) { return (t * t) >> (kWeightBits + 1); };  // t²/2
-  return {{std::max(middle - 1, 0), middle, std::min(middle + 1, last)}, past, left, weight(left), weight(past)};
+  return {
+      {std::max<std::int32_t>(middle - 1, 0), middle, std::min<std::int32_t>(middle + 1, last)}, past, left, weight(left), weight(past)};
 }
 
 /// The spline through three numbers and its slope a brick: from differences, because the weights' sum is 1 and that of their slopes is 0.
