@@ -31,14 +31,9 @@ unsigned become_realtime(int priority, int core) {
 }
 
 void limit_stacks() {
-#if defined(__SANITIZE_THREAD__)
-  constexpr std::size_t kStackBytes = 8U << 20;  // the sanitizer's own frames need more
-#else
-  constexpr std::size_t kStackBytes = 1U << 20;
-#endif
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, kStackBytes);
+  pthread_attr_setstacksize(&attributes, kThreadStackBytes);
   pthread_setattr_default_np(&attributes);
   pthread_attr_destroy(&attributes);
 }

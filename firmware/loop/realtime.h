@@ -1,6 +1,7 @@
 /// Real-time rights of a thread, and the page faults and allocations that it has caused. Without the privilege the wish is refused and the thread runs on.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace isotouch::loop {
@@ -19,7 +20,14 @@ enum Refusals : unsigned {
 /// returns   Refusals
 unsigned become_realtime(int priority, int core);
 
-/// Threads begun from now on have a stack of 1 MiB, not of 8: locked memory is used up, touched or not.
+/// Of the threads that begin after `limit_stacks`; a thread sanitizer's own frames need more.
+#if defined(__SANITIZE_THREAD__)
+inline constexpr std::size_t kThreadStackBytes = 8U << 20;
+#else
+inline constexpr std::size_t kThreadStackBytes = 1U << 20;
+#endif
+
+/// Threads begun from now on have a stack of kThreadStackBytes, not of 8 MiB: locked memory is used up, touched or not.
 void limit_stacks();
 
 /// Locks all memory that the program has, and keeps what is freed from now on: to be called when everything of the tick is made. Memory that other

@@ -22,7 +22,7 @@ TEST(Realtime, ThreadsBegunAfterTheLimitHaveSmallStacks) {
   limit_stacks();
   std::size_t bytes = 0;
   std::thread([&] { bytes = stack_of_this_thread(); }).join();
-  EXPECT_EQ(bytes, 1U << 20);
+  EXPECT_EQ(bytes, kThreadStackBytes);
 }
 
 }  // namespace
