@@ -27,7 +27,10 @@ constexpr std::int64_t kDeafNs = 200'000'000;
 
 constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
 constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
-constexpr std::string_view kBusy = "another client is sending a field; try again when that has ended";
+
+void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
+  refusal ? client.refuse(kind, refusal.sentence()) : client.say(Kind::kDone);
+}
 
 }  // namespace
 
@@ -37,6 +40,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
       clients_(settings_.clients + 1),
       feed_(neighbours.ring, settings_.recordings, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
+      upload_(neighbours.fields),
       scratch_(std::max(kHistogramScratch, protocol::kMaxBody)),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
@@ -179,16 +183,14 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = protocol::decode<protocol::Begin>(frame.body);
-      return promised ? begin(client, *promised) : malformed();
+      return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised)) : malformed();
     }
     case Kind::kChunk: {
       const auto piece = protocol::decode<protocol::Chunk>(frame.body);
-      return piece ? chunk(client, *piece) : malformed();
+      return piece ? done_or_refused(client, frame.kind, upload_.add(client, *piece)) : malformed();
     }
     case Kind::kCommit: return commit(client);
-    case Kind::kAbort:
-      if (upload_.sender == &client) upload_ = {};
-      return client.say(Kind::kDone);
+    case Kind::kAbort: upload_.drop(client); return client.say(Kind::kDone);
     case Kind::kStatus:
       return client.say(Kind::kStatusReport,
                         status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published().image_hash));
@@ -228,7 +230,9 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     }
     case Kind::kSet: {
       const auto wanted = protocol::decode<protocol::Set>(frame.body);
-      return wanted ? set(client, *wanted) : malformed();
+      if (!wanted) return malformed();
+      if (!neighbours_.set) return client.refuse(frame.kind, "this controller's settings are fixed");
+      return done_or_refused(client, frame.kind, neighbours_.set(wanted->name.view(), wanted->value.view()));
     }
     case Kind::kWorst: {
       const auto wanted = protocol::decode<protocol::WorstRequest>(frame.body);
@@ -255,46 +259,15 @@ void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) c
   client.say(Kind::kWelcome, welcome);
 }
 
-void ControlServer::begin(ControlClient& client, const protocol::Begin& promised) {
-  if (upload_.sender == &client) upload_ = {};  // from the beginning
-  if (upload_.sender != nullptr) return client.refuse(Kind::kBegin, kBusy);
-  if (promised.image_bytes > neighbours_.fields.image_limit()) {
-    return client.refuse(Kind::kBegin, store::too_large(promised.image_bytes, neighbours_.fields.image_limit()));
-  }
-  if (promised.packed_bytes > neighbours_.fields.upload().size()) {
-    return client.refuse(Kind::kBegin, "the packed field takes " + std::to_string(promised.packed_bytes) + " bytes, more than the " +
-                                           std::to_string(neighbours_.fields.upload().size()) +
-                                           " that the largest field may take; build it again and send it again");
-  }
-  upload_ = {&client, promised, 0};
-  client.say(Kind::kDone);
-}
-
-void ControlServer::chunk(ControlClient& client, const protocol::Chunk& chunk) {
-  if (upload_.sender != &client) return client.refuse(Kind::kChunk, "no upload is under way on this connection; begin one");
-  const std::uint64_t missing = upload_.promised.packed_bytes - upload_.received;
-  if (chunk.offset != upload_.received || chunk.bytes.size() > missing) {
-    upload_ = {};
-    return client.refuse(Kind::kChunk, "a piece of the upload does not follow the one before; send it again from the beginning");
-  }
-  std::copy(chunk.bytes.begin(), chunk.bytes.end(), neighbours_.fields.upload().begin() + static_cast<std::ptrdiff_t>(upload_.received));
-  upload_.received += chunk.bytes.size();
-  client.say(Kind::kDone);
-}
-
 void ControlServer::commit(ControlClient& client) {
-  if (upload_.sender != &client) return client.refuse(Kind::kCommit, "no upload is under way on this connection; begin one");
-  const Upload ended = std::exchange(upload_, {});
-  if (ended.received != ended.promised.packed_bytes) {
-    return client.refuse(Kind::kCommit, "the upload ended after " + std::to_string(ended.received) + " of " +
-                                            std::to_string(ended.promised.packed_bytes) + " bytes; send it again from the beginning");
-  }
-  start_work(client, FieldWork::Kind::kAccept, ended.promised);
+  protocol::Begin promised;
+  const Refusal refusal = upload_.complete(client, promised);
+  refusal ? client.refuse(Kind::kCommit, refusal.sentence()) : start_work(client, FieldWork::Kind::kAccept, promised);
 }
 
 void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
   // A stored field is read to where an upload is put together.
-  if (kind == FieldWork::Kind::kSelect && upload_.sender != nullptr) return client.refuse(Kind::kSelect, kBusy);
+  if (kind == FieldWork::Kind::kSelect && upload_.is_under_way()) return client.refuse(Kind::kSelect, kSomebodySends);
   worker_.begin({kind, field, {}});
   awaiting_ = &client;
   client.waiting = true;
@@ -305,10 +278,7 @@ void ControlServer::finish_work() {
   ControlClient* client = done ? std::exchange(awaiting_, nullptr) : nullptr;
   if (client == nullptr) return;
   client->waiting = false;
-  if (done->kind == FieldWork::Kind::kCalibrate) {
-    if (!done->outcome.refusal) return client->say(Kind::kDone);
-    return client->refuse(Kind::kCalibrate, done->outcome.refusal.sentence());
-  }
+  if (done->kind == FieldWork::Kind::kCalibrate) return done_or_refused(*client, Kind::kCalibrate, done->outcome.refusal);
   if (done->kind != FieldWork::Kind::kList) {
     if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.accepted);
     return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal.sentence());
@@ -338,12 +308,6 @@ void ControlServer::worst(ControlClient& client, bool anew) {
   if (anew) worst_.begin_anew();
 }
 
-void ControlServer::set(ControlClient& client, const protocol::Set& wanted) const {
-  const Refusal refusal =
-      neighbours_.set ? neighbours_.set(wanted.name.view(), wanted.value.view()) : "this controller's settings are fixed";
-  refusal ? client.refuse(Kind::kSet, refusal.sentence()) : client.say(Kind::kDone);
-}
-
 void ControlServer::begin_recording(ControlClient& client) {
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
@@ -357,7 +321,7 @@ void ControlServer::measure(ControlClient& client) {
   if (neighbours_.calibration->report().serial.size == 0)
     return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
-  if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kBusy);
+  if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
   // The tick under way may not have heard of a stop yet.
   posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.period_ns, 1U)),
                  neighbours_.shown.get().number + 1);
@@ -389,7 +353,7 @@ void ControlServer::calibrate(ControlClient& client, const protocol::Calibrate& 
 
 /// A connection has ended, for whatever reason: what it had begun is void.
 void ControlServer::forget(ControlClient& client) {
-  if (upload_.sender == &client) upload_ = {};
+  upload_.drop(client);
   if (awaiting_ == &client) awaiting_ = nullptr;
   if (measuring_ == &client) measuring_ = nullptr;
   client.close();
@@ -401,7 +365,7 @@ void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
-    const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || upload_.sender == &client;
+    const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || upload_.is_from(client);
     if (!client.is_open()) continue;
     if (in_the_middle && worker_.is_idle() && client.moved_ns < since) forget(client);
     if (!may_stay && client.opened_ns < since) forget(client);

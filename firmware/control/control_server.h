@@ -20,6 +20,7 @@
 #include "firmware/control/peer.h"
 #include "firmware/control/posture_meter.h"
 #include "firmware/control/tick_feed.h"
+#include "firmware/control/upload.h"
 #include "firmware/control/worst_ticks.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/latest.h"
@@ -73,12 +74,6 @@ class ControlServer {
   void stop();
 
  private:
-  struct Upload {
-    ControlClient* sender = nullptr;  ///< nullptr: none is under way
-    protocol::Begin promised;
-    std::uint64_t received = 0;
-  };
-
   void run();
   bool wait(bool busy);
   void admit();
@@ -89,14 +84,11 @@ class ControlServer {
   bool must_wait(const protocol::Frame& frame) const;
   void answer(ControlClient& client, const protocol::Frame& frame);
   void hello(ControlClient& client, const protocol::Frame& frame) const;
-  void begin(ControlClient& client, const protocol::Begin& promised);
-  void chunk(ControlClient& client, const protocol::Chunk& chunk);
   void commit(ControlClient& client);
   void start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field);
   void finish_work();
   void histogram(ControlClient& client, std::uint8_t measure);
   void worst(ControlClient& client, bool anew);
-  void set(ControlClient& client, const protocol::Set& wanted) const;
   void begin_recording(ControlClient& client);
   void measure(ControlClient& client);
   void finish_measuring();

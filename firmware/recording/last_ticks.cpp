@@ -12,6 +12,7 @@
 
 #include "shared/bytes.h"
 #include "shared/crc32.h"
+#include "shared/files/scoped_file.h"
 
 namespace isotouch::recording {
 
@@ -37,14 +38,6 @@ LastTick read_slot(const std::uint8_t* slot) {
   return last;
 }
 
-/// Closed at the end of its scope.
-struct File {
-  int number;
-  ~File() {
-    if (number >= 0) ::close(number);
-  }
-};
-
 }  // namespace
 
 LastTicks::~LastTicks() { unmap(); }
@@ -52,7 +45,7 @@ LastTicks::~LastTicks() { unmap(); }
 Refusal LastTicks::begin(const std::string& path, const TraceHeader& header, std::size_t slots) {
   unmap();
   ::unlink(path.c_str());  // a new file is nobody else's, and no link
-  const File file{::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600)};
+  const ScopedFile file{::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600)};
   const int why = file.number < 0 ? errno : ::posix_fallocate(file.number, 0, static_cast<off_t>(file_bytes(slots)));
   void* mapped = why != 0 ? MAP_FAILED : ::mmap(nullptr, file_bytes(slots), PROT_READ | PROT_WRITE, MAP_SHARED, file.number, 0);
   if (mapped == MAP_FAILED) {
@@ -91,7 +84,7 @@ void LastTicks::unmap() {
 }
 
 std::vector<LastTick> LastTicks::read(const std::string& path, TraceHeader& header) {
-  const File file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
+  const ScopedFile file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
   TraceHeaderBytes first{};
   if (file.number < 0 || ::read(file.number, first.data(), first.size()) != static_cast<ssize_t>(first.size())) return {};
   const Result<TraceHeader> described = decode_header(first);

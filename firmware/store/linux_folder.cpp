@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "shared/files/scoped_file.h"
+
 namespace isotouch::store {
 
 namespace {
@@ -32,14 +34,6 @@ StoreResult<void> done_if(bool done) {
   if (!done) return error_of(errno);
   return {};
 }
-
-/// Closed at the end of its scope.
-struct File {
-  int number;
-  ~File() {
-    if (number >= 0) ::close(number);
-  }
-};
 
 }  // namespace
 
@@ -81,7 +75,7 @@ StoreResult<std::size_t> LinuxFolder::read(const std::string& name, std::span<st
   const StoreResult<std::uint64_t> bytes = size(name);
   if (!bytes) return bytes.error();
   if (*bytes > out.size()) return StoreError::kTooLarge;
-  const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
+  const ScopedFile file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
   if (file.number < 0) return error_of(errno);
   std::size_t got = 0;
   while (got < out.size()) {
@@ -95,7 +89,7 @@ StoreResult<std::size_t> LinuxFolder::read(const std::string& name, std::span<st
 }
 
 StoreResult<void> LinuxFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) {
-  const File file{::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600)};
+  const ScopedFile file{::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600)};
   if (file.number < 0) return error_of(errno);
   while (!bytes.empty()) {
     const ssize_t taken = ::write(file.number, bytes.data(), bytes.size());
@@ -107,7 +101,7 @@ StoreResult<void> LinuxFolder::write(const std::string& name, std::span<const st
 }
 
 StoreResult<void> LinuxFolder::sync(const std::string& name) {
-  const File file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
+  const ScopedFile file{::openat(folder_, name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
   return done_if(file.number >= 0 && ::fsync(file.number) == 0);
 }
 

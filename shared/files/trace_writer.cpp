@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "shared/bytes.h"
+#include "shared/files/scoped_file.h"
 
 namespace isotouch::files {
 
@@ -94,10 +95,9 @@ bool TraceWriter::cut_to_whole_records() {
   chain_ = 0;
   if (header_.record_count == 0) return true;
   const std::uint64_t end = kHeaderBytes + header_.record_count * kRecordBytes;
-  const int reading = ::open(part().c_str(), O_RDONLY | O_CLOEXEC);
+  const ScopedFile reading{::open(part().c_str(), O_RDONLY | O_CLOEXEC)};
   std::array<std::uint8_t, 8> chain{};
-  const bool read = reading >= 0 && ::pread(reading, chain.data(), chain.size(), static_cast<off_t>(end - kRecordBytes + kChainAt)) == 8;
-  if (reading >= 0) ::close(reading);
+  const bool read = ::pread(reading.number, chain.data(), chain.size(), static_cast<off_t>(end - kRecordBytes + kChainAt)) == 8;
   chain_ = load_le<std::uint64_t>(chain.data());
   return read && ::ftruncate(file_, static_cast<off_t>(end)) == 0;
 }

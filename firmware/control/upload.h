@@ -1,0 +1,49 @@
+/// The upload under way: what a client has promised, and how much of it is there. One at a time.
+///
+/// tick      no
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/control/control_client.h"
+#include "firmware/store/field_intake.h"
+#include "shared/files/refusal.h"
+#include "shared/protocol.h"
+
+namespace isotouch::control {
+
+inline constexpr std::string_view kSomebodySends = "another client is sending a field; try again when that has ended";
+
+class Upload {
+ public:
+  /// fields    where an upload is put together; lives longer
+  explicit Upload(store::FieldIntake& fields) : fields_(fields) {}
+
+  bool is_under_way() const { return sender_ != nullptr; }
+  bool is_from(const ControlClient& client) const { return sender_ == &client; }
+
+  /// Begins one; the same client's earlier one is void.
+  ///
+  /// returns   why not: another client sends, or there is no room for it
+  Refusal begin(const ControlClient& client, const protocol::Begin& promised);
+
+  /// Takes the next piece. One that does not follow the piece before ends the upload.
+  Refusal add(const ControlClient& client, const protocol::Chunk& piece);
+
+  /// Ends it, as complete: `promised` is then all there.
+  ///
+  /// returns   why not; then it has ended too
+  Refusal complete(const ControlClient& client, protocol::Begin& promised);
+
+  /// Ends it, if it is this client's.
+  void drop(const ControlClient& client);
+
+ private:
+  store::FieldIntake& fields_;
+  const ControlClient* sender_ = nullptr;
+  protocol::Begin promised_;
+  std::uint64_t received_ = 0;
+};
+
+}  // namespace isotouch::control
