@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -21,9 +22,9 @@ class HardenedTest(unittest.TestCase):
         self.root = pathlib.Path(kept.name)
         (self.root / "main.cpp").write_text(SOURCE)
 
-    def told(self, *options: str) -> tuple[int, str]:
+    def told(self, *options: str, compiler: str = "g++") -> tuple[int, str]:
         program = self.root / "program"
-        subprocess.run(["c++", "-fPIE", *COMPILE, *LINK, *options, str(self.root / "main.cpp"), "-o", str(program)], check=True)
+        subprocess.run([compiler, "-fPIE", *COMPILE, *LINK, *options, str(self.root / "main.cpp"), "-o", str(program)], check=True)
         done = subprocess.run([SCRIPT, program], stdout=subprocess.PIPE, text=True)
         return done.returncode, done.stdout
 
@@ -38,6 +39,11 @@ class HardenedTest(unittest.TestCase):
             with self.subTest(name):
                 code, said = self.told(option)
                 self.assertEqual((code, said.split("without ", 1)[1].strip()), (3, name))
+
+    @unittest.skipUnless(shutil.which("clang++"), "clang++ is not installed")
+    def test_of_clang_checked_copies_are_not_looked_for_and_that_is_said(self) -> None:
+        code, said = self.told("-U_FORTIFY_SOURCE", compiler="clang++")
+        self.assertEqual((code, said.split(maxsplit=1)), (0, ["program", "hardened, checked copies not looked for\n"]))
 
     def test_nothing_to_read_is_no_success(self) -> None:
         self.assertEqual(subprocess.run([SCRIPT], stderr=subprocess.DEVNULL).returncode, 2)
