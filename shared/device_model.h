@@ -29,6 +29,9 @@ struct DeviceLeg {
   bool operator==(const DeviceLeg&) const = default;
 };
 
+/// How far a calibration may take an arm from where it was expected: public sources differ by 15 degrees.
+inline constexpr int kFarthestTurnDeg = 20;
+
 consteval std::int32_t standard(const SettingRow& row) { return row.raw(row.standard); }
 
 struct DeviceModel {

@@ -13,13 +13,13 @@ void take(const store::AnglesAtZero& angles, DeviceModel& model) {
 }
 
 std::string too_far() {
-  return "an arm would stand more than " + std::to_string(Calibration::kMaxTurnDeg) +
+  return "an arm would stand more than " + std::to_string(kFarthestTurnDeg) +
          " degrees away from where the device's geometry has it; measure again, or try the other [device] geometry";
 }
 
 /// Does every arm stand near enough to where it is expected?
 bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
-  constexpr auto kMost = static_cast<std::int64_t>(Calibration::kMaxTurnDeg / 360.0 * 4294967296.0);
+  constexpr auto kMost = static_cast<std::int64_t>(kFarthestTurnDeg / 360.0 * 4294967296.0);
   bool near = true;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const auto turn = static_cast<std::int32_t>(angles[i].raw() - expected.legs[i].at_zero.raw());  // the shorter way round
@@ -30,8 +30,8 @@ bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
 
 }  // namespace
 
-Calibration::Calibration(store::CalibrationStore* store, BySettings by_settings, const std::string& serial)
-    : store_(store), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
+Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial)
+    : store_(store), mark_(mark), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
 
 void Calibration::answers(const std::string& serial) {
   Refusal ignored;
@@ -44,11 +44,6 @@ void Calibration::answers(const std::string& serial) {
 bool Calibration::waits() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return waits_;
-}
-
-bool Calibration::has_changed() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return has_changed_ && waits_;
 }
 
 protocol::DeviceReport Calibration::report() const {
@@ -76,11 +71,10 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   store::AnglesAtZero angles;
   for (std::size_t i = 0; i < angles.size(); ++i) angles[i] = Angle::from_raw(measured.at_zero[i]);
   if (!is_near(angles, expected.model)) return too_far();
+  if (Refusal refusal = mark_ != nullptr ? mark_->note_calibration() : Refusal()) return refusal;
   const store::StoreResult<void> kept = store_->put(serial, angles);
   if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
   answers(serial);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  has_changed_ = true;
   return {};
 }
 

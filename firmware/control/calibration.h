@@ -7,6 +7,7 @@
 #include <string>
 
 #include "firmware/store/calibration_store.h"
+#include "firmware/store/run_mark.h"
 #include "shared/device_model.h"
 #include "shared/files/refusal.h"
 #include "shared/protocol_messages.h"
@@ -15,8 +16,6 @@ namespace isotouch::control {
 
 class Calibration {
  public:
-  static constexpr int kMaxTurnDeg = 20;  ///< public sources differ by 15
-
   struct Choice {
     DeviceModel model;
     protocol::AnglesFrom source = protocol::AnglesFrom::kGeometry;
@@ -25,8 +24,9 @@ class Calibration {
   using BySettings = std::function<Choice(const std::string& serial)>;
 
   /// store     nullptr: nothing is kept; lives longer
+  /// mark      is told before other angles are kept; nullptr: nobody could confirm them; lives longer
   /// serial    of the device that is expected; empty: not known
-  Calibration(store::CalibrationStore* store, BySettings by_settings, const std::string& serial);
+  Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial);
 
   /// What holds from start to end.
   const Choice& in_use() const { return in_use_; }
@@ -39,13 +39,11 @@ class Calibration {
   /// For the device that answers there are other angles than those in use: they hold from the next start on.
   bool waits() const;
 
-  /// Those that wait were measured since the start: they need homing and a person's confirmation.
-  bool has_changed() const;
-
   protocol::DeviceReport report() const;
 
-  /// Keeps angles for the device that answers, within kMaxTurnDeg of those of the settings or, where they name none, of the geometry set: at 10 degrees
-  /// instead of 35 a force takes four times its motor commands. Waits for the disk.
+  /// Keeps angles for the device that answers, within kFarthestTurnDeg of those of the settings or, where they name none, of the geometry set:
+  /// at 10 degrees instead of 35 a force takes four times its motor commands. From then on the next start needs homing and a person's confirmation.
+  /// Waits for the disk.
   ///
   /// returns   why they are not kept
   Refusal keep(const protocol::Calibrate& measured);
@@ -54,13 +52,13 @@ class Calibration {
   Choice choose(const std::string& serial, Refusal& trouble) const;
 
   store::CalibrationStore* store_;
+  store::RunMark* mark_;
   BySettings by_settings_;
   Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows
   std::string serial_;
   bool waits_ = false;
-  bool has_changed_ = false;
 };
 
 }  // namespace isotouch::control

@@ -359,16 +359,15 @@ void ControlServer::forget(ControlClient& client) {
   client.close();
 }
 
-/// Nobody is waited for for ever: who stops in the middle of something, does not complete the greeting, or has the place for a stop. A client that has
-/// said and read everything may stay.
+/// Closes whoever stops in the middle of something, does not complete its greeting, or holds the place for a stop for too long. A client that has said
+/// and read everything may stay.
 void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
     const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || upload_.is_from(client);
-    if (!client.is_open()) continue;
-    if (in_the_middle && worker_.is_idle() && client.moved_ns < since) forget(client);
-    if (!may_stay && client.opened_ns < since) forget(client);
+    const bool is_late = (in_the_middle && worker_.is_idle() && client.moved_ns < since) || (!may_stay && client.opened_ns < since);
+    if (client.is_open() && is_late) forget(client);
   }
 }
 

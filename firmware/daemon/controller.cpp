@@ -26,6 +26,12 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
+/// A run that needs a person's confirmation begins in fault and leaves it by a resume.
+bool is_homed_and_confirmed(SupervisorState state) {
+  return state == SupervisorState::kIdle || state == SupervisorState::kReady || state == SupervisorState::kActive ||
+         state == SupervisorState::kHold;
+}
+
 Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
@@ -50,7 +56,7 @@ Refusal Controller::build(bool again) {
   if (!settings::device_model(settings_, {}))
     return "the numbers in the settings contradict each other: no device can have them; check [device] and [limits]";
   if (Refusal refusal = open_state()) return refusal;
-  const bool home_anew = mark_ && mark_->left() == store::RunMark::Left::kCalibration;
+  const bool home_anew = mark_ && mark_->recalibrated();
   if (Refusal refusal = make_hardware(options_, home_anew, stop_exchange_, hardware_)) return refusal;
   choose_calibration();
   if (Refusal refusal = connect_device()) return refusal;
@@ -77,7 +83,7 @@ void Controller::choose_calibration() {
     return control::Calibration::Choice{*settings::device_model(settings_, serial),
                                         named ? protocol::AnglesFrom::kSettings : protocol::AnglesFrom::kGeometry};
   };
-  calibration_.emplace(measured_ ? &*measured_ : nullptr, by_settings, serial_of(options_, hardware_));
+  calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial_of(options_, hardware_));
   if (calibration_->trouble()) say(calibration_->trouble().sentence());
   header_.device = calibration_->in_use().model;
   header_.settings = settings::tick_settings(settings_);
@@ -111,7 +117,7 @@ Refusal Controller::load_field(bool again) {
 Refusal Controller::begin_recording() {
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16,
-                                                mark_ && mark_->left() == store::RunMark::Left::kRun},
+                                                mark_ && mark_->crashed()},
                     trace_, settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
@@ -133,10 +139,6 @@ void Controller::mark_run() {
   if (!doubt) return;
   requests_.ask(kRequestStop);
   say(doubt.sentence());
-}
-
-void Controller::note_calibration() {
-  if (mark_ && calibration_->has_changed()) mark_->note_calibration();
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
@@ -188,7 +190,7 @@ Controller::End Controller::supervise() {
   while (!ticks_ended_) {
     say_what_changed();
     systemd_.alive(stats_.ticks.value());
-    note_calibration();
+    if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
     if (may_begin_again()) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }
@@ -250,7 +252,6 @@ void Controller::stop() {
   if (records_.joinable()) records_.join();
   recorder_->drain();
   recorder_->stop();
-  note_calibration();
   if (mark_) mark_->end();
   crash_.reset();
 }

@@ -43,7 +43,7 @@ class Controller {
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
   ///
   /// live      the settings as they are now; what is set while it runs stays there for the next run
-  /// heat      of the motors, as the run before left them; 0 = not known
+  /// heat      as core::heat_input gives it, of the run before; 0 = not known
   Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat);
   /// As `stop`.
   ~Controller() { stop(); }
@@ -61,7 +61,7 @@ class Controller {
 
   void stop();
 
-  /// Of the motors when it has stopped, for the next run.
+  /// As core::heat_input gives it, when it has stopped: for the next run.
   std::uint32_t heat() const { return loop_ ? loop_->heat() : heat_; }
 
   /// What there is to say when it has stopped.
@@ -75,7 +75,6 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
-  void note_calibration();
   std::thread begin_thread(const char* name, int priority, int core, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;

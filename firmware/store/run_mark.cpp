@@ -1,45 +1,51 @@
 #include "firmware/store/run_mark.h"
 
-#include <cstring>
 #include <string>
 
 namespace isotouch::store {
 
 namespace {
 
-constexpr const char* kName = "running";
+constexpr const char* kRunning = "running";
+constexpr const char* kRecalibrated = "recalibrated";
 
-RunMark::Left left_in(Folder& folder) {
-  const StoreResult<std::uint64_t> bytes = folder.size(kName);
-  if (!bytes) return RunMark::Left::kNothing;
-  return *bytes == 0 ? RunMark::Left::kRun : RunMark::Left::kCalibration;
-}
+bool has(Folder& folder, const char* name) { return static_cast<bool>(folder.size(name)); }
 
 }  // namespace
 
-RunMark::RunMark(Folder& folder) : folder_(folder), left_(left_in(folder)) {}
+RunMark::RunMark(Folder& folder)
+    : folder_(folder), crashed_(has(folder, kRunning)), recalibrated_(has(folder, kRecalibrated)), confirms_(recalibrated_) {}
 
 Refusal RunMark::begin() {
-  const bool written = write("");
-  if (left_ == Left::kCalibration)
+  const bool written = write(kRunning);
+  if (recalibrated_)
     return "the angles of the device's arms were changed; home it, check its position with 'isotouch watch'; no force until 'resume'";
-  if (left_ == Left::kRun) return "the previous run crashed, was killed or lost power; no force until 'resume'";
-  if (!written) return "the state folder cannot be written, so the next start will not know if this run crashed; no force until 'resume'";
+  if (crashed_) return "the previous run crashed, was killed or lost power; no force until 'resume'";
+  if (!written)
+    return "the state folder cannot be written, so the next start could not know whether this run crashed; check its permissions and free "
+           "space; no force until 'resume'";
   return {};
 }
 
-void RunMark::note_calibration() {
-  if (!calibrated_) calibrated_ = write("calibrated\n");
+Refusal RunMark::note_calibration() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  confirms_ = false;
+  if (write(kRecalibrated)) return {};
+  return "the state folder cannot be written, so the next start could not know of it; check its permissions and free space";
+}
+
+void RunMark::confirm() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!confirms_) return;
+  confirms_ = false;
+  if (folder_.remove(kRecalibrated)) (void)folder_.sync_names();
 }
 
 void RunMark::end() {
-  if (!calibrated_ && folder_.remove(kName)) (void)folder_.sync_names();
+  if (folder_.remove(kRunning)) (void)folder_.sync_names();
 }
 
 /// returns   it survives a power cut
-bool RunMark::write(const char* text) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text);
-  return folder_.write(kName, {bytes, std::strlen(text)}) && folder_.sync(kName) && folder_.sync_names();
-}
+bool RunMark::write(const char* name) { return folder_.write(name, {}) && folder_.sync(name) && folder_.sync_names(); }
 
 }  // namespace isotouch::store

@@ -1,9 +1,9 @@
-/// The mark of a run: a file `running` in the state folder, there while a controller runs. One that a start finds tells that a person must confirm the
-/// next force: the run before had no orderly end, but a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip; or it left
-/// other angles of the device's arms behind. Not for the tick.
+/// Two marks in the state folder, each of which tells a start that a person must confirm the next force. `running` is there while a controller runs: one
+/// that a start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip. `recalibrated` is there from
+/// before other angles of the device's arms are stored until a person has confirmed them, whatever ends the runs between. Not for the tick.
 #pragma once
 
-#include <cstdint>
+#include <mutex>
 
 #include "firmware/store/folder.h"
 #include "shared/files/refusal.h"
@@ -12,35 +12,37 @@ namespace isotouch::store {
 
 class RunMark {
  public:
-  enum class Left : std::uint8_t {
-    kNothing,      ///< an orderly end, or no run before
-    kRun,          ///< no orderly end: an empty file
-    kCalibration,  ///< a changed calibration, whatever the end: a file that is not empty
-  };
-
   /// folder    lives longer; other files in it are left alone
   explicit RunMark(Folder& folder);
 
-  /// What the run before left behind.
-  Left left() const { return left_; }
+  /// The run before had no orderly end.
+  bool crashed() const { return crashed_; }
+  /// At the start of this run nobody had confirmed the angles of the device's arms.
+  bool recalibrated() const { return recalibrated_; }
 
   /// Marks this run; the mark survives a power cut from here on.
   ///
   /// returns   why there must be no force until a person resumes; none: nothing speaks against it
   Refusal begin();
 
-  /// The angles of the device's arms have changed in this run.
-  void note_calibration();
+  /// Other angles of the device's arms are about to be stored. Any thread.
+  ///
+  /// returns   why they must not be
+  Refusal note_calibration();
+
+  /// A person has resumed, and the device is homed: what was recalibrated before this run is confirmed. What was in this run is not. Any thread.
+  void confirm();
 
   /// The end of an orderly run. Where it fails, the next start finds the mark.
   void end();
 
  private:
-  bool write(const char* text);
+  bool write(const char* name);
 
   Folder& folder_;
-  Left left_;
-  bool calibrated_ = false;
+  const bool crashed_, recalibrated_;
+  std::mutex mutex_;  ///< of what follows, and of the mark of a calibration
+  bool confirms_;     ///< there is something to confirm
 };
 
 }  // namespace isotouch::store

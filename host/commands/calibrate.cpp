@@ -20,7 +20,6 @@ namespace isotouch::commands {
 
 namespace {
 
-constexpr double kFarthestTurnDeg = 25;  // public sources differ by 15
 constexpr double kFarthestApartDeg = 1;  // some 1.2 mm at the grip
 
 struct Options {

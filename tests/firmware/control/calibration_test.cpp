@@ -31,7 +31,7 @@ struct CalibrationTest : testing::Test {
 };
 
 TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
-  Calibration first(&store, by_settings, "A1");
+  Calibration first(&store, nullptr, by_settings, "A1");
   EXPECT_EQ(from(first), AnglesFrom::kGeometry);
   first.answers("A1");
   EXPECT_FALSE(first.waits());
@@ -40,7 +40,7 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
   EXPECT_EQ(first.report().waits, 1);
   EXPECT_EQ(first.in_use().model, libnifalcon_model());
 
-  Calibration next(&store, by_settings, "A1");
+  Calibration next(&store, nullptr, by_settings, "A1");
   EXPECT_EQ(from(next), AnglesFrom::kMeasured);
   EXPECT_EQ(next.report().at_zero, (std::array<std::uint32_t, 3>{near(1), near(2), near(3)}));
   next.answers("A1");
@@ -49,7 +49,7 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
 
 TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   ASSERT_TRUE(store.put("B2", angles(7)));
-  Calibration unknown(&store, by_settings, "");
+  Calibration unknown(&store, nullptr, by_settings, "");
   EXPECT_FALSE(unknown.waits());
   unknown.answers("A1");
   EXPECT_FALSE(unknown.waits()) << "nothing is kept for it";
@@ -58,14 +58,14 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   unknown.answers("");
   EXPECT_FALSE(unknown.waits()) << "no device, nothing to wait for";
 
-  Calibration b(&store, by_settings, "B2");
+  Calibration b(&store, nullptr, by_settings, "B2");
   b.answers("A1");
   EXPECT_TRUE(b.waits()) << "the angles of another device are in use";
 }
 
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
   constexpr double kTurn = 4294967296.0;
-  Calibration calibration(&store, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1");
   calibration.answers("A1");
   for (const double degrees : {-26.0, -25.0, -20.1, 20.1, 90.0, 180.0}) {
     const std::uint32_t at = near(static_cast<std::uint32_t>(static_cast<std::int64_t>(degrees / 360 * kTurn)));
@@ -73,7 +73,7 @@ TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
         << degrees;
     EXPECT_FALSE(calibration.waits()) << degrees;
     ASSERT_TRUE(store.put("A1", {Angle::from_raw(at), Angle::from_raw(near(2)), Angle::from_raw(near(3))}));
-    Calibration next(&store, by_settings, "A1");
+    Calibration next(&store, nullptr, by_settings, "A1");
     EXPECT_EQ(from(next), AnglesFrom::kGeometry) << degrees;
     EXPECT_THAT(next.trouble().sentence(), HasSubstr("more than 20 degrees away")) << degrees;
     ASSERT_TRUE(folder.remove("calibration-A1"));
@@ -84,20 +84,29 @@ TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
   }
 }
 
-TEST_F(CalibrationTest, OnlyWhatWasMeasuredSinceTheStartHasChanged) {
-  ASSERT_TRUE(store.put("B2", angles(7)));
-  Calibration calibration(&store, by_settings, "A1");
-  calibration.answers("B2");
-  EXPECT_TRUE(calibration.waits());
-  EXPECT_FALSE(calibration.has_changed()) << "it was confirmed when it was measured";
-  calibration.answers("A1");
-  EXPECT_EQ(calibration.keep(measured("A1")).sentence(), "");
-  EXPECT_TRUE(calibration.has_changed());
+TEST_F(CalibrationTest, NoAnglesAreStoredThatThePersonIsNotAskedToConfirm) {
+  for (const auto torn : {store::CrashingFolder::Content::kEmpty, store::CrashingFolder::Content::kTorn}) {
+    bool stored = false;
+    for (int steps = 0; !stored && steps < 100; ++steps) {
+      store::CrashingFolder cut;
+      store::CalibrationStore kept(cut);
+      store::RunMark mark(cut);
+      ASSERT_EQ(mark.begin().sentence(), "");
+      Calibration calibration(&kept, &mark, by_settings, "A1");
+      calibration.answers("A1");
+      cut.steps_left = steps;
+      (void)calibration.keep(measured("A1"));
+      store::CrashingFolder after = cut.after_power_cut(0, torn);
+      stored = static_cast<bool>(store::CalibrationStore(after).read("A1"));
+      EXPECT_TRUE(!stored || store::RunMark(after).recalibrated()) << steps;
+    }
+    EXPECT_TRUE(stored);
+  }
 }
 
 TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
   ASSERT_TRUE(store.put("SET", angles(7)));
-  Calibration calibration(&store, by_settings, "SET");
+  Calibration calibration(&store, nullptr, by_settings, "SET");
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");
   EXPECT_FALSE(calibration.waits());
@@ -105,14 +114,14 @@ TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
 }
 
 TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
-  Calibration calibration(&store, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1");
   EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("; calibrate again")) << "it does not answer yet";
   calibration.answers("A1");
   EXPECT_THAT(calibration.keep(measured("B2")).sentence(), HasSubstr("another device"));
   folder.full = true;
   EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("cannot be stored"));
   EXPECT_FALSE(calibration.waits());
-  Calibration without(nullptr, by_settings, "A1");
+  Calibration without(nullptr, nullptr, by_settings, "A1");
   without.answers("A1");
   EXPECT_THAT(without.keep(measured("A1")).sentence(), HasSubstr("state folder"));
 }
@@ -120,7 +129,7 @@ TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
 TEST_F(CalibrationTest, AFileThatWentBadIsToldAndNotUsed) {
   ASSERT_TRUE(store.put("A1", {}));
   ASSERT_TRUE(folder.write("calibration-A1", store::FileBytes(36, 'x')));
-  Calibration calibration(&store, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1");
   EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("calibration of A1 cannot be used"));
   EXPECT_EQ(from(calibration), AnglesFrom::kGeometry);
 }

@@ -83,7 +83,7 @@ struct ControlRig {
         intake(slots, &store, clock, {}),
         measured(folder),
         calibration(
-            &measured, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
+            &measured, nullptr, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
         tick(slots) {
     settings.path = (scratch.path() / "control").string();
     settings.program = "a test";

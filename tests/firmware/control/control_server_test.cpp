@@ -115,7 +115,7 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
   };
   protocol::Begin large = ball.promise;
   large.image_bytes = rig.intake.image_limit() + 1;
-  expect_sentence(ask(Kind::kBegin, large), "field_mib leaves room for 1048576");
+  expect_sentence(ask(Kind::kBegin, large), "field_mib allows 1048576");
   large = ball.promise;
   large.packed_bytes = UINT64_MAX;
   expect_sentence(ask(Kind::kBegin, large), "the packed field takes");

@@ -3,46 +3,74 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tests/firmware/store/crashing_folder.h"
 
 namespace isotouch::store {
 namespace {
 
 using testing::HasSubstr;
-using Left = RunMark::Left;
+
+bool finds_a_crash(CrashingFolder& folder) { return RunMark(folder).crashed(); }
+bool finds_a_calibration(CrashingFolder& folder) { return RunMark(folder).recalibrated(); }
+
+/// A run from its begin, which must have nothing to say, to an orderly end.
+void run(CrashingFolder& folder, const std::function<void(RunMark&)>& life = nullptr) {
+  RunMark mark(folder);
+  EXPECT_EQ(mark.begin().sentence(), "");
+  if (life) life(mark);
+  mark.end();
+}
 
 TEST(RunMark, OnlyARunWithoutAnOrderlyEndLeavesIt) {
   CrashingFolder folder;
-  {
-    RunMark first(folder);
-    EXPECT_EQ(first.left(), Left::kNothing);
-    EXPECT_EQ(first.begin().sentence(), "");
-    first.end();
-  }
-  {
-    RunMark second(folder);
-    EXPECT_EQ(second.left(), Left::kNothing);
-    EXPECT_EQ(second.begin().sentence(), "");
-  }
+  run(folder);
+  EXPECT_FALSE(finds_a_crash(folder));
+  EXPECT_EQ(RunMark(folder).begin().sentence(), "");  // and has no end
   RunMark third(folder);
-  EXPECT_EQ(third.left(), Left::kRun);
+  EXPECT_TRUE(third.crashed());
   EXPECT_THAT(third.begin().sentence(), HasSubstr("the previous run crashed"));
-  EXPECT_EQ(third.left(), Left::kRun);  // until a person has resumed, and longer
+  EXPECT_TRUE(third.crashed());  // until a person has resumed, and longer
   third.end();
-  EXPECT_EQ(RunMark(folder).left(), Left::kNothing);
+  EXPECT_FALSE(finds_a_crash(folder));
 }
 
-TEST(RunMark, AChangedCalibrationIsFoundByTheNextRunAlone) {
+TEST(RunMark, AChangedCalibrationStaysUntilItIsConfirmed) {
   CrashingFolder folder;
-  RunMark first(folder);
-  EXPECT_EQ(first.begin().sentence(), "");
-  first.note_calibration();
-  first.end();
+  run(folder, [](RunMark& mark) {
+    EXPECT_EQ(mark.note_calibration().sentence(), "");
+    mark.confirm();  // of what was before: nothing
+  });
+  for (int times = 0; times < 2; ++times) {
+    RunMark later(folder);
+    EXPECT_TRUE(later.recalibrated());
+    EXPECT_THAT(later.begin().sentence(), HasSubstr("angles of the device's arms were changed"));
+    later.end();
+  }
+  RunMark confirming(folder);
+  confirming.confirm();
+  EXPECT_TRUE(confirming.recalibrated()) << "as it was at the start";
+  EXPECT_FALSE(finds_a_calibration(folder));
+}
+
+TEST(RunMark, ACrashAndACalibrationAreBothFound) {
+  CrashingFolder folder;
+  RunMark mark(folder);
+  EXPECT_EQ(mark.begin().sentence(), "");
+  EXPECT_EQ(mark.note_calibration().sentence(), "");
+  CrashingFolder cut = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
+  EXPECT_TRUE(finds_a_crash(cut));
+  EXPECT_TRUE(finds_a_calibration(cut));
+}
+
+TEST(RunMark, WhatIsCalibratedAgainBeforeItIsConfirmedStays) {
+  CrashingFolder folder;
+  run(folder, [](RunMark& mark) { EXPECT_EQ(mark.note_calibration().sentence(), ""); });
   RunMark second(folder);
-  EXPECT_EQ(second.left(), Left::kCalibration) << "whatever the end";
-  EXPECT_THAT(second.begin().sentence(), HasSubstr("angles of the device's arms were changed"));
-  second.end();
-  EXPECT_EQ(RunMark(folder).left(), Left::kNothing);
+  EXPECT_EQ(second.note_calibration().sentence(), "");
+  second.confirm();
+  EXPECT_TRUE(finds_a_calibration(folder));
 }
 
 TEST(RunMark, APowerCutInARunIsFoundAndOneAfterItIsNot) {
@@ -51,17 +79,19 @@ TEST(RunMark, APowerCutInARunIsFoundAndOneAfterItIsNot) {
   EXPECT_EQ(mark.begin().sentence(), "");
   ASSERT_EQ(folder.pending(), 0U);
   CrashingFolder cut = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
-  EXPECT_EQ(RunMark(cut).left(), Left::kRun);
+  EXPECT_TRUE(finds_a_crash(cut));
   mark.end();
   ASSERT_EQ(folder.pending(), 0U);
   CrashingFolder later = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
-  EXPECT_EQ(RunMark(later).left(), Left::kNothing);
+  EXPECT_FALSE(finds_a_crash(later));
 }
 
 TEST(RunMark, ARunThatCannotBeMarkedNeedsAPerson) {
   CrashingFolder folder;
   folder.steps_left = 0;
-  EXPECT_THAT(RunMark(folder).begin().sentence(), HasSubstr("cannot be written"));
+  RunMark mark(folder);
+  EXPECT_THAT(mark.begin().sentence(), HasSubstr("cannot be written"));
+  EXPECT_THAT(mark.note_calibration().sentence(), HasSubstr("cannot be written"));
 }
 
 }  // namespace
