@@ -95,8 +95,9 @@ std::vector<LastTick> LastTicks::read(const std::string& path, TraceHeader& head
     if (last.tick.number != 0) ticks.push_back(last);
   }
   std::sort(ticks.begin(), ticks.end(), [](const LastTick& a, const LastTick& b) { return a.tick.number < b.tick.number; });
-  const auto gap = std::adjacent_find(ticks.rbegin(), ticks.rend(),
-                                      [](const LastTick& a, const LastTick& b) { return a.tick.number != b.tick.number + 1; });
+  const auto gap = std::adjacent_find(ticks.rbegin(), ticks.rend(), [](const LastTick& a, const LastTick& b) {
+    return a.tick.number != b.tick.number + 1 || a.tick.in.field_generation != b.tick.in.field_generation;
+  });
   if (gap != ticks.rend()) ticks.erase(ticks.begin(), (gap + 1).base());
   if (!ticks.empty()) header = *described;
   return ticks;

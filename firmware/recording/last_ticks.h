@@ -20,7 +20,7 @@ struct LastTick {
 };
 
 /// A circle of slots behind the header of a trace. Each slot has a checksum of its own, so a tick that was being written at the kill counts as none. The
-/// file survives the end of the process in any way; a power cut may take the last half minute of it. Not for the tick.
+/// file survives the end of the process in any way; a power cut may take the last half minute of it. Not for the tick; one thread at a time.
 class LastTicks {
  public:
   LastTicks() = default;
@@ -36,14 +36,17 @@ class LastTicks {
   Refusal begin(const std::string& path, const TraceHeader& header, std::size_t slots);
 
   /// Where it has not begun, nothing happens.
+  ///
+  /// last      its tick's number is at least 1
   void put(const LastTick& last);
 
   /// Takes the file away: the run ended as it should.
   void end();
 
-  /// What a run that was killed left: the newest ticks that follow each other, oldest first.
+  /// What a run that was killed left: the newest ticks that follow each other on one field, oldest first.
   ///
   /// header    changed only when there are any
+  /// returns   empty: there is no such file, or no whole tick in it
   static std::vector<LastTick> read(const std::string& path, TraceHeader& header);
 
  private:

@@ -40,12 +40,10 @@ void Recorder::keep_last_ticks() {
     const std::string path = free_path("crash");
     TickWriter writer;
     Refusal refusal = writer.begin(path, header);
-    // A trace names one field: that of the last ticks.
-    const std::uint64_t hash = left.back().field_hash;
     for (const LastTick& last : left) {
-      if (last.field_hash == hash && !refusal) refusal = writer.append(last.tick);
+      if (!refusal) refusal = writer.append(last.tick);
     }
-    if (Refusal unfinished = writer.finish(hash)) refusal = std::move(unfinished);
+    if (Refusal unfinished = writer.finish(left.back().field_hash)) refusal = std::move(unfinished);
     tell_(refusal ? refusal.sentence() : path + ": the last ticks of the run before");
   }
   if (const Refusal refusal = last_ticks_.begin(place, settings_.header, memory_.size())) tell_(refusal.sentence());
@@ -102,15 +100,16 @@ void Recorder::record(const loop::TickRecord& tick) {
 }
 
 void Recorder::remember(const loop::TickRecord& tick) {
+  const std::uint32_t generation = tick.in.field_generation;
+  const bool is_known = generation == newest_.tick.in.field_generation && newest_.field_hash != 0;
+  if (!is_known) newest_.field_hash = generation == 0 ? 0 : hash_of_(generation);
+  newest_.tick = tick;
   // A run that begins in fault, because the one before crashed, has nothing to show of it.
   if (tick.out.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
     faulted_ = tick.number;
-    faulted_hash_ = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);  // another field may come before it is saved
+    faulted_hash_ = newest_.field_hash;  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;
   }
-  const bool same_field = tick.in.field_generation == newest_.tick.in.field_generation && newest_.field_hash != 0;
-  if (!same_field) newest_.field_hash = tick.in.field_generation == 0 ? 0 : hash_of_(tick.in.field_generation);
-  newest_.tick = tick;
   last_ticks_.put(newest_);
   memory_[end_] = tick;
   end_ = (end_ + 1) % memory_.size();

@@ -96,6 +96,19 @@ TEST(LastTicks, OnlyWholeTicksThatFollowEachOtherCount) {
   expect_ticks(path, 21, 30);
 }
 
+TEST(LastTicks, OnlyTheLastFieldCountsEvenIfItWasSentTwice) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "last").string();
+  LastTicks last;
+  ASSERT_EQ(last.begin(path, some_header(), 50).sentence(), "");
+  for (std::uint64_t number = 1; number <= 20; ++number) {
+    LastTick put = tick(number);  // generations 2 and 3 of one hash
+    if (number <= 10) put.tick.in.field_generation = 2;
+    last.put(put);
+  }
+  expect_ticks(path, 11, 20);
+}
+
 TEST(LastTicks, ALinkIsReplacedAndAFolderThatIsNotThereIsSaid) {
   const ScratchFolder folder;
   const std::filesystem::path victim = folder.write("victim", "precious");
