@@ -127,4 +127,9 @@ struct Output {
   bool operator==(const Output&) const = default;
 };
 
+/// Did the tick render a force as it is felt? A position's always did, a device's only in the state active.
+constexpr bool may_give_force(InputKind kind, const Output& out) {
+  return kind == InputKind::kPosition || out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
+}
+
 }  // namespace isotouch

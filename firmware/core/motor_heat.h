@@ -39,11 +39,14 @@ struct CommandLimit {
 /// motor is taken for cooler than it is.
 ///
 /// returns   at least 1; 0 where no tick has begun, for "not known"
+/// fails     never
 /// tick      yes
 std::uint32_t heat_input(const MotorHeat& heat);
 
 /// The heat that such a tick begins with: all motors are as warm as the warmest was.
 ///
+/// input     as `heat_input` returns it; 0 = not known: three quarters of the budget are assumed
+/// fails     never
 /// tick      yes
 MotorHeat heat_from(std::uint32_t input);
 

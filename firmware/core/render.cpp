@@ -1,18 +1,11 @@
 #include "firmware/core/render.h"
 
 #include "firmware/core/descent_proxy.h"
+#include "firmware/core/index_frame.h"
 
 namespace isotouch::core {
 
 namespace {
-
-constexpr Voxel kIndexReach = Voxel::of(8191);  // twice the largest grid: a difference of two fits 2^30
-
-Vec3<Voxel> to_index(const Vec3<Mm>& point, const FieldView& field) {
-  return within(mul<Voxel>(point - field.origin, field.inverse_edge), kIndexReach);
-}
-
-Vec3<Mm> to_workspace(const Vec3<Voxel>& index, const FieldView& field) { return mul<Mm>(index, field.edge) + field.origin; }
 
 constexpr std::uint32_t when(bool condition, StatusBits bit) { return condition ? std::uint32_t{bit} : 0U; }
 
@@ -43,23 +36,6 @@ void add_friction(Stiffness stiffness, const Friction& friction, FrictionState& 
   contact.deflection = contact.deflection + offset;
 }
 
-/// Everything after the proxy. Leaning and friction move the contact.
-Rendering felt_of(Contact& contact, const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
-  lean_to_the_softer(state.proxy.sample, state.spring, contact);
-  add_friction(part_of(model.coupling.stiffness, state.spring.felt.part), model.friction, state.friction, contact);
-  const Stiffness stiffness = felt_stiffness(contact, field, model.coupling.stiffness, state.spring);
-  const Damped damped = damp(motion.quiet, model, state.passivity);
-  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
-  if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
-
-  const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
-                               when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
-                               when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
-                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
-  const bool away = contact.touching || contact.following;
-  return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
-}
-
 }  // namespace
 
 RenderModel make_render_model(const TickSettings& settings, PerSecond rate) {
@@ -87,14 +63,26 @@ RenderModel for_field(const RenderModel& any_field, const FieldView& field) {
   return model;
 }
 
-// Flat: a call would cost the tick 30 instructions.
-[[gnu::flatten]] Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
-  Contact contact = follow(to_index(motion.hip, field), field, state.proxy);
-  return felt_of(contact, motion, field, model, state);
+Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
+  lean_to_the_softer(state.proxy.sample, state.spring, contact);
+  add_friction(part_of(model.coupling.stiffness, state.spring.felt.part), model.friction, state.friction, contact);
+  const Stiffness stiffness = felt_stiffness(contact, field, model.coupling.stiffness, state.spring);
+  const Damped damped = damp(motion.quiet, model, state.passivity);
+  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
+  if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
+
+  const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
+                               when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
+                               when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
+                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
+  const bool away = contact.touching || contact.following;
+  return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
 }
 
-Rendering feel(Contact contact, const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
-  return felt_of(contact, motion, field, model, state);
+// Flat: a call of `feel` would cost the tick 30 instructions.
+[[gnu::flatten]] Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state) {
+  Contact contact = follow(to_index(motion.hip, field), field, state.proxy);
+  return feel(contact, motion, field, model, state);
 }
 
 PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns,

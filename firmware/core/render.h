@@ -72,10 +72,12 @@ Rendering render(const Motion& motion, const FieldView& field, const RenderModel
 
 /// The second half of `render`: what a hand feels of a contact that is known. The proxy may be anybody's.
 ///
-/// contact   in the field's index coordinates
+/// contact   in the field's index coordinates, within ±8191 voxels; leaning and friction move it
+/// motion    of the hand, HIP within kReach
+/// fails     never
 /// state     its own proxy is left alone; where the field's stiffness varies, `proxy.sample` says how the surface bends there
 /// tick      yes, as `render`
-Rendering feel(Contact contact, const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state);
+Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state);
 
 /// A tick without a device: the position of a hand goes in, the force that it would feel comes out.
 struct PositionModel {

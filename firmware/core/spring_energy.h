@@ -5,11 +5,11 @@
 ///
 /// - The proxy leans along the surface to where it is softer, to the p that has the least E: from the closest point by the v in its tangent plane with
 ///   (I - depth H) v = -½ |h - p|² ∇ ln k, and down by the ½ vᵀ H v that the surface falls there, H its curvature. Then the force is the gradient of an
-///   energy, and who slides to where it is harder feels that it goes uphill. Each k(p) |h - p|² / 2 is as stiff in every direction as the surface is
+///   energy, and a hand that slides to a harder place feels that it goes uphill. Each k(p) |h - p|² / 2 is as stiff in every direction as the surface is
 ///   at p, so the least of them is nowhere stiffer than the hardest place.
-/// - The stiffness that is felt grows only as far as the hand has stretched the spring: k(p) |h - p|² is never above what the spring would hold at its last
-///   place, k(p') |h - p'|². It bounds what the leaning leaves over in deep presses, at sharp borders and edges.
-///   A reserve of a few microjoule keeps the first ticks of a contact, where the proxy still settles, from making the whole contact soft.
+/// - The stiffness that is felt grows only as far as the hand has stretched the spring: k(p) |h - p|² is at most what the spring would hold at its last
+///   place, k(p') |h - p'|², plus a reserve. It bounds what the leaning leaves over in deep presses, at sharp borders and edges.
+///   The reserve of a few microjoule keeps the first ticks of a contact, where the proxy still settles, from making the whole contact soft.
 ///
 /// source    least action of a spring, ∂E/∂p = 0; passivity: Colgate and Schenkel 1997, Passivity of a class of sampled-data systems; DESIGN.md, "Feel"
 #pragma once

@@ -57,7 +57,7 @@ struct SupervisorMemory {
   std::uint8_t buttons = 0xFF;   ///< of the tick before; at first all, so that a button that is stuck resumes nothing
 };
 
-/// Does no force return without a person? Also with a memory that contradicts itself.
+/// Is a person needed before force may return? Also if the memory contradicts itself.
 constexpr bool is_in_fault(const SupervisorMemory& memory) { return memory.state == SupervisorState::kFault || memory.faults != 0; }
 
 /// How much of the force is allowed: none but in kActive without a fault and with good lines, there all of it once the ramp is done.

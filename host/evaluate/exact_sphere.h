@@ -15,8 +15,7 @@ namespace isotouch::evaluate {
 /// limit       N
 /// returns     N; none for a hand that began inside, or while a device gives no force
 inline double exact_sphere_force(InputKind kind, const Output& out, double radius, double stiffness, double limit) {
-  const bool gives_force = kind == InputKind::kPosition || out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
-  if (!gives_force || (out.status & kHeldInside) != 0) return 0;
+  if (!may_give_force(kind, out) || (out.status & kHeldInside) != 0) return 0;
   return std::min(stiffness * std::max(0.0, radius - to_double(out.hip).norm()), limit);
 }
 

@@ -1,6 +1,7 @@
 #include "host/evaluate/god_object_run.h"
 
 #include "firmware/core/handle_weight.h"
+#include "firmware/core/index_frame.h"
 #include "host/field/line_crossings.h"
 #include "host/to_double.h"
 
@@ -16,8 +17,6 @@ TraceHeader of_no_field(TraceHeader header) {
   header.has_outputs = true;
   return header;
 }
-
-Vec3<Voxel> to_index(const Vec3<Mm>& place, const FieldView& field) { return mul<Voxel>(place - field.origin, field.inverse_edge); }
 
 }  // namespace
 
@@ -50,7 +49,7 @@ bool GodObjectRun::begins_anew(const Input& input, const Output& core) {
 
 core::Contact GodObjectRun::follow(const Vec3<Mm>& hip) {
   core::Contact contact;
-  contact.proxy = to_index(hip, field_);
+  contact.proxy = core::to_index(hip, field_);
   const Eigen::Vector3d hand = to_double(hip);
   if (!object_) {
     contact.held_inside = field::is_inside(tree_, hand);
@@ -59,7 +58,7 @@ core::Contact GodObjectRun::follow(const Vec3<Mm>& hip) {
   }
   object_->settle(hand);
   if (!object_->touching()) return contact;
-  const Vec3<Voxel> held = to_index(to_fixed<Mm>(object_->position()), field_);
+  const Vec3<Voxel> held = core::to_index(to_fixed<Mm>(object_->position()), field_);
   if (field_.stiffness_parts != nullptr) core::sample_field(field_, held, render_.proxy.sample);  // how the surface bends there
   contact.touching = true;
   contact.deflection = held - contact.proxy;
@@ -70,7 +69,7 @@ core::Contact GodObjectRun::follow(const Vec3<Mm>& hip) {
 /// out       of the core on its field
 Output GodObjectRun::felt(const Input& input, Output out) {
   const bool device = input.kind == InputKind::kPacket;
-  const bool active = !device || out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
+  const bool active = may_give_force(input.kind, out);
   out.status &= ~(device ? kRendered : kRendered | kRamping);  // a device also ramps after a hold
   out.proxy = out.hip;
   out.force = {};
@@ -79,7 +78,8 @@ Output GodObjectRun::felt(const Input& input, Output out) {
   const core::RenderModel& model = core_.felt(input.kind);
   const core::Motion motion = core::track_motion(out.hip, (out.status & kStale) == 0, model.damps(), motion_model_, motion_);
   if (device && (!active || (out.status & kRamping) != 0)) core::forget(render_.passivity);  // as the device's tick does
-  const core::Rendering rendered = core::feel(follow(out.hip), motion, field_, model, render_);
+  core::Contact contact = follow(out.hip);
+  const core::Rendering rendered = core::feel(contact, motion, field_, model, render_);
   out.status |= rendered.status;
   if (rendered.touching) out.proxy = rendered.proxy;
   if (active) out.force = device ? core::with_handle_held_up(rendered.force, model.settings.weight) : rendered.force;

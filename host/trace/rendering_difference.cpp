@@ -11,8 +11,7 @@ namespace isotouch::trace {
 namespace {
 
 bool gives_full_force(InputKind kind, const Output& out) {
-  return kind == InputKind::kPosition ||
-         (out.state == static_cast<std::uint16_t>(SupervisorState::kActive) && (out.status & kRamping) == 0);
+  return may_give_force(kind, out) && (kind == InputKind::kPosition || (out.status & kRamping) == 0);
 }
 
 double depth_of(const Output& out) { return (to_double(out.proxy) - to_double(out.hip)).norm(); }

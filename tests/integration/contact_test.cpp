@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "firmware/core/index_frame.h"
 #include "firmware/core/proxy.h"
 #include "firmware/core/render.h"
 #include "host/cloud/placement.h"
@@ -48,7 +49,7 @@ TEST(ContactHeavy, TheProxyIsNeverBelowTheSurfaceOnATour) {
     std::uint64_t contacts = 0;
     double deepest = 1.0;
     motion::make_motion(&field, options, [&](const Input& in) {
-      const core::Contact contact = core::step_proxy(mul<Voxel>(in.hip - field.origin, field.inverse_edge), field, state);
+      const core::Contact contact = core::step_proxy(core::to_index(in.hip, field), field, state);
       if (!contact.touching) return;
       ++contacts;
       deepest = std::min(deepest, test::to_double(core::sample_field(field, contact.proxy).distance));
