@@ -14,11 +14,12 @@ inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
 /// The newest reply of the device. Times are those of a Clock.
 struct Sample {
-  FalconPacket packet{};            ///< as it came; all zero before the first
-  std::uint64_t number = 0;         ///< counts replies from 1; 0 = none yet. The same number = the same sample
-  std::int64_t sent_ns = 0;         ///< when the command that it answers was handed to the link
-  std::int64_t arrival_ns = 0;      ///< when it was there
-  std::int64_t word_delay_ns = -1;  ///< from the sample before to the first command computed from it being handed over; -1 = not known
+  FalconPacket packet{};        ///< as it came; all zero before the first
+  std::uint64_t number = 0;     ///< counts replies from 1; 0 = none yet. The same number = the same sample
+  std::int64_t sent_ns = 0;     ///< when the command that it answers was handed to the link
+  std::int64_t arrival_ns = 0;  ///< when it was there
+  std::int64_t word_delay_ns =
+      -1;  ///< from the previous sample's arrival to the hand-over of the first command computed from it; -1 = not known
 };
 
 /// What the tick asks of the device.

@@ -32,7 +32,7 @@ struct LoopSettings {
   DeviceModel device = libnifalcon_model();
   TickSettings tick = {};
   std::uint32_t period_ns = 1'000'000;  ///< 100,000 to 4,000,000
-  std::uint32_t heat = 0;               ///< of the motors, as an earlier loop left them; 0 = not known
+  std::uint32_t heat = 0;               ///< as core::heat_input gives it, of an earlier loop; 0 = not known
   bool lockstep = false;                ///< wait for every reply without a due time: a run is then a pure function of the device's answers
 };
 
@@ -51,7 +51,7 @@ class Loop {
   /// Ticks until told to stop, until `step` returns false, or so often. `stop` is read once a tick.
   void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
 
-  /// Of the motors, for the loop that follows this one. Not while it runs.
+  /// As core::heat_input gives it, for the loop that follows this one. Not while it runs.
   std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
  private:

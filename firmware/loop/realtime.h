@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "shared/sanitizers.h"
+
 namespace isotouch::loop {
 
 /// What was refused, as bits; 0 = everything was granted.
@@ -21,7 +23,7 @@ enum Refusals : unsigned {
 unsigned become_realtime(int priority, int core);
 
 /// Of the threads that begin after `limit_stacks`; a thread sanitizer's own frames need more.
-#if defined(__SANITIZE_THREAD__)
+#if ISOTOUCH_THREAD_SANITIZER
 inline constexpr std::size_t kThreadStackBytes = 8U << 20;
 #else
 inline constexpr std::size_t kThreadStackBytes = 1U << 20;

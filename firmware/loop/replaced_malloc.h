@@ -3,7 +3,7 @@
 ///     void isotouch::count_allocation()
 ///
 /// which the program defines; it runs on every thread and must not allocate. `operator new` ends in malloc too. With an address or thread
-/// sanitizer malloc is the sanitizer's: nothing is replaced, and ISOTOUCH_SANITIZER_MALLOC is defined.
+/// sanitizer malloc is the sanitizer's: nothing is replaced.
 ///
 /// real-time   yes
 /// source      the GNU C library's manual, "Replacing malloc": a program may define them, and the library keeps its own under __libc_ names
@@ -12,20 +12,13 @@
 #include <cerrno>
 #include <cstddef>
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ISOTOUCH_SANITIZER_MALLOC
-#endif
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ISOTOUCH_SANITIZER_MALLOC
-#endif
+#include "shared/sanitizers.h"
 
 namespace isotouch {
 void count_allocation();
 }
 
-#if !defined(ISOTOUCH_SANITIZER_MALLOC)
+#if !ISOTOUCH_ADDRESS_SANITIZER && !ISOTOUCH_THREAD_SANITIZER
 
 // NOLINTBEGIN(misc-definitions-in-headers, bugprone-reserved-identifier, readability-identifier-naming): the C library's own names
 extern "C" {

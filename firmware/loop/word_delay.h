@@ -1,4 +1,6 @@
 /// From a reply being there to the first command made of it being handed over. What passes after that, until the device answers again, is the device's.
+///
+/// real-time   yes
 #pragma once
 
 #include <cstdint>
@@ -19,7 +21,7 @@ class WordDelay {
     delay_ns_ = answer == Answer::kAbsent || command.arrival_ns < 0 ? -1 : sent_ns - command.arrival_ns;
   }
 
-  /// Of the command that the newest reply answers; -1 = not known. It is told once.
+  /// returns   ns, of the command that the newest reply answers; -1 = not known. A second call returns -1
   std::int64_t take() { return std::exchange(delay_ns_, -1); }
 
  private:

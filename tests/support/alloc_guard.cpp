@@ -11,7 +11,7 @@ std::atomic<std::uint64_t> allocations{0};
 
 void isotouch::count_allocation() { ++allocations; }
 
-#if defined(ISOTOUCH_SANITIZER_MALLOC)
+#if ISOTOUCH_ADDRESS_SANITIZER || ISOTOUCH_THREAD_SANITIZER
 
 // The sanitizer owns malloc; it offers a hook instead.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),

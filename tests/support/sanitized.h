@@ -3,16 +3,12 @@
 
 #include <vector>
 
+#include "shared/sanitizers.h"
+
 namespace isotouch::test {
 
 /// Do sanitizers watch this build? They take ten times as long.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr bool kSanitized = true;
-#elif defined(__has_feature)
-inline constexpr bool kSanitized = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-inline constexpr bool kSanitized = false;
-#endif
+inline constexpr bool kSanitized = ISOTOUCH_ADDRESS_SANITIZER != 0 || ISOTOUCH_THREAD_SANITIZER != 0;
 
 /// The examples to try: all of them, or, under sanitizers, the first. Put the most telling one there.
 template <class Example>
