@@ -11,6 +11,9 @@ namespace isotouch {
 
 namespace {
 
+/// From one of 4³ samples of a brick, or bricks of a node, to the next along each axis.
+constexpr std::array<std::size_t, 3> kStep = {1, 4, 16};
+
 using namespace image_layout;
 
 /// The header's numbers, in its formats.
@@ -59,7 +62,6 @@ std::int32_t largest_difference(const FieldView& field) {
 
 /// The largest difference of the numbers on both sides of the face between two bricks, of which `next` follows `brick` on an axis.
 std::int32_t largest_step(const std::int16_t* brick, const std::int16_t* next, std::size_t axis) {
-  constexpr std::array<std::size_t, 3> kStep = {1, 4, 16};
   std::int32_t most = 0;
   for (std::size_t n = 0; n < 16; ++n) {
     const std::size_t at = axis == 0 ? 4 * n : axis == 1 ? n / 4 * 16 + n % 4 : n;
@@ -71,13 +73,12 @@ std::int32_t largest_step(const std::int16_t* brick, const std::int16_t* next, s
 /// The same of all faces between the bricks of a node, and of those towards the node that follows it on an axis; constant bricks that are the same have no
 /// step between them.
 std::int32_t largest_step_from(const FieldView& field, std::uint32_t node, std::uint32_t next, std::size_t axis, bool within) {
-  constexpr std::array<std::size_t, 3> kSlotStep = {1, 4, 16};
   const std::uint32_t *own = field.nodes + std::size_t{node} * kBricksPerNode, *theirs = field.nodes + std::size_t{next} * kBricksPerNode;
   std::int32_t most = 0;
   for (std::size_t slot = 0; slot < kBricksPerNode; ++slot) {
-    const bool last = (slot / kSlotStep[axis] & 3) == 3;
+    const bool last = (slot / kStep[axis] & 3) == 3;
     if (last == within) continue;
-    const std::uint32_t brick = own[slot], after = within ? own[slot + kSlotStep[axis]] : theirs[slot - 3 * kSlotStep[axis]];
+    const std::uint32_t brick = own[slot], after = within ? own[slot + kStep[axis]] : theirs[slot - 3 * kStep[axis]];
     if (brick == after && brick <= kInside) continue;
     most = std::max(most, largest_step(field.bricks + std::size_t{brick} * kSamplesPerBrick,
                                        field.bricks + std::size_t{after} * kSamplesPerBrick, axis));

@@ -173,7 +173,7 @@ Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes, std::uint
 
 /// The same without the size of the file.
 ///
-/// fails     as above, without kBadSize
+/// fails     as above, without kBadSize; the header of an unfinished file is taken
 Result<TraceHeader> decode_header(std::span<const std::uint8_t> bytes);
 
 /// tick      yes

@@ -25,8 +25,8 @@ std::string unusable(Error error) {
 }  // namespace
 
 std::string too_large(std::uint64_t image_bytes, std::size_t limit) {
-  return "the field takes " + std::to_string(image_bytes) + " bytes and [limits] field_mib leaves room for " + std::to_string(limit) +
-         "; raise that setting of the controller, or build the field with a larger --voxel";
+  return "the field takes " + std::to_string(image_bytes) + " bytes, and [limits] field_mib allows " + std::to_string(limit) +
+         " bytes; raise that setting of the controller, or build the field with a larger --voxel";
 }
 
 FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock& clock, FieldCheck check)

@@ -98,8 +98,8 @@ void print_rows(std::FILE* to, const trace::RenderingErrors& errors) {
 }
 
 void print_text(std::FILE* to, const std::string& renderer, const trace::RenderingFigures& figures) {
-  std::fprintf(to, "\n%s beside the recording: contact differs in %zu of %zu ticks, %zu of them touch\n", renderer.c_str(),
-               figures.contact_differs, figures.ticks, figures.touching);
+  std::fprintf(to, "\n%s beside the recording: %zu of %zu ticks touch the object; in %zu of these only one of the two touches\n",
+               renderer.c_str(), figures.touching, figures.ticks, figures.contact_differs);
   std::fprintf(to, "%-14s %8s %9s %9s %9s %9s\n", "", "ticks", "median", "p95", "p99", "max");
   print_rows(to, figures.all);
   std::fprintf(to, "of a hand up to %.0f mm deep\n", trace::kShallowMm);
@@ -138,9 +138,8 @@ void check_renderer(const Options& options, const FieldView& field, const trace:
         "differences");
   }
   if (options.renderer == kGodObject && !options.out.empty() && trace.kind() == InputKind::kPacket) {
-    throw InputError(
-        options.trace.string() +
-        ": it holds packets of a device, whose trace also needs motor commands, which a god-object does not give; leave -o out");
+    throw InputError(options.trace.string() +
+                     ": it holds packets of a device; a trace of packets needs motor commands, and a god-object gives none; leave -o out");
   }
   if (!options.renderer.empty() && options.out.empty() && !trace.header().has_outputs) {
     throw InputError(options.trace.string() +
@@ -163,8 +162,8 @@ Replayed replayed(const Options& options, const FieldView& field, const trace::T
   if (compares) {
     replayed.difference = difference.figures();
     if (replayed.difference->touching == 0) {
-      throw InputError(options.trace.string() + ": neither in the recording nor by the " + options.renderer +
-                       " renderer does the hand touch the object, so nothing was compared");
+      throw InputError(options.trace.string() + ": the hand touches the object neither in the recording nor with --renderer " +
+                       options.renderer + ", so there is nothing to compare; replay a recording with contact");
     }
   }
   if (writer) writer->finish();
@@ -206,10 +205,11 @@ void add_replay(CLI::App& app, const MakeGodObject& god_object) {
   command
       ->add_option("--renderer", options->renderer,
                    god_object
-                       ? "also print how the forces and proxies of this renderer differ from the recorded ones: of the controller on "
-                         "FIELD, of the paper on a field of --method published, or of the exact god-object on the true mesh"
-                       : "also print how the forces and proxies of this renderer differ from the recorded ones: of the controller on "
-                         "FIELD, or of the paper on a field of --method published")
+                       ? "render the recorded hand again and print how forces and proxies differ from the recorded ones: field (the "
+                         "controller on FIELD), published (the paper's proxy; FIELD must be built with --method published) or god-object "
+                         "(on the mesh that --mesh names)"
+                       : "render the recorded hand again and print how forces and proxies differ from the recorded ones: field (the "
+                         "controller on FIELD) or published (the paper's proxy; FIELD must be built with --method published)")
       ->check(one_of(renderers));
   if (god_object) {
     command->add_option("--mesh", options->mesh,

@@ -1,8 +1,8 @@
 /// Where samples are in doubt, the winding number tells how far a place may lie from the surface.
 ///
 /// Let w be the winding number and s = 1 - 2w. Above a plane whose samples are softened by h, s = z / √(z² + h²) at the height z. So h s / √(1 - s²) is
-/// the distance to the level w = 1/2 near it. This level is a mean over many samples: it is rounder than the models, and no single sample misleads it. In a thin part it
-/// lies too deep, because both sides are smoothed into each other; so it is moved to where the median sample lies.
+/// the distance to the level w = 1/2 near it. This level is a mean over many samples: it is rounder than the models, and no single sample misleads it.
+/// In a thin part it lies too deep, because both sides are smoothed into each other; so it is moved to where the median sample lies.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,8 @@ namespace isotouch::field {
 /// The area that each sample stands for: its cell among its neighbours on its tangent plane, as far as the neighbours' spacing reaches.
 std::vector<double> sample_areas(const Scan& scan);
 
-/// Share of the nearest nine's spread beyond which the number counts. At 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out by two voxels: where few samples lie, the number is not sharper than that.
+/// Share of the nearest nine's spread beyond which the number counts. At 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out
+/// by two voxels: where few samples lie, the number is not sharper than that.
 inline constexpr double kDoubt = 0.25;
 
 class WindingSign {
@@ -27,9 +28,9 @@ class WindingSign {
   /// noise     standard deviation of the samples across the surface, the scan's unit
   explicit WindingSign(const Scan& scan, double noise = 0.0);
 
-  /// What a sample stands for.
+  /// The area that a sample stands for, square of the scan's unit.
   double area(std::size_t sample) const { return areas_[sample]; }
-  /// By how much a patch of an area is smoothed, squared: sharper, the number would show each sample and its noise.
+  /// By how much a patch of an area is smoothed, squared, in the same unit: sharper, the number would show each sample and its noise.
   double softening(double area) const { return 0.125 * area + 2.0 * noise_ * noise_; }
 
   /// The winding number, to a tenth at one spacing from the samples or more; nearer it is smoothed.

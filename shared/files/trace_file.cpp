@@ -56,15 +56,12 @@ bool TraceFile::chain_follows(std::size_t tick) const {
 
 /// Keeps the records that are whole and follow from each other.
 void TraceFile::drop_what_is_torn(std::uint64_t promised) {
-  const std::size_t bytes = bytes_.size();
   std::size_t whole = 0;
   while (whole < size() && decode_record(at(whole)) && (!header_.has_outputs || chain_follows(whole))) ++whole;
   bytes_.resize(whole * kRecordBytes);
   header_.record_count = whole;
-  const std::string missing =
-      promised == kUnfinished ? "nobody knows how many are missing" : std::to_string(promised - whole) + " are missing";
-  cut_off_ = path_ + ": was cut off: it holds the first " + std::to_string(whole) + " ticks, " + missing + "; " +
-             std::to_string(bytes - bytes_.size()) + " bytes behind them are no whole tick";
+  const std::string missing = promised == kUnfinished ? "an unknown number is missing" : std::to_string(promised - whole) + " are missing";
+  cut_off_ = path_ + ": the recording was cut off; it holds " + std::to_string(whole) + " whole ticks, and " + missing;
 }
 
 Refusal read_trace(const std::string& path, TraceFile& trace) {

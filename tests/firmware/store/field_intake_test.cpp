@@ -125,9 +125,9 @@ TEST(FieldIntake, AFieldThatDoesNotFitNamesTheSettingThatLimitsIt) {
   const PackedField ball = packed_ball(1);
   Rig rig({}, 1 << 11);
   const std::string said =
-      "the field takes " + std::to_string(ball.promise.image_bytes) + " bytes and [limits] field_mib leaves room for 2048; ";
+      "the field takes " + std::to_string(ball.promise.image_bytes) + " bytes, and [limits] field_mib allows 2048 bytes; ";
   EXPECT_THAT(rig.intake.begin_with(ball.bytes).sentence(), HasSubstr(said));
-  EXPECT_THAT(rig.intake.begin_with(std::vector<std::uint8_t>(5000)).sentence(), HasSubstr("takes 5000 bytes and [limits] field_mib"))
+  EXPECT_THAT(rig.intake.begin_with(std::vector<std::uint8_t>(5000)).sentence(), HasSubstr("takes 5000 bytes, and [limits] field_mib"))
       << "an image";
 }
 
@@ -146,7 +146,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   other.image_hash ^= 1;
   expect_refused(rig.upload(good.bytes, other), "checksum");
   expect_refused(rig.upload({}, good.promise), "not a file of this kind");
-  expect_refused(rig.upload(packed_ball(3, 128)), "[limits] field_mib leaves room for 262144");
+  expect_refused(rig.upload(packed_ball(3, 128)), "[limits] field_mib allows 262144");
   check_fails = true;
   expect_refused(rig.upload(good), "too steep");
   check_fails = false;
