@@ -27,7 +27,7 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   Reading reading;
   reading.fresh = in.fresh && reply.has_value();
   reading.malformed = in.fresh && !reply.has_value();
-  const std::uint32_t gap = state.stale + 1;  // ticks since the counts that are known
+  const std::uint32_t gap = state.stale + 1 + in.late;  // ticks since the counts that are known
   state.stale = reading.fresh ? 0 : std::min(std::max(state.stale + 1, std::uint32_t{in.age}), kMaxStale);
   if (!reading.fresh) {
     if (reading.malformed) state.in_a_row = 0;
@@ -36,9 +36,12 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
 
   reading.jumped = !state.heard || is_jump(state.counts, reply->counts, gap, device.count_jump);
   const bool all_homed = reply->homed == kAllHomed;
-  const bool began_anew = state.in_a_row > 0 && !all_homed &&  // with the bits went the reference, though the counts were small before
-                          (reply->counts == Counts{} || is_jump(state.counts, reply->counts, gap, device.count_jump / 8));
+  // With the bits went the reference, though the counts were small before, or nobody has seen how they began anew; or one leg has found its mark again.
+  const bool unseen = in.late >= kMaxLate || (in.late > 0 && state.all_homed);
+  const bool began_anew =
+      !all_homed && (unseen || reply->counts == Counts{} || is_jump(state.counts, reply->counts, gap, device.count_jump / 8));
   reading.jumped |= began_anew;
+  state.all_homed = all_homed;
   state.in_a_row = all_homed ? std::min<std::uint32_t>(state.in_a_row + 1, 2) : 0;
   if (reading.jumped && !all_homed) state.homed = false;
   if (state.in_a_row == 2) state.homed = true;

@@ -15,6 +15,7 @@ struct ReplyState {
   std::uint32_t stale = 0;     ///< ticks since the last valid fresh packet
   std::uint32_t in_a_row = 0;  ///< valid packets in a row that call all three legs homed, at most 2
   bool heard = false;          ///< there was a valid packet
+  bool all_homed = false;      ///< the newest one called all three legs homed
   bool homed = false;          ///< latched: two packets in a row called all legs homed
 };
 
@@ -26,8 +27,9 @@ struct Reading {
 };
 
 /// Reads the newest packet. If the counts jump while the device does not report that it is homed, the reference is lost and homing begins again. Without
-/// a jump the reference stays, because sources disagree on whether the device keeps its homed bits. In the packet in which these bits disappear, an eighth
-/// of the usual jump is enough, and so are counts of zero.
+/// a jump the reference stays, because sources disagree on whether the device keeps its homed bits. While bits are missing, an eighth of the usual jump is
+/// enough, and so are counts of zero: a leg that finds its mark again begins a new count there. Bits
+/// that disappear while ticks were left out lose the reference in any case, and so do kMaxLate of them left out without bits.
 ///
 /// fails     never: a malformed packet counts as none
 /// tick      yes

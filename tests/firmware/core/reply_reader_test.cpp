@@ -81,5 +81,33 @@ TEST(ReplyReader, AJumpWithoutReferenceLosesIt) {
   EXPECT_FALSE(read.state.homed);
 }
 
+TEST(ReplyReader, WithoutBitsASmallJumpLosesTheReferenceHoweverLongTheyAreMissing) {
+  Reader read;
+  for (int t = 0; t < 3; ++t) read(packet({40, 40, 40}));
+  for (int t = 0; t < 100; ++t) read(packet({41, 40, 40}, 0));
+  EXPECT_TRUE(read.state.homed) << "sources disagree on the bits";
+  read(packet({41, 90, 40}, 1));
+  EXPECT_TRUE(read.state.homed);
+  EXPECT_TRUE(read(packet({41, 141, 40}, 1)).jumped) << "a leg has found its mark again";
+  EXPECT_FALSE(read.state.homed);
+}
+
+TEST(ReplyReader, BitsThatDisappearUnseenLoseTheReference) {
+  const auto after = [](std::uint8_t bits_before, std::uint8_t late) {
+    Reader read;
+    for (int t = 0; t < 3; ++t) read(packet({500, 500, 500}));
+    read(packet({500, 500, 500}, bits_before));
+    Input next = packet({500, 500, 500}, 0);
+    next.late = late;
+    read(next);
+    return read.state.homed;
+  };
+  EXPECT_TRUE(after(7, 0));
+  EXPECT_FALSE(after(7, 1)) << "what came meanwhile is not known";
+  EXPECT_TRUE(after(0, 1)) << "a device that shows no bits";
+  EXPECT_TRUE(after(0, kMaxLate - 1));
+  EXPECT_FALSE(after(0, kMaxLate));
+}
+
 }  // namespace
 }  // namespace isotouch::core
