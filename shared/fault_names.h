@@ -15,7 +15,7 @@ struct FaultName {
   std::string_view sentence;  ///< what happened, and what to do before it is resumed
 };
 
-inline constexpr std::array<FaultName, 10> kFaultNames = {{
+inline constexpr std::array<FaultName, 11> kFaultNames = {{
     {kFaultStopped, "stopped", "a stop was requested"},
     {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},
     {kFaultPenetration, "penetration", "the hand was too deep in the object; let go, and move out of it"},
@@ -27,6 +27,33 @@ inline constexpr std::array<FaultName, 10> kFaultNames = {{
     {kFaultEnable, "enable", "the enable line of the motors does not read back as it was set; check its relay and wires"},
     {kFaultMemory, "memory",
      "the supervisor's memory was damaged; restart the controller, and test the board's memory if it happens again"},
+    {kFaultGuard, "guard",
+     "the guard took the force away, because a motor command contradicted the device's own packets; let go, and restart the controller if "
+     "it "
+     "happens again"},
 }};
+
+/// The guard's verdicts by number, as `isotouchd` and `trace show` name them.
+inline constexpr std::array<std::string_view, kGuardVerdicts> kGuardVerdictNames = {"nothing",
+                                                                                    "beyond a motor's limit",
+                                                                                    "beside a bad safety line",
+                                                                                    "beside a light that tells of no force",
+                                                                                    "without a reference of the encoders",
+                                                                                    "after a jump of the encoders",
+                                                                                    "without new packets",
+                                                                                    "without a button held",
+                                                                                    "for a hand that is too fast",
+                                                                                    "for a place that the arms do not reach",
+                                                                                    "for motors that are too warm",
+                                                                                    "without contact",
+                                                                                    "stronger than the hand's way explains",
+                                                                                    "into the object",
+                                                                                    "that repeats while the hand moves",
+                                                                                    "after a stop"};
+
+constexpr std::string_view name_of(GuardVerdict verdict) {
+  const auto number = static_cast<std::size_t>(verdict);
+  return number < kGuardVerdicts ? kGuardVerdictNames[number] : "of no kind";
+}
 
 }  // namespace isotouch

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "shared/falcon_packet.h"
@@ -24,11 +25,37 @@ enum RequestBits : std::uint8_t {
   kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
 };
 
-/// The state of the safety lines, already judged by `loop/watchdog.h`. Without lines no bit is ever set.
+/// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
+/// set. Bits 4 to 7: the guard's verdict.
 enum LineBits : std::uint8_t {
   kLineStop = 1U << 0,         ///< the emergency stop is pressed, its wire is broken, or nobody reads it
   kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
+  kLineGuard = 0xFU << 4,      ///< a GuardVerdict
 };
+
+/// Why the guard has taken the force away: a motor command, other than zero, contradicts what it reads in the device's packets itself.
+enum class GuardVerdict : std::uint8_t {
+  kNone = 0,
+  kLimit,      ///< a command beyond the motor's limit
+  kLine,       ///< beside a safety line that is not good
+  kLight,      ///< beside a light that tells people that there is no force
+  kReference,  ///< the encoders have no reference
+  kJump,       ///< their counts jumped
+  kStale,      ///< no valid packet came
+  kReleased,   ///< no button is held, though one must be
+  kSpeed,      ///< the hand is too fast
+  kPose,       ///< no place that the arms reach
+  kHeat,       ///< the motors are warmer than they bear
+  kFree,       ///< the hand touches nothing
+  kStrong,     ///< a force beyond what the hand's way, the stiffness and the limits explain
+  kPull,       ///< a force into the object
+  kRepeat,     ///< the same commands again and again, though the hand moves
+  kStopped,    ///< a stop was requested, and nobody has resumed
+};
+inline constexpr std::size_t kGuardVerdicts = 16;
+
+constexpr GuardVerdict guard_verdict(std::uint8_t lines) { return static_cast<GuardVerdict>(lines >> 4); }
+constexpr std::uint8_t line_bits(GuardVerdict verdict) { return static_cast<std::uint8_t>(static_cast<unsigned>(verdict) << 4); }
 
 /// Largest number of periods that `Input::late` counts.
 inline constexpr std::uint8_t kMaxLate = 31;
@@ -37,7 +64,7 @@ inline constexpr std::uint8_t kMaxLate = 31;
 struct Input {
   InputKind kind = InputKind::kPacket;
   bool fresh = false;                  ///< false: the same sample as in an earlier tick, or none yet
-  std::uint8_t lines = 0;              ///< LineBits
+  std::uint8_t lines = 0;              ///< LineBits, the guard's verdict among them
   std::uint8_t late = 0;               ///< whole periods that were left out since the tick before; kMaxLate = that many or more
   std::uint8_t requests = 0;           ///< RequestBits
   std::uint16_t age = 0;               ///< whole ticks since the sample was fresh
@@ -108,6 +135,7 @@ enum Faults : std::uint16_t {
   kFaultEmergency = 1U << 7,    ///< kLineStop
   kFaultEnable = 1U << 8,       ///< kLineEnableWrong
   kFaultMemory = 1U << 9,       ///< what the supervisor remembered contradicted itself
+  kFaultGuard = 1U << 10,       ///< the guard took the force away, see GuardVerdict
 };
 
 using MotorCommands = std::array<std::int16_t, 3>;

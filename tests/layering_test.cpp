@@ -30,6 +30,7 @@ const std::map<std::string, Rule> kRules = {
     {"shared/files", {{"shared"}}},  // it reads and writes files: nothing that runs in the tick includes it
     {"firmware/core", {{"shared"}, true}},
     {"firmware/loop", {{"firmware/core", "shared"}}},
+    {"firmware/guard", {{"firmware/loop", "shared"}}},
     {"firmware/falcon", {{"firmware/loop", "shared"}}},
     {"firmware/store", {{"firmware/loop", "shared"}}},
     {"firmware/recording", {{"firmware/loop", "shared"}}},
@@ -38,8 +39,8 @@ const std::map<std::string, Rule> kRules = {
     {"firmware/settings",
      {{"firmware/falcon", "firmware/control", "firmware/store", "firmware/recording", "firmware/lines", "firmware/loop", "shared"}}},
     {"firmware/daemon",
-     {{"firmware/settings", "firmware/falcon", "firmware/control", "firmware/store", "firmware/recording", "firmware/lines",
-       "firmware/loop", "shared"}}},
+     {{"firmware/settings", "firmware/guard", "firmware/falcon", "firmware/control", "firmware/store", "firmware/recording",
+       "firmware/lines", "firmware/loop", "shared"}}},
     {"tests/firmware/store", {{"firmware/store", "firmware/loop", "shared", "tests/support"}}},
     {"tests/firmware/recording", {{"firmware/recording", "firmware/loop", "shared", "tests/support"}}},
     {"tests/firmware/control",

@@ -16,6 +16,7 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
+#include "shared/fault_names.h"
 
 namespace isotouch::daemon {
 
@@ -90,15 +91,18 @@ void Controller::choose_calibration() {
   header_.period_ns = settings::period_ns(settings_);
 }
 
-/// The device and the lines beside it, joined to the loop: by a thread, or in lockstep without one and without time.
+/// The device with its guard, and the lines beside it, joined to the loop: by a thread, or in lockstep without one and without time.
 Refusal Controller::connect_device() {
+  guard_.emplace(header_.device, header_.settings, header_.period_ns, fields_, requests_, lines_.state);
+  if (!guard_->is_ready())
+    return "the system gives no memory for the guard (memfd_create); check the service's limits and system call filter";
   if (!options_.lockstep) {
     if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
     if (!lines_.watchdog) say(no_lines_line());
     exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
-                                                       std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns);
+                                                       std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns, &*guard_);
   } else {
-    direct_ = std::make_unique<loop::DirectDevice>(hardware_.port(), virtual_clock_, header_.period_ns, stop_ticks_);
+    direct_ = std::make_unique<loop::DirectDevice>(hardware_.port(), virtual_clock_, header_.period_ns, stop_ticks_, &*guard_);
   }
   return {};
 }
@@ -209,6 +213,10 @@ void Controller::say_what_changed() {
   if (std::string line = supervisor_line(recorder_->state(), recorder_->faults()); line != supervisor_line_) {
     say(supervisor_line_ = std::move(line));
     systemd_.status(supervisor_line_);
+  }
+  if (const GuardVerdict verdict = lines_.state.verdict(); verdict != verdict_) {
+    verdict_ = verdict;
+    if (verdict != GuardVerdict::kNone) say("the guard stopped a motor command " + std::string(name_of(verdict)));
   }
   if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
 }

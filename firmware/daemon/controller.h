@@ -23,6 +23,7 @@
 #include "firmware/daemon/lines.h"
 #include "firmware/daemon/options.h"
 #include "firmware/daemon/service_notify.h"
+#include "firmware/guard/device_guard.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
 #include "firmware/loop/linux_clock.h"
@@ -107,6 +108,7 @@ class Controller {
   std::optional<control::Calibration> calibration_;
   TraceHeader header_;  ///< of every recording
   Lines lines_;
+  std::optional<guard::DeviceGuard> guard_;
   std::unique_ptr<loop::ExchangeThread> exchange_;  ///< either this
   std::unique_ptr<loop::DirectDevice> direct_;      ///< or, in lockstep, this
   std::optional<store::FieldIntake> intake_;
@@ -121,6 +123,7 @@ class Controller {
   std::thread exchanges_, watchdogs_, ticks_, records_;
 
   std::string device_line_, supervisor_line_;                   ///< as said last
+  GuardVerdict verdict_ = GuardVerdict::kNone;                  ///< the same
   std::pair<std::uint32_t, std::uint32_t> judged_delay_{0, 0};  ///< and for which field
 };
 

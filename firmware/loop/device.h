@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "shared/falcon_packet.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::loop {
 
@@ -25,9 +26,10 @@ struct Sample {
 /// What the tick asks of the device.
 struct Command {
   FalconCommand falcon;
-  std::uint64_t tick = 0;        ///< number of the tick that made it, from 1; 0 = none yet
-  std::uint64_t sample = 0;      ///< number of the sample that the command was computed from
-  std::int64_t arrival_ns = -1;  ///< when that sample arrived
+  std::uint64_t tick = 0;              ///< number of the tick that made it, from 1; 0 = none yet
+  std::uint64_t sample = 0;            ///< number of the sample that the command was computed from
+  std::int64_t arrival_ns = -1;        ///< when that sample arrived
+  std::uint32_t field_generation = 0;  ///< of the field that it was computed with, 0 = none
 };
 
 /// Why a wait ended.
@@ -62,6 +64,19 @@ enum class Answer : std::uint8_t {
   kSilent,  ///< it was asked and did not answer
   kAbsent,  ///< there is no device to ask: it is being searched for or started
   kEnd,     ///< there will be no more, for good: a recording is over
+};
+
+/// Stands between the tick's commands and the port, on the port's side, and may only take force away.
+class CommandGuard {
+ public:
+  virtual ~CommandGuard() = default;
+
+  /// now_ns    as it is handed to the port
+  /// returns   the motor commands that may go on: those of the command, or none
+  virtual MotorCommands pass(const Command& command, std::int64_t now_ns) = 0;
+
+  /// The port answered with this packet.
+  virtual void hear(const FalconPacket& packet, std::int64_t now_ns) = 0;
 };
 
 /// The hardware's side, used by one thread.

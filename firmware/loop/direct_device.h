@@ -14,8 +14,9 @@ namespace isotouch::loop {
 class DirectDevice final : public Device {
  public:
   /// port, clock, stop   live longer; `stop` ends a search for a device that is not there
-  DirectDevice(Port& port, VirtualClock& clock, std::int64_t period_ns, const std::atomic<bool>& stop)
-      : port_(port), clock_(clock), period_ns_(period_ns), stop_(stop) {}
+  /// guard               sees every command and every reply; nullptr: nobody does. Lives longer
+  DirectDevice(Port& port, VirtualClock& clock, std::int64_t period_ns, const std::atomic<bool>& stop, CommandGuard* guard = nullptr)
+      : port_(port), clock_(clock), period_ns_(period_ns), stop_(stop), guard_(guard) {}
 
   /// One exchange with the command that was left. No tick passes while there is no device.
   Wake wait(std::int64_t until_ns) override;
@@ -27,6 +28,7 @@ class DirectDevice final : public Device {
   VirtualClock& clock_;
   std::int64_t period_ns_;
   const std::atomic<bool>& stop_;
+  CommandGuard* guard_;
   Sample sample_;
   Command command_;
   WordDelay word_delay_;

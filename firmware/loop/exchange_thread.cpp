@@ -37,11 +37,13 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
     if (command.tick != tick) ticked_ns = sent;
     tick = command.tick;
     if (sent - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
+    if (guard_ != nullptr) command.falcon.words = guard_->pass(command, sent);
     const Answer answer = port_.exchange(command.falcon, packet);
     if (answer == Answer::kEnd) break;
     if (command.sample == sample.number) word_delay.handed_over(command, sent, answer);
     if (answer != Answer::kReply) continue;
     sample = {packet, sample.number + 1, sent, clock_.now_ns(), word_delay.take()};
+    if (guard_ != nullptr) guard_->hear(packet, sample.arrival_ns);
     samples_.put(sample);
     replies_.ring();
     await_words(sample);

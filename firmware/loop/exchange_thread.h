@@ -22,8 +22,9 @@ class ExchangeThread final : public Device {
   /// port, clock   live longer; the clock is CLOCK_MONOTONIC
   /// refresh_ns    longest time between two commands while the tick is silent
   /// silent_ns     without a tick for longer, packets carry no force
-  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000)
-      : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns) {}
+  /// guard         sees every command and every reply; nullptr: nobody does. Lives longer
+  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000, CommandGuard* guard = nullptr)
+      : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns), guard_(guard) {}
 
   // The tick's side.
   Wake wait(std::int64_t until_ns) override;
@@ -39,6 +40,7 @@ class ExchangeThread final : public Device {
   Port& port_;
   Clock& clock_;
   std::int64_t refresh_ns_, silent_ns_;
+  CommandGuard* guard_;
   Latest<Sample> samples_;
   Latest<Command> commands_;
   Doorbell replies_, words_;

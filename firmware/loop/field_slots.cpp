@@ -13,7 +13,11 @@ FieldSlots::FieldSlots(std::size_t bytes) : capacity_(bytes), memory_((2 * whole
   places_ = {at, at + whole_lines(bytes)};
 }
 
-bool FieldSlots::free() const { return published_.load(std::memory_order_relaxed) == acknowledged_.load(std::memory_order_acquire); }
+bool FieldSlots::free() const {
+  const std::uint32_t published = published_.load(std::memory_order_relaxed);
+  return published == acknowledged_.load(std::memory_order_acquire) &&
+         (!guarded_ || published == guard_acknowledged_.load(std::memory_order_acquire));
+}
 
 std::span<std::uint8_t> FieldSlots::begin(std::size_t bytes) {
   abandon();
@@ -72,6 +76,16 @@ ActiveField FieldSlots::field() {
   }
   if ((word & kSlot) == kNone) return {};
   return {&views_[word & kSlot], word >> 2};
+}
+
+const FieldView* FieldSlots::field_of(std::uint32_t generation) {
+  const std::uint32_t word = published_.load(std::memory_order_acquire);
+  if (word >> 2 == generation && word != guarded_field_) {
+    guarded_field_ = word;
+    guard_acknowledged_.store(word, std::memory_order_release);
+  }
+  const bool there = guarded_field_ >> 2 == generation && (guarded_field_ & kSlot) != kNone;
+  return there ? &views_[guarded_field_ & kSlot] : nullptr;
 }
 
 void FieldSlots::publish(std::uint32_t slot) {

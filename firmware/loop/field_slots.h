@@ -4,7 +4,7 @@
 ///   receiving  upload: `verify`, FieldView::parse succeeded  → verified
 ///   verified   upload: `commit`                             → published by a generation
 ///   published  tick: `field` at the start of a tick         → active; the other one retires
-///   retiring   upload: has seen the tick's acknowledgement  → empty
+///   retiring   upload: has seen the acknowledgements        → empty
 ///   published  upload: `take_back`, the tick does not come  → retiring; the active one is published anew
 ///
 /// A lost connection leaves `receiving` without effect; a refused image is never seen by the tick.
@@ -71,8 +71,11 @@ class FieldSlots {
   /// returns   false: the tick has not taken the last field over yet
   bool clear();
 
-  /// The generation that the tick has taken over; equal to that of `commit` once the new field is felt.
-  std::uint32_t acknowledged() const { return acknowledged_.load(std::memory_order_acquire) >> 2; }
+  /// The generation that the tick, and the guard where there is one, have taken over; equal to that of `commit` once the new field is felt.
+  std::uint32_t acknowledged() const {
+    const std::uint32_t felt = acknowledged_.load(std::memory_order_acquire);
+    return (guarded_ ? guard_acknowledged_.load(std::memory_order_acquire) : felt) == felt ? felt >> 2 : 0;
+  }
 
   /// The newest published field, also when the tick has not taken it over yet. Valid until the next `begin`.
   ActiveField published() const;
@@ -83,6 +86,16 @@ class FieldSlots {
   ///
   /// tick      yes
   ActiveField field();
+
+  // --- guard ---
+
+  /// A guard reads along, too. Before the first tick.
+  void expect_guard() { guarded_ = true; }
+
+  /// The field with which a tick made a command; the guard keeps it until it asks for another.
+  ///
+  /// returns   nullptr: none, or one that the upload has taken back
+  const FieldView* field_of(std::uint32_t generation);
 
  private:
   static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
@@ -99,7 +112,10 @@ class FieldSlots {
   std::uint32_t generation_ = 0;
   std::atomic<std::uint32_t> published_{kNone};
   std::atomic<std::uint32_t> acknowledged_{kNone};
-  std::uint32_t active_ = kNone;  ///< the tick's own
+  std::atomic<std::uint32_t> guard_acknowledged_{kNone};
+  bool guarded_ = false;
+  std::uint32_t active_ = kNone;         ///< the tick's own
+  std::uint32_t guarded_field_ = kNone;  ///< the guard's own
 };
 
 }  // namespace isotouch::loop

@@ -1,4 +1,4 @@
-/// What the watchdog thread and the tick exchange: the state of the safety lines, and whether the supervisor allows forces.
+/// What the watchdog thread, the guard and the tick exchange: the state of the safety lines, the guard's verdict, and whether the supervisor allows forces.
 #pragma once
 
 #include <atomic>
@@ -18,6 +18,11 @@ class LineState {
     bits_.store(bits, std::memory_order_release);
     words_.store(words_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
   }
+  /// The guard's side.
+  void put(GuardVerdict verdict) { verdict_.store(line_bits(verdict), std::memory_order_release); }
+  /// What the watchdog put last. Any thread.
+  std::uint8_t lines() const { return bits_.load(std::memory_order_acquire); }
+  GuardVerdict verdict() const { return guard_verdict(verdict_.load(std::memory_order_acquire)); }
   SupervisorState told() const { return static_cast<SupervisorState>(state_.load(std::memory_order_acquire)); }
 
   /// The state of the lines. If the watchdog thread has been silent for longer than the patience, the stop counts as pressed, because a real one could
@@ -28,7 +33,7 @@ class LineState {
     const std::uint32_t words = words_.load(std::memory_order_acquire);
     silent_ticks_ = words == heard_ ? silent_ticks_ + 1 : 0;
     heard_ = words;
-    const unsigned bits = bits_.load(std::memory_order_acquire);
+    const unsigned bits = unsigned{bits_.load(std::memory_order_acquire)} | verdict_.load(std::memory_order_acquire);
     return static_cast<std::uint8_t>(patience_ != 0 && silent_ticks_ > patience_ ? bits | kLineStop : bits);
   }
   /// ticks     0, as at the beginning: for ever. Before the first tick
@@ -37,7 +42,7 @@ class LineState {
   void tell(std::uint16_t state) { state_.store(state, std::memory_order_release); }
 
  private:
-  std::atomic<std::uint8_t> bits_{0};
+  std::atomic<std::uint8_t> bits_{0}, verdict_{0};
   std::atomic<std::uint32_t> words_{0};
   std::atomic<std::uint16_t> state_{0};
   std::uint32_t patience_ = 0, heard_ = 0, silent_ticks_ = 0;  ///< the tick's own

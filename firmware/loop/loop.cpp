@@ -55,8 +55,11 @@ bool Loop::step() {
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
   record.out = core::tick(record.in, field.view, model_, state_);
-  device_.leave(
-      {{record.out.commands, record.out.packet_flags}, record.number, sample.number, sample.number == 0 ? -1 : sample.arrival_ns});
+  device_.leave({{record.out.commands, record.out.packet_flags},
+                 record.number,
+                 sample.number,
+                 sample.number == 0 ? -1 : sample.arrival_ns,
+                 field.generation});
 
   if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.state);
   record.wake_ns = short_ns(start - wanted);

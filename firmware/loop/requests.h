@@ -14,7 +14,15 @@ namespace isotouch::loop {
 class Requests {
  public:
   /// bits      RequestBits; added to what is asked already
-  void ask(std::uint8_t bits) { asked_.fetch_or(bits, std::memory_order_acq_rel); }
+  void ask(std::uint8_t bits) {
+    if ((bits & kRequestResume) != 0) resumes_.fetch_add(1, std::memory_order_relaxed);
+    if ((bits & kRequestStop) != 0) stops_.fetch_add(1, std::memory_order_relaxed);
+    asked_.fetch_or(bits, std::memory_order_acq_rel);
+  }
+
+  /// How often a stop and a resume were ever asked for. Any thread.
+  std::uint32_t stops() const { return stops_.load(std::memory_order_relaxed); }
+  std::uint32_t resumes() const { return resumes_.load(std::memory_order_relaxed); }
 
   /// All that was asked since the last tick, and nothing is asked any more.
   ///
@@ -27,7 +35,7 @@ class Requests {
   void set(const SettingChange& change) {
     const auto number = static_cast<std::size_t>(change.setting) - 1;
     values_[number].store(change.raw, std::memory_order_relaxed);
-    changed_.fetch_or(1U << number, std::memory_order_relaxed);
+    changed_.fetch_or(1U << number, std::memory_order_release);
     waiting_.fetch_or(1U << number, std::memory_order_release);
   }
 
@@ -42,6 +50,12 @@ class Requests {
     return {static_cast<TickSetting>(number + 1), values_[number].load(std::memory_order_relaxed)};
   }
 
+  /// What was asked for last, taken over or not; `otherwise` where nothing ever was. Any thread.
+  std::int32_t newest(TickSetting setting, std::int32_t otherwise) const {
+    const auto number = static_cast<std::size_t>(setting) - 1;
+    return (changed_.load(std::memory_order_acquire) >> number & 1U) != 0 ? values_[number].load(std::memory_order_relaxed) : otherwise;
+  }
+
   /// A tick forgets everything before it: all that was ever set is to be set again.
   ///
   /// tick      yes
@@ -49,6 +63,7 @@ class Requests {
 
  private:
   std::atomic<std::uint8_t> asked_{0};
+  std::atomic<std::uint32_t> stops_{0}, resumes_{0};
   std::array<std::atomic<std::int32_t>, kLiveSettings> values_{};
   std::atomic<std::uint32_t> changed_{0}, waiting_{0};
 };

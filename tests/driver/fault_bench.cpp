@@ -51,6 +51,7 @@ FaultBench::FaultBench(const Options& options)
       port(session, link),
       watch({}, lines, clock, line_state, stats.ticks),
       settings{options.device, {}, static_cast<std::uint32_t>(kPeriod), false},
+      guard(options.device, settings.tick, static_cast<std::uint32_t>(kPeriod), fields, commands, line_state),
       loop(settings, *this, clock, {fields, commands, trace, shown, stats, &line_state}) {
   lines.sleeps = false;
   gap_began_ = clock.passed;
@@ -114,6 +115,7 @@ loop::Sample FaultBench::newest() {
 
 void FaultBench::leave(const loop::Command& command) {
   command_ = command;
+  if (tamper) tamper(command_);
   ticked_ns_ = clock.now;
   if (!busy_) begin_exchange();
 }
@@ -124,6 +126,9 @@ void FaultBench::begin_exchange() {
   if (clock.now - ticked_ns_ > kSilentNs) command.falcon.words = {};
   link_clock.now = sent_ns_ = clock.now;
   const std::uint64_t allocated = loop::allocations_of_thread;
+  command.falcon.words = guard.pass(command, clock.now);
+  sent = command.falcon;
+  packets_with_force += sent.words == std::array<std::int16_t, 3>{} ? 0U : 1U;
   const loop::Answer answer = port.exchange(command.falcon, arriving_);
   allocations_of_driver += loop::allocations_of_thread - allocated;
   replies_ = answer == loop::Answer::kReply;
@@ -134,6 +139,7 @@ void FaultBench::begin_exchange() {
 bool FaultBench::end_exchange() {
   busy_ = false;
   if (!replies_) return false;
+  guard.hear(arriving_, ends_ns_);
   sample_ = {arriving_, sample_.number + 1, sent_ns_, ends_ns_, -1};
   return unseen_ = true;
 }

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "firmware/falcon/falcon_port.h"
 #include "firmware/falcon/firmware_image.h"
+#include "firmware/guard/device_guard.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/watchdog.h"
 #include "tests/driver/model_link.h"
@@ -59,8 +61,11 @@ class FaultBench final : public loop::Device {
   falcon_model::SimulatedFalcon& falcon() { return link.falcon; }
 
   // What a test pulls at, for the next tick.
-  std::int64_t late_ns = 0;      ///< it begins so much too late
-  std::int64_t set_back_ns = 0;  ///< before it the clock is set back by so much
+  std::int64_t late_ns = 0;                    ///< it begins so much too late
+  std::int64_t set_back_ns = 0;                ///< before it the clock is set back by so much
+  std::function<void(loop::Command&)> tamper;  ///< with what the tick says, as if the core were broken
+  FalconCommand sent;                          ///< what the device was told last
+  std::uint64_t packets_with_force = 0;        ///< that it was told
 
   JumpingClock clock;
   ModelClock link_clock;
@@ -77,6 +82,7 @@ class FaultBench final : public loop::Device {
   loop::LineState line_state;
   loop::Watchdog watch;
   loop::LoopSettings settings;
+  guard::DeviceGuard guard;
   loop::Loop loop;
   loop::TickRecord last;
   std::uint64_t allocations_of_driver = 0;  ///< in a program that counts them: the exchange thread may

@@ -8,6 +8,7 @@
 
 #include "firmware/core/tick.h"
 #include "firmware/loop/realtime.h"
+#include "shared/fault_names.h"
 #include "shared/field_view.h"
 #include "shared/trace.h"
 #include "tests/driver/fault_bench.h"
@@ -100,6 +101,7 @@ class Judge {
     in_a_row_ = bad ? in_a_row_ + 1 : 0;
     shown += bad ? 1 : 0;
     if (left.words != now.out.commands) return "other words were left than the tick said";
+    if (guard_verdict(now.in.lines) != GuardVerdict::kNone) return kGuardVerdictNames[now.in.lines >> 4].data();  // the guard agrees
     if (words && !active) return "words in a state that has none";
     if (words && in_a_row_ > kMaxTicks) return "words beyond the bound";
     if (words && bad) return "words in a tick that shows a fault";

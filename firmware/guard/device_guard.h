@@ -1,0 +1,36 @@
+/// The guard where it works: on the thread that talks to the device, with a memory that no other thread can write. What it finds stops the force at once,
+/// and reaches the tick beside the safety lines, so that the supervisor is in fault and the recording names it.
+#pragma once
+
+#include "firmware/guard/guard.h"
+#include "firmware/guard/private_memory.h"
+#include "firmware/loop/field_slots.h"
+#include "firmware/loop/line_state.h"
+#include "firmware/loop/requests.h"
+
+namespace isotouch::guard {
+
+class DeviceGuard final : public loop::CommandGuard {
+ public:
+  /// settings  at the start
+  /// fields, requests, lines   live longer
+  DeviceGuard(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, loop::FieldSlots& fields,
+              const loop::Requests& requests, loop::LineState& lines);
+
+  /// false: the system has no memory for it, and no force passes.
+  bool is_ready() const { return memory_.get() != nullptr; }
+
+  MotorCommands pass(const loop::Command& command, std::int64_t now_ns) override;
+  void hear(const FalconPacket& packet, std::int64_t now_ns) override;
+
+ private:
+  Guard guard_;
+  LiveRaw largest_;  ///< of every setting since the start
+  TickSettings settings_;
+  loop::FieldSlots& fields_;
+  const loop::Requests& requests_;
+  loop::LineState& lines_;
+  PrivateMemory<Memory> memory_;
+};
+
+}  // namespace isotouch::guard

@@ -1,0 +1,221 @@
+#include "firmware/guard/guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "firmware/guard/clearance.h"
+#include "firmware/guard/to_double.h"
+#include "shared/falcon_packet.h"
+
+namespace isotouch::guard {
+
+namespace {
+
+using enum GuardVerdict;
+
+// What a true command may differ by from what is computed here.
+constexpr std::uint64_t kTicksToNotice = 3;                      // beyond the tick in which it should have been zero
+constexpr std::int64_t kQuietNs = 100'000'000;                   // without a command until the guard believes the tick again
+constexpr double kForceSlack = 0.1, kForcePart = 1.05;           // N; the arms a sample further
+constexpr double kWaySlack = 0.5, kWayPart = 1.5;                // mm; a proxy that slides round an edge
+constexpr double kStep = 0.2;                                    // mm: a hand that trembles less makes no way
+constexpr double kFreeMargin = 0.5;                              // mm
+constexpr double kLag = 4;                                       // of the hand's steps that a proxy may be behind
+constexpr double kPullWay = 3, kPullSlack = 1, kPullPart = 0.5;  // mm; beyond this way an object may bend round the hand
+constexpr std::uint64_t kRepeats = 5;
+constexpr double kRepeatForce = 0.1;      // N: elsewhere the same commands are another force, which nobody asks for to the bit
+constexpr std::int64_t kLongestGap = 16;  // ticks for which a hand's way is allowed to add up
+constexpr double kSpeedPart = 1.5, kHeatPart = 1.2;
+constexpr std::uint8_t kLights = kFalconGreen | kFalconBlue | kFalconRed;
+
+/// How far the hand surely is from everything, mm; below 0: it may be inside.
+double clear_way(const loop::Command& command, const Evidence& evidence, const Point& hip) {
+  if (command.field_generation == 0) return std::numeric_limits<double>::infinity();
+  const bool has_distances = evidence.field != nullptr && evidence.field->method != Method::kPublished;  // there the numbers are levels
+  return has_distances ? clearance(*evidence.field, hip) : -std::numeric_limits<double>::infinity();
+}
+
+bool is_zero(const MotorCommands& commands) { return commands == MotorCommands{}; }
+
+int largest(const MotorCommands& commands) { return std::max({std::abs(commands[0]), std::abs(commands[1]), std::abs(commands[2])}); }
+
+int largest_change(const std::array<std::int16_t, 3>& from, const std::array<std::int16_t, 3>& to) {
+  return std::max({std::abs(to[0] - from[0]), std::abs(to[1] - from[1]), std::abs(to[2] - from[2])});
+}
+
+/// Was it computed from this sample, or a later one?
+bool knows(const loop::Command& command, std::uint64_t since) { return since != 0 && command.sample >= since; }
+
+void mark(bool now, std::uint64_t sample, std::uint64_t& since) { since = !now ? 0 : since == 0 ? sample : since; }
+
+}  // namespace
+
+Guard::Guard(const DeviceModel& device, std::uint32_t period_ns) : device_(device), arms_(device), period_ns_(period_ns) {}
+
+MotorCommands Guard::judge(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
+  const MotorCommands& asked = command.falcon.words;
+  if (!is_zero(asked) || memory.quiet_ns == 0) memory.quiet_ns = evidence.now_ns;
+  if (memory.verdict != kNone && evidence.now_ns - memory.quiet_ns > kQuietNs) memory.verdict = kNone;
+  const GuardVerdict found = contradiction(command, evidence, memory);
+  if (memory.verdict == kNone) memory.verdict = found;
+
+  memory.tick = command.tick;
+  const bool passes = memory.verdict == kNone && evidence.lines == 0;
+  memory.commands = passes ? asked : MotorCommands{};
+  memory.sent_ns = evidence.now_ns;
+  return memory.commands;
+}
+
+/// The first thing that this command must not be.
+GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
+  const MotorCommands& asked = command.falcon.words;
+  const bool hot = is_too_hot(evidence, memory);
+  place(command, evidence, memory);
+  if (evidence.lines == 0) memory.lines_tick = 0;
+  if (evidence.lines != 0 && memory.lines_tick == 0) memory.lines_tick = command.tick;
+  if (evidence.resumes != memory.resumes) memory.stop_tick = 0;
+  if (evidence.stops != memory.stops) memory.stop_tick = command.tick;
+  memory.resumes = evidence.resumes;
+  memory.stops = evidence.stops;
+  if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;
+  if (is_zero(asked)) return kNone;
+
+  if (largest(asked) > device_.word_limit) return kLimit;
+  if (memory.lines_tick != 0 && command.tick >= memory.lines_tick + kTicksToNotice) return kLine;
+  if (memory.stop_tick != 0 && command.tick >= memory.stop_tick + kTicksToNotice) return kStopped;
+  if ((command.falcon.flags & kLights) != (device_.led_active & kLights)) return kLight;
+  if (!memory.referenced && command.sample >= memory.since.reference) return kReference;
+  if (knows(command, memory.since.jump)) return kJump;
+  if (command.tick > memory.heard_tick + device_.hold_ticks + 1) return kStale;
+  if (knows(command, memory.since.button)) return kReleased;
+  if (knows(command, memory.since.speed)) return kSpeed;
+  if (knows(command, memory.since.pose)) return kPose;
+  if (hot) return kHeat;
+  if (const GuardVerdict found = of_contact(command, evidence, memory); found != kNone) return found;
+  const bool repeats = memory.has_grip && command.tick >= memory.repeated_since + kRepeats;
+  return repeats && length(arms_.force(asked, memory.grip) - arms_.force(asked, memory.repeated_at)) >
+                        kRepeatForce + arms_.rounding(memory.grip)
+             ? kRepeat
+             : kNone;
+}
+
+/// Where the hand is in the field, once a sample.
+void Guard::place(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
+  if (memory.field_generation != command.field_generation) {
+    memory.field_generation = command.field_generation;
+    memory.near = false;
+    memory.placed = 0;
+  }
+  if (!memory.has_grip || memory.placed == memory.replies) return;
+  const Point& hip = memory.grip.at;
+  const double clear = clear_way(command, evidence, hip);
+  const bool free = clear > kFreeMargin + kLag * memory.step, felt = is_felt(command.falcon.words, evidence, memory);
+  if (free && !felt) memory.near = false;
+  if (!free && (!memory.near || (clear > 0 && !felt))) {  // it begins where the hand may be inside
+    memory.near = true;
+    memory.began = memory.last = hip;
+    memory.way = memory.step;
+  } else if (const double moved = length(hip - memory.last); memory.near && moved > kStep) {
+    memory.way += moved;
+    memory.last = hip;
+  }
+  mark(!memory.near, memory.replies, memory.since.free);
+  memory.placed = memory.replies;
+}
+
+/// Is there more force than what holds the handle's weight?
+bool Guard::is_felt(const MotorCommands& commands, const Evidence& evidence, const Memory& memory) const {
+  const double weight = std::abs(to_double(evidence.largest.weight));
+  return length(arms_.force(commands, memory.grip)) > kForcePart * weight + kForceSlack + arms_.rounding(memory.grip);
+}
+
+GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
+  const bool falls = largest_change(memory.commands, command.falcon.words) + 1 >=
+                     static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;  // as fast as a command may change
+  if (!memory.has_grip || command.tick == memory.tick) return kNone;
+  const Point force = arms_.force(command.falcon.words, memory.grip);
+  const double strength = length(force);
+  if (falls && strength < length(arms_.force(memory.commands, memory.grip))) return kNone;
+
+  const TickSettings& most = evidence.largest;
+  const double weight = std::abs(to_double(most.weight));
+  const double damping = (2 * to_double(most.damping) + to_double(most.hand_damping) + to_double(most.passivity)) * memory.fastest;
+  const double other = weight + damping + kForceSlack + arms_.rounding(memory.grip);  // all that is not the spring
+  if (!memory.near) return knows(command, memory.since.free) && is_felt(command.falcon.words, evidence, memory) ? kFree : kNone;
+  if (evidence.field == nullptr) return kNone;
+  const double stiffness = std::max(to_double(most.stiffness), to_double(evidence.field->stiffness));  // either may have held
+  const double way =
+      std::min(kWayPart * (memory.way + length(memory.grip.at - memory.last)) + kWaySlack, to_double(device_.penetration_limit));
+  const double spring = std::min(stiffness * way, to_double(most.force_limit));
+  if (strength > kForcePart * (spring + other)) return kStrong;
+  const Point back = memory.began - memory.grip.at;
+  const double inwards = memory.way < kPullWay && length(back) > kStep ? -dot(force, back) / length(back) : 0;
+  return inwards > stiffness * kPullSlack + kPullPart * strength + other ? kPull : kNone;
+}
+
+/// A motor warms by the square of its command, and cools by itself.
+bool Guard::is_too_hot(const Evidence& evidence, Memory& memory) const {
+  if (device_.heat_word == 0 || memory.sent_ns == 0) return false;
+  const double passed = std::clamp(static_cast<double>(evidence.now_ns - memory.sent_ns), 0.0, 1e9);
+  const double part = std::min(passed / (device_.heat_ms * 1e6), 1.0);
+  double most = 0;
+  for (std::size_t i = 0; i < memory.heat.size(); ++i) {
+    memory.heat[i] += part * (static_cast<double>(memory.commands[i] * memory.commands[i]) - memory.heat[i]);
+    most = std::max(most, memory.heat[i]);
+  }
+  return most > kHeatPart * device_.heat_word * device_.heat_word;
+}
+
+void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory) const {
+  ++memory.replies;
+  const Result<FalconReply> reply = decode_reply(packet);
+  if (!reply) {
+    memory.referenced_in_a_row = 0;
+    memory.step = 0;
+    return;
+  }
+  const bool first = memory.heard_ns == 0;
+  const std::int64_t passed = std::max(
+      {std::int64_t{1}, static_cast<std::int64_t>(memory.tick - memory.heard_tick), (now_ns - memory.heard_ns) / period_ns_});  // ticks
+  const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
+  const int change = largest_change(memory.counts, reply->counts);
+  const bool jumped = first || change > device_.count_jump * ticks;
+  if ((reply->buttons & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
+  memory.buttons = reply->buttons;
+  const bool all = reply->homed == 7;
+  if (!all && (jumped || reply->counts == std::array<std::int16_t, 3>{} || change > device_.count_jump * ticks / 8)) {
+    memory.referenced = false;
+  }
+  memory.referenced_in_a_row = all ? memory.referenced_in_a_row + 1 : 0;
+  if (memory.referenced_in_a_row >= 2) memory.referenced = true;
+  memory.since.jump = jumped ? memory.replies : 0;  // for this sample alone
+  mark(!memory.referenced, memory.replies, memory.since.reference);
+  mark(device_.hold_to_run != 0 && (reply->buttons & device_.buttons) == 0, memory.replies, memory.since.button);
+  memory.counts = reply->counts;
+  memory.heard_ns = now_ns;
+  memory.heard_tick = memory.tick;
+  find_hand(*reply, static_cast<double>(passed) * period_ns_ * 1e-9, change > device_.count_jump, memory);
+}
+
+void Guard::find_hand(const FalconReply& reply, double took_s, bool leapt, Memory& memory) const {
+  const bool knew = memory.has_grip && !leapt;  // no hand leaps
+  const Point before = memory.grip.at;
+  memory.has_grip = memory.referenced && arms_.find(reply.counts, before, memory.grip);
+  mark(memory.referenced && !memory.has_grip, memory.replies, memory.since.pose);
+  const Point& at = memory.grip.at;
+  memory.step = memory.has_grip && knew ? length(at - before) : 0;
+  memory.fastest = std::max(memory.step / took_s, memory.fastest * 0.95);
+
+  const std::size_t oldest = memory.replies % memory.places.size();
+  if (!knew) memory.places.fill(at);
+  const double way = length(at - memory.places[oldest]);
+  memory.places[oldest] = at;
+  memory.took[oldest] = took_s;
+  double time = 0;
+  for (const double took : memory.took) time += took;
+  mark(way > kSpeedPart * to_double(device_.speed_limit) * time, memory.replies, memory.since.speed);
+}
+
+}  // namespace isotouch::guard
