@@ -17,9 +17,9 @@ std::string why_not_opened(int error) {
 
 }  // namespace
 
-Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines) {
+Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines, OpenGpio open) {
   if (settings.line_chip.empty()) return {};
-  lines.chip = lines::open_gpio(settings.line_chip);
+  lines.chip = open(settings.line_chip);
   if (!lines.chip) return "lines.chip = " + settings.line_chip + ": " + why_not_opened(errno);
   if (Refusal refusal = lines.wires.emplace(*lines.chip, clock).take(settings::gpio_settings(settings))) return refusal;
   lines.watchdog.emplace(settings::watchdog_settings(settings), *lines.wires, clock, lines.state, stats.ticks);

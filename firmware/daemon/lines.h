@@ -21,10 +21,14 @@ struct Lines {
   std::optional<loop::Watchdog> watchdog;  ///< nothing where the settings name no chip
 };
 
+using OpenGpio = std::unique_ptr<lines::Gpio> (*)(const std::string& chip);
+
 /// Takes the lines that the settings name.
 ///
 /// clock, stats  live as long as `lines`
+/// open          gives the chip, as `lines::open_gpio`
 /// returns       none, too, where the settings name no chip
-Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines);
+Refusal take_lines(const settings::Settings& settings, loop::Clock& clock, const loop::TickStats& stats, Lines& lines,
+                   OpenGpio open = &lines::open_gpio);
 
 }  // namespace isotouch::daemon

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import unittest
 
@@ -79,11 +80,57 @@ class MutantsTest(fakes.Tree):
             self.assertEqual(self.mutants(CMAKE_FAILS=what)[0], 1, what)
         self.script("path/git", "echo shared/core.h\nexit 1\n")
         self.assertEqual(self.mutants()[0], 1)
+        self.script("path/git", "echo shared/core.h\n")
         self.script("hil/cases/run", "echo ball\nexit 1\n")
         self.assertEqual(self.mutants()[::2], (1, "mutants: the cases cannot be made\n"))
 
+    def wiring(self, test: str = "test_loop: ^loop:") -> None:
+        self.list(f"mutant three for a named test\nfile shared/core.h\n-good\n+seen by ctest\ntest {test}\nwhy it says which\n")
+        self.script("path/ctest", "echo \"$*\" >>asked\nif grep -q 'seen by ctest' build/mutants/tree/shared/core.h; then\n"
+                                  "  printf 'The following tests FAILED:\\n\\t 12 - loop:A.B (Failed)\\nErrors while running CTest\\n'; exit 8\nfi\n")
+        self.script("hil/cases/run", "exit 1\n")   # nobody asks for a case
+
+    def test_a_mutant_that_names_its_tests_is_tried_by_these_alone(self) -> None:
+        self.wiring()
+        code, said, _ = self.mutants()
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"killed    three for a named test +test loop:A.B \(")
+        asked = (self.root / "asked").read_text().splitlines()
+        self.assertEqual(len(asked), 2, "what is not broken, and the mutant")
+        self.assertIn("--no-tests=error", asked[0])
+        self.assertTrue(asked[0].endswith("-R ^loop:"))
+
+    def test_a_mutant_that_its_tests_do_not_see_survives(self) -> None:
+        self.wiring()
+        self.script("path/ctest", "")
+        self.assertEqual(self.mutants()[0], 3)
+
+    def test_tests_that_fail_without_a_mutant_or_are_none_catch_nothing(self) -> None:
+        self.wiring()
+        self.script("path/ctest", "echo 'No tests were found!!!'\nexit 8\n")
+        self.assertEqual(self.mutants()[::2], (3, "mutants: the code that is not broken fails ctest -R '^loop:', exit code 8\n"))
+
+    def test_a_test_without_its_targets_is_not_whole(self) -> None:
+        self.wiring("^loop:")
+        self.assertEqual(self.mutants()[0], 3)
+
+    def test_a_source_that_this_machine_does_not_compile_is_left_out_and_counted(self) -> None:
+        self.list(LIST.replace("shared/core.h", "shared/other.cpp"))
+        (self.root / "shared/other.cpp").write_text("good\n")
+        (self.root / "build/mutants/build/compile_commands.json").write_text(json.dumps([{"file": str(self.root / "build/mutants/tree/shared/core.cpp")}]))
+        code, said, _ = self.mutants()
+        self.assertEqual((code, said.splitlines()[-1]), (0, "2 mutants: 0 killed by cases, 0 by tests, 0 survived, 2 left out"))
+
+    def test_what_is_no_longer_there_goes_from_the_copy(self) -> None:
+        stale = self.root / "build/mutants/tree/tests/gone_test.cpp"
+        stale.parent.mkdir(parents=True)
+        stale.write_text("")
+        self.assertEqual(self.mutants()[0], 0)
+        self.assertFalse(stale.exists())
+
     def test_words_choose_and_one_that_chooses_nothing_is_wrong_usage(self) -> None:
         self.assertIn("1 mutants: 0 killed by cases, 1 by tests", self.mutants("two")[1])
+        self.assertIn("2 mutants: ", self.mutants("shared/core")[1], "of the file, too")
         self.assertEqual(self.mutants("three")[0], 2)
 
     def test_a_line_that_begins_otherwise_is_refused(self) -> None:

@@ -113,7 +113,7 @@ TEST(Certificate, EveryContradictionIsSeen) {
   for (std::size_t n = 0; n < truths.size(); ++n) EXPECT_TRUE(check_certificate(Certified(truths[n]).view(), kFalcon, {}).accepted) << n;
 }
 
-/// A ball whose distance jumps at one face between two bricks, in voxels, with no step within any brick.
+/// A ball whose distance jumps at one plane, in voxels: between two bricks where `at` is a multiple of 4, else within them.
 struct Stepped {
   Stepped(std::size_t axis, double step, double at, double largest_slope)
       : image({48, 48, 48},
@@ -138,6 +138,17 @@ TEST(Certificate, AStepAtAFaceBetweenBricksIsSeen) {
           EXPECT_EQ(check.error, slope == 0.0 ? Error::kTooSteep : Error::kBadCertificate);
         }
       }
+    }
+  }
+}
+
+TEST(Certificate, AStepWithinABrickIsSeen) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const double at : {17.0, 18.0, 19.0}) {
+      EXPECT_TRUE(check_certificate(Stepped(axis, 0.1, at, 1.5).image.view(), kFalcon, {}).accepted) << axis << " " << at;
+      const CertificateCheck check = check_certificate(Stepped(axis, 6.0, at, 1.5).image.view(), kFalcon, {});
+      EXPECT_FALSE(check.accepted) << axis << " " << at;
+      EXPECT_EQ(check.error, Error::kBadCertificate);
     }
   }
 }

@@ -44,6 +44,7 @@ class FakeTick {
   std::atomic<std::uint64_t> felt{0};        ///< hash of that field, as far as it was read in the tick
   std::atomic<std::int16_t> count{0};        ///< of every arm, homed
   std::atomic<std::int16_t> sway{0};         ///< added to it in every other tick
+  std::atomic<std::int16_t> word{0};         ///< motor command of the next tick alone
   std::atomic<bool> rests{false};            ///< no ticks meanwhile
 
  private:
@@ -60,6 +61,7 @@ class FakeTick {
       record.in.requests = commands.take();
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
+      record.out.commands[0] = word.exchange(0);
       obeyed |= record.in.requests;
       if (field.generation != generation) felt = field.view->hash();
       generation = field.generation;

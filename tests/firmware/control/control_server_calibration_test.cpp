@@ -78,6 +78,26 @@ TEST(ControlServerCalibration, NothingThatLeadsToForceIsTakenMeanwhile) {
   EXPECT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted) << "and everything after it";
 }
 
+/// A tick that is under way when somebody asks may not have heard of the stop before.
+TEST(ControlServerCalibration, TheTickUnderWayDoesNotCount) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  Speaker measurer(rig.settings.path), other(rig.settings.path);
+  measurer.greet();
+  other.greet();
+  rig.tick.rests = true;
+  for (std::uint64_t before = 0; before != rig.tick.stats.ticks.value();) {
+    before = rig.tick.stats.ticks.value();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  rig.tick.word = 100;
+  measurer.say(Kind::kPosture);
+  expect_sentence(ask(other, Kind::kPosture), "is being measured");
+  rig.tick.rests = false;
+  const Heard heard = measurer.hear();
+  EXPECT_EQ(heard.kind, Kind::kPostureReport) << heard.refusal();
+}
+
 TEST(ControlServerCalibration, WhoHangsUpWhileItIsMeasuredHoldsNobodyUp) {
   ControlRig rig;
   rig.calibration.answers("A1");

@@ -1,8 +1,10 @@
 #include "firmware/control/control_socket.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/un.h>
 #include <unistd.h>
 
@@ -10,6 +12,19 @@
 #include <cstring>
 
 #include "tests/support/scratch_folder.h"
+
+namespace {
+
+mode_t mode_before_chmod = 0;  ///< of the last file that got another one
+
+}  // namespace
+
+/// Comes before the C library's.
+extern "C" int chmod(const char* path, mode_t mode) {
+  struct stat about {};
+  if (::stat(path, &about) == 0) mode_before_chmod = about.st_mode & 0777U;
+  return static_cast<int>(::syscall(SYS_fchmodat, AT_FDCWD, path, mode));
+}
 
 namespace isotouch::control {
 namespace {
@@ -54,6 +69,17 @@ TEST(ControlSocket, ASocketThatNobodyListensAtIsReplaced) {
   EXPECT_TRUE(knock(path));
   door.close();
   EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(ControlSocket, NobodyComesInBeforeItsPermissionsHold) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  const mode_t mask = ::umask(0);
+  mode_before_chmod = 0777;
+  ControlSocket door;
+  EXPECT_EQ(door.open(path, 0660, std::nullopt).sentence(), "");
+  EXPECT_EQ(mode_before_chmod, 0U);
+  EXPECT_EQ(::umask(mask), 0U) << "the program's mask is what it was";
 }
 
 TEST(ControlSocket, ASocketThatAnotherListensAtIsLeftToIt) {

@@ -67,6 +67,21 @@ TEST(Coupling, WithoutContactThereIsNoForceInTheSameTick) {
   EXPECT_FALSE(left.limited || left.ramping);
 }
 
+TEST(Coupling, AProxyThatWasHeldInsideOrFollowedBeginsWithARamp) {
+  const Coupling coupling = for_field(make_coupling({}, kRate), view_with(0.34, 0.8));
+  for (const bool held : {true, false}) {
+    CouplingState state;
+    for (int t = 0; t < 200; ++t) {  // longer than the ramp
+      Contact away;
+      (held ? away.held_inside : away.following) = true;
+      couple(away, coupling.stiffness, coupling, state);
+    }
+    const Force first = couple(contact_with({0, 0, 3}), coupling.stiffness, coupling, state);
+    EXPECT_TRUE(first.ramping) << held;
+    EXPECT_LT(newton(first).z, 0.1) << held;
+  }
+}
+
 TEST(Coupling, AboveTheLimitTheForceIsShortenedAndKeepsItsDirection) {
   TickSettings settings;
   settings.force_limit = Newton::of(2.5);

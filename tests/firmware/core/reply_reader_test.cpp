@@ -36,6 +36,18 @@ TEST(ReplyReader, HomedNeedsAllThreeLegsTwiceInARow) {
   EXPECT_TRUE(read.state.homed);
 }
 
+TEST(ReplyReader, AMalformedPacketInterruptsTheTwoInARow) {
+  Reader read;
+  read(packet({1, 2, 3}));
+  Input malformed = packet({1, 2, 3});
+  malformed.packet[15] = 'A';
+  read(malformed);
+  read(packet({1, 2, 3}));
+  EXPECT_FALSE(read.state.homed);
+  read(packet({1, 2, 3}));
+  EXPECT_TRUE(read.state.homed);
+}
+
 TEST(ReplyReader, AStaleOrMalformedPacketChangesNoCount) {
   Reader read;
   read(packet({10, 20, 30}));

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <string>
 
 #include "firmware/loop/linux_clock.h"
 
@@ -29,6 +31,39 @@ TEST(Lines, AChipThatIsNotThereIsToldWithWhatToDo) {
   const std::string said = taken("/dev/no-such-chip");
   if (said.find("libgpiod") != std::string::npos) GTEST_SKIP() << said;
   EXPECT_EQ(said, "lines.chip = /dev/no-such-chip: No such file or directory; name a chip that 'gpiodetect' shows");
+}
+
+/// A chip all of whose lines are high.
+class HighGpio final : public lines::Gpio {
+ public:
+  std::unique_ptr<lines::GpioLine> input(unsigned /*offset*/, bool /*with_edges*/) override { return std::make_unique<Line>(); }
+  std::unique_ptr<lines::GpioLine> output(unsigned /*offset*/) override { return std::make_unique<Line>(); }
+
+ private:
+  struct Line final : lines::GpioLine {
+    int get() override { return 1; }
+    bool set(bool /*high*/) override { return true; }
+    bool wait_edge(std::int64_t /*timeout_ns*/, std::int64_t& /*edge_ns*/) override { return true; }
+  };
+};
+
+TEST(Lines, AWatchdogThatIsSilentForATenthOfASecondIsAStop) {
+  for (const double tick_hz : {1000.0, 4000.0}) {
+    settings::Settings settings;
+    settings.line_chip = "any";
+    settings.line_stop = 3;
+    settings.tick_hz = tick_hz;
+    loop::LinuxClock clock;
+    const loop::TickStats stats;
+    Lines lines;
+    const auto open = [](const std::string&) -> std::unique_ptr<lines::Gpio> { return std::make_unique<HighGpio>(); };
+    ASSERT_FALSE(take_lines(settings, clock, stats, lines, open));
+    ASSERT_TRUE(lines.watchdog);
+    lines.watchdog->step();
+    const int patience = static_cast<int>(tick_hz / 10);
+    for (int tick = 0; tick <= patience; ++tick) ASSERT_EQ(lines.state.get() & kLineStop, 0) << tick;
+    EXPECT_NE(lines.state.get() & kLineStop, 0) << tick_hz;
+  }
 }
 
 /// A device's file that nobody may open. There is no chip behind it, which libgpiod 1 finds out only later; libgpiod 2 looks for that first.

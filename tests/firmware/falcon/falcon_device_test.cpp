@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
+#include <deque>
 
 #include "tests/firmware/falcon/fake_falcon.h"
 #include "tests/support/alloc_guard.h"
@@ -143,6 +146,116 @@ TEST(FalconDevice, ReadsRepliesInPieces) {
   desk.falcon.faults.byte_by_byte = true;
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(desk.device.exchange({}).fresh);
   EXPECT_EQ(desk.device.counts().stream.split, 10U);
+}
+
+TEST(FalconDevice, ACommandThatIsNotTakenWholeIsNotWaitedFor) {
+  Desk desk;
+  desk.falcon.faults.short_writes = true;
+  const std::int64_t began = desk.clock.now;
+  EXPECT_FALSE(desk.device.exchange({{100, 100, 100}}).fresh);
+  EXPECT_EQ(desk.clock.now, began);
+  EXPECT_EQ(desk.device.counts().timeouts, 1U);
+}
+
+TEST(FalconDevice, IsLostAfterAsManyMissingRepliesAsItsSettingsSay) {
+  for (const int most : {1, 3, 25}) {
+    FakeClock clock;
+    FakeFalcon falcon(clock);
+    ASSERT_TRUE(falcon.open());
+    FalconDevice device(falcon, clock, {.lost_after = most});
+    for (int i = 1; i <= most; ++i) EXPECT_EQ(device.exchange({}).lost, i == most) << i << " of " << most;
+  }
+}
+
+/// The transfers that a test has put there, and a millisecond after each command its reply: the command's first word comes back as the first count.
+class TransferLink final : public FalconLink {
+ public:
+  explicit TransferLink(FakeClock& clock) : clock_(clock) {}
+
+  static test::Bytes replies(std::initializer_list<std::int16_t> counts) {
+    test::Bytes transfer = {0x01, 0x60};
+    for (const std::int16_t count : counts) {
+      const FalconPacket packet = encode(FalconReply{{count, 0, 0}, 0, 7});
+      transfer.insert(transfer.end(), packet.begin(), packet.end());
+    }
+    return transfer;
+  }
+  static test::Bytes nothing() { return replies({}); }
+
+  std::deque<test::Bytes> there;  ///< may be read at once
+  bool mute = false;
+  int reads = 0;
+
+  LinkResult<void> open() override { return {}; }
+  void close() override {}
+  bool is_open() const override { return true; }
+  const FalconIdentity& identity() const override { return identity_; }
+  LinkResult<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
+  LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
+    if (!mute) coming_.push_back(replies({decode_command(data.first<kFalconPacketBytes>())->words[0]}));
+    return data.size();
+  }
+  LinkResult<std::size_t> read(std::span<std::uint8_t> buffer, std::uint32_t timeout_ms) override {
+    ++reads;
+    clock_.now += 1'000;
+    if (there.empty() && timeout_ms > 0) {
+      clock_.now += 999'000;
+      there.swap(coming_);
+    }
+    if (there.empty()) return LinkError::kTimedOut;
+    const test::Bytes transfer = there.front();
+    there.pop_front();
+    std::copy(transfer.begin(), transfer.end(), buffer.begin());
+    return transfer.size();
+  }
+
+ private:
+  FakeClock& clock_;
+  FalconIdentity identity_;
+  std::deque<test::Bytes> coming_;
+};
+
+struct TransferDesk {
+  FakeClock clock;
+  TransferLink link{clock};
+  FalconDevice device{link, clock};
+
+  /// The first count of what one exchange brings; -1 when it brings nothing fresh.
+  int exchange(std::int16_t word) {
+    const Exchange exchange = device.exchange({{word, 0, 0}});
+    return exchange.fresh ? exchange.reply.counts[0] : -1;
+  }
+  /// Until no late reply is expected any more.
+  void calm() {
+    for (std::int16_t i = 0; i < 20; ++i) ASSERT_EQ(exchange(i), i);
+  }
+};
+
+TEST(FalconDevice, ALateReplyBehindEmptyPacketsIsNotTakenForTheNext) {
+  TransferDesk desk;
+  desk.link.there = {TransferLink::nothing(), TransferLink::nothing(), TransferLink::replies({77})};
+  EXPECT_EQ(desk.exchange(5), 5);
+  EXPECT_EQ(desk.device.counts().late, 1U);
+}
+
+TEST(FalconDevice, AfterMergedRepliesALateOneIsNotTakenForTheNext) {
+  TransferDesk desk;
+  desk.calm();
+  desk.link.there = {TransferLink::replies({70, 71})};
+  desk.link.mute = true;
+  EXPECT_EQ(desk.exchange(5), 71) << "of two that come together the newer one";
+  desk.link.mute = false;
+  desk.link.there = {TransferLink::replies({72})};
+  EXPECT_EQ(desk.exchange(6), 6);
+  EXPECT_EQ(desk.device.counts().late, 2U);
+}
+
+TEST(FalconDevice, APartOfAMillisecondIsWaitedForToo) {
+  FakeClock clock;
+  TransferLink link(clock);
+  FalconDevice device(link, clock, {.reply_ns = 500'000});
+  EXPECT_TRUE(device.exchange({{5, 0, 0}}).fresh);
+  EXPECT_LE(link.reads, 6) << "it does not spin";
 }
 
 /// Takes everything, answers at once, and allocates nothing.

@@ -91,6 +91,17 @@ TEST(FalconSession, TriesToBootAgainUntilTheWallPowerIsThere) {
   EXPECT_LT(desk.clock.now - began, 2'000'000'000);
 }
 
+TEST(FalconSession, ABootThatFailedIsTriedAgainAfterASecond) {
+  Desk desk;
+  desk.falcon.faults.wall_power = false;
+  ASSERT_TRUE(desk.reaches(SessionState::kBooting));
+  ASSERT_TRUE(desk.reaches(SessionState::kSearching));
+  const std::int64_t failed = desk.clock.now;
+  ASSERT_TRUE(desk.reaches(SessionState::kBooting));
+  EXPECT_GE(desk.clock.now - failed, 990'000'000);
+  EXPECT_LE(desk.clock.now - failed, 1'100'000'000);
+}
+
 TEST(FalconSession, AnUnplugWhileBootingLeadsBackToTheSearch) {
   FakeClock clock;
   FakeFalcon falcon(clock);
@@ -121,6 +132,22 @@ TEST(FalconSession, BringsASilentDeviceUpAgain) {
   EXPECT_EQ(lost, 1);
   ASSERT_TRUE(desk.reaches(SessionState::kRunning));
   EXPECT_EQ(desk.session.last_boot().outcome, BootOutcome::kLoaded);
+}
+
+TEST(FalconSession, ADeviceThatIsLostIsLeftWithoutForceAndLight) {
+  Desk desk;
+  ASSERT_TRUE(desk.reaches(SessionState::kRunning));
+  const FalconCommand pushes = {{7, 7, 7}, kFalconGreen};
+  desk.session.step(pushes);
+  desk.falcon.faults.mute_replies = 20;  // it hears, and does not answer
+  bool lost = false;
+  for (int i = 0; i < 20; ++i) lost = desk.session.step(pushes).lost;
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(desk.falcon.is_open());
+  const auto& commands = desk.falcon.commands;
+  ASSERT_GE(commands.size(), 4U);
+  EXPECT_NE(commands[commands.size() - 4], FalconCommand{});
+  for (std::size_t i = 1; i <= 3; ++i) EXPECT_EQ(commands[commands.size() - i], FalconCommand{});
 }
 
 TEST(FalconSession, EndsWithoutForceAndLightAndGivesTheDeviceBack) {

@@ -191,6 +191,21 @@ TEST(FalconUsb, StallsAndDisturbedTransfersAreOvercome) {
   EXPECT_EQ(link.read(buffer, 500).error(), LinkError::kGone) << "nothing but errors";
 }
 
+TEST(FalconUsb, ErrorsWithGoodTransfersBetweenThemDoNotAddUp) {
+  Desk desk;
+  FalconUsb link(desk.clock);
+  ASSERT_TRUE(link.open());
+  desk.falcon.faults.empty_packets = false;
+  Bytes buffer(64);
+  for (int i = 0; i < 10; ++i) {
+    fake_bus().line_errors = 20;
+    desk.falcon.send({1});
+    const LinkResult<std::size_t> size = link.read(buffer, 50);
+    ASSERT_TRUE(size) << i;
+    EXPECT_EQ(*size, 3U);
+  }
+}
+
 TEST(FalconUsb, SeveralWritesAreOnTheirWayAtOnce) {
   Desk desk;
   FalconUsb link(desk.clock);

@@ -119,6 +119,29 @@ TEST(Loop, ATickFasterThanTheDeviceSeesStaleSamplesInBetween) {
   EXPECT_EQ(bench.stats.late.value(), 0U);
 }
 
+TEST(Loop, ATickThatWaitsForItsOwnTimeIsNotStartedByTheReply) {
+  Bench bench;
+  bench.device.keeps_asking = true;  // four replies a tick: each is too early
+  bench.device.latency_ns = 250'000;
+  bench.device.grid_ns = 250'000;
+  bench.steps(20);
+  const std::uint64_t before = bench.stats.by_reply.value();
+  bench.steps(1000);
+  EXPECT_EQ(bench.stats.fresh.value(), 1020U);
+  EXPECT_LE(bench.stats.by_reply.value() - before, 10U);
+}
+
+TEST(Loop, TheWatchdogIsToldEveryTicksState) {
+  Bench bench;
+  EXPECT_EQ(bench.lines.told(), SupervisorState::kBoot);
+  bench.steps(20);
+  EXPECT_EQ(bench.state(), SupervisorState::kHoming);
+  EXPECT_EQ(bench.lines.told(), bench.state());
+  bench.requests.ask(kRequestStop);
+  bench.steps(1);
+  EXPECT_EQ(bench.lines.told(), SupervisorState::kFault);
+}
+
 TEST(Loop, ATickSlowerThanTheDeviceTakesTheNewestSampleAndCountsTheOthers) {
   Bench bench({.period_ns = 4'000'000});
   bench.device.keeps_asking = true;

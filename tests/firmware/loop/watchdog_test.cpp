@@ -66,6 +66,21 @@ TEST(Watchdog, TheHeartbeatChangesAtEveryStepWhileTicksCome) {
   }
 }
 
+TEST(Watchdog, ItsStepsStayOnTheirGridHoweverLongTheirWorkTakes) {
+  Bench bench;
+  for (int t = 1; t <= 1000; ++t) {
+    bench.run(1);
+    ASSERT_EQ(bench.clock.now_ns(), t * 1'000'000);
+    bench.clock.sleep_until_ns(bench.clock.now_ns() + 300'000);
+  }
+  bench.clock.sleep_until_ns(bench.clock.now_ns() + 5'000'000);  // held up
+  const std::int64_t held = bench.clock.now_ns();
+  bench.run(1);
+  EXPECT_EQ(bench.clock.now_ns(), held) << "at once";
+  bench.run(1);
+  EXPECT_EQ(bench.clock.now_ns(), held + 1'000'000) << "what was missed is not made up for";
+}
+
 TEST(Watchdog, BeforeTheFirstTickThereIsNeither) {
   Bench bench;
   bench.in(S::kActive);

@@ -105,6 +105,21 @@ TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
   EXPECT_EQ(field_bytes(settings), 16U << 20);
 }
 
+TEST(ApplySettings, HowTheDeviceIsBroughtUpAndGivenUpIsTheSettings) {
+  Settings settings;
+  settings.attempts = 9;
+  settings.ignore_echo = !settings.ignore_echo;
+  settings.always_upload = !settings.always_upload;
+  settings.reply_ms = 7.5;
+  settings.lost_after = 77;
+  const falcon::SessionSettings session = session_settings(settings);
+  EXPECT_EQ(session.boot.attempts, 9);
+  EXPECT_EQ(session.boot.ignore_echo, settings.ignore_echo);
+  EXPECT_EQ(session.boot.always_upload, settings.always_upload);
+  EXPECT_EQ(session.device.reply_ns, 7'500'000);
+  EXPECT_EQ(session.device.lost_after, 77);
+}
+
 TEST(ApplySettings, TimesStayTimesAtAnyRate) {
   Settings settings;
   settings.tick_hz = 10'000;

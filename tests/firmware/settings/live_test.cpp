@@ -23,6 +23,13 @@ TEST(LiveSettings, WhatIsSetReachesTheTickInItsFormat) {
   EXPECT_EQ(commands.take_change(), SettingChange{});
 }
 
+TEST(LiveSettings, ARangeHoldsItsEndsAndNothingBeyond) {
+  LiveSettings live({});
+  loop::Requests requests;
+  for (const char* end : {"0", "1.5"}) EXPECT_EQ(live.set("friction", end, requests, 0).sentence(), "") << end;
+  for (const char* beyond : {"-0.0001", "1.5001"}) EXPECT_TRUE(live.set("friction", beyond, requests, 0)) << beyond;
+}
+
 TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
   loop::Requests commands;
   LiveSettings live{Settings{}};

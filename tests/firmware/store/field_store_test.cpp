@@ -89,6 +89,20 @@ TEST(FieldStore, APointerThatIsNoHashPointsNowhere) {
   }
 }
 
+TEST(FieldStore, WhatIsTakenBackNoPowerCutBringsAgain) {
+  CrashingFolder folder;
+  FieldStore store(folder, 4);
+  const FileBytes bytes(10, 7);
+  ASSERT_TRUE(store.put(1, "old", bytes) && store.set_active(1));
+  ASSERT_TRUE(store.put(2, "new", bytes) && store.set_active(2));
+  ASSERT_TRUE(store.take_back(2, 1, true));
+  CrashingFolder left = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
+  FieldStore next(left, 4);
+  EXPECT_EQ(next.active(), 1U);
+  EXPECT_FALSE(next.holds(2));
+  EXPECT_TRUE(next.holds(1));
+}
+
 TEST(FieldStore, AFullStorageRefusesAndLosesNothing) {
   CrashingFolder folder;
   FieldStore store(folder, 2);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -10,8 +12,26 @@
 
 #include "tests/support/scratch_folder.h"
 
+namespace {
+
+std::vector<ino_t> synced;  ///< files and folders, in order
+
+}  // namespace
+
+/// Comes before the C library's.
+extern "C" int fsync(int file) {
+  struct stat about {};
+  if (::fstat(file, &about) == 0) synced.push_back(about.st_ino);
+  return static_cast<int>(::syscall(SYS_fsync, file));
+}
+
 namespace isotouch::store {
 namespace {
+
+ino_t number_of(const std::filesystem::path& path) {
+  struct stat about {};
+  return ::stat(path.c_str(), &about) == 0 ? about.st_ino : 0;
+}
 
 const std::vector<std::uint8_t> kBytes = {1, 2, 3};
 
@@ -51,6 +71,28 @@ TEST(LinuxFolder, DoesWhatItSays) {
   struct stat about {};
   ASSERT_EQ(::stat((scratch.path() / "state").c_str(), &about), 0);
   EXPECT_EQ(about.st_mode & 0777U, 0700U) << "nobody else reads it";
+}
+
+TEST(LinuxFolder, AFileIsItsOwnersAlone) {
+  const ScratchFolder scratch;
+  LinuxFolder folder((scratch.path() / "state").string());
+  const mode_t mask = ::umask(0);
+  ASSERT_TRUE(folder.write("a", kBytes));
+  ::umask(mask);
+  EXPECT_EQ(std::filesystem::status(scratch.path() / "state" / "a").permissions(), std::filesystem::perms(0600));
+}
+
+TEST(LinuxFolder, WhatIsSyncedIsOnTheDisk) {
+  const ScratchFolder scratch;
+  LinuxFolder folder((scratch.path() / "state").string());
+  ASSERT_TRUE(folder.write("a", kBytes));
+  ASSERT_TRUE(folder.write("b", kBytes));
+  synced.clear();
+  ASSERT_TRUE(folder.sync("a"));
+  EXPECT_THAT(synced, testing::ElementsAre(number_of(scratch.path() / "state" / "a")));
+  synced.clear();
+  ASSERT_TRUE(folder.sync_names());
+  EXPECT_THAT(synced, testing::ElementsAre(number_of(scratch.path() / "state")));
 }
 
 TEST(LinuxFolder, NoLinkLeadsOutOfIt) {

@@ -1,0 +1,73 @@
+#include "firmware/falcon/falcon_port.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "tests/firmware/falcon/fake_falcon.h"
+
+namespace isotouch::falcon {
+namespace {
+
+using loop::Answer;
+using test::FakeClock;
+using test::FakeFalcon;
+
+const std::array<std::uint8_t, 34> kImage = synthetic_image();
+
+struct Desk {
+  FakeClock clock;
+  FakeFalcon falcon{clock};
+  FalconSession session{falcon, clock, kImage};
+  FalconPort port{session, falcon};
+  FalconPacket reply{};
+
+  Answer exchange() { return port.exchange({{7, 7, 7}, 0}, reply); }
+};
+
+TEST(FalconPort, ADeviceThatDoesNotAnswerIsSilentAndOneThatIsNotThereAbsent) {
+  Desk desk;
+  EXPECT_EQ(desk.exchange(), Answer::kAbsent) << "it is searched for";
+  EXPECT_EQ(desk.exchange(), Answer::kAbsent) << "it is brought up";
+  desk.falcon.reply = {{1, 2, 3}, 0, 7};
+  EXPECT_EQ(desk.exchange(), Answer::kReply);
+  EXPECT_EQ(desk.reply, encode(desk.falcon.reply));
+  desk.falcon.faults.mute_replies = 1;
+  const FalconPacket before = desk.reply;
+  desk.falcon.reply = {{4, 5, 6}, 0, 7};
+  EXPECT_EQ(desk.exchange(), Answer::kSilent);
+  EXPECT_EQ(desk.reply, before);
+  EXPECT_EQ(desk.exchange(), Answer::kReply);
+  desk.falcon.faults.present = false;
+  EXPECT_EQ(desk.exchange(), Answer::kSilent) << "it was asked";
+  EXPECT_EQ(desk.exchange(), Answer::kAbsent);
+}
+
+TEST(FalconPort, ShowsWhatBecameOfTheDevice) {
+  Desk desk;
+  desk.falcon.faults.present = false;
+  desk.exchange();
+  EXPECT_EQ(desk.port.shown().get().state, SessionState::kSearching);
+  EXPECT_TRUE(desk.port.shown().get().troubled);
+  EXPECT_EQ(desk.port.shown().get().trouble, LinkError::kNotFound);
+  desk.falcon.faults.present = true;
+  while (desk.session.state() != SessionState::kRunning) desk.exchange();
+  const PortReport& running = desk.port.shown().get();
+  EXPECT_EQ(running.state, SessionState::kRunning);
+  EXPECT_EQ(running.boots, 1U);
+  EXPECT_FALSE(running.troubled);
+  EXPECT_EQ(std::string(running.serial.data()), "FAKE0001");
+}
+
+TEST(FalconPort, RestsBySwitchingTheDeviceOff) {
+  Desk desk;
+  while (desk.session.state() != SessionState::kRunning) desk.exchange();
+  desk.exchange();
+  desk.port.rest();
+  EXPECT_EQ(desk.falcon.commands.back(), FalconCommand{});
+  EXPECT_FALSE(desk.falcon.is_open());
+}
+
+}  // namespace
+}  // namespace isotouch::falcon
