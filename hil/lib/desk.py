@@ -122,6 +122,13 @@ class Desk:
         if not within(20, self.is_felt):
             raise Failure("the field was not felt")
 
+    def thread(self, name: str) -> int:
+        """The number of a thread of the controller."""
+        threads = [int(comm.parent.name) for comm in Path(f"/proc/{self.started[-1].pid}/task").glob("*/comm") if comm.read_text() == f"{name}\n"]
+        if len(threads) != 1:
+            raise Failure(f"{len(threads)} threads are called {name}")
+        return threads[0]
+
     def controller_log(self) -> str:
         log = self.room / "controller.log"
         return log.read_text(errors="replace") if log.exists() else ""

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
+import subprocess
 import unittest
 
 import fakes
@@ -145,10 +147,24 @@ class CasesTest(fakes.Tree):
             found = self.cases("--instructions", "ball", FAKE_POSE=pose)
             self.assertEqual(found[0], code, pose)
             self.assertIn(sentence, found[2])
-        self.script("hil/instructions/same_compiler", "exit 1\n")   # another compiler is counted and not judged
-        self.assertEqual(self.cases("--instructions", "ball", FAKE_POSE="2000")[0], 0)
+        self.script("hil/instructions/same_compiler", "exit 1\n")   # what another compiler built may take half as much again, and less
+        for pose, code in (("899", 0), ("1531", 0), ("1532", 3)):
+            self.assertEqual(self.cases("--instructions", "ball", FAKE_POSE=pose)[0], code, pose)
         self.script("hil/instructions/count", "exit 1\n")
         self.assertIn("ball cannot be counted on arm64", self.cases("--instructions", "ball")[2])
+
+    def test_a_second_run_waits_until_the_first_has_ended(self) -> None:
+        self.accept()
+        with (self.root / "build/cases/lock").open("w") as first:
+            fcntl.flock(first, fcntl.LOCK_EX)
+            with self.start("hil/cases/run", "ball", ISOTOUCH=str(self.root / "tool"), ISOTOUCH_DATA="") as second:
+                assert second.stderr
+                self.assertEqual(second.stderr.readline(), "cases: another run uses build/cases; waiting until it has ended\n")
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    second.wait(timeout=1)
+                fcntl.flock(first, fcntl.LOCK_UN)
+                said, _ = second.communicate(timeout=60)
+        self.assertEqual((second.returncode, json.loads(said)["exit"]), (0, 0))
 
     def test_a_table_with_a_cell_too_few_or_without_a_case_is_refused(self) -> None:
         table = self.root / "hil/cases.csv"

@@ -21,7 +21,7 @@ class CeilingsTest(fakes.Tree):
         super().setUp()
         (self.root / "hil/instructions/ceilings.csv").write_text(CEILINGS)
         self.script("hil/instructions/count", COUNT)
-        self.script("hil/instructions/same_compiler", 'echo "another compiler: not judged"; exit ${FAKE_COMPILER:-0}\n')
+        self.script("hil/instructions/same_compiler", 'echo "another compiler: half as many again"; exit ${FAKE_COMPILER:-0}\n')
         self.script("hil/cases/run", """echo '{"case": "ball", "method": "default", "hip_to_force": '${FAKE_CASE:-1000}'}'
 echo '{"case": "levels", "method": "published", "hip_to_force": '${FAKE_PUBLISHED:-5000}', "counts_to_words": 5000}'; exit ${FAKE_CASES_EXIT:-0}\n""")
         self.script("build/release/bin/isotouch", "exit ${FAKE_TOOL:-0}\n")
@@ -58,9 +58,12 @@ echo '{"case": "levels", "method": "published", "hip_to_force": '${FAKE_PUBLISHE
         self.assertEqual(self.ceilings(FAKE_MEDIAN="910")[0], 0)
         self.assertIn("a tick of press takes more than 1.1 medians", self.ceilings(FAKE_MEDIAN="909")[2])
 
-    def test_another_compiler_is_counted_and_not_judged(self) -> None:
-        code, _, complaints = self.ceilings(FAKE_SEARCH="2000", FAKE_COMPILER="1")
-        self.assertEqual((code, complaints), (0, "ceilings: another compiler: not judged\n"))
+    def test_what_another_compiler_built_may_take_half_as_much_again_and_no_more(self) -> None:
+        code, _, complaints = self.ceilings(FAKE_SEARCH="1560", FAKE_COMPILER="1")
+        self.assertEqual((code, complaints), (0, "ceilings: another compiler: half as many again\n"))
+        code, _, complaints = self.ceilings(FAKE_SEARCH="1561", FAKE_COMPILER="1")
+        self.assertEqual(code, 3)
+        self.assertIn("HIP to force took 1561 instructions, the ceiling is 1560", complaints)
 
     def test_a_case_above_its_own_limit_fails(self) -> None:
         self.assertEqual(self.ceilings(FAKE_CASES_EXIT="3")[0], 3)

@@ -19,6 +19,7 @@ class SoakTest(unittest.TestCase):
         self.assertIn("felt          10000 ticks; resumed 0 times", said)
         self.assertRegex(said, r"recordings +[1-9]\d* whole ones of 200 ms, 0 that another field ended; [1-9]\d* ticks replayed to the bit")
         self.assertIn("      1 futex FUTEX_WAKE_PRIVATE", said)
+        self.assertTrue(said.endswith("\n1 passed, 0 failed, 0 skipped\n"), said)
         self.assertNotIn("LEFT BEHIND", said)
 
     def test_a_child_that_fails_fails_the_script(self) -> None:
@@ -40,10 +41,14 @@ class SoakTest(unittest.TestCase):
                 self.assertEqual(code, 1, said)
                 self.assertIn(what, said)
 
-    def test_without_strace_system_calls_are_not_judged(self) -> None:
-        code, said = soak(FAKE_FAILS="strace")
-        self.assertEqual(code, 0, said)
-        self.assertIn("not seen: strace may not look at threads here (it is meant to fail)", said)
+    def test_a_machine_that_hides_the_system_calls_fails_the_script_unless_told_before(self) -> None:
+        for environment in ({"FAKE_FAILS": "strace"}, {"FAKE_CALLS": ""}):
+            code, said = soak(**environment)
+            self.assertEqual(code, 1, said)
+            self.assertIn("strace may not look at threads here (", said)
+            code, said = soak(**environment, SOAK_WITHOUT_CALLS="1")
+            self.assertEqual(code, 0, said)
+            self.assertTrue(said.endswith("\n1 passed, 0 failed, 1 skipped\n"), said)
 
     def test_a_number_that_is_none_is_wrong_usage(self) -> None:
         for arguments in (("0",), ("1", "x"), ("1", "2", "3"), ("1234567",)):

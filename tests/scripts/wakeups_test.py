@@ -1,16 +1,29 @@
 #!/usr/bin/env python3
 """What hil/wakeups promises, and hil/touch_demo."""
 
+import subprocess
+import sys
 import unittest
 
 import fakes
 
 
 def wakeups(*arguments: str, **environment: str) -> tuple[int, str]:
-    return fakes.run("wakeups", "BIN", "a.itf", "b.itf", *(arguments or ("1", "1")), **environment)
+    return fakes.run("wakeups", "BIN", "a.itf", "b.itf", *(arguments or ("1", "1")), **{"FAKE_PRIORITY": "80", **environment})
 
 
+def may_have_rights() -> bool:
+    """Does this machine give a child real-time rights?"""
+    return subprocess.run([sys.executable, "-c", "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(3))"], stderr=subprocess.DEVNULL).returncode == 0
+
+
+@unittest.skipUnless(may_have_rights(), "this machine gives no real-time rights")
 class WakeupsTest(unittest.TestCase):
+    def test_a_tick_without_its_priority_fails_the_script(self) -> None:
+        code, said = wakeups(FAKE_PRIORITY="79")
+        self.assertEqual(code, 1, said)
+        self.assertIn("the tick's thread has no real-time priority of 80", said)
+
     def test_a_good_run_prints_ratios(self) -> None:
         code, said = wakeups()
         self.assertEqual(code, 0, said)

@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""What scenarios of the virtual board promise, where what they look at shows nothing: the real script, with the board's functions replaced."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+RIG = Path(__file__).resolve().parents[2] / "hil/rig"
+BOARD = """
+make_lines() { :; }
+press() { :; }
+feel() { :; }
+tell_status() { :; }
+beats() { return ${BEATS:-0}; }
+trace_lines() { :; }
+mark() { :; }
+kill() { :; }
+wait() { :; }
+sleep() { :; }
+edges() { :; }
+line() { echo 0; }
+start_controller() { :; }
+homed() { :; }
+reach() { :; }
+record() { :; }
+zeros() { :; }
+conclude() { :; }
+tail() { [ "$1" != /dev/zero ] || return 0; command tail "$@"; }
+dmesg() { echo 'Out of memory: Killed process 7 (tail)'; }
+status_of() { echo 0; }
+controller_process=7 falcon_process=8
+"""
+TRACED = "1000 mark traced\n" + "".join(f"{2000 + 1000 * n} 2 {n % 2}\n" for n in range(100)) + "102000 mark killed\n102500 2 0\n103000 mark gone\n200000 mark end\n"
+LOCKED = "Name:\tisotouchd\nVmLck:\t   70000 kB\n"
+
+
+class ScenariosTest(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.room = Path(folder.name)
+        (self.room / "run").mkdir()
+        (self.room / "proc/7").mkdir(parents=True)
+
+    def scenario(self, name: str, more: str = "") -> tuple[int, str]:
+        """Exit code, and what it says; /run and /proc are folders of the test."""
+        script = (RIG / "scenarios" / name).read_text().replace(". /lib/board.sh\n", (RIG / "guest/board.sh").read_text() + BOARD + more)
+        script = script.replace("/run/", f"{self.room}/run/").replace("/proc/", f"{self.room}/proc/")
+        ended = subprocess.run(["sh", "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60)
+        return ended.returncode, ended.stdout
+
+    def test_killed_needs_a_heartbeat_in_the_trace_before_the_signal(self) -> None:
+        (self.room / "run/falcon.log").write_text("falcon-sim: 9 packets, torque until the 7th, ran out 1 times, ...\n")
+        edges = self.room / "run/edges"
+        edges.write_text(TRACED)
+        code, said = self.scenario("killed")
+        self.assertEqual(code, 0, said)
+        self.assertIn("the heartbeat's last edge 500 us after the signal", said)
+        for empty in ("", "1000 mark traced\n102000 mark killed\n103000 mark gone\n200000 mark end\n"):
+            edges.write_text(empty)
+            code, said = self.scenario("killed")
+            self.assertEqual(code, 1, said)
+            self.assertIn("the trace shows no heartbeat before the signal", said)
+        edges.write_text(TRACED.replace("200000", "150000 2 1\n200000"))
+        self.assertIn("the heartbeat goes on", self.scenario("killed")[1])
+
+    def test_low_memory_needs_locked_memory(self) -> None:
+        status = self.room / "proc/7/status"
+        status.write_text(LOCKED)
+        code, said = self.scenario("low-memory")
+        self.assertEqual(code, 0, said)
+        for unlocked in (LOCKED.replace("70000", "0"), LOCKED.replace("70000", "16000"), "Name:\tisotouchd\n"):
+            status.write_text(unlocked)
+            code, said = self.scenario("low-memory")
+            self.assertEqual(code, 1, said)
+            self.assertIn("the controller's memory is not locked", said)
+
+    def terminated(self, packets: int, torque: int, commands: str) -> tuple[int, str]:
+        (self.room / "run/falcon.log").write_text(f"falcon-sim: {packets} packets, torque until the {torque}th, ran out 0 times, ...\n")
+        (self.room / "run/controller.log").write_text("state: active\n")
+        tool = f"isotouchctl() {{ case $* in *command_1*) printf 'tick,c1,c2,c3\\n{commands}' ;; *) printf 'tick\\n1\\n2\\n3\\n' ;; esac; }}\n"
+        return self.scenario("terminated", tool + "BEATS=1\n")
+
+    def test_terminated_counts_its_ticks(self) -> None:
+        code, said = self.terminated(100, 97, "1,0,0,0\\n2,5,0,0\\n3,5,0,0\\n")
+        self.assertEqual(code, 0, said)
+        self.assertIn("zero SIGTERM: the next packet, ticks 1\n", said)
+        for packets, torque, commands, why in ((100, 96, "3,5,0,0\\n", "not three packets without torque at the end but 4"), (100, 97, "2,5,0,0\\n3,0,0,0\\n", "the last of 3 ticks with motor commands is 2"),
+                                               (100, 97, "3,0,0,0\\n", "the last of 3 ticks with motor commands is none")):
+            code, said = self.terminated(packets, torque, commands)
+            self.assertEqual(code, 1, said)
+            self.assertIn(why, said)
+
+
+if __name__ == "__main__":
+    unittest.main()
