@@ -26,7 +26,7 @@ inline constexpr std::array<FaultName, 11> kFaultNames = {{
     {kFaultEmergency, "emergency", "the emergency stop is pressed, its wire is broken, or the watchdog no longer reads it; release it"},
     {kFaultEnable, "enable", "the enable line of the motors does not read back as it was set; check its relay and wires"},
     {kFaultMemory, "memory",
-     "the supervisor's memory was damaged; restart the controller, and test the board's memory if it happens again"},
+     "the controller's memory was damaged; restart the controller, and test the board's memory if it happens again"},
     {kFaultGuard, "guard",
      "the guard took the force away, because a motor command contradicted the device's own packets; let go, and restart the controller if "
      "it "

@@ -26,10 +26,11 @@ enum RequestBits : std::uint8_t {
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
-/// set. Bits 4 to 7: the guard's verdict.
+/// set. Bit 2: the memory. Bits 4 to 7: the guard's verdict.
 enum LineBits : std::uint8_t {
   kLineStop = 1U << 0,         ///< the emergency stop is pressed, its wire is broken, or nobody reads it
   kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
+  kLineMemory = 1U << 2,       ///< memory that the tick relies on has changed, see `loop/memory_check.h`
   kLineGuard = 0xFU << 4,      ///< a GuardVerdict
 };
 
@@ -134,7 +135,7 @@ enum Faults : std::uint16_t {
   kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age
   kFaultEmergency = 1U << 7,    ///< kLineStop
   kFaultEnable = 1U << 8,       ///< kLineEnableWrong
-  kFaultMemory = 1U << 9,       ///< what the supervisor remembered contradicted itself
+  kFaultMemory = 1U << 9,       ///< what the supervisor remembered contradicted itself, or kLineMemory
   kFaultGuard = 1U << 10,       ///< the guard took the force away, see GuardVerdict
 };
 

@@ -16,7 +16,7 @@ using namespace trace_layout;
 namespace {
 
 constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart;
-constexpr std::uint8_t kAllLines = kLineStop | kLineEnableWrong | kLineGuard;
+constexpr std::uint8_t kAllLines = kLineStop | kLineEnableWrong | kLineMemory | kLineGuard;
 
 /// Writes the fields of a layout one behind the other.
 struct FieldWriter {

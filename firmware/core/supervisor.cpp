@@ -38,7 +38,7 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
       when(seen.too_deep && state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
       when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) | when(doubts.late && too_long, kFaultLate) |
       when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable) |
-      when((seen.lines & kLineGuard) != 0, kFaultGuard) | when(is_damaged(memory, state), kFaultMemory));
+      when((seen.lines & kLineGuard) != 0, kFaultGuard) | when(is_damaged(memory, state) || (seen.lines & kLineMemory) != 0, kFaultMemory));
 }
 
 Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits) {

@@ -28,6 +28,7 @@
 #include "firmware/loop/exchange_thread.h"
 #include "firmware/loop/linux_clock.h"
 #include "firmware/loop/loop.h"
+#include "firmware/loop/memory_check.h"
 #include "firmware/recording/recorder.h"
 #include "firmware/settings/live.h"
 #include "firmware/store/field_intake.h"
@@ -80,6 +81,7 @@ class Controller {
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
   bool may_begin_again() const;
+  void look_after_memory();
   void say_what_changed();
   std::string judge_delay();
 
@@ -116,6 +118,7 @@ class Controller {
   std::optional<control::ControlServer> control_;
   std::optional<store::RunMark> mark_;
   std::optional<loop::Loop> loop_;
+  std::optional<loop::MemoryCheck> memory_check_;
   std::optional<RestOnCrash> crash_;
 
   std::optional<std::latch> asked_;  ///< the threads that have yet to ask for their priority
@@ -123,6 +126,7 @@ class Controller {
   std::thread exchanges_, watchdogs_, ticks_, records_;
 
   std::string device_line_, supervisor_line_;                   ///< as said last
+  loop::Damage damage_ = loop::Damage::kNone;                   ///< the same
   GuardVerdict verdict_ = GuardVerdict::kNone;                  ///< the same
   std::pair<std::uint32_t, std::uint32_t> judged_delay_{0, 0};  ///< and for which field
 };

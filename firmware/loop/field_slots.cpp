@@ -1,10 +1,18 @@
 #include "firmware/loop/field_slots.h"
 
+#include "shared/hash64.h"
+
 namespace isotouch::loop {
 
 namespace {
 constexpr std::size_t kLine = 64;
 std::size_t whole_lines(std::size_t bytes) { return (bytes + kLine - 1) / kLine * kLine; }
+
+std::uint64_t hash_of(std::span<const std::uint8_t> image, std::size_t part) {
+  const std::size_t begin = image.size() * part / FieldSlots::kParts, end = image.size() * (part + 1) / FieldSlots::kParts;
+  return hash64(image.data() + begin, end - begin);
+}
+
 }  // namespace
 
 FieldSlots::FieldSlots(std::size_t bytes) : capacity_(bytes), memory_((2 * whole_lines(bytes) + kLine) / sizeof(std::uint64_t)) {
@@ -22,6 +30,7 @@ bool FieldSlots::free() const {
 std::span<std::uint8_t> FieldSlots::begin(std::size_t bytes) {
   abandon();
   if (bytes == 0 || bytes > capacity_ || !free()) return {};
+  const std::lock_guard<std::mutex> lock(reused_);
   receiving_ = bytes;
   return {places_[receiving_slot()], bytes};
 }
@@ -35,6 +44,7 @@ Result<const FieldView*> FieldSlots::verify() {
     return view.error();
   }
   views_[slot] = *view;
+  for (std::size_t part = 0; part < kParts; ++part) hashes_[slot][part] = hash_of(view->image, part);
   verified_ = true;
   return &views_[slot];
 }
@@ -76,6 +86,14 @@ ActiveField FieldSlots::field() {
   }
   if ((word & kSlot) == kNone) return {};
   return {&views_[word & kSlot], word >> 2};
+}
+
+std::uint32_t FieldSlots::damaged_in(std::size_t part) {
+  const std::lock_guard<std::mutex> lock(reused_);
+  const std::uint32_t word = published_.load(std::memory_order_acquire);
+  if ((word & kSlot) == kNone) return 0;
+  const std::size_t slot = word & kSlot;
+  return hash_of(views_[slot].image, part) == hashes_[slot][part] ? 0 : word >> 2;
 }
 
 const FieldView* FieldSlots::field_of(std::uint32_t generation) {

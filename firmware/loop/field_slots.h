@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -80,6 +81,16 @@ class FieldSlots {
   /// The newest published field, also when the tick has not taken it over yet. Valid until the next `begin`.
   ActiveField published() const;
 
+  // --- whoever looks after the memory ---
+
+  /// Into so many parts an image is divided for `damaged_in`.
+  static constexpr std::size_t kParts = 20;
+
+  /// Reads one part of the published image again. Waits while an upload begins, for a moment.
+  ///
+  /// returns   the image's generation where it is not what `verify` saw, else 0
+  std::uint32_t damaged_in(std::size_t part);
+
   // --- tick ---
 
   /// The field of this tick; takes a new one over.
@@ -107,8 +118,10 @@ class FieldSlots {
   std::vector<std::uint64_t> memory_;
   std::array<std::uint8_t*, 2> places_{};
   std::array<FieldView, 2> views_{};
-  std::size_t receiving_ = 0;  ///< bytes; 0 = nothing was begun
-  bool verified_ = false;      ///< what was received is a field
+  std::array<std::array<std::uint64_t, kParts>, 2> hashes_{};  ///< of each part, as it was verified
+  std::mutex reused_;                                          ///< a place is not used again while it is read
+  std::size_t receiving_ = 0;                                  ///< bytes; 0 = nothing was begun
+  bool verified_ = false;                                      ///< what was received is a field
   std::uint32_t generation_ = 0;
   std::atomic<std::uint32_t> published_{kNone};
   std::atomic<std::uint32_t> acknowledged_{kNone};

@@ -20,6 +20,8 @@ class LineState {
   }
   /// The guard's side.
   void put(GuardVerdict verdict) { verdict_.store(line_bits(verdict), std::memory_order_release); }
+  /// Of whoever looks after the memory: it has changed, or is well again.
+  void put_damaged(bool damaged) { memory_.store(damaged ? std::uint8_t{kLineMemory} : std::uint8_t{0}, std::memory_order_release); }
   /// What the watchdog put last. Any thread.
   std::uint8_t lines() const { return bits_.load(std::memory_order_acquire); }
   GuardVerdict verdict() const { return guard_verdict(verdict_.load(std::memory_order_acquire)); }
@@ -33,7 +35,8 @@ class LineState {
     const std::uint32_t words = words_.load(std::memory_order_acquire);
     silent_ticks_ = words == heard_ ? silent_ticks_ + 1 : 0;
     heard_ = words;
-    const unsigned bits = unsigned{bits_.load(std::memory_order_acquire)} | verdict_.load(std::memory_order_acquire);
+    const unsigned bits = unsigned{bits_.load(std::memory_order_acquire)} | verdict_.load(std::memory_order_acquire) |
+                          memory_.load(std::memory_order_acquire);
     return static_cast<std::uint8_t>(patience_ != 0 && silent_ticks_ > patience_ ? bits | kLineStop : bits);
   }
   /// ticks     0, as at the beginning: for ever. Before the first tick
@@ -42,7 +45,7 @@ class LineState {
   void tell(std::uint16_t state) { state_.store(state, std::memory_order_release); }
 
  private:
-  std::atomic<std::uint8_t> bits_{0}, verdict_{0};
+  std::atomic<std::uint8_t> bits_{0}, verdict_{0}, memory_{0};
   std::atomic<std::uint32_t> words_{0};
   std::atomic<std::uint16_t> state_{0};
   std::uint32_t patience_ = 0, heard_ = 0, silent_ticks_ = 0;  ///< the tick's own

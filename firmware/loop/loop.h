@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <span>
 
 #include "firmware/core/tick.h"
 #include "firmware/loop/clock.h"
@@ -51,6 +52,9 @@ class Loop {
   /// Ticks until told to stop, until `step` returns false, or so often. `stop` is read once a tick.
   void run(const std::atomic<bool>& stop, std::uint64_t most = UINT64_MAX);
 
+  /// What does not change while it ticks, as it stands in memory; from construction on.
+  std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&model_), sizeof model_}; }
+
   /// As core::heat_input gives it, for the loop that follows this one. Not while it runs.
   std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
@@ -60,7 +64,7 @@ class Loop {
   void count_own_costs();
 
   LoopSettings settings_;
-  core::TickModel model_;
+  const core::TickModel model_;
   Device& device_;
   Clock& clock_;
   Neighbours neighbours_;

@@ -41,7 +41,7 @@ struct Wire {
         break;
       case 1: in.fresh = false, in.age = front.take<std::uint8_t>(); break;
       case 2: in.requests = front.take<std::uint8_t>() & 7U; break;
-      case 3: in.lines = front.take<std::uint8_t>() & 0xF3U; break;
+      case 3: in.lines = front.take<std::uint8_t>() & 0xF7U; break;
       case 4: in.late = front.take<std::uint8_t>() & 31U; break;
       case 5: {
         const SettingChange change{static_cast<TickSetting>(front.take<std::uint8_t>() & 15U), front.take<std::int32_t>()};
