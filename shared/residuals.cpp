@@ -17,6 +17,16 @@ using image_layout::kHeaderBytes;
 
 namespace {
 
+constexpr int kRuleBits = 2;
+static_assert(kRules == 1U << kRuleBits);
+
+using FourBytes = std::uint8_t __attribute__((vector_size(4)));
+
+bool any(Four mask) {
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
+  return (halves[0] | halves[1]) != 0;
+}
+
 /// The two byte planes of the four streams, as cursors into the residuals.
 template <class Byte>
 struct Streams {
@@ -25,6 +35,30 @@ struct Streams {
   Streams(Byte* at, const StreamSizes& sizes) {
     for (std::size_t rule = 0; rule < kRules; ++rule) at = end[rule] = (low[rule] = at) + sizes[rule];
     for (std::size_t rule = 0; rule < kRules; ++rule) at = (high[rule] = at) + sizes[rule];
+  }
+
+  /// Appends four codes, all at once where they have one rule.
+  void put(const std::uint32_t* codes) {
+    Four four;
+    std::memcpy(&four, codes, sizeof four);
+    const Four rules = four & static_cast<int>(kRules - 1);
+    if (!any(rules != rules[0])) {
+      put(four >> kRuleBits & 255, low[static_cast<std::size_t>(rules[0])]);
+      put(four >> (kRuleBits + 8), high[static_cast<std::size_t>(rules[0])]);
+      return;
+    }
+    for (int n = 0; n < 4; ++n) {
+      const auto rule = static_cast<std::size_t>(rules[n]);
+      *low[rule]++ = static_cast<std::uint8_t>(four[n] >> kRuleBits & 255);
+      *high[rule]++ = static_cast<std::uint8_t>(four[n] >> (kRuleBits + 8));
+    }
+  }
+
+ private:
+  static void put(Four numbers, Byte*& to) {
+    const auto bytes = __builtin_convertvector(numbers, FourBytes);
+    std::memcpy(to, &bytes, sizeof bytes);
+    to += sizeof bytes;
   }
 };
 
@@ -64,20 +98,12 @@ bool restore_table(std::uint8_t* table, std::uint64_t entries, std::uint32_t lim
   return inside;
 }
 
-constexpr int kRuleBits = 2;
-static_assert(kRules == 1U << kRuleBits);
-
 constexpr std::uint32_t zigzag(std::int32_t difference) {
   const auto wrapped = static_cast<std::int16_t>(difference);
   return static_cast<std::uint16_t>((wrapped * 2) ^ (wrapped >> 15));
 }
 
 constexpr std::int32_t unzigzag(std::uint32_t code) { return static_cast<std::int32_t>(code >> 1) ^ -static_cast<std::int32_t>(code & 1); }
-
-bool any(Four mask) {
-  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(mask);
-  return (halves[0] | halves[1]) != 0;
-}
 
 /// What can be told of four samples; as `Mean`, but of two at most.
 struct FourMeans {
@@ -90,7 +116,7 @@ struct FourMeans {
   Four value() const { return count == 2 ? (sum - (sum < 0)) >> 1 : sum; }
 };
 
-/// Codes rows of four samples. A row in which a sample is the mean of three is coded sample by sample; there are few.
+/// Codes rows of four samples. Most rows have one rule. A row in which a sample is the mean of three is coded sample by sample; there are few.
 class RowCoder {
  public:
   explicit RowCoder(std::int32_t band) : band_(band) {}
@@ -102,6 +128,15 @@ class RowCoder {
     const Four x = s(1, 0, 0), y = s(0, 1, 0), z = s(0, 0, 1), xy = s(1, 1, 0), xz = s(1, 0, 1), yz = s(0, 1, 1), xyz = s(1, 1, 1);
     const Four xx = s(2, 0, 0), yy = s(0, 2, 0), zz = s(0, 0, 2);
     const Four has_x = known(x), has_y = known(y), has_z = known(z);
+    const Four corner = x + y + z - xy - xz - yz + xyz;
+    const Four is_corner = has_x & has_y & has_z & known(xy) & known(xz) & known(yz) & known(xyz);
+    const bool all_corners = !any(~is_corner);
+    if (all_corners || !any(has_x | has_y | has_z)) {
+      const Rule rule = all_corners ? kCorner : kNothing;
+      sizes_[rule] += 4;
+      return code_row(at, corner, four(rule), code);
+    }
+
     FourMeans planes, lines;
     planes.add_if(has_x & has_y & known(xy), x + y - xy);
     planes.add_if(has_x & has_z & known(xz), x + z - xz);
@@ -109,45 +144,53 @@ class RowCoder {
     lines.add_if(has_x & known(xx), 2 * x - xx);
     lines.add_if(has_y & known(yy), 2 * y - yy);
     lines.add_if(has_z & known(zz), 2 * z - zz);
-    const Four by_corner = (planes.count == 3) & known(xyz);
-    const Four by_planes = (planes.count > 0) & ~by_corner, by_lines = (planes.count == 0) & (lines.count > 0);
+    const Four by_planes = (planes.count > 0) & ~is_corner, by_lines = (planes.count == 0) & (lines.count > 0);
     if (any((by_planes & (planes.count == 3)) | (by_lines & (lines.count == 3)))) return code_singly(at, code);
-
-    Four value = x + y + z - xy - xz - yz + xyz;
-    value = by_planes ? planes.value() : by_lines ? lines.value() : value;
-    value = value > band_ ? Four{} + band_ : value;
-    value = value < -band_ ? Four{} - band_ : value;
-    const Four wrapped = ((Window::load(at) - value) << 16) >> 16;
-    const Four folded = ((wrapped * 2) ^ (wrapped >> 15)) & 0xFFFF;
-    const auto four = [](std::int32_t number) { return Four{} + number; };
-    const Four rule = by_corner ? four(kCorner) : by_planes ? four(kPlanes) : by_lines ? four(kLines) : four(kNothing);
-    const Four codes = folded << kRuleBits | rule;
-    std::memcpy(code, &codes, sizeof codes);
-    corners_ -= by_corner, planes_ -= by_planes, lines_ -= by_lines;
-    rows_ += 4;
+    mixed_ += 4;
+    corners_ -= is_corner, planes_ -= by_planes, lines_ -= by_lines;
+    code_row(at,
+             by_planes  ? planes.value()
+             : by_lines ? lines.value()
+                        : corner,
+             is_corner   ? four(kCorner)
+             : by_planes ? four(kPlanes)
+             : by_lines  ? four(kLines)
+                         : four(kNothing),
+             code);
   }
 
   StreamSizes sizes() const {
-    StreamSizes all = singly_;
+    StreamSizes all = sizes_;
     const auto sum = [](Four counts) { return static_cast<std::uint32_t>(counts[0] + counts[1] + counts[2] + counts[3]); };
     const std::uint32_t corners = sum(corners_), planes = sum(planes_), lines = sum(lines_);
-    all[kCorner] += corners, all[kPlanes] += planes, all[kLines] += lines, all[kNothing] += rows_ - corners - planes - lines;
+    all[kCorner] += corners, all[kPlanes] += planes, all[kLines] += lines, all[kNothing] += mixed_ - corners - planes - lines;
     return all;
   }
 
  private:
+  static Four four(std::size_t number) { return Four{} + static_cast<int>(number); }
+
+  /// value     what the rules expect, before it is clamped
+  void code_row(const std::int16_t* at, Four value, Four rule, std::uint32_t* code) const {
+    value = value > band_ ? Four{} + band_ : value;
+    value = value < -band_ ? Four{} - band_ : value;
+    const Four wrapped = ((Window::load(at) - value) << 16) >> 16;
+    const Four folded = ((wrapped * 2) ^ (wrapped >> 15)) & 0xFFFF;
+    const Four codes = folded << kRuleBits | rule;
+    std::memcpy(code, &codes, sizeof codes);
+  }
   void code_singly(const std::int16_t* at, std::uint32_t* code) {
     for (int n = 0; n < 4; ++n) {
       const Prediction p = Window::predict(at + n, band_);
-      ++singly_[p.rule];
+      ++sizes_[p.rule];
       code[n] = zigzag(at[n] - p.value) << kRuleBits | static_cast<std::uint32_t>(p.rule);
     }
   }
 
   std::int32_t band_;
-  Four corners_{}, planes_{}, lines_{};  ///< samples that each rule predicted, in each place of a row
-  std::uint32_t rows_ = 0;               ///< samples in these rows
-  StreamSizes singly_{};                 ///< in the others
+  Four corners_{}, planes_{}, lines_{};  ///< samples that each rule predicted in rows of several rules, in each place of a row
+  std::uint32_t mixed_ = 0;              ///< samples in these rows
+  StreamSizes sizes_{};                  ///< of all others
 };
 
 }  // namespace
@@ -174,11 +217,7 @@ StreamSizes predict(std::span<const std::uint8_t> image, std::span<std::uint32_t
   });
   const StreamSizes sizes = coder.sizes();
   Streams<std::uint8_t> streams(out(parts.bricks_at), sizes);
-  for (const std::uint32_t coded : codes) {
-    const std::size_t rule = coded & (kRules - 1);
-    *streams.low[rule]++ = static_cast<std::uint8_t>(coded >> kRuleBits & 255U);
-    *streams.high[rule]++ = static_cast<std::uint8_t>(coded >> (kRuleBits + 8));
-  }
+  for (std::size_t row = 0; row < codes.size(); row += 4) streams.put(&codes[row]);
   return sizes;
 }
 
