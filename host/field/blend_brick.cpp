@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "host/field/vector_lanes.h"
+
 namespace isotouch::field {
 
 namespace {
@@ -42,15 +44,6 @@ Model as_floats(const Eigen::Vector3d& sample, const LocalModel& model, const Em
 
 }  // namespace
 
-std::size_t blend_lanes() {
-#ifdef __x86_64__
-  // The first machines with AVX-512 slowed down for it, and did not know VBMI2.
-  if (__builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vbmi2") != 0) return 16;
-  if (__builtin_cpu_supports("avx2") != 0) return 8;
-#endif
-  return 4;
-}
-
 BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector<LocalModel>& models, const std::vector<EmptyBalls>& balls)
     : positions_(std::move(positions)) {
   models_.reserve(models.size());
@@ -62,7 +55,7 @@ std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::
   thread_local std::vector<BlendCandidate> near;  // keeps its memory
   near.clear();
   for (const Neighbour& c : candidates) near.push_back({&models_[c.index], as_floats(positions_[c.index] - middle)});
-  static const std::size_t lanes = blend_lanes();
+  static const std::size_t lanes = vector_lanes();
   static const auto blend = lanes == 16 ? blend_by_sixteens : lanes == 8 ? blend_by_eights : blend_by_fours;
   return blend(near, doubt);
 }

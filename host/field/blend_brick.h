@@ -62,9 +62,6 @@ class BrickBlend {
   std::vector<Model> models_;
 };
 
-/// Numbers that this machine has in a vector: 4, 8 or 16.
-std::size_t blend_lanes();
-
 /// A sample near a brick, relative to the brick's middle.
 struct BlendCandidate {
   const BrickBlend::Model* model;

@@ -215,10 +215,8 @@ BrickBlend::Doubt doubt_of(const Neighbourhood& around, const Rows& value, doubl
     const auto far = around.nearest[r] > static_cast<float>(beyond) * (around.border[r] - around.nearest[r]);
     if (!any(far)) continue;
     const auto suspect = far & (value[r] * value[r] < kSuspect * around.nearest[r]);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      doubt.far |= std::uint64_t{far[lane] != 0} << (r * kLanes + lane);
-      doubt.suspect |= std::uint64_t{suspect[lane] != 0} << (r * kLanes + lane);
-    }
+    doubt.far |= std::uint64_t{true_lanes(far)} << (r * kLanes);
+    doubt.suspect |= std::uint64_t{true_lanes(suspect)} << (r * kLanes);
   }
   return doubt;
 }

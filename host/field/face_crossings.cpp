@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -60,7 +61,7 @@ void faces_near(const FaceTree& tree, std::span<const FaceTree::Face> together, 
     for (const Vector3d& corner : corners) square = std::max(square, (corner - middle).squaredNorm());
   }
   near.clear();
-  tree.each_near(middle, square, tree.whole(), [&](std::uint32_t face) { near.emplace_back(tree.faces()[face]); });
+  tree.each_near(middle, std::sqrt(square), [&](std::uint32_t face) { near.emplace_back(tree.faces()[face]); });
 }
 
 }  // namespace
@@ -70,13 +71,13 @@ FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tr
     const auto& f = mesh.faces[b];
     return std::any_of(mesh.faces[a].begin(), mesh.faces[a].end(), [&](std::uint32_t v) { return f[0] == v || f[1] == v || f[2] == v; });
   };
-  constexpr std::size_t kTogether = 8;  // faces that follow each other lie together
+  constexpr std::size_t kGroup = 8;  // faces that follow each other lie together
   std::vector<std::uint8_t> crosses(mesh.faces.size());
   const std::span faces(tree.faces());
-  in_parallel((faces.size() + kTogether - 1) / kTogether, 32, [&](std::size_t begin, std::size_t end) {
+  in_parallel((faces.size() + kGroup - 1) / kGroup, 32, [&](std::size_t begin, std::size_t end) {
     std::vector<BoxedFace> near;
     for (std::size_t group = begin; group < end; ++group) {
-      const auto together = faces.subspan(kTogether * group, std::min(kTogether, faces.size() - kTogether * group));
+      const auto together = faces.subspan(kGroup * group, std::min(kGroup, faces.size() - kGroup * group));
       faces_near(tree, together, near);
       for (const FaceTree::Face& face : together) {
         const BoxedFace boxed(face);

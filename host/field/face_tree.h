@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "host/cloud/mesh.h"
+#include "host/field/face_boxes.h"
 #include "host/field/on_triangle.h"
-#include "host/field/simd.h"
 
 namespace isotouch::field {
 
@@ -42,7 +43,7 @@ class FaceTree {
     std::array<std::uint32_t, 16> nodes;
     std::size_t count;
   };
-  Part whole() const { return {{static_cast<std::uint32_t>(nodes_.size() - 1)}, 1}; }
+  Part whole() const { return {{static_cast<std::uint32_t>(leaves_.size() + nodes_.size() - 1)}, 1}; }
   /// The part that holds all faces within a distance: for many questions from the same region.
   Part part(const Eigen::Vector3d& point, double distance) const;
 
@@ -52,9 +53,9 @@ class FaceTree {
   Place nearest(const Eigen::Vector3d& point, std::uint32_t begin, const Part& part) const;
   Place nearest(const Eigen::Vector3d& point) const { return nearest(point, near(point), whole()); }
 
-  /// Calls use(face) for every face of a part within a distance, and for some that are farther. The square of the distance may shrink on the way.
+  /// Calls use(face) for every face within a distance, and for some that are a little farther.
   template <class Use>
-  void each_near(const Eigen::Vector3d& point, const double& square, const Part& part, const Use& use) const;
+  void each_near(const Eigen::Vector3d& point, double distance, const Use& use) const;
 
   /// A face that is near, but maybe not the nearest.
   std::uint32_t near(const Eigen::Vector3d& point) const;
@@ -62,62 +63,66 @@ class FaceTree {
   const std::vector<Face>& faces() const { return faces_; }
 
  private:
-  using Point = std::array<Four, 3>;  // the same in every lane
-
-  /// The boxes of four children, one a lane. They are a little larger than what they hold, so that rounding to floats never makes a face seem farther
-  /// away than it is. Lanes without a child hold a box that is infinitely far away.
+  /// The boxes of sixteen children, which follow each other.
   struct Node {
-    std::array<Four, 3> middle;
-    std::array<std::array<Four, 3>, 3> axes;  ///< unit
-    std::array<Four, 3> half;                 ///< of the sides, along these
-    std::uint32_t first;                      ///< of four nodes; in a leaf, of four faces
-
-    Four squares_to(const Point& point) const;
-    /// The lanes that may hold something at this squared distance or nearer.
-    unsigned near(const Point& point, double square) const {
-      return true_lanes(squares_to(point) <= static_cast<float>(square) * (1 + 2e-6F));
-    }
+    FaceBoxes boxes;
+    std::uint32_t first;  ///< number of a node; the leaves are the first ones
   };
 
-  static Point to_lanes(const Eigen::Vector3d& point) {
-    return {all(static_cast<float>(point.x())), all(static_cast<float>(point.y())), all(static_cast<float>(point.z()))};
+  bool is_leaf(std::uint32_t node) const { return node < leaves_.size(); }
+  std::uint32_t first_face(std::uint32_t leaf) const { return static_cast<std::uint32_t>(kTogether) * leaf; }
+  const Node& inner(std::uint32_t node) const { return nodes_[node - leaves_.size()]; }
+  /// Calls use(child) for the children of an inner node within this widened distance.
+  template <class Use>
+  void each_child(std::uint32_t node, const std::array<float, 3>& point, float square, const Use& use) const {
+    for (unsigned bits = within_.boxes(inner(node).boxes, point, square); bits != 0; bits &= bits - 1)
+      use(inner(node).first + static_cast<std::uint32_t>(std::countr_zero(bits)));
   }
-  void add_level(std::size_t held, std::size_t count, std::uint32_t first, double slack);
+  /// Calls use(leaf) for the leaves of a part that may hold something within a widened distance, which may shrink on the way.
+  template <class Use>
+  void each_leaf(const std::array<float, 3>& point, const float& square, const Part& part, const Use& use) const;
+  /// What the square of a distance may seem to be after rounding.
+  float widened(double distance) const {
+    const double wide = distance * (1 + 1e-6) + margin_;
+    return static_cast<float>(wide * wide);
+  }
+  static std::array<float, 3> to_floats(const Eigen::Vector3d& point) {
+    return {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())};
+  }
+  void add_leaves();
+  void add_level(std::size_t held, std::size_t count, std::uint32_t first);
   Place on_face(const Eigen::Vector3d& point, std::uint32_t face) const;
 
   std::vector<Face> faces_;  ///< in the order of the leaves
-  std::vector<Node> nodes_;  ///< the leaves first, the root last
-  std::size_t leaves_ = 0;
+  std::vector<FlatFaces> leaves_;
+  std::vector<Node> nodes_;  ///< the root last
+  double margin_ = 0;        ///< what rounding may add to a distance
+  FacesWithin within_ = widest_within();
 };
 
-/// Squared distances; rounding makes none too large by more than a 2e-6th.
-inline Four FaceTree::Node::squares_to(const Point& point) const {
-  const std::array<Four, 3> way = {point[0] - middle[0], point[1] - middle[1], point[2] - middle[2]};
-  Four sum{};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const Four along = way[0] * axes[a][0] + way[1] * axes[a][1] + way[2] * axes[a][2];
-    const Four outside = larger(magnitude(along) - half[a], Four{});
-    sum += outside * outside;
-  }
-  return sum;
-}
-
 template <class Use>
-void FaceTree::each_near(const Eigen::Vector3d& point, const double& square, const Part& part, const Use& use) const {
-  const Point at = to_lanes(point);
-  std::array<std::uint32_t, 64> waiting;  // a part and three a level: 16 levels hold every mesh
+void FaceTree::each_leaf(const std::array<float, 3>& point, const float& square, const Part& part, const Use& use) const {
+  std::array<std::uint32_t, 136> waiting;  // a part and fifteen a level: 8 levels hold every mesh
   std::size_t count = part.count;
   std::copy_n(part.nodes.begin(), count, waiting.begin());
   while (count > 0) {
-    const std::uint32_t number = waiting[--count];
-    for (unsigned lanes = nodes_[number].near(at, square); lanes != 0; lanes &= lanes - 1) {
-      const std::uint32_t child = nodes_[number].first + static_cast<std::uint32_t>(std::countr_zero(lanes));
-      if (number < leaves_)
-        use(child);
-      else
-        waiting[count++] = child;
-    }
+    const std::uint32_t node = waiting[--count];
+    if (is_leaf(node))
+      use(node);
+    else
+      each_child(node, point, square, [&](std::uint32_t child) { waiting[count++] = child; });
   }
+}
+
+template <class Use>
+void FaceTree::each_near(const Eigen::Vector3d& point, double distance, const Use& use) const {
+  const std::array<float, 3> at = to_floats(point);
+  const float limit = widened(distance);
+  each_leaf(at, limit, whole(), [&](std::uint32_t leaf) {
+    Row squares;
+    for (unsigned bits = within_.faces(leaves_[leaf], at, limit, squares); bits != 0; bits &= bits - 1)
+      use(first_face(leaf) + static_cast<std::uint32_t>(std::countr_zero(bits)));
+  });
 }
 
 }  // namespace isotouch::field

@@ -95,6 +95,13 @@ static inline bool any(Vector v) {
 /// The lanes of a comparison that are true, the first in the lowest bit.
 template <class Vector>
 static inline unsigned true_lanes(Vector v) {
+#ifdef __AVX512DQ__
+  using Numbers = int __attribute__((vector_size(64)));
+  if constexpr (sizeof v == 64) return static_cast<std::uint16_t>(__builtin_ia32_cvtd2mask512(std::bit_cast<Numbers>(v)));
+#endif
+#ifdef __AVX__
+  if constexpr (sizeof v == 32) return static_cast<unsigned>(__builtin_ia32_movmskps256(std::bit_cast<Eight>(v)));
+#endif
 #ifdef __SSE2__
   if constexpr (sizeof v == 16) return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Four>(v)));
 #endif

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "host/field/vector_lanes.h"
+
 namespace isotouch::field {
 namespace {
 
@@ -56,7 +58,7 @@ TEST(BrickBlend, WiderVectorsGiveTheBitsOfFour) {
     EXPECT_EQ(blend_by_fours(candidates, by_four), blend_by_eights(candidates, by_eight)) << brick;
     EXPECT_EQ(by_four.far, by_eight.far);
     EXPECT_EQ(by_four.suspect, by_eight.suspect);
-    if (blend_lanes() == 16) {
+    if (vector_lanes() == 16) {
       BrickBlend::Doubt by_sixteen;
       EXPECT_EQ(blend_by_fours(candidates, by_four), blend_by_sixteens(candidates, by_sixteen)) << brick;
       EXPECT_EQ(by_four.far, by_sixteen.far);

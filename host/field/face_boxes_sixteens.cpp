@@ -1,0 +1,7 @@
+#include "host/field/face_boxes_lanes.h"
+
+namespace isotouch::field {
+
+const FacesWithin kWithinBySixteens{boxes_within, faces_within};
+
+}  // namespace isotouch::field
