@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace isotouch::field {
 
@@ -103,9 +104,12 @@ class NearestAndBeyond {
     bool nearer = false;
     for (const double square : away) {
       if (!(square < nearest_[count_ - 1])) continue;
-      std::size_t place = count_ - 1;
-      for (; place > 0 && square < nearest_[place - 1]; --place) nearest_[place] = nearest_[place - 1];
-      nearest_[place] = square;
+      double larger = square;  // no place is asked for: a processor cannot foretell it
+      for (std::size_t place = 0; place < count_; ++place) {
+        const double here = nearest_[place];
+        nearest_[place] = std::min(larger, here);
+        larger = std::max(larger, here);
+      }
       nearer = true;
     }
     if (!nearer || size_ < count_) return;
@@ -120,6 +124,31 @@ class NearestAndBeyond {
   std::vector<Neighbour>& found_;
   std::size_t size_ = 0;
 };
+
+/// Sorts some tens by counting how many are nearer than each: more comparisons, but hardly any that a processor has to foretell.
+void sort_few(std::span<const Neighbour> items, std::vector<Neighbour>& sorted) {
+  constexpr std::size_t kFew = 80;
+  if (items.size() > kFew) {
+    sorted.assign(items.begin(), items.end());
+    std::sort(sorted.begin(), sorted.end());
+    return;
+  }
+  constexpr double kFree = -1.0;
+  sorted.assign(items.size(), {kFree, 0});
+  std::array<Two, kFew / 2 + 1> squares;
+  squares[items.size() / 2] = Two{} + std::numeric_limits<double>::max();
+  for (std::size_t i = 0; i < items.size(); ++i) squares[i / 2][i % 2] = items[i].squared_distance;
+  for (const Neighbour& item : items) {
+    decltype(Two{} < Two{}) nearer{};
+    for (std::size_t pair = 0; 2 * pair < items.size(); ++pair) nearer += squares[pair] < item.squared_distance;  // a true comparison is -1
+    auto place = static_cast<std::size_t>(-(nearer[0] + nearer[1]));
+    while (sorted[place].squared_distance != kFree) ++place;  // of equally near ones
+    sorted[place] = item;
+  }
+  for (std::size_t n = 1; n < sorted.size(); ++n) {
+    for (std::size_t place = n; place > 0 && sorted[place] < sorted[place - 1]; --place) std::swap(sorted[place], sorted[place - 1]);
+  }
+}
 
 }  // namespace
 
@@ -237,8 +266,7 @@ void Nearest::nearest_and_beyond(const Vector3d& point, std::size_t count, doubl
   tree_->search(point, result);
   const auto end = std::remove_if(reached.begin(), reached.begin() + static_cast<std::ptrdiff_t>(result.size()),
                                   [&](const Neighbour& n) { return n.squared_distance > result.worst(); });
-  found.assign(reached.begin(), end);
-  std::sort(found.begin(), found.end());
+  sort_few({reached.begin(), end}, found);
 }
 
 void Nearest::within(const Vector3d& point, double radius, std::vector<Neighbour>& found) const {
