@@ -81,7 +81,6 @@ void keep_least(std::array<Lanes, N>& list, Lanes value) {
 constexpr std::size_t kBlock = 16;
 constexpr std::size_t kRows = kBlock / kLanes;
 constexpr float kBlockReach = 1.6584F;  // half a block's diagonal, rounded up
-constexpr std::size_t kAsked = 4;       // candidates
 constexpr float kFar = 1e30F;           // squared, of no sample at all
 constexpr float kSuspect = 0.25F;       // a surface less than half as far away as the nearest sample
 constexpr float kNoWeight = 1e-20F;     // where all samples are at one distance, all weigh nothing, and count alike
@@ -91,9 +90,8 @@ using Rows = std::array<Lanes, kRows>;
 /// A sample near a block.
 struct Near {
   const Model* model;
-  Point own;     ///< relative to the block's middle, as all places are
-  float middle;  ///< how far from the middle, squared
-  Rows away;     ///< how far from each place, squared
+  Point own;  ///< relative to the block's middle, as all places are
+  Rows away;  ///< how far from each place, squared
 };
 
 /// The places of a block relative to its middle, x fastest, then y.
@@ -127,27 +125,18 @@ struct Neighbourhood {
     near.clear();
     std::array<std::array<Lanes, kBlended + 1>, kRows> least;
     for (auto& row : least) row.fill(all<Lanes>(kFar));
-    float reach = kFar;  // squared; what is farther from the middle is nobody's neighbour
-    const auto measure_reach = [&] {
-      Lanes last = least[0].back();
-      for (std::size_t r = 1; r < kRows; ++r) last = larger(last, least[r].back());
-      const float bound = std::sqrt(largest(last)) + kBlockReach;
-      reach = bound * bound;
-    };
     for (const BlendCandidate& c : candidates) {
       const Point own = c.own - shift;
-      const float middle = squared_length(own);
-      if (middle > reach) continue;
       Rows away;
+      bool nearer = false;  // at a place, than the last of those before it
       for (std::size_t r = 0; r < kRows; ++r) {
         away[r] = (row_of_block(r) - own).squared_length();
-        keep_least(least[r], away[r]);
+        nearer = nearer || any(away[r] < least[r].back());
       }
-      near.push_back({c.model, own, middle, away});
-      if (near.size() > kBlended && near.size() % kAsked == 0) measure_reach();  // each time would cost more than it spares
+      if (!nearer) continue;
+      for (std::size_t r = 0; r < kRows; ++r) keep_least(least[r], away[r]);
+      near.push_back({c.model, own, away});
     }
-    measure_reach();
-    std::erase_if(near, [=](const Near& n) { return n.middle > reach; });
     for (std::size_t r = 0; r < kRows; ++r) nearest[r] = least[r].front(), border[r] = least[r].back();
   }
 };
