@@ -288,7 +288,7 @@ BuiltField built_field(const BuildOptions& options) {
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
   const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, options.method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
-  std::packaged_task<field_file::Image()> write([&] { return encoding::write_image(std::move(made.field), info); });
+  std::packaged_task<field_file::OpenField()> write([&] { return encoding::write_field(std::move(made.field), info); });
   write();
   std::vector<Eigen::Vector3i> invented;  // cells of bricks
   if (made.repair) {
@@ -298,7 +298,7 @@ BuiltField built_field(const BuildOptions& options) {
     invented = std::move(surface.cells);
     if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   }
-  field_file::OpenField field = field_file::open_field(write.get_future().get(), options.out.string());
+  field_file::OpenField field = write.get_future().get();
   for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)

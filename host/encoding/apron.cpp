@@ -1,7 +1,9 @@
 #include "host/encoding/apron.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "host/encoding/brick_rows.h"
 #include "host/field/parallel.h"
@@ -12,18 +14,28 @@ std::vector<Neighbours> neighbours(const field::BandField& field) {
   const BrickRows rows(field);
   std::vector<Neighbours> found(field.bricks.size());
   field::in_parallel(found.size(), 256, [&](std::size_t begin, std::size_t end) {
+    // The bricks of a row follow each other, and so do their neighbours in each row beside it.
+    std::array<std::span<const field::Brick>, 9> beside;
+    const field::Brick* before = nullptr;
     for (std::size_t b = begin; b < end; ++b) {
-      const Eigen::Vector3i& cell = field.bricks[b].cell;
+      const field::Brick& brick = field.bricks[b];
+      const Eigen::Vector3i& cell = brick.cell;
+      const auto too_low = [&](const field::Brick& other) { return other.cell.x() < cell.x() - 1; };
+      if (before == nullptr || before->cell.y() != cell.y() || before->cell.z() != cell.z()) {
+        for (std::size_t n = 0; n < beside.size(); ++n) {
+          const auto row = rows.row(cell.y() + static_cast<int>(n % 3) - 1, cell.z() + static_cast<int>(n / 3) - 1);
+          beside[n] = {std::partition_point(row.begin(), row.end(), too_low), row.end()};
+        }
+      }
+      before = &brick;
       found[b].fill(kAbsent);
-      for (int z = -1; z <= 1; ++z) {
-        for (int y = -1; y <= 1; ++y) {
-          const auto row = rows.row(cell.y() + y, cell.z() + z);
-          const auto first = [](const field::Brick& brick, int x) { return brick.cell.x() < x; };
-          for (auto at = std::lower_bound(row.begin(), row.end(), cell.x() - 1, first); at != row.end(); ++at) {
-            const int x = at->cell.x() - cell.x();
-            if (x > 1) break;
-            found[b][static_cast<std::size_t>(((z + 1) * 3 + y + 1) * 3 + x + 1)] = static_cast<std::uint32_t>(rows.place(*at));
-          }
+      for (std::size_t n = 0; n < beside.size(); ++n) {
+        auto& row = beside[n];
+        while (!row.empty() && too_low(row.front())) row = row.subspan(1);
+        for (std::size_t k = 0; k < row.size(); ++k) {
+          const int x = row[k].cell.x() - cell.x();
+          if (x > 1) break;
+          found[b][3 * n + static_cast<std::size_t>(x + 1)] = static_cast<std::uint32_t>(rows.place(row[k]));
         }
       }
     }

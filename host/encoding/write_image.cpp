@@ -102,7 +102,7 @@ std::vector<std::uint8_t> stiffness_table(const std::vector<double>& stiffness, 
 
 }  // namespace
 
-field_file::Image write_image(field::BandField field, FieldInfo info) {
+field_file::OpenField write_field(field::BandField field, FieldInfo info) {
   if (info.method == Method::kPublished) info.interpolation = Interpolation::kTrilinear;
   std::array<std::uint8_t, kHeaderBytes> header{};
   store_header(header.data(), field, info);  // before the work: it refuses what does not fit
@@ -158,11 +158,14 @@ field_file::Image write_image(field::BandField field, FieldInfo info) {
   std::copy(table.begin(), table.end(), brick_at);
   store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, bytes - kTotalBytesAt));
 
-  if (!FieldView::parse(image.bytes())) {  // the one thing that a field can still have wrong
+  const Result<FieldView> view = FieldView::parse(image.bytes());
+  if (!view) {  // the one thing that a field can still have wrong
     throw InputError("the surface reaches the border of the grid: the points do not enclose a body, check their normals");
   }
-  return image;
+  return {std::move(image), *view};
 }
+
+field_file::Image write_image(field::BandField field, FieldInfo info) { return write_field(std::move(field), info).image; }
 
 FieldInfo info_of(const FieldView& view) {
   const std::uint8_t* at = view.image.data();

@@ -6,6 +6,7 @@
 #include "host/cloud/oriented_points.h"
 #include "host/field/band_field.h"
 #include "host/field_file/image.h"
+#include "host/field_file/open_field.h"
 #include "shared/field_view.h"
 
 namespace isotouch::encoding {
@@ -25,12 +26,14 @@ struct FieldInfo {
 /// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
 /// its
 ///           row, and that of the border, which is outside, where its row has none before it
-/// returns   an image that FieldView::parse accepts. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
+/// returns   an image and what FieldView::parse says of it. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
+field_file::OpenField write_field(field::BandField field, FieldInfo info);
+/// The image alone.
 field_file::Image write_image(field::BandField field, FieldInfo info);
 
-/// What `write_image` was told, read back from a checked image; stiffness as rounded.
+/// What `write_field` was told, read back from a checked image; stiffness as rounded.
 FieldInfo info_of(const FieldView& view);
 
 }  // namespace isotouch::encoding

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
 #include "host/field/unseen_share.h"
 
 namespace isotouch::field {
@@ -26,6 +27,7 @@ std::vector<Crossed> crossed_bricks(const BandField& field) {
   std::vector<Crossed> crossed;
   for (std::size_t b = 0; b < field.bricks.size(); ++b) {
     const Brick& brick = field.bricks[b];
+    if (samples_that(brick.distance, [](Four d) { return magnitude(d) < 1.0F; }) == 0) continue;
     double area = 0.0;
     int nearest = 0;
     for (int s = 0; s < 64; ++s) {
