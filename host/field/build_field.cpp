@@ -51,7 +51,7 @@ void describe(const AdaptiveSamples& described, std::size_t measured, Repair& re
   const Scan& scan = *described.scan;
   std::vector<Witness> witnesses(scan.size());
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       if (described.point[i] >= measured) continue;
       double sum = 0.0;
       const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));

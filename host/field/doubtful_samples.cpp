@@ -20,7 +20,7 @@ constexpr std::size_t kBeside = 9;  // a sample and as many others as a blend ha
 std::vector<std::uint8_t> doubtful_samples(const Scan& scan, const std::vector<LocalModel>& models) {
   std::vector<std::uint8_t> unexpected(scan.size(), 0);
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
       double sum = 0.0;
       for (const Neighbour& n : near) {

@@ -38,7 +38,7 @@ std::vector<EmptyBalls> empty_balls(const Scan& scan) {
   std::vector<EmptyBalls> balls(scan.size());
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       const auto around = scan.around(i);
       const double spacing = std::sqrt(around[std::min(kSpacingOf, around.size() - 1)].squared_distance);
       const Eigen::Vector3d &p = scan.positions()[i], &n = scan.normals()[i];

@@ -207,7 +207,7 @@ LocalModel best_model(const Samples& samples) {
 void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::vector<LocalModel>& models) {
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
     Samples samples;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       if (known[i] != 0) continue;
       const auto around = scan.around(i);
       const auto found = around.first(std::min(kModelled, around.size()));

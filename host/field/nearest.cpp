@@ -75,13 +75,24 @@ class NearestFew {
 
 class Within {
  public:
-  Within(double radius, std::vector<Neighbour>& found) : squared_radius_(radius * radius), found_(found) { found_.clear(); }
+  /// found     room that grows; what is found stands at its beginning
+  Within(double radius, std::vector<Neighbour>& found) : squared_radius_(radius * radius), found_(found) {}
   double worst() const { return squared_radius_; }
-  void add(const Neighbour& candidate) { found_.push_back(candidate); }
+  std::size_t size() const { return size_; }
+
+  /// Of a whole leaf, for a processor cannot foretell which of its positions are near: each is written, and stays where it is.
+  void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
+    if (found_.size() < size_ + kLeaf) found_.resize(2 * found_.size() + kLeaf);
+    for (std::size_t n = 0; n < kLeaf; ++n) {
+      found_[size_] = {away[n], index[n]};
+      size_ += away[n] <= squared_radius_ ? 1U : 0U;
+    }
+  }
 
  private:
   double squared_radius_;
   std::vector<Neighbour>& found_;
+  std::size_t size_ = 0;
 };
 
 /// Keeps what is at most `margin` farther away than the `count` nearest, as far as these are known, and some more.
@@ -94,7 +105,7 @@ class NearestAndBeyond {
   double worst() const { return worst_; }
   std::size_t size() const { return size_; }
 
-  /// Of a whole leaf, for a processor cannot foretell which of its positions are near: each is written, and stays where it is.
+  /// As for `Within`.
   void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
     if (found_.size() < size_ + kLeaf) found_.resize(2 * found_.size() + kLeaf);
     for (std::size_t n = 0; n < kLeaf; ++n) {
@@ -160,10 +171,12 @@ class Nearest::Tree {
     while (leaves * kLeaf < positions.size()) leaves *= 2;
     children_.resize(leaves);
     leaves_.resize(leaves);
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0U);
-    build(1, positions, order.data(), order.data() + order.size());
+    order_.resize(positions.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    build(1, positions, order_.data(), order_.data() + order_.size());
   }
+
+  const std::vector<std::uint32_t>& order() const { return order_; }
 
   template <class Result>
   void search(const Vector3d& point, Result& result) const {
@@ -247,10 +260,13 @@ class Nearest::Tree {
 
   std::vector<Boxes> children_;  ///< of each node that is no leaf
   std::vector<Leaf> leaves_;
+  std::vector<std::uint32_t> order_;
 };
 
 Nearest::Nearest(const std::vector<Vector3d>& positions) : tree_(std::make_unique<Tree>(positions)), size_(positions.size()) {}
 Nearest::~Nearest() = default;
+
+const std::vector<std::uint32_t>& Nearest::order() const { return tree_->order(); }
 
 void Nearest::nearest(const Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const {
   found.resize(std::min(count, size_));
@@ -277,6 +293,7 @@ void Nearest::within(const Vector3d& point, double radius, std::vector<Neighbour
 void Nearest::within_in_any_order(const Vector3d& point, double radius, std::vector<Neighbour>& found) const {
   Within result(radius, found);
   tree_->search(point, result);
+  found.resize(result.size());
 }
 
 }  // namespace isotouch::field

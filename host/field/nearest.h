@@ -36,6 +36,8 @@ class Nearest {
   Nearest(const Nearest&) = delete;
   Nearest& operator=(const Nearest&) = delete;
 
+  /// All samples, those that lie together one after the other.
+  const std::vector<std::uint32_t>& order() const;
   /// The `count` nearest samples in ascending order; fewer when the set is smaller. Replaces `found`.
   void nearest(const Eigen::Vector3d& point, std::size_t count, std::vector<Neighbour>& found) const;
   /// The `count` nearest samples and all others that are at most `margin` farther away than the last of these, ascending. Replaces `found`.

@@ -52,7 +52,7 @@ std::size_t turn_outvoted(Scan& scan) {
       return pass == 0 || std::any_of(around.begin(), around.end(), [&](const Neighbour& n) { return before[n.index] != 0; });
     };
     in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) wrong[i] = has_news(i) && contradicted(scan, i);
+      for (const std::uint32_t i : scan.together(begin, end)) wrong[i] = has_news(i) && contradicted(scan, i);
     });
     std::size_t count = 0;
     for (std::size_t i = 0; i < wrong.size(); ++i) {

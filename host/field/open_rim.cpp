@@ -25,23 +25,38 @@ constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is fart
 constexpr double kBehind = 0.5;      // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
 constexpr std::size_t kFewest = 12;  // samples a rim
 
-/// The widest sector, as an angle, that the neighbours leave empty in the sample's tangent plane; 0 where one of them lies round an edge.
+/// The eighth of the plane in which a place lies, counted round the origin.
+unsigned octant(double x, double y) {
+  if (y < 0) return 4 + octant(-x, -y);
+  if (x < 0) return 2 + octant(y, -x);
+  return x < y ? 1 : 0;
+}
+
+/// The widest sector, as an angle, that the neighbours leave empty in the sample's tangent plane; 0 where one of them lies round an edge, or where
+/// it is narrower than kGap.
 double widest_gap(const Scan& scan, std::size_t sample) {
   const Vector3d& normal = scan.normals()[sample];
   int least = 0;
   normal.cwiseAbs().minCoeff(&least);
   const Vector3d u = normal.cross(Vector3d::Unit(least)).normalized();
   const Vector3d v = normal.cross(u);
-  std::array<double, Scan::kListed> angles{};
+  std::array<std::array<double, 2>, Scan::kListed> places;  // along u and v
   std::size_t count = 0;
+  unsigned octants = 0;  // in which there are any
   for (const Neighbour& neighbour : scan.around(sample)) {
     if (neighbour.index == sample) continue;
     const Vector3d step = scan.positions()[neighbour.index] - scan.positions()[sample];
     const double alike = scan.normals()[neighbour.index].dot(normal);
     if (alike < -kTurned && std::abs(step.dot(normal)) > kBehind * scan.spacing(sample)) continue;
     if (alike < kTurned) return 0;
-    angles[count++] = angle_of(step.dot(v), step.dot(u));
+    places[count] = {step.dot(u), step.dot(v)};
+    octants |= 1U << octant(places[count][0], places[count][1]);
+    ++count;
   }
+  const unsigned empty = ~octants & 0xFFU;
+  if ((empty & (empty << 1 | empty >> 7)) == 0) return 0;  // nowhere two in a row: no gap is wider than three octants
+  std::array<double, Scan::kListed> angles{};
+  for (std::size_t i = 0; i < count; ++i) angles[i] = angle_of(places[i][1], places[i][0]);
   if (count == 0) return 0;
   const auto end = angles.begin() + static_cast<std::ptrdiff_t>(count);
   std::sort(angles.begin(), end);
@@ -70,7 +85,7 @@ struct Chain {
 OpenRim open_rim(const Scan& scan) {
   std::vector<std::uint8_t> on_rim(scan.size());
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) on_rim[i] = widest_gap(scan, i) > kGap ? 1 : 0;
+    for (const std::uint32_t i : scan.together(begin, end)) on_rim[i] = widest_gap(scan, i) > kGap ? 1 : 0;
   });
   std::vector<Link> links;
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {

@@ -241,7 +241,7 @@ double contradictions(const Scan& scan) {
   std::atomic<std::size_t> clear{0}, opposed{0};
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::size_t clear_here = 0, opposed_here = 0;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       const auto around = scan.around(i);
       for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
         if (n.index == i) continue;

@@ -55,13 +55,13 @@ std::vector<std::uint32_t> connected(const Scan& scan) {
   std::vector<std::uint8_t> isolated(scan.size(), 0);
   const double usual = scan.median_spacing();
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) isolated[i] = unconfirmed(scan, i, usual) ? 1 : 0;
+    for (const std::uint32_t i : scan.together(begin, end)) isolated[i] = unconfirmed(scan, i, usual) ? 1 : 0;
   });
   std::vector<std::uint32_t> listed(scan.size());
   for (bool found = true; found;) {
     found = false;
     std::fill(listed.begin(), listed.end(), 0);
-    for (std::size_t i = 0; i < scan.size(); ++i) {
+    for (const std::uint32_t i : scan.together(0, scan.size())) {
       if (isolated[i] != 0) continue;  // strewn points do not vouch for each other
       for (const Neighbour& neighbour : scan.around(i)) listed[neighbour.index] += neighbour.index != i ? 1U : 0U;
     }

@@ -11,7 +11,7 @@ Scan::Scan(cloud::OrientedPoints points)
     : points_(std::move(points)), tree_(points_.positions), listed_(std::min(kListed, points_.size())), lists_(listed_ * points_.size()) {
   in_parallel(size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : together(begin, end)) {
       tree_.nearest(positions()[i], listed_, found);
       std::copy(found.begin(), found.end(), lists_.begin() + static_cast<std::ptrdiff_t>(i * listed_));
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,12 @@ class Scan {
   const std::vector<double>& stiffness() const { return points_.stiffness; }
   std::size_t size() const { return points_.size(); }
   const Nearest& tree() const { return tree_; }
+  /// Some of the samples, which lie together: for loops over all of them. In the order of a large scan each neighbour would be a cache miss.
+  ///
+  /// begin, end   within [0, size()]
+  std::span<const std::uint32_t> together(std::size_t begin, std::size_t end) const {
+    return std::span(tree_.order()).subspan(begin, end - begin);
+  }
   /// The nearest samples of a sample, ascending, all of a small set.
   std::span<const Neighbour> around(std::size_t sample) const { return std::span(lists_).subspan(sample * listed_, listed_); }
 

@@ -124,7 +124,7 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
 std::unique_ptr<Scan> with_normals_of_positions(const Scan& scan, double noise) {
   OrientedPoints points{scan.positions(), scan.normals(), scan.stiffness()};
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       const QuadricFit fit = fit_quadric(scan.positions(), scan.around(i));
       if (fit.deviation > std::max(kRough * scan.spacing(i), 2.0 * noise)) continue;
       points.normals[i] = fit.normal.dot(scan.normals()[i]) < 0.0 ? Vector3d(-fit.normal) : fit.normal;
@@ -140,7 +140,7 @@ std::size_t passes(double noise_spacing) { return noise_spacing < 0.02 ? 0 : noi
 std::unique_ptr<Scan> smoothed(const Scan& scan, double noise) {
   OrientedPoints points{scan.positions(), scan.normals(), scan.stiffness()};
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (const std::uint32_t i : scan.together(begin, end)) {
       const Vector3d &own = scan.positions()[i], &normal = scan.normals()[i];
       const auto around = scan.around(i);
       const double reach = around.back().squared_distance;

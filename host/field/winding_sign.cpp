@@ -110,7 +110,7 @@ std::vector<double> sample_areas(const Scan& scan) {
   std::vector<double> spacings(scan.size()), areas(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) spacings[i] = scan.spacing(i);
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) areas[i] = cell_area(scan, i, spacings);
+    for (const std::uint32_t i : scan.together(begin, end)) areas[i] = cell_area(scan, i, spacings);
   });
   return areas;
 }
