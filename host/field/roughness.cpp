@@ -23,6 +23,8 @@ constexpr double kPairsOfTilt =
     0.5;  // spacings of `of_pairs` for each unit of tilt: tilts of 5, 15 and 30 degrees gave 0.51, 0.50 and 0.47
 constexpr double kNormalUsual = 0.8416;  // standard deviations: 60 % of a normal distribution lie within them
 constexpr double kOneFace = 0.7;         // cosine between normals on one face
+constexpr double kMaxTurn = 2.0;         // squared, between normals: a right angle
+constexpr double kMedianTurn = 1.3863;   // of two normal distributions' squared length, in variances of one: twice the logarithm of two
 constexpr std::size_t kNear = 7;         // a sample and its six neighbours
 
 /// The value that a share of all do not exceed.
@@ -47,6 +49,29 @@ struct PairHeights {
   double deviation() const { return heights.empty() ? 0.0 : quantile(heights, kUsual) / (kNormalUsual * std::sqrt(2.0)); }
   double mean_squared_step() const { return heights.empty() ? 0.0 : squared_steps / static_cast<double>(heights.size()); }
 };
+
+/// How far apart the normals of pairs are.
+struct PairTurns {
+  std::vector<double> squares;
+  double squared_steps = 0;
+
+  void add(const Scan& scan, std::size_t i, const Neighbour& n) {
+    const double square = (scan.normals()[i] - scan.normals()[n.index]).squaredNorm();
+    if (square > kMaxTurn) return;
+    squares.push_back(square);
+    squared_steps += n.squared_distance;
+  }
+  /// Of one normal in two directions: of a pair's difference in one.
+  double variance() const { return squares.empty() ? 0.0 : quantile(squares, 0.5) / kMedianTurn; }
+  double mean_squared_step() const { return squares.empty() ? 0.0 : squared_steps / static_cast<double>(squares.size()); }
+};
+
+/// Curvature turns normals in proportion to the step. Steps of two lengths tell what is left at none.
+double without_step(const PairTurns& near, const PairTurns& far) {
+  const double near_step = near.mean_squared_step(), far_step = far.mean_squared_step();
+  if (!(far_step > near_step)) return 0.0;
+  return std::sqrt(std::max(0.0, (near.variance() * far_step - far.variance() * near_step) / (far_step - near_step)));
+}
 
 /// A tilted normal adds heights in proportion to the step. Steps of two lengths tell what is left at none.
 double without_step(const PairHeights& near, const PairHeights& far) {
@@ -79,12 +104,14 @@ Roughness roughness(const Scan& scan, double spacing) {
     }
   });
   PairHeights nearest, near, far;
+  PairTurns near_turns, far_turns;
   for (std::size_t i = 0; i < scan.size(); i += step) {
     const auto around = scan.around(i);
     for (std::size_t k = 0; k < around.size(); ++k) {
       const Neighbour& n = around[k];
       if (n.index == i) continue;
       if (k < kNear) nearest.add(scan, i, n);
+      (k < kNear ? near_turns : far_turns).add(scan, i, n);
       if (scan.normals()[i].dot(scan.normals()[n.index]) > kOneFace) (k < kNear ? near : far).add(scan, i, n);
     }
   }
@@ -93,6 +120,7 @@ Roughness roughness(const Scan& scan, double spacing) {
   result.of_positions = quantile(std::move(deviations), kUsual);
   result.of_pairs = nearest.deviation();
   result.of_no_step = without_step(near, far);
+  result.of_normals = without_step(near_turns, far_turns);
   result.tilt = quantile(std::move(tilts), 0.5);
   return result;
 }

@@ -10,6 +10,7 @@ struct Roughness {
   double of_positions = 0;  ///< standard deviation from paraboloids through positions alone: noise, or detail finer than the spacing
   double of_pairs = 0;      ///< standard deviation from the circles that two samples' normals describe: noise of positions, or of normals
   double of_no_step = 0;    ///< of pairs, extrapolated to a distance of zero: noise of positions alone
+  double of_normals = 0;    ///< deviation of a normal from its direction, radians: from pairs, extrapolated to a distance of zero
   double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
   double spacing = 0;       ///< median distance to the nearest sample
 

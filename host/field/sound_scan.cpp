@@ -10,6 +10,7 @@
 
 #include "host/cloud/placement.h"
 #include "host/error.h"
+#include "host/field/filtered_normals.h"
 #include "host/field/normal_voting.h"
 #include "host/field/open_rim.h"
 #include "host/field/orientation.h"
@@ -35,6 +36,7 @@ constexpr double kOutward = 0.2;         // of the same, to believe one
 constexpr double kClearVolume = 0.04;    // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
 constexpr double kTilted = 0.12;         // 7 degrees
 constexpr double kContradicted = 2.0;    // pairs are rougher than positions: the normals are to blame
+constexpr double kNoisyNormals = 0.2;    // radians: sound clouds have 0.14 at most, normals tilted by 15 degrees 0.37
 constexpr double kRough = 0.05;          // spacings
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
@@ -193,6 +195,9 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.tilt = rough.tilt;
   if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions) {
     scan = with_normals_of_positions(*scan, result.noise);
+    as_faced = false;
+  } else if (!options.estimate && rough.of_normals > kNoisyNormals) {
+    scan = std::make_unique<Scan>(OrientedPoints{scan->positions(), filtered_normals(*scan, rough.of_normals), scan->stiffness()});
     as_faced = false;
   }
   for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) {

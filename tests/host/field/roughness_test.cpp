@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <cmath>
 #include <utility>
 
 #include "host/cloud/check.h"
@@ -61,6 +62,18 @@ TEST(Roughness, TiltedNormalsAreNoNoise) {
     EXPECT_GT(found.of_pairs, 0.02 * spacing) << tilt;
     EXPECT_LT(found.of_no_step, 0.3 * found.of_pairs) << tilt;
     EXPECT_FALSE(found.is_noise()) << tilt;
+  }
+}
+
+TEST(Roughness, MeasuresTheNoiseOfNormalsBetweenDetail) {
+  const OrientedPoints clean = detailed();
+  const double spacing = cloud::median_spacing(clean.positions);
+  EXPECT_LT(of(clean, spacing).of_normals, 0.02);
+  for (const double tilt : {0.1, 0.25, 0.4}) {
+    OrientedPoints points = clean;
+    cloud::Random random(2);
+    for (Vector3d& n : points.normals) n = (n + tilt * scatter(random)).normalized();
+    EXPECT_NEAR(of(std::move(points), spacing).of_normals, std::sqrt(2.0) * tilt, 0.15 * tilt) << tilt;
   }
 }
 

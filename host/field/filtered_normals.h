@@ -1,0 +1,23 @@
+/// Normals with noise, each taken from the plane that explains its surroundings best.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "host/field/scan.h"
+
+namespace isotouch::field {
+
+/// Every sample and its six nearest describe a plane: it passes near their positions, and its normal is near theirs. A sample's new normal is the mean
+/// of the planes of its nearest nine, weighted by how well each explains its own samples, and this sample's position and normal. At an edge, the planes of its
+/// own face do so, so edges stay.
+///
+/// scan      most normals outward
+/// noise     deviation of the normals, radians, as `Roughness::of_normals`; above 0
+/// returns   one unit normal a sample
+/// fails     never
+/// source    the least squares of planes with normals as observations; the choice among shifted neighbourhoods: Nagao and Matsuyama, Edge preserving
+///           smoothing, 1979
+std::vector<Eigen::Vector3d> filtered_normals(const Scan& scan, double noise);
+
+}  // namespace isotouch::field
