@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 
 constexpr double kAlike = 0.7;          // cosine: normals within 45 degrees belong together
 constexpr std::uint32_t kMinority = 3;  // times larger is the group that a stray one opposes
+constexpr std::uint32_t kLone = 2;      // points at an edge; the kept one of so few lies where it bends, and noise decides which way
 
 /// Points of one cell whose normals agree with the first one's.
 struct Group {
@@ -56,6 +57,18 @@ class Grouping {
     });
   }
 
+  /// Which group stands for the points of one: itself, or for a lone one the largest other that does not oppose it.
+  std::size_t standing_for(std::size_t group) const {
+    const Group& own = groups_[group];
+    if (own.size > kLone) return group;
+    std::size_t best = group;
+    for (std::size_t n = 0; n < groups_.size(); ++n) {
+      if (groups_[n].normal.dot(own.normal) < -kAlike) continue;
+      if (groups_[n].size > groups_[best].size || (groups_[n].size == groups_[best].size && n < best)) best = n;
+    }
+    return best == group ? group : standing_for(best);
+  }
+
  private:
   std::vector<Group> groups_;
 };
@@ -78,8 +91,9 @@ Thinned thinned(const cloud::OrientedPoints& points, const CellOrder& order, std
     for (const Cell& cell : cells.subspan(begin, end - begin)) {
       grouping.of(points, order, cell, result.sample_of);
       number.clear();
-      for (const Group& group : grouping.groups()) {
-        if (grouping.stray(group)) {
+      for (std::size_t g = 0; g < grouping.groups().size(); ++g) {
+        const Group& group = grouping.groups()[g];
+        if (grouping.stray(group) || grouping.standing_for(g) != g) {
           number.push_back(Thinned::kStray);
           continue;
         }
@@ -89,7 +103,7 @@ Thinned thinned(const cloud::OrientedPoints& points, const CellOrder& order, std
         kept.normals.push_back(points.normals[group.chosen]);
         if (!points.stiffness.empty()) kept.stiffness.push_back(group.stiffness / group.size);
       }
-      for (std::uint32_t n = cell.first; n < cell.last; ++n) result.sample_of[n] = number[result.sample_of[n]];
+      for (std::uint32_t n = cell.first; n < cell.last; ++n) result.sample_of[n] = number[grouping.standing_for(result.sample_of[n])];
     }
   });
   for (std::size_t r = 1; r < ranges.size(); ++r)

@@ -22,6 +22,8 @@ struct Thinned {
 /// Keeps one point of every group that shares a cell and a direction: the one nearest to the group's mean, so no sample is moved off the surface;
 /// its stiffness is the group's mean.
 /// A group whose normals oppose one three times its size is taken for stray normals and left out; two sides of a thin part, of like size, both stay.
+/// One or two points beside a group at least as large that looks elsewhere are left out too, and that group stands for them: next to an edge, noise
+/// decides whether they make it convex or concave. If its model does not explain them, the cell is cut and they stay.
 ///
 /// points    index coordinates, voxels; unit normals
 /// order     of the points

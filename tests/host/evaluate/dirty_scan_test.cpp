@@ -106,6 +106,12 @@ TEST(DirtyScans, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
                  {"hydrant", "tilt 15°", 0.738, 0.387}});
 }
 
+TEST(DirtyScansHeavy, WithManyNoisyPointsAreNearerToTheTruthThanPoisson) {
+  expect_nearer({{"hydrant", "dense, noise 10 %", 0.189, 0.063},
+                 {"hydrant", "dense, noise 25 %", 0.193, 0.068},
+                 {"plate", "dense, noise 25 %", 0.063, 0.030}});
+}
+
 /// What the tool builds itself, as another program's mesh.
 cloud::TriangleMesh our_own(const cloud::OrientedPoints& points) {
   constexpr double kVoxel = 0.5;

@@ -66,6 +66,18 @@ TEST(Thinned, KeepsBothSidesOfAThinPlateAndDropsStrayNormals) {
   EXPECT_TRUE(std::all_of(kept.normals.begin(), kept.normals.end(), [](const Vector3d& n) { return n.z() > 0.0; }));
 }
 
+TEST(Thinned, LeavesOutLonePointsAtAnEdgeAndCountsThemWithTheLargerGroup) {
+  cloud::OrientedPoints points;
+  add_sheet(points, 0.5, Vector3d::UnitZ(), 20000, 4);
+  for (const double x : {2.5, 7.5}) points.positions.emplace_back(x, 5.5, 0.5), points.normals.push_back(Vector3d::UnitX());
+  const CellOrder order(points.positions);
+  const Thinned thin = thinned(points, order, order.cells(0));
+  EXPECT_EQ(thin.samples.size(), 100U);
+  EXPECT_EQ(std::count(thin.sample_of.begin(), thin.sample_of.end(), Thinned::kStray), 0);
+  for (std::size_t n = 0; n < 20; ++n) points.positions.emplace_back(2.5, 5.5, 0.5), points.normals.push_back(Vector3d::UnitX());
+  EXPECT_EQ(thinned(points).samples.size(), 101U);
+}
+
 TEST(Thinned, DoesNotDependOnTheOrderOfThePoints) {
   cloud::OrientedPoints points;
   add_sheet(points, 0.5, Vector3d::UnitZ(), 5000, 5);
