@@ -106,6 +106,10 @@ TEST(DirtyScans, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
                  {"hydrant", "tilt 15°", 0.738, 0.387}});
 }
 
+TEST(DirtyScans, WithMuchNoiseAreNearerToTheTruthThanPoisson) {
+  expect_nearer({{"hydrant", "noise 50 %", 0.981, 0.698}, {"plate", "noise 50 %", 0.765, 0.691}});
+}
+
 TEST(DirtyScansHeavy, WithManyNoisyPointsAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "dense, noise 10 %", 0.189, 0.063},
                  {"hydrant", "dense, noise 25 %", 0.193, 0.068},
