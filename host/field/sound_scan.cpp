@@ -193,11 +193,12 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;
+  if (!options.estimate && rough.of_normals > kNoisyNormals) {
+    scan = std::make_unique<Scan>(OrientedPoints{scan->positions(), filtered_normals(*scan, rough.of_normals), scan->stiffness()});
+    as_faced = false;
+  }
   if (!options.estimate && rough.tilt > kTilted && rough.of_pairs > kContradicted * rough.of_positions) {
     scan = with_normals_of_positions(*scan, result.noise);
-    as_faced = false;
-  } else if (!options.estimate && rough.of_normals > kNoisyNormals) {
-    scan = std::make_unique<Scan>(OrientedPoints{scan->positions(), filtered_normals(*scan, rough.of_normals), scan->stiffness()});
     as_faced = false;
   }
   for (std::size_t pass = 0; rough.is_noise() && pass < passes(result.noise / result.spacing); ++pass) {

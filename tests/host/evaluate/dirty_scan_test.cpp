@@ -103,7 +103,9 @@ TEST(DirtyScans, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "tilt 30°", 0.749, 0.409},
                  {"owl", "tilt 30°", 0.532, 0.318},
                  {"plate", "tilt 30°", 0.521, 0.420},
-                 {"hydrant", "tilt 15°", 0.738, 0.387}});
+                 {"hydrant", "tilt 15°", 0.738, 0.387},
+                 {"bomberman", "tilt 30°", 0.458, 0.279},
+                 {"box", "tilt 30°", 0.513, 0.336}});
 }
 
 TEST(DirtyScans, WithMuchNoiseAreNearerToTheTruthThanPoisson) {
