@@ -24,13 +24,7 @@ constexpr double kBack = -0.5;      // cosine
 constexpr double kBehind = 0.3;     // sine of the angle between the step and the tangent plane
 constexpr std::uint32_t kLeaf = 6;  // samples
 constexpr double kFarRadii = 1.6;
-// How far a surface may bulge over a hole, in parts of the way to the nearest sample: up to two spacings, and from eight on. By trial of 2026-11 on holes
-// of 10 and 20 spacings in nine objects: one share of 0.5 leads bomberman and owl astray in the smaller hole, 0.6 the hydrant in the larger one.
-constexpr double kBend = 0.35, kWideBend = 0.5;
-constexpr double kNarrow = 2.0, kWide = 8.0;
-
-/// way       to the nearest sample, spacings
-double bend(double way) { return kBend + std::clamp((way - kNarrow) / (kWide - kNarrow), 0.0, 1.0) * (kWideBend - kBend); }
+constexpr double kBend = 0.35;  // of the way to the nearest sample: how far a surface may bulge over a hole
 
 /// A convex polygon round the origin that is cut smaller.
 class Cell {
@@ -190,7 +184,7 @@ double signed_by_winding(double distance, const Vector3d& place, double nearest,
   if (!in_doubt(nearest, ninth)) return distance;
   const double way = std::sqrt(nearest);
   const double guess = way * (1.0 - 2.0 * enclosure(place));
-  const double slack = std::max(kDoubt * (ninth - nearest) / way, bend(way / enclosure.spacing()) * way);
+  const double slack = std::max(kDoubt * (ninth - nearest) / way, kBend * way);
   if (guess > slack) return std::max(distance, guess - slack);
   if (guess < -slack) return std::min(distance, guess + slack);
   return distance;

@@ -65,7 +65,6 @@ class WindingSign {
 /// are spread, the more does the winding number count: of a place that is clearly enclosed, or clearly not, it is the sign, whatever the models
 /// say, and its distance from one half stands for the way to the surface.
 ///
-/// Over a wide hole the models may lead farther from the flat skin that one half of the number is: most bodies bulge there.
 ///
 /// nearest, ninth   squared distances to the nearest sample and to the ninth
 inline bool in_doubt(double nearest, double ninth) { return nearest > kDoubt * (ninth - nearest); }

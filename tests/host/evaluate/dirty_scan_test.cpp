@@ -112,10 +112,6 @@ TEST(DirtyScans, WithMuchNoiseAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "noise 50 %", 0.981, 0.698}, {"plate", "noise 50 %", 0.765, 0.691}});
 }
 
-TEST(DirtyScans, WithHolesAreNearerToTheTruthThanPoisson) {
-  expect_nearer({{"torus", "hole 10", 0.310, 0.405}, {"box", "hole 10", 0.583, 0.846}, {"boy", "hole 20", 0.895, 1.507}});
-}
-
 TEST(DirtyScansHeavy, WithManyNoisyPointsAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "dense, noise 10 %", 0.189, 0.063},
                  {"hydrant", "dense, noise 25 %", 0.193, 0.068},
