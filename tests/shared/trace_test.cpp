@@ -239,7 +239,7 @@ TEST(Trace, ARecordWithAnUndefinedValueIsRefused) {
     EXPECT_TRUE(refused_at(kind, 0, 2)) << "a third kind";
     EXPECT_TRUE(refused_at(kind, 1, 1)) << "a fresh sample with an age";
     EXPECT_TRUE(refused_at(kind, 1, 2)) << "neither fresh nor not";
-    EXPECT_TRUE(refused_at(kind, 2, 4)) << "an undefined line";
+    EXPECT_TRUE(refused_at(kind, 2, 8)) << "an undefined line";
     EXPECT_TRUE(refused_at(kind, 3, 32)) << "more late periods than are counted";
     EXPECT_TRUE(refused_at(kind, 4, 8)) << "an undefined request";
     EXPECT_TRUE(refused_at(kind, 5, 9)) << "a setting that may not change";
