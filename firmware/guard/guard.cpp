@@ -74,9 +74,10 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
   const bool hot = is_too_hot(evidence, memory);
   place(command, evidence, memory);
   if (evidence.lines == 0) memory.lines_tick = 0;
-  if (evidence.lines != 0 && memory.lines_tick == 0) memory.lines_tick = command.tick;
+  const std::uint64_t now = std::max<std::uint64_t>(command.tick, 1);  // before the first tick, too
+  if (evidence.lines != 0 && memory.lines_tick == 0) memory.lines_tick = now;
   if (evidence.resumes != memory.resumes) memory.stop_tick = 0;
-  if (evidence.stops != memory.stops) memory.stop_tick = command.tick;
+  if (evidence.stops != memory.stops) memory.stop_tick = now;
   memory.resumes = evidence.resumes;
   memory.stops = evidence.stops;
   if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;

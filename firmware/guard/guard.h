@@ -3,9 +3,13 @@
 ///
 /// What a command must not be, in the order in which it is looked for (`GuardVerdict`):
 ///
-///   beyond the motor's limit; there beside a safety line that is not good, after a stop, beside a light that promises none, after packets that forbid it (no reference,
-///   counts that jumped, none that came, no button held, too fast, no place that the arms reach); warmer than the motors bear; without contact; stronger
-///   than the way of the hand in contact explains; into the object; the same again and again while the hand moves.
+/// - beyond the limit of the motors;
+/// - other than zero beside a safety line that is not good, after a stop, or beside a light that promises no force;
+/// - other than zero after packets that forbid it: no reference, counts that jumped, none that came, no button held, too fast a hand, no place that the
+///   arms reach;
+/// - more than the motors can bear for long;
+/// - without contact, stronger than the way of the hand in contact explains, or into the object;
+/// - the same again and again while the hand moves.
 ///
 /// The hand's way bounds the spring: in contact the proxy only ever comes nearer to the HIP, so the distance between both grows by the HIP's movement
 /// at most. Energy is no bound here: force that returns by a ramp pushes a hand that went in while there was none, and so gives what it never took.

@@ -5,6 +5,7 @@
 
 #include "firmware/daemon/status_lines.h"
 #include "shared/falcon_packet.h"
+#include "tests/driver/broken_cores.h"
 #include "tests/driver/fault_bench.h"
 #include "tests/driver/outside_faults.h"
 
@@ -247,6 +248,7 @@ FaultRow run(const Case& which) {
 std::vector<FaultRow> fault_matrix() {
   std::vector<FaultRow> rows;
   for (const Case& which : cases()) rows.push_back(run(which));
+  for (FaultRow& row : broken_cores()) rows.push_back(std::move(row));
   for (FaultRow& row : outside_faults()) rows.push_back(std::move(row));
   return rows;
 }

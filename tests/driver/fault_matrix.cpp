@@ -19,12 +19,12 @@ using namespace isotouch::test;
 int print_matrix() {
   int broken = 0, rows = 0;
   std::int64_t largest = 0;
-  std::printf("%-46s %5s  %-7s %-36s %s\n", "fault", "ticks", "state", "recovery", "what the user reads");
+  std::printf("%-50s %5s  %-7s %-36s %s\n", "fault", "ticks", "state", "recovery", "what the user reads");
   for (const FaultRow& row : fault_matrix()) {
     ++rows;
     largest = std::max(largest, std::int64_t{row.ticks});
     const std::string ticks = row.ticks < 0 ? "-" : std::to_string(row.ticks);
-    std::printf("%-46s %5s  %-7s %-36s %s\n", row.fault.c_str(), ticks.c_str(), row.state.c_str(), row.recovery.c_str(),
+    std::printf("%-50s %5s  %-7s %-36s %s\n", row.fault.c_str(), ticks.c_str(), row.state.c_str(), row.recovery.c_str(),
                 row.sentence.c_str());
     if (row.broken.empty()) continue;
     ++broken;

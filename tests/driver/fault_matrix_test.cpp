@@ -14,7 +14,7 @@ TEST(FaultMatrix, EveryBoundIsKept) {
     EXPECT_LE(row.ticks, kMaxTicks) << row.fault;
     shown += row.ticks >= 0 ? 1 : 0;
   }
-  EXPECT_GE(rows.size(), 30U);
+  EXPECT_GE(rows.size(), 40U);
   EXPECT_GE(shown, 20);
 }
 
