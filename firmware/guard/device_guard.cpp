@@ -24,7 +24,7 @@ MotorCommands DeviceGuard::pass(const loop::Command& command, std::int64_t now_n
   const Evidence evidence{now_ns,
                           lines_.lines(),
                           requests_.stops(),
-                          requests_.resumes(),
+                          requests_.is_stopped(),
                           fields_.field_of(command.field_generation),
                           with_live(settings_, largest_)};
   Memory memory = *memory_.get();

@@ -76,10 +76,10 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
   if (evidence.lines == 0) memory.lines_tick = 0;
   const std::uint64_t now = std::max<std::uint64_t>(command.tick, 1);  // before the first tick, too
   if (evidence.lines != 0 && memory.lines_tick == 0) memory.lines_tick = now;
-  if (evidence.resumes != memory.resumes) memory.stop_tick = 0;
   if (evidence.stops != memory.stops) memory.stop_tick = now;
-  memory.resumes = evidence.resumes;
+  if (!evidence.stopped) memory.stop_tick = 0;
   memory.stops = evidence.stops;
+  if (command.sample >= memory.valid && memory.fresh < memory.valid) memory.fresh = memory.valid, memory.fresh_tick = command.tick;
   if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;
   if (is_zero(asked)) return kNone;
 
@@ -89,7 +89,7 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
   if ((command.falcon.flags & kLights) != (device_.led_active & kLights)) return kLight;
   if (!memory.referenced && command.sample >= memory.since.reference) return kReference;
   if (knows(command, memory.since.jump)) return kJump;
-  if (command.tick > memory.heard_tick + device_.hold_ticks + 1) return kStale;
+  if (command.tick > memory.fresh_tick + device_.hold_ticks) return kStale;
   if (knows(command, memory.since.button)) return kReleased;
   if (knows(command, memory.since.speed)) return kSpeed;
   if (knows(command, memory.since.pose)) return kPose;
@@ -195,6 +195,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   mark(!memory.referenced, memory.replies, memory.since.reference);
   mark(device_.hold_to_run != 0 && (reply->buttons & device_.buttons) == 0, memory.replies, memory.since.button);
   memory.counts = reply->counts;
+  memory.valid = memory.replies;
   memory.heard_ns = now_ns;
   memory.heard_tick = memory.tick;
   find_hand(*reply, static_cast<double>(passed) * period_ns_ * 1e-9, change > device_.count_jump, memory);
@@ -216,7 +217,8 @@ void Guard::find_hand(const FalconReply& reply, double took_s, bool leapt, Memor
   memory.took[oldest] = took_s;
   double time = 0;
   for (const double took : memory.took) time += took;
-  mark(way > kSpeedPart * to_double(device_.speed_limit) * time, memory.replies, memory.since.speed);
+  const double fast = kSpeedPart * to_double(device_.speed_limit);  // a count that was wrong once is no movement
+  mark(way > fast * time && memory.step > fast * took_s, memory.replies, memory.since.speed);
 }
 
 }  // namespace isotouch::guard

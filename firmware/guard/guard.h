@@ -30,9 +30,12 @@ namespace isotouch::guard {
 /// What the guard remembers; a default one knows of no packet.
 struct Memory {
   // Of the packets.
-  std::uint64_t replies = 0;  ///< that came, malformed ones included: the number of the newest sample
-  std::int64_t heard_ns = 0;  ///< when the newest valid one came; 0 = none yet
-  std::uint64_t heard_tick = 0;
+  std::uint64_t replies = 0;     ///< that came, malformed ones included: the number of the newest sample
+  std::int64_t heard_ns = 0;     ///< when the newest valid one came; 0 = none yet
+  std::uint64_t heard_tick = 0;  ///< of the newest command when it came
+  std::uint64_t valid = 0;       ///< its number
+  std::uint64_t fresh = 0;       ///< number of the newest valid one that a command was computed from, and the tick that did it first
+  std::uint64_t fresh_tick = 0;
   std::array<std::int16_t, 3> counts{};
   std::uint32_t referenced_in_a_row = 0;
   bool referenced = false;
@@ -61,11 +64,11 @@ struct Memory {
   std::int64_t sent_ns = 0;          ///< when
   std::uint64_t repeated_since = 0;  ///< the tick that made the first of those that were the same
   Grip repeated_at;
-  std::array<double, 3> heat{};          ///< mean squares
-  std::uint32_t stops = 0, resumes = 0;  ///< that were asked for
-  std::uint64_t stop_tick = 0;           ///< of the first command after a stop that nobody has resumed from; 0 = there was none
-  std::uint8_t buttons = 0xFF;           ///< of the newest packet
-  std::uint64_t lines_tick = 0;          ///< of the first command beside lines that are not good; 0 = they are good
+  std::array<double, 3> heat{};  ///< mean squares
+  std::uint32_t stops = 0;       ///< that were asked for
+  std::uint64_t stop_tick = 0;   ///< of the first command after a stop that nobody has resumed from; 0 = there was none
+  std::uint8_t buttons = 0xFF;   ///< of the newest packet
+  std::uint64_t lines_tick = 0;  ///< of the first command beside lines that are not good; 0 = they are good
 
   // Of its own verdict.
   GuardVerdict verdict = GuardVerdict::kNone;
@@ -75,10 +78,11 @@ struct Memory {
 /// What a command is judged by.
 struct Evidence {
   std::int64_t now_ns = 0;
-  std::uint8_t lines = 0;                ///< LineBits, as the watchdog has them now
-  std::uint32_t stops = 0, resumes = 0;  ///< that were asked for since the start
-  const FieldView* field = nullptr;      ///< of the generation that the command names; nullptr: there is none, or it is not known
-  TickSettings largest;                  ///< of every setting the largest since the start
+  std::uint8_t lines = 0;            ///< LineBits, as the watchdog has them now
+  std::uint32_t stops = 0;           ///< that were asked for since the start
+  bool stopped = false;              ///< no resume was asked for since
+  const FieldView* field = nullptr;  ///< of the generation that the command names; nullptr: there is none, or it is not known
+  TickSettings largest;              ///< of every setting the largest since the start
 };
 
 class Guard {

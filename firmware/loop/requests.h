@@ -15,14 +15,17 @@ class Requests {
  public:
   /// bits      RequestBits; added to what is asked already
   void ask(std::uint8_t bits) {
-    if ((bits & kRequestResume) != 0) resumes_.fetch_add(1, std::memory_order_relaxed);
-    if ((bits & kRequestStop) != 0) stops_.fetch_add(1, std::memory_order_relaxed);
+    if ((bits & kRequestResume) != 0) stopped_.store(false, std::memory_order_relaxed);
+    if ((bits & kRequestStop) != 0) {
+      stopped_.store(true, std::memory_order_relaxed);
+      stops_.fetch_add(1, std::memory_order_relaxed);
+    }
     asked_.fetch_or(bits, std::memory_order_acq_rel);
   }
 
-  /// How often a stop and a resume were ever asked for. Any thread.
+  /// How often a stop was ever asked for, and whether no resume was since. Any thread.
   std::uint32_t stops() const { return stops_.load(std::memory_order_relaxed); }
-  std::uint32_t resumes() const { return resumes_.load(std::memory_order_relaxed); }
+  bool is_stopped() const { return stopped_.load(std::memory_order_relaxed); }
 
   /// All that was asked since the last tick, and nothing is asked any more.
   ///
@@ -63,7 +66,8 @@ class Requests {
 
  private:
   std::atomic<std::uint8_t> asked_{0};
-  std::atomic<std::uint32_t> stops_{0}, resumes_{0};
+  std::atomic<std::uint32_t> stops_{0};
+  std::atomic<bool> stopped_{false};
   std::array<std::atomic<std::int32_t>, kLiveSettings> values_{};
   std::atomic<std::uint32_t> changed_{0}, waiting_{0};
 };

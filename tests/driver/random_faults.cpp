@@ -75,7 +75,8 @@ SettingChange random_setting(Random& random) {
   const auto setting = static_cast<TickSetting>(which + 1);
   const bool may_be_off = setting != TickSetting::kStiffness && setting != TickSetting::kForceLimit;
   if (may_be_off && below(random, 4) == 0) return {setting, 0};
-  return {setting, 1 + static_cast<std::int32_t>(below(random, static_cast<std::uint64_t>(kMax[which])))};
+  const std::int32_t low = std::max(raw_range(*kTickSettingRows[which]).low, 1);
+  return {setting, low + static_cast<std::int32_t>(below(random, static_cast<std::uint64_t>(kMax[which] - low)))};
 }
 
 /// What a run must keep in every tick.

@@ -34,5 +34,23 @@ TEST(Requests, WhatWasEverSetIsSetAgainWhenATickForgot) {
   EXPECT_EQ(requests.take_change(), SettingChange{});
 }
 
+TEST(Requests, AnybodySeesStopsAndTheNewestSettings) {
+  Requests requests;
+  EXPECT_EQ(requests.newest(TickSetting::kWeight, 7), 7) << "nothing was ever asked for";
+  requests.set({TickSetting::kWeight, 5});
+  requests.take_change();
+  EXPECT_EQ(requests.newest(TickSetting::kWeight, 7), 5) << "taken over or not";
+  EXPECT_FALSE(requests.is_stopped());
+  requests.ask(kRequestStop);
+  requests.take();
+  EXPECT_TRUE(requests.is_stopped());
+  EXPECT_EQ(requests.stops(), 1U);
+  requests.ask(kRequestResume);
+  EXPECT_FALSE(requests.is_stopped());
+  requests.ask(kRequestStop | kRequestResume);
+  EXPECT_TRUE(requests.is_stopped()) << "the stop goes before the resume";
+  EXPECT_EQ(requests.stops(), 2U);
+}
+
 }  // namespace
 }  // namespace isotouch::loop
