@@ -210,7 +210,7 @@ void Guard::find_hand(const FalconReply& reply, double took_s, bool leapt, Memor
   memory.step = memory.has_grip && knew ? length(at - before) : 0;
   memory.fastest = std::max(memory.step / took_s, memory.fastest * 0.95);
 
-  const std::size_t oldest = memory.replies % memory.places.size();
+  const auto oldest = static_cast<std::size_t>(memory.replies % memory.places.size());
   if (!knew) memory.places.fill(at);
   const double way = length(at - memory.places[oldest]);
   memory.places[oldest] = at;
