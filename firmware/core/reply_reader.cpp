@@ -27,7 +27,8 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   Reading reading;
   reading.fresh = in.fresh && reply.has_value();
   reading.malformed = in.fresh && !reply.has_value();
-  const std::uint32_t gap = state.stale + 1 + in.late;  // ticks since the counts that are known
+  if (in.fresh) state.left_out = std::min(state.left_out + in.late, kMaxStale);
+  const std::uint32_t gap = state.stale + 1 + state.left_out;  // ticks since the counts that are known
   state.stale = reading.fresh ? 0 : std::min(std::max(state.stale + 1, std::uint32_t{in.age}), kMaxStale);
   if (!reading.fresh) {
     if (reading.malformed) state.in_a_row = 0;
@@ -37,7 +38,7 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   reading.jumped = !state.heard || is_jump(state.counts, reply->counts, gap, device.count_jump);
   const bool all_homed = reply->homed == kAllHomed;
   // With the bits went the reference, though the counts were small before, or nobody has seen how they began anew; or one leg has found its mark again.
-  const bool unseen = in.late >= kMaxLate || (in.late > 0 && state.all_homed);
+  const bool unseen = state.left_out >= kMaxLate || (state.left_out > 0 && state.all_homed);
   const bool began_anew =
       !all_homed && (unseen || reply->counts == Counts{} || is_jump(state.counts, reply->counts, gap, device.count_jump / 8));
   reading.jumped |= began_anew;
@@ -45,6 +46,7 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   state.in_a_row = all_homed ? std::min<std::uint32_t>(state.in_a_row + 1, 2) : 0;
   if (reading.jumped && !all_homed) state.homed = false;
   if (state.in_a_row == 2) state.homed = true;
+  state.left_out = 0;
   state.counts = reply->counts;
   state.buttons = reply->buttons;
   state.heard = true;

@@ -14,6 +14,7 @@ struct ReplyState {
   std::uint8_t buttons = 0;
   std::uint32_t stale = 0;     ///< ticks since the last valid fresh packet
   std::uint32_t in_a_row = 0;  ///< valid packets in a row that call all three legs homed, at most 2
+  std::uint32_t left_out = 0;  ///< ticks left out before those with a new packet, since the last valid one
   bool heard = false;          ///< there was a valid packet
   bool all_homed = false;      ///< the newest one called all three legs homed
   bool homed = false;          ///< latched: two packets in a row called all legs homed

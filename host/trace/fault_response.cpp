@@ -24,21 +24,25 @@ class Shown {
     };
     const auto reply = decode_reply(in.packet);
     const bool heard = in.fresh && reply.has_value();
-    const std::uint32_t gap = stale_ + 1;  // ticks since the counts that are known
-    stale_ = heard ? 0 : std::max(gap, std::uint32_t{in.age});
+    if (in.fresh) left_out_ += in.late;
+    const std::uint32_t gap = stale_ + 1 + left_out_;  // ticks since the counts that are known
+    stale_ = heard ? 0 : std::max(stale_ + 1, std::uint32_t{in.age});
     late_ = {in.late, late_[0], late_[1]};
     const std::int64_t change = heard && known_ ? largest_change(reply->counts) : 0;
     const std::int64_t jump = device_.count_jump;
-    const bool anew = heard && known_ && (reply->counts == decltype(counts_){} || 8 * change > jump * gap);
+    const bool unseen = left_out_ >= kMaxLate || (left_out_ > 0 && all_homed_);
+    const bool anew = heard && known_ && (unseen || reply->counts == decltype(counts_){} || 8 * change > jump * gap);
     show((in.requests & kRequestStop) != 0, "stop");
     show((in.lines & kLineStop) != 0, "lines");
     show((in.lines & kLineEnableWrong) != 0, "enable");
+    show((in.lines & kLineMemory) != 0, "memory");
+    show(guard_verdict(in.lines) != GuardVerdict::kNone, "guard");
     show(stale_ >= device_.hold_ticks, "stale");
     show(late_[0] >= device_.hold_ticks || late_[0] + late_[1] + late_[2] > device_.hold_ticks, "late");
     show(anew && reply->homed != kAllHomed, "unhomed");
     show(change > jump * gap, "jump");
     show(gap == 1 && change <= jump && 2 * change > jump, "leap");
-    if (heard) counts_ = reply->counts;
+    if (heard) counts_ = reply->counts, all_homed_ = reply->homed == kAllHomed, left_out_ = 0;
     known_ |= heard;
     return names;
   }
@@ -53,10 +57,10 @@ class Shown {
   }
 
   const DeviceModel& device_;
-  std::uint32_t stale_ = 0;
+  std::uint32_t stale_ = 0, left_out_ = 0;
   std::array<std::uint32_t, 3> late_{};
   std::array<std::int16_t, 3> counts_{};  ///< of the last valid packet
-  bool known_ = false;
+  bool known_ = false, all_homed_ = false;
 };
 
 }  // namespace

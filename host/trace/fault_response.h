@@ -24,9 +24,12 @@ struct FaultResponse {
 ///   stop      told to
 ///   lines     the emergency stop
 ///   enable    reads back wrong
+///   memory    of the tick has changed
+///   guard     stopped a motor command
 ///   stale     no valid fresh packet for hold_ticks
 ///   late      hold_ticks periods left out before a tick, or one more within three ticks
-///   unhomed   a valid packet without homing bits whose counts began anew: all zero, or changed by more than an eighth of count_jump
+///   unhomed   a valid packet without homing bits whose counts began anew: all zero, or changed by more than an eighth of count_jump,
+///             or whose bits disappeared while ticks were left out
 ///   jump      a count changed by more than count_jump a tick since the last valid packet
 ///   leap      by more than half of it, from one tick to the next
 ///

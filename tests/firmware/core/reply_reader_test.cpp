@@ -116,6 +116,16 @@ TEST(ReplyReader, BitsThatDisappearUnseenLoseTheReference) {
   };
   EXPECT_TRUE(after(7, 0));
   EXPECT_FALSE(after(7, 1)) << "what came meanwhile is not known";
+  {
+    Reader read;
+    for (int t = 0; t < 3; ++t) read(packet({500, 500, 500}));
+    Input malformed;
+    malformed.fresh = true;
+    malformed.late = 1;
+    read(malformed);
+    read(packet({500, 500, 500}, 0));
+    EXPECT_FALSE(read.state.homed) << "nor is it after a malformed packet";
+  }
   EXPECT_TRUE(after(0, 1)) << "a device that shows no bits";
   EXPECT_TRUE(after(0, kMaxLate - 1));
   EXPECT_FALSE(after(0, kMaxLate));
