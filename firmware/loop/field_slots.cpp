@@ -9,7 +9,10 @@ constexpr std::size_t kLine = 64;
 std::size_t whole_lines(std::size_t bytes) { return (bytes + kLine - 1) / kLine * kLine; }
 
 std::uint64_t hash_of(std::span<const std::uint8_t> image, std::size_t part) {
-  const std::size_t begin = image.size() * part / FieldSlots::kParts, end = image.size() * (part + 1) / FieldSlots::kParts;
+  const auto border = [&image](std::size_t number) {
+    return static_cast<std::size_t>(std::uint64_t{image.size()} * number / FieldSlots::kParts);
+  };
+  const std::size_t begin = border(part), end = border(part + 1);
   return hash64(image.data() + begin, end - begin);
 }
 
@@ -97,13 +100,13 @@ std::uint32_t FieldSlots::damaged_in(std::size_t part) {
 }
 
 const FieldView* FieldSlots::field_of(std::uint32_t generation) {
+  const auto is_of = [generation](std::uint32_t word) { return ((word & kSlot) == kNone ? 0 : word >> 2) == generation; };
   const std::uint32_t word = published_.load(std::memory_order_acquire);
-  if (word >> 2 == generation && word != guarded_field_) {
+  if (is_of(word) && word != guarded_field_) {
     guarded_field_ = word;
     guard_acknowledged_.store(word, std::memory_order_release);
   }
-  const bool there = guarded_field_ >> 2 == generation && (guarded_field_ & kSlot) != kNone;
-  return there ? &views_[guarded_field_ & kSlot] : nullptr;
+  return is_of(guarded_field_) && generation != 0 ? &views_[guarded_field_ & kSlot] : nullptr;
 }
 
 void FieldSlots::publish(std::uint32_t slot) {

@@ -41,7 +41,7 @@ class FieldSlots {
   /// True when `begin` would succeed: no place still waits for the tick to leave it.
   bool free() const;
 
-  /// Claims the place that the tick does not use. What was received there and not committed is forgotten.
+  /// Claims the place that the tick does not use. What was received there and not committed is forgotten. Waits while `damaged_in` reads a part.
   ///
   /// bytes     of the unpacked image, at most `capacity()`
   /// returns   where to write the image, 64-byte aligned; empty: too large, or the tick has not taken the last field over yet
@@ -81,12 +81,12 @@ class FieldSlots {
   /// The newest published field, also when the tick has not taken it over yet. Valid until the next `begin`.
   ActiveField published() const;
 
-  // --- whoever looks after the memory ---
+  // --- memory check ---
 
-  /// Into so many parts an image is divided for `damaged_in`.
+  /// The number of parts of an image, for `damaged_in`.
   static constexpr std::size_t kParts = 20;
 
-  /// Reads one part of the published image again. Waits while an upload begins, for a moment.
+  /// Hashes one part of the published image again, up to 51 MiB of the largest. Waits while an upload begins, for a moment.
   ///
   /// returns   the image's generation where it is not what `verify` saw, else 0
   std::uint32_t damaged_in(std::size_t part);
@@ -103,9 +103,10 @@ class FieldSlots {
   /// A guard reads along, too. Before the first tick.
   void expect_guard() { guarded_ = true; }
 
-  /// The field with which a tick made a command; the guard keeps it until it asks for another.
+  /// The field with which a tick made a command; the guard keeps it until it asks for another. One thread, which may be the tick's.
   ///
   /// returns   nullptr: none, or one that the upload has taken back
+  /// tick      yes
   const FieldView* field_of(std::uint32_t generation);
 
  private:

@@ -162,5 +162,31 @@ TEST(FieldSlots, NoTickEverSeesHalfAFieldWhileFieldsAreSwapped) {
   EXPECT_EQ(seen, kSwaps) << "every published field is taken over, because none is published before";
 }
 
+TEST(FieldSlots, AGuardHoldsAFieldOnlyUntilACommandOfAnother) {
+  FieldSlots slots(1 << 20);
+  slots.expect_guard();
+  const auto one = upload(slots, image(1));
+  ASSERT_TRUE(one);
+  slots.field();
+  EXPECT_FALSE(slots.free()) << "the guard has not seen it";
+  EXPECT_NE(slots.acknowledged(), *one);
+  EXPECT_EQ(slots.field_of(*one), slots.published().view);
+  EXPECT_TRUE(slots.free());
+  EXPECT_EQ(slots.acknowledged(), *one);
+
+  const auto two = upload(slots, image(2));
+  ASSERT_TRUE(two);
+  EXPECT_NE(slots.field_of(*one), nullptr) << "a command of the field before";
+  slots.field();
+  EXPECT_NE(slots.field_of(*two), nullptr);
+  EXPECT_EQ(slots.field_of(*one), nullptr);
+
+  ASSERT_TRUE(slots.clear());
+  slots.field();
+  EXPECT_EQ(slots.field_of(0), nullptr) << "a command without a field";
+  EXPECT_TRUE(slots.free()) << "else no field could ever be loaded again";
+  EXPECT_TRUE(upload(slots, image(3)));
+}
+
 }  // namespace
 }  // namespace isotouch::loop
