@@ -24,7 +24,7 @@ class Calibration {
   using BySettings = std::function<Choice(const std::string& serial)>;
 
   /// store     nullptr: nothing is kept; lives longer
-  /// mark      is told before other angles are kept; nullptr: nobody could confirm them; lives longer
+  /// mark      is set before other angles are stored; nullptr: nobody could confirm them; lives longer
   /// serial    of the device that is expected; empty: not known
   Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial);
 

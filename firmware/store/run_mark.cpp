@@ -31,7 +31,9 @@ Refusal RunMark::note_calibration() {
   const std::lock_guard<std::mutex> lock(mutex_);
   confirms_ = false;
   if (write(kRecalibrated)) return {};
-  return "the state folder cannot be written, so the next start could not know of it; check its permissions and free space";
+  return "the angles were not stored, because the state folder cannot be written and the next start could not ask you to confirm them; "
+         "check "
+         "its permissions and free space";
 }
 
 void RunMark::confirm() {

@@ -1,4 +1,4 @@
-/// Two marks in the state folder, each of which tells a start that a person must confirm the next force. `running` is there while a controller runs: one
+/// Two marks in the state folder. If a start finds either, a person must confirm the next force. `running` is there while a controller runs: one
 /// that a start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip. `recalibrated` is there from
 /// before other angles of the device's arms are stored until a person has confirmed them, whatever ends the runs between. Not for the tick.
 #pragma once

@@ -60,8 +60,9 @@ void TraceFile::drop_what_is_torn(std::uint64_t promised) {
   while (whole < size() && decode_record(at(whole)) && (!header_.has_outputs || chain_follows(whole))) ++whole;
   bytes_.resize(whole * kRecordBytes);
   header_.record_count = whole;
-  const std::string missing = promised == kUnfinished ? "an unknown number is missing" : std::to_string(promised - whole) + " are missing";
-  cut_off_ = path_ + ": the recording was cut off; it holds " + std::to_string(whole) + " whole ticks, and " + missing;
+  const std::string missing =
+      promised == kUnfinished ? "it is not known how many are missing" : std::to_string(promised - whole) + " ticks are missing";
+  cut_off_ = path_ + ": the recording was cut off; it holds " + std::to_string(whole) + " whole ticks; " + missing;
 }
 
 Refusal read_trace(const std::string& path, TraceFile& trace) {

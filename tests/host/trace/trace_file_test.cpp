@@ -111,7 +111,8 @@ TEST(TraceFile, WhatAKilledWriterLeavesIsReadUpToItsLastWholeRecord) {
     ASSERT_EQ(trace.size(), whole) << lost;
     EXPECT_EQ(trace.header().record_count, whole);
     EXPECT_TRUE(trace.chain_follows(whole - 1));
-    EXPECT_THAT(trace.cut_off(), HasSubstr("it holds " + std::to_string(whole) + " whole ticks, and an unknown number is missing")) << lost;
+    EXPECT_THAT(trace.cut_off(), HasSubstr("it holds " + std::to_string(whole) + " whole ticks; it is not known how many are missing"))
+        << lost;
   }
   std::string torn = left;  // a power cut may leave zeros, or the blocks of another file
   std::fill(torn.begin() + 256 + 104 * 500, torn.end(), '\0');
@@ -129,7 +130,7 @@ TEST(TraceFile, AFinishedFileThatWasCutSaysHowMuchIsMissing) {
     bytes.resize(bytes.size() - 130);
     const Trace trace = read_trace(folder.write("cut.trace", bytes));
     EXPECT_EQ(trace.size(), 8U);
-    EXPECT_THAT(trace.cut_off(), HasSubstr("it holds 8 whole ticks, and 2 are missing"));
+    EXPECT_THAT(trace.cut_off(), HasSubstr("it holds 8 whole ticks; 2 ticks are missing"));
   }
 }
 
