@@ -33,27 +33,26 @@ inline constexpr std::array<FaultName, 11> kFaultNames = {{
      "happens again"},
 }};
 
-/// The guard's verdicts by number, as `isotouchd` and `trace show` name them.
-inline constexpr std::array<std::string_view, kGuardVerdicts> kGuardVerdictNames = {"nothing",
-                                                                                    "beyond a motor's limit",
-                                                                                    "beside a bad safety line",
-                                                                                    "beside a light that tells of no force",
-                                                                                    "without a reference of the encoders",
-                                                                                    "after a jump of the encoders",
-                                                                                    "without new packets",
-                                                                                    "without a button held",
-                                                                                    "for a hand that is too fast",
-                                                                                    "for a place that the arms do not reach",
-                                                                                    "for motors that are too warm",
-                                                                                    "without contact",
-                                                                                    "stronger than the hand's way explains",
-                                                                                    "into the object",
-                                                                                    "that repeats while the hand moves",
-                                                                                    "after a stop"};
+/// The guard's verdicts by number, as `isotouchd` and `trace show` print them.
+inline constexpr std::array<std::string_view, kGuardVerdicts> kGuardVerdictNames = {
+    "none",
+    "above a motor's limit",
+    "while a safety line was bad",
+    "while the light showed no force",
+    "without a reference of the encoders",
+    "after a jump of the encoders",
+    "without new packets",
+    "without a button that must be held",
+    "for a hand that is too fast",
+    "for a position that the arms cannot reach",
+    "for motors that are too warm",
+    "while the hand touched nothing",
+    "stronger than the hand's movement explains",
+    "into the object",
+    "that did not change while the hand moved",
+    "after a stop",
+};
 
-constexpr std::string_view name_of(GuardVerdict verdict) {
-  const auto number = static_cast<std::size_t>(verdict);
-  return number < kGuardVerdicts ? kGuardVerdictNames[number] : "of no kind";
-}
+constexpr std::string_view name_of(GuardVerdict verdict) { return kGuardVerdictNames[static_cast<std::size_t>(verdict) % kGuardVerdicts]; }
 
 }  // namespace isotouch

@@ -38,8 +38,8 @@ enum LineBits : std::uint8_t {
 enum class GuardVerdict : std::uint8_t {
   kNone = 0,
   kLimit,      ///< a command beyond the motor's limit
-  kLine,       ///< beside a safety line that is not good
-  kLight,      ///< beside a light that tells people that there is no force
+  kLine,       ///< while a safety line is bad, or memory damaged
+  kLight,      ///< while the light shows that there is no force
   kReference,  ///< the encoders have no reference
   kJump,       ///< their counts jumped
   kStale,      ///< no valid packet came
@@ -140,6 +140,8 @@ enum Faults : std::uint16_t {
 };
 
 using MotorCommands = std::array<std::int16_t, 3>;
+
+constexpr bool is_zero(const MotorCommands& commands) { return commands == MotorCommands{}; }
 
 /// Everything that a tick answers. Of a hand without a device: HIP, proxy, force, status and buttons; the rest is zero.
 struct Output {

@@ -16,7 +16,6 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
-#include "shared/fault_names.h"
 
 namespace isotouch::daemon {
 
@@ -165,7 +164,7 @@ void Controller::start() {
   loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
   loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, heat_, options_.lockstep}, device, clock,
                 loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
-  memory_check_.emplace(fields_, loop_->constants());
+  memory_check_.emplace(fields_, loop::MemoryCheck::Prepared{loop_->constants(), guard_->constants()});
   records_ = std::thread([this] {
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) recorder_->drain();
@@ -195,7 +194,7 @@ Controller::End Controller::supervise() {
   while (!ticks_ended_) {
     say_what_changed();
     systemd_.alive(stats_.ticks.value());
-    look_after_memory();
+    check_memory();
     if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
     if (may_begin_again()) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
@@ -204,13 +203,13 @@ Controller::End Controller::supervise() {
   return End::kOver;
 }
 
-void Controller::look_after_memory() {
+void Controller::check_memory() {
   const loop::Damage damage = memory_check_->step();
   if (damage == damage_) return;
   damage_ = damage;
   lines_.state.put_damaged(damage != loop::Damage::kNone);
-  if (damage == loop::Damage::kField) say("the field in memory is not what it was when it came; send it again, then 'isotouch resume'");
-  if (damage == loop::Damage::kModel) say("the prepared model of the device in memory has changed; restart the controller");
+  if (damage == loop::Damage::kField) say("the field in memory was damaged; send the field again, then 'isotouch resume'");
+  if (damage == loop::Damage::kPrepared) say("the model of the device in memory was damaged; restart the controller");
 }
 
 void Controller::say_what_changed() {
@@ -227,7 +226,7 @@ void Controller::say_what_changed() {
   }
   if (const GuardVerdict verdict = lines_.state.verdict(); verdict != verdict_) {
     verdict_ = verdict;
-    if (verdict != GuardVerdict::kNone) say("the guard stopped a motor command " + std::string(name_of(verdict)));
+    if (verdict != GuardVerdict::kNone) say(guard_line(verdict));
   }
   if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
 }

@@ -81,7 +81,7 @@ class Controller {
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
   bool may_begin_again() const;
-  void look_after_memory();
+  void check_memory();
   void say_what_changed();
   std::string judge_delay();
 

@@ -55,6 +55,8 @@ std::string supervisor_line(SupervisorState state, std::uint16_t faults) {
   return text;
 }
 
+std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }
+
 std::string refusal_line(unsigned refused) {
   if (refused == 0) return {};
   std::string text;

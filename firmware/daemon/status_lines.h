@@ -16,6 +16,9 @@ std::string device_line(const falcon::PortReport& report);
 /// What the supervisor allows and what a person can do.
 std::string supervisor_line(SupervisorState state, std::uint16_t faults);
 
+/// What the guard has stopped.
+std::string guard_line(GuardVerdict verdict);
+
 /// What the system refused; empty when nothing.
 ///
 /// refused   loop::Refusals

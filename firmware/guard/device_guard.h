@@ -1,6 +1,9 @@
-/// The guard where it works: on the thread that talks to the device, with a memory that no other thread can write. What it finds stops the force at once,
-/// and reaches the tick beside the safety lines, so that the supervisor is in fault and the recording names it.
+/// The guard where it works: on the thread that talks to the device. What it remembers is in a memory that no other thread can write; its model is
+/// ordinary memory, see `constants`. What it finds stops the force at once, and reaches the tick beside the safety lines, so that the supervisor is in fault
+/// and the recording names it.
 #pragma once
+
+#include <span>
 
 #include "firmware/guard/guard.h"
 #include "firmware/guard/private_memory.h"
@@ -20,11 +23,14 @@ class DeviceGuard final : public loop::CommandGuard {
   /// false: the system has no memory for it, and no force passes.
   bool is_ready() const { return memory_.get() != nullptr; }
 
+  /// What does not change while it judges, as it stands in memory; for `loop::MemoryCheck`.
+  std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&guard_), sizeof guard_}; }
+
   MotorCommands pass(const loop::Command& command, std::int64_t now_ns) override;
   void hear(const FalconPacket& packet, std::int64_t now_ns) override;
 
  private:
-  Guard guard_;
+  const Guard guard_;
   LiveRaw largest_;  ///< of every setting since the start
   TickSettings settings_;
   loop::FieldSlots& fields_;

@@ -37,8 +37,6 @@ double clear_way(const loop::Command& command, const Evidence& evidence, const P
   return has_distances ? clearance(*evidence.field, hip) : -std::numeric_limits<double>::infinity();
 }
 
-bool is_zero(const MotorCommands& commands) { return commands == MotorCommands{}; }
-
 int largest(const MotorCommands& commands) { return std::max({std::abs(commands[0]), std::abs(commands[1]), std::abs(commands[2])}); }
 
 int largest_change(const std::array<std::int16_t, 3>& from, const std::array<std::int16_t, 3>& to) {
@@ -58,8 +56,9 @@ MotorCommands Guard::judge(const loop::Command& command, const Evidence& evidenc
   const MotorCommands& asked = command.falcon.words;
   if (!is_zero(asked) || memory.quiet_ns == 0) memory.quiet_ns = evidence.now_ns;
   if (memory.verdict != kNone && evidence.now_ns - memory.quiet_ns > kQuietNs) memory.verdict = kNone;
-  const GuardVerdict found = contradiction(command, evidence, memory);
-  if (memory.verdict == kNone) memory.verdict = found;
+  note(command, evidence, memory);
+  place(command, evidence, memory);
+  if (memory.verdict == kNone) memory.verdict = contradiction(command, evidence, memory);
 
   memory.tick = command.tick;
   const bool passes = memory.verdict == kNone && evidence.lines == 0;
@@ -68,21 +67,24 @@ MotorCommands Guard::judge(const loop::Command& command, const Evidence& evidenc
   return memory.commands;
 }
 
-/// The first thing that this command must not be.
-GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
+/// Since when there is what a command is judged by.
+void Guard::note(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
   const MotorCommands& asked = command.falcon.words;
-  const bool hot = is_too_hot(evidence, memory);
-  place(command, evidence, memory);
-  if (evidence.lines == 0) memory.lines_tick = 0;
   const std::uint64_t now = std::max<std::uint64_t>(command.tick, 1);  // before the first tick, too
+  if (evidence.lines == 0) memory.lines_tick = 0;
   if (evidence.lines != 0 && memory.lines_tick == 0) memory.lines_tick = now;
   if (evidence.stops != memory.stops) memory.stop_tick = now;
   if (!evidence.stopped) memory.stop_tick = 0;
   memory.stops = evidence.stops;
   if (command.sample >= memory.valid && memory.fresh < memory.valid) memory.fresh = memory.valid, memory.fresh_tick = command.tick;
   if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;
-  if (is_zero(asked)) return kNone;
+  warm(evidence.now_ns, memory);
+}
 
+/// The first thing that this command must not be.
+GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
+  const MotorCommands& asked = command.falcon.words;
+  if (is_zero(asked)) return kNone;
   if (largest(asked) > device_.word_limit) return kLimit;
   if (memory.lines_tick != 0 && command.tick >= memory.lines_tick + kTicksToNotice) return kLine;
   if (memory.stop_tick != 0 && command.tick >= memory.stop_tick + kTicksToNotice) return kStopped;
@@ -93,7 +95,7 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
   if (knows(command, memory.since.button)) return kReleased;
   if (knows(command, memory.since.speed)) return kSpeed;
   if (knows(command, memory.since.pose)) return kPose;
-  if (hot) return kHeat;
+  if (is_too_hot(memory)) return kHeat;
   if (const GuardVerdict found = of_contact(command, evidence, memory); found != kNone) return found;
   const bool repeats = memory.has_grip && command.tick >= memory.repeated_since + kRepeats;
   return repeats && length(arms_.force(asked, memory.grip) - arms_.force(asked, memory.repeated_at)) >
@@ -133,12 +135,12 @@ bool Guard::is_felt(const MotorCommands& commands, const Evidence& evidence, con
 }
 
 GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
-  const bool falls = largest_change(memory.commands, command.falcon.words) + 1 >=
-                     static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;  // as fast as a command may change
+  const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >=
+                       static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;  // it changes as fast as it may
   if (!memory.has_grip || command.tick == memory.tick) return kNone;
   const Point force = arms_.force(command.falcon.words, memory.grip);
   const double strength = length(force);
-  if (falls && strength < length(arms_.force(memory.commands, memory.grip))) return kNone;
+  if (at_slew && strength < length(arms_.force(memory.commands, memory.grip))) return kNone;
 
   const TickSettings& most = evidence.largest;
   const double weight = std::abs(to_double(most.weight));
@@ -157,16 +159,18 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
 }
 
 /// A motor warms by the square of its command, and cools by itself.
-bool Guard::is_too_hot(const Evidence& evidence, Memory& memory) const {
-  if (device_.heat_word == 0 || memory.sent_ns == 0) return false;
-  const double passed = std::clamp(static_cast<double>(evidence.now_ns - memory.sent_ns), 0.0, 1e9);
+void Guard::warm(std::int64_t now_ns, Memory& memory) const {
+  if (device_.heat_word == 0 || memory.sent_ns == 0) return;
+  const double passed = std::clamp(static_cast<double>(now_ns - memory.sent_ns), 0.0, 1e9);
   const double part = std::min(passed / (device_.heat_ms * 1e6), 1.0);
-  double most = 0;
   for (std::size_t i = 0; i < memory.heat.size(); ++i) {
     memory.heat[i] += part * (static_cast<double>(memory.commands[i] * memory.commands[i]) - memory.heat[i]);
-    most = std::max(most, memory.heat[i]);
   }
-  return most > kHeatPart * device_.heat_word * device_.heat_word;
+}
+
+bool Guard::is_too_hot(const Memory& memory) const {
+  const double most = kHeatPart * device_.heat_word * device_.heat_word;
+  return device_.heat_word != 0 && std::any_of(memory.heat.begin(), memory.heat.end(), [most](double heat) { return heat > most; });
 }
 
 void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory) const {

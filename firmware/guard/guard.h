@@ -1,10 +1,10 @@
-/// Judges the tick's motor commands before they reach the device, from the device's packets alone. It knows neither what the tick felt nor what the
-/// supervisor decided. It can only take force away.
+/// Judges the tick's motor commands before they reach the device. It relies on the device's packets, the field, the safety lines, the requests and the
+/// largest settings. It knows neither what the tick felt nor what the supervisor decided. It can only take force away.
 ///
 /// What a command must not be, in the order in which it is looked for (`GuardVerdict`):
 ///
 /// - beyond the limit of the motors;
-/// - other than zero beside a safety line that is not good, after a stop, or beside a light that promises no force;
+/// - other than zero while a safety line is bad, after a stop, or while the light shows no force;
 /// - other than zero after packets that forbid it: no reference, counts that jumped, none that came, no button held, too fast a hand, no place that the
 ///   arms reach;
 /// - more than the motors can bear for long;
@@ -42,8 +42,8 @@ struct Memory {
   bool has_grip = false;
   Grip grip;                      ///< newest place of the hand
   double step = 0;                ///< mm, of the newest packet
-  std::array<Point, 4> places{};  ///< mm, of the newest four packets, in turn
-  std::array<double, 4> took{};   ///< s, from packet to packet
+  std::array<Point, 4> places{};  ///< mm, of the newest four packets: number % 4
+  std::array<double, 4> took{};   ///< s, from packet to packet, by the same places
   double fastest = 0;             ///< mm/s, decays within some 50 packets
   /// Numbers of the samples since which a command must be zero; 0: it need not.
   struct {
@@ -101,12 +101,14 @@ class Guard {
   void hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory) const;
 
  private:
-  GuardVerdict contradiction(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
+  void note(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
+  GuardVerdict contradiction(const loop::Command& command, const Evidence& evidence, const Memory& memory) const;
   GuardVerdict of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const;
   bool is_felt(const MotorCommands& commands, const Evidence& evidence, const Memory& memory) const;
   void place(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
   void find_hand(const FalconReply& reply, double took_s, bool leapt, Memory& memory) const;
-  bool is_too_hot(const Evidence& evidence, Memory& memory) const;
+  void warm(std::int64_t now_ns, Memory& memory) const;
+  bool is_too_hot(const Memory& memory) const;
 
   DeviceModel device_;
   ArmGeometry arms_;

@@ -66,16 +66,18 @@ enum class Answer : std::uint8_t {
   kEnd,     ///< there will be no more, for good: a recording is over
 };
 
-/// Stands between the tick's commands and the port, on the port's side, and may only take force away.
+/// Stands between the tick's commands and the port, on the port's side, and may only take force away. Called by the thread that talks to the device; in
+/// lockstep by the tick's.
 class CommandGuard {
  public:
   virtual ~CommandGuard() = default;
 
   /// now_ns    as it is handed to the port
   /// returns   the motor commands that may go on: those of the command, or none
+  /// fails     never. Does not allocate; may make a system call that does not wait
   virtual MotorCommands pass(const Command& command, std::int64_t now_ns) = 0;
 
-  /// The port answered with this packet.
+  /// The port answered with this packet. Before the next `pass`; as it.
   virtual void hear(const FalconPacket& packet, std::int64_t now_ns) = 0;
 };
 

@@ -33,19 +33,20 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
   while (!stop.load(std::memory_order_relaxed)) {
     Command command = commands_.get();
     FalconPacket packet{};
-    const std::int64_t sent = clock_.now_ns();
-    if (command.tick != tick) ticked_ns = sent;
+    const std::int64_t now = clock_.now_ns();
+    if (command.tick != tick) ticked_ns = now;
     tick = command.tick;
-    if (sent - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
-    if (guard_ != nullptr) command.falcon.words = guard_->pass(command, sent);
+    if (now - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
+    if (guard_ != nullptr) command.falcon.words = guard_->pass(command, now);
+    const std::int64_t sent = clock_.now_ns();
     const Answer answer = port_.exchange(command.falcon, packet);
     if (answer == Answer::kEnd) break;
     if (command.sample == sample.number) word_delay.handed_over(command, sent, answer);
     if (answer != Answer::kReply) continue;
     sample = {packet, sample.number + 1, sent, clock_.now_ns(), word_delay.take()};
-    if (guard_ != nullptr) guard_->hear(packet, sample.arrival_ns);
     samples_.put(sample);
     replies_.ring();
+    if (guard_ != nullptr) guard_->hear(packet, sample.arrival_ns);  // while the tick works
     await_words(sample);
   }
   port_.rest();

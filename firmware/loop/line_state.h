@@ -20,10 +20,12 @@ class LineState {
   }
   /// The guard's side.
   void put(GuardVerdict verdict) { verdict_.store(line_bits(verdict), std::memory_order_release); }
-  /// Of whoever looks after the memory: it has changed, or is well again.
+  /// The memory check's side. damaged: what the tick relies on has changed
   void put_damaged(bool damaged) { memory_.store(damaged ? std::uint8_t{kLineMemory} : std::uint8_t{0}, std::memory_order_release); }
-  /// What the watchdog put last. Any thread.
-  std::uint8_t lines() const { return bits_.load(std::memory_order_acquire); }
+  /// What watchdog and memory check put last, without the guard's verdict. Any thread.
+  std::uint8_t lines() const {
+    return static_cast<std::uint8_t>(bits_.load(std::memory_order_acquire) | memory_.load(std::memory_order_acquire));
+  }
   GuardVerdict verdict() const { return guard_verdict(verdict_.load(std::memory_order_acquire)); }
   SupervisorState told() const { return static_cast<SupervisorState>(state_.load(std::memory_order_acquire)); }
 
@@ -35,8 +37,7 @@ class LineState {
     const std::uint32_t words = words_.load(std::memory_order_acquire);
     silent_ticks_ = words == heard_ ? silent_ticks_ + 1 : 0;
     heard_ = words;
-    const unsigned bits = unsigned{bits_.load(std::memory_order_acquire)} | verdict_.load(std::memory_order_acquire) |
-                          memory_.load(std::memory_order_acquire);
+    const unsigned bits = unsigned{lines()} | verdict_.load(std::memory_order_acquire);
     return static_cast<std::uint8_t>(patience_ != 0 && silent_ticks_ > patience_ ? bits | kLineStop : bits);
   }
   /// ticks     0, as at the beginning: for ever. Before the first tick

@@ -1,7 +1,8 @@
-/// Reads the memory that the tick relies on again, in small steps: the field that is felt and the prepared model. Neither may change while it is used, so a
-/// difference is a flipped bit or a stray write. For a thread beside the tick.
+/// Hashes the memory that the tick relies on again, in small steps: the field that is felt, and what was prepared before the first tick. Neither may change
+/// while it is used, so a difference is a flipped bit or a stray write. For a thread beside the tick.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,27 +13,33 @@ namespace isotouch::loop {
 
 enum class Damage : std::uint8_t {
   kNone,
-  kField,  ///< until another field is published
-  kModel,  ///< device, limits or settings, for good
+  kField,     ///< until another field is published
+  kPrepared,  ///< model, limits or settings, for good
 };
 
 class MemoryCheck {
  public:
-  /// fields    live longer
-  /// model     bytes that do not change from here on; live longer
-  MemoryCheck(FieldSlots& fields, std::span<const std::uint8_t> model);
+  /// Bytes that do not change: those of the tick, and those of the guard.
+  using Prepared = std::array<std::span<const std::uint8_t>, 2>;
 
-  /// Looks at the model and at one of FieldSlots::kParts of the field. Takes up to a millisecond.
+  /// fields, prepared   live longer
+  MemoryCheck(FieldSlots& fields, const Prepared& prepared);
+
+  /// Hashes what was prepared, some kilobytes, and one of FieldSlots::kParts of the field. All is looked at within kParts steps.
   ///
+  /// returns   the graver of what was found until now
   /// tick      no
   Damage step();
 
  private:
+  std::uint64_t hash_of_prepared() const;
+
   FieldSlots& fields_;
-  std::span<const std::uint8_t> model_;
+  Prepared prepared_;
   std::uint64_t hash_;
   std::size_t part_ = 0;
   std::uint32_t damaged_ = 0;  ///< generation of a field in which something differed; 0 = none
+  bool is_prepared_damaged_ = false;
 };
 
 }  // namespace isotouch::loop

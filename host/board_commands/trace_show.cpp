@@ -55,7 +55,7 @@ Json if_packet(const Row& row, const T& value) {
 
 /// The first thirteen are shown where none are named.
 constexpr std::size_t kStandardColumns = 13;
-constexpr std::array<Column, 32> kColumns = {{
+constexpr std::array<Column, 33> kColumns = {{
     {"tick", [](const Row& r) { return Json(r.tick); }},
     {"hip_x_mm", [](const Row& r) { return r.knows_hip() ? Json(to_double(r.hip().x)) : Json(nullptr); }},
     {"hip_y_mm", [](const Row& r) { return r.knows_hip() ? Json(to_double(r.hip().y)) : Json(nullptr); }},
@@ -79,6 +79,7 @@ constexpr std::array<Column, 32> kColumns = {{
     {"age", [](const Row& r) { return Json(r.record.input.age); }},
     {"late", [](const Row& r) { return Json(r.record.input.late); }},
     {"lines", [](const Row& r) { return Json(r.record.input.lines); }},
+    {"guard", [](const Row& r) { return if_packet(r, std::string(name_of(guard_verdict(r.record.input.lines)))); }},
     {"requests", [](const Row& r) { return Json(r.record.input.requests); }},
     {"setting", [](const Row& r) { return Json(static_cast<int>(r.record.input.change.setting)); }},
     {"setting_raw", [](const Row& r) { return Json(r.record.input.change.raw); }},

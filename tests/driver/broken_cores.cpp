@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "firmware/daemon/status_lines.h"
 #include "shared/fault_names.h"
 
 namespace isotouch::test {
@@ -44,7 +45,7 @@ DeviceModel with(const std::function<void(DeviceModel&)>& change) {
   return device;
 }
 
-bool says_force(const FaultBench& bench) { return bench.last_left().words != std::array<std::int16_t, 3>{}; }
+bool says_force(const FaultBench& bench) { return !is_zero(bench.last_left().words); }
 
 std::vector<Broken> list() {
   return {
@@ -100,10 +101,10 @@ FaultRow run(const Broken& which) {
   }
   const std::string strike = std::to_string(trial->falcon().packets() + static_cast<std::uint64_t>(which.wait));
   options.faults = which.script.empty() ? "" : "at " + strike + " " + which.script;
-  if (!held.empty()) options.faults = held + strike;
+  if (!held.empty()) options.faults = held + strike + "\n" + options.faults;
 
   const auto bench = std::make_unique<FaultBench>(options);
-  bench->begin();
+  if (!bench->begin()) row.broken = "the hand never pressed";
   move.go();
   for (int t = 0; t < which.wait; ++t) bench->tick();
   if (which.cause) which.cause(*bench);
@@ -126,8 +127,16 @@ FaultRow run(const Broken& which) {
   if (packets > which.most) row.broken = std::to_string(packets) + " packets with force";
   if (verdict != which.verdict) row.broken = "the verdict is: a command " + std::string(name_of(verdict));
   row.ticks = which.most > kMaxTicks ? -1 : packets;
+  if (bench->state() != SupervisorState::kFault) row.broken = "the state is no fault";
+  bench->tamper = {};
+  bench->lines.pressed = false;
+  for (int i = 0; i < 3000 && bench->state() == SupervisorState::kFault; ++i) {
+    if (i % 100 == 99) bench->commands.ask(kRequestResume);
+    bench->tick();
+  }
+  if (bench->state() == SupervisorState::kFault) row.broken = "nobody can resume";
   row.state = "fault";
-  row.sentence = "the guard stopped a motor command " + std::string(name_of(verdict));
+  row.sentence = daemon::guard_line(verdict);
   row.recovery = "a person resumes";
   return row;
 }
@@ -138,7 +147,7 @@ void times(double factor, Command& command) {
   for (std::int16_t& word : command.falcon.words) word = static_cast<std::int16_t>(std::lround(word * factor));
 }
 
-bool has_force(const FaultBench& bench) { return bench.sent.words != std::array<std::int16_t, 3>{}; }
+bool has_force(const FaultBench& bench) { return !is_zero(bench.sent.words); }
 
 std::vector<FaultRow> broken_cores() {
   std::vector<FaultRow> rows;

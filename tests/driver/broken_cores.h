@@ -32,7 +32,7 @@ struct Move {
   void go() const { *began = 0; }
 };
 
-/// Says a force that is so many times that of the core.
+/// Multiplies the motor commands by a factor.
 void times(double factor, loop::Command& command);
 
 bool has_force(const FaultBench& bench);

@@ -128,7 +128,7 @@ void FaultBench::begin_exchange() {
   const std::uint64_t allocated = loop::allocations_of_thread;
   command.falcon.words = guard.pass(command, clock.now);
   sent = command.falcon;
-  packets_with_force += sent.words == std::array<std::int16_t, 3>{} ? 0U : 1U;
+  packets_with_force += is_zero(sent.words) ? 0U : 1U;
   const loop::Answer answer = port.exchange(command.falcon, arriving_);
   allocations_of_driver += loop::allocations_of_thread - allocated;
   replies_ = answer == loop::Answer::kReply;

@@ -55,7 +55,7 @@ class FaultBench final : public loop::Device {
   bool begin();
 
   SupervisorState state() const { return static_cast<SupervisorState>(last.out.state); }
-  bool has_words() const { return last.out.commands != std::array<std::int16_t, 3>{}; }
+  bool has_words() const { return !is_zero(last.out.commands); }
   /// What stands at the device's seam.
   const FalconCommand& last_left() const { return command_.falcon; }
   falcon_model::SimulatedFalcon& falcon() { return link.falcon; }

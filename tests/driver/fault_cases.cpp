@@ -24,7 +24,7 @@ constexpr int kMax = 20'000;    // ticks until it must be well again
 using Shows = std::function<bool(const TickRecord& now, const TickRecord& before)>;
 
 bool stale(const TickRecord& now, const TickRecord& /*before*/) { return !now.in.fresh && now.in.age >= 3; }
-bool line(const TickRecord& now, const TickRecord& /*before*/) { return now.in.lines != 0; }
+bool line(const TickRecord& now, const TickRecord& /*before*/) { return (now.in.lines & (kLineStop | kLineEnableWrong)) != 0; }
 bool told(const TickRecord& now, const TickRecord& /*before*/) { return (now.in.requests & kRequestStop) != 0; }
 bool late(const TickRecord& now, const TickRecord& before) { return now.in.late + before.in.late >= 3; }
 bool another_field(const TickRecord& now, const TickRecord& before) { return now.in.field_generation != before.in.field_generation; }
@@ -185,6 +185,7 @@ class Follow {
   void look(int t, const TickRecord& now, const TickRecord& before) {
     const bool zero = !bench_.has_words();
     if (!zero && bench_.state() != S::kActive && broken_.empty()) broken_ = "words in a state that has none";
+    if (guard_verdict(now.in.lines) != GuardVerdict::kNone && broken_.empty()) broken_ = "the guard stopped it";
     if (now.out.commands != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
     if (shown_ < 0 && case_.shows && case_.shows(now, before)) shown_ = t;
     if (shown_ >= 0 && zero_ < 0 && zero) zero_ = t;

@@ -33,7 +33,8 @@ int print_matrix() {
   std::printf(
       "%d faults, %d bounds broken, at most %lld ticks until no force is commanded, %d are allowed. The ticks are counted from the first\n"
       "whose input shows the fault (stale: no fresh sample for 3 ticks) to motor commands of zero at the device's seam; - where no input\n"
-      "shows it. While the link is down, the device's own time limit ends the force.\n",
+      "shows it. While the link is down, the device's own time limit ends the force. For a broken core they are the\n"
+      "packets with force after a correct core gives none; - where the guard allows more than the core.\n",
       rows, broken, static_cast<long long>(largest), kMaxTicks);
   return broken == 0 ? 0 : 3;
 }

@@ -86,7 +86,7 @@ class Judge {
 
   /// returns   what is broken, nullptr: nothing
   const char* look(const loop::TickRecord& now, const FalconCommand& left, std::uint64_t& shown) {
-    const bool words = left.words != std::array<std::int16_t, 3>{};
+    const bool words = !is_zero(left.words);
     const bool active = now.out.state == static_cast<std::uint16_t>(SupervisorState::kActive);
     // By the input alone. A sample that is no packet is none.
     const auto reply = decode_reply(now.in.packet);
@@ -102,7 +102,7 @@ class Judge {
     in_a_row_ = bad ? in_a_row_ + 1 : 0;
     shown += bad ? 1 : 0;
     if (left.words != now.out.commands) return "other words were left than the tick said";
-    if (guard_verdict(now.in.lines) != GuardVerdict::kNone) return kGuardVerdictNames[now.in.lines >> 4].data();  // the guard agrees
+    if (guard_verdict(now.in.lines) != GuardVerdict::kNone) return name_of(guard_verdict(now.in.lines)).data();  // the guard agrees
     if (words && !active) return "words in a state that has none";
     if (words && in_a_row_ > kMaxTicks) return "words beyond the bound";
     if (words && bad) return "words in a tick that shows a fault";

@@ -30,7 +30,7 @@ TEST(ArmGeometry, FindsEveryPlaceOfTheWorkspaceFromItsMiddle) {
   }
 }
 
-TEST(ArmGeometry, TellsTheForceThatCommandsMake) {
+TEST(ArmGeometry, ComputesTheForceOfCommands) {
   Random random(2);
   for (const test::FalconSet& set : test::falcon_sets()) {
     const ArmGeometry arms(set.model);
