@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import unittest
 
 import fakes
@@ -109,6 +110,11 @@ class MutantsTest(fakes.Tree):
         self.wiring()
         self.script("path/ctest", "echo 'No tests were found!!!'\nexit 8\n")
         self.assertEqual(self.mutants()[::2], (3, "mutants: the code that is not broken fails ctest -R '^loop:', exit code 8\n"))
+
+    def test_an_interrupt_ends_what_was_started(self) -> None:
+        self.wiring()
+        self.script("path/ctest", fakes.SLEEPS)
+        self.assertNotEqual(self.interrupt(signal.SIGINT, "hil/mutants/run", PATH=f"{self.root}/path:{os.environ['PATH']}"), 0)
 
     def test_a_test_without_its_targets_is_not_whole(self) -> None:
         self.wiring("^loop:")
