@@ -20,6 +20,7 @@ from pathlib import Path
 from types import ModuleType
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "hil"))   # where its scripts find their lib
 PROGRAMS = ("isotouch", "isotouchd", "falcon-sim", "strace", "cyclictest")
 SLEEPS = "sleep 30 & echo $! >child\nwait\n"   # in a Tree's root, see Tree.interrupt
 CALLS = "futex(0x1, FUTEX_WAIT_BITSET_PRIVATE|F, 1) = 0\nfutex(0x1, FUTEX_WAKE_PRIVATE, 1) = 1\nclock_nanosleep(CLOCK_MONOTONIC, 0) = 0\n"
@@ -28,7 +29,6 @@ CALLS = "futex(0x1, FUTEX_WAIT_BITSET_PRIVATE|F, 1) = 0\nfutex(0x1, FUTEX_WAKE_P
 def load(script: str) -> ModuleType:
     """A script of hil/ as a module; its name has no ending."""
     path = ROOT / "hil" / script
-    sys.path.insert(0, str(ROOT / "hil"))
     loader = SourceFileLoader(script.replace("/", "_"), str(path))
     spec = importlib.util.spec_from_loader(loader.name, loader)
     assert spec
