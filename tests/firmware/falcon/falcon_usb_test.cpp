@@ -4,7 +4,6 @@
 #include <libusb.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,7 @@ using test::Bytes;
 using test::fake_bus;
 using test::FakeClock;
 using test::FakeFalcon;
-
-const std::array<std::uint8_t, 34> kImage = synthetic_image();
+using test::kImage;
 
 /// A bus with one Falcon on it.
 struct Desk {
