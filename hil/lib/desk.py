@@ -35,6 +35,20 @@ def whole_number(text: str) -> int:
     raise ValueError(text)
 
 
+def thread_of(process: int, name: str) -> int:
+    """The number of a process's thread."""
+    threads = [int(comm.parent.name) for comm in Path(f"/proc/{process}/task").glob("*/comm") if comm.read_text() == f"{name}\n"]
+    if len(threads) != 1:
+        raise Failure(f"{len(threads)} threads are called {name}")
+    return threads[0]
+
+
+def gives_rights() -> bool:
+    """Does this machine give a child real-time rights?"""
+    wish = "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(3))"
+    return subprocess.run([sys.executable, "-c", wish], stderr=subprocess.DEVNULL, check=False).returncode == 0
+
+
 class Desk:
     """bin is the folder of the programs, room a short temporary folder: the path of a socket has at most 107 characters."""
 
@@ -124,10 +138,7 @@ class Desk:
 
     def thread(self, name: str) -> int:
         """The number of a thread of the controller."""
-        threads = [int(comm.parent.name) for comm in Path(f"/proc/{self.started[-1].pid}/task").glob("*/comm") if comm.read_text() == f"{name}\n"]
-        if len(threads) != 1:
-            raise Failure(f"{len(threads)} threads are called {name}")
-        return threads[0]
+        return thread_of(self.started[-1].pid, name)
 
     def controller_log(self) -> str:
         log = self.room / "controller.log"

@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
-from lib.desk import Failure, within  # noqa: E402
+from lib.desk import Failure, gives_rights, thread_of, within  # noqa: E402
 
-__all__ = ["SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "main", "within"]
+__all__ = ["SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "main", "thread_of", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
@@ -85,9 +85,9 @@ class Rig:
 
 
 class Controller:
-    """isotouchd with its socket, and the tool that talks to it."""
+    """isotouchd with its socket, and the tool that talks to it, where a script wants one."""
 
-    def __init__(self, rig: Rig, daemon: Word, client: Word) -> None:
+    def __init__(self, rig: Rig, daemon: Word, client: Word = "") -> None:
         self.rig, self.daemon, self.client = rig, daemon, client
         self.to = f"unix:{rig.folder}/control"
 
@@ -100,9 +100,10 @@ class Controller:
     def end(self, how: signal.Signals = signal.SIGTERM) -> None:
         self.process.send_signal(how)
         code = code_of(self.process)
-        check(code == (-how if how == signal.SIGKILL else 0), f"the controller ends with {code} after {how.name}")
+        check(code == (-how if how in (signal.SIGKILL, signal.SIGSEGV) else 0), f"the controller ends with {code} after {how.name}")
 
-    def log(self) -> str:
+    @staticmethod
+    def log() -> str:
         return Path("daemon.log").read_text(errors="replace")
 
     def tool(self, *command: Word) -> Answer:

@@ -9,23 +9,26 @@ from __future__ import annotations
 import importlib.util
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import ModuleType
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "hil"))   # where its scripts find their lib
 PROGRAMS = ("isotouch", "isotouchd", "falcon-sim", "strace", "cyclictest")
+SLEEPS = "sleep 30 & echo $! >child\nwait\n"   # in a Tree's root, see Tree.interrupt
 CALLS = "futex(0x1, FUTEX_WAIT_BITSET_PRIVATE|F, 1) = 0\nfutex(0x1, FUTEX_WAKE_PRIVATE, 1) = 1\nclock_nanosleep(CLOCK_MONOTONIC, 0) = 0\n"
 
 
 def load(script: str) -> ModuleType:
     """A script of hil/ as a module; its name has no ending."""
     path = ROOT / "hil" / script
-    sys.path.insert(0, str(ROOT / "hil"))
     loader = SourceFileLoader(script.replace("/", "_"), str(path))
     spec = importlib.util.spec_from_loader(loader.name, loader)
     assert spec
@@ -69,6 +72,24 @@ class Tree(unittest.TestCase):
     def start(self, *command: str, **environment: str) -> subprocess.Popen[str]:
         return subprocess.Popen([self.root / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                 env={**os.environ, **environment})
+
+    def interrupt(self, how: signal.Signals, *command: str, **environment: str) -> int:
+        """The exit code of a script that gets a signal once a program that it started has begun SLEEPS; what sleeps then must end, too."""
+        file = self.root / "child"
+        with self.start(*command, **environment) as process:
+            while not file.exists() or not file.read_text():
+                self.assertIsNone(process.poll(), "nothing sleeps")
+                time.sleep(0.05)
+            process.send_signal(how)
+            process.communicate(timeout=20)
+        stat = Path("/proc", file.read_text().strip(), "stat")
+        end = time.monotonic() + 5
+        while runs := stat.exists() and stat.read_text().split()[2] != "Z":
+            if time.monotonic() > end:
+                break
+            time.sleep(0.05)
+        self.assertFalse(runs, "what it started still runs")
+        return process.returncode
 
     def call(self, *command: str, **environment: str) -> tuple[int, str, str]:
         """Exit code, output, complaints."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import unittest
 
 import fakes
@@ -110,6 +111,11 @@ class MutantsTest(fakes.Tree):
         self.script("path/ctest", "echo 'No tests were found!!!'\nexit 8\n")
         self.assertEqual(self.mutants()[::2], (3, "mutants: the code that is not broken fails ctest -R '^loop:', exit code 8\n"))
 
+    def test_an_interrupt_ends_what_was_started(self) -> None:
+        self.wiring()
+        self.script("path/ctest", fakes.SLEEPS)
+        self.assertNotEqual(self.interrupt(signal.SIGINT, "hil/mutants/run", PATH=f"{self.root}/path:{os.environ['PATH']}"), 0)
+
     def test_a_test_without_its_targets_is_not_whole(self) -> None:
         self.wiring("^loop:")
         self.assertEqual(self.mutants()[0], 3)
@@ -131,7 +137,7 @@ class MutantsTest(fakes.Tree):
     def test_words_choose_and_one_that_chooses_nothing_is_wrong_usage(self) -> None:
         self.assertIn("1 mutants: 0 killed by cases, 1 by tests", self.mutants("two")[1])
         self.assertIn("2 mutants: ", self.mutants("shared/core")[1], "of the file, too")
-        self.assertEqual(self.mutants("three")[0], 2)
+        self.assertEqual(self.mutants("three")[::2], (2, "mutants: no mutant has one of these words in its name or file\n"))
 
     def test_a_line_that_begins_otherwise_is_refused(self) -> None:
         self.list(LIST + "what\n")

@@ -1,23 +1,17 @@
 #!/usr/bin/env python3
 """What hil/wakeups promises, and hil/touch_demo."""
 
-import subprocess
-import sys
 import unittest
 
 import fakes
+from lib import desk
 
 
 def wakeups(*arguments: str, **environment: str) -> tuple[int, str]:
     return fakes.run("wakeups", "BIN", "a.itf", "b.itf", *(arguments or ("1", "1")), **{"FAKE_PRIORITY": "80", **environment})
 
 
-def may_have_rights() -> bool:
-    """Does this machine give a child real-time rights?"""
-    return subprocess.run([sys.executable, "-c", "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(3))"], stderr=subprocess.DEVNULL).returncode == 0
-
-
-@unittest.skipUnless(may_have_rights(), "this machine gives no real-time rights")
+@unittest.skipUnless(desk.gives_rights(), "this machine gives no real-time rights")
 class WakeupsTest(unittest.TestCase):
     def test_a_tick_without_its_priority_fails_the_script(self) -> None:
         code, said = wakeups(FAKE_PRIORITY="79")

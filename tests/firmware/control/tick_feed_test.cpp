@@ -138,7 +138,7 @@ TEST(TickFeed, EveryRecordingHasAChainOfItsOwn) {
   }
 }
 
-TEST(TickFeed, WhoBeginsToFollowIsNotToldWhatWasLostBefore) {
+TEST(TickFeed, ANewSubscriberGetsNoCountOfEarlierLosses) {
   Recording recording(16);
   recording.feed.end_recording(recording.clients[0]);
   for (int n = 0; n < 50; ++n) recording.ring.push(recording.tick);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "firmware/falcon/falcon_link.h"
+#include "firmware/falcon/falcon_session.h"
+#include "firmware/falcon/firmware_image.h"
 #include "firmware/loop/clock.h"
 #include "shared/falcon_packet.h"
 
@@ -35,6 +38,8 @@ class FakeClock final : public loop::Clock {
   void sleep_until_ns(std::int64_t when_ns) override { now = std::max(now, when_ns); }
   std::int64_t now = 1'000'000'000;
 };
+
+inline const std::array<std::uint8_t, 34> kImage = falcon::synthetic_image();
 
 /// What a real board was seen to do, or may do, beyond the plain order of things.
 struct Faults {
@@ -221,6 +226,13 @@ class FakeFalcon final : public falcon::FalconLink {
   Bytes question_, packet_;
   bool open_ = false, dtr_ = false, locked_ = false, mute_ = false;
   int baud_ = 0, latency_ms_ = 16;
+};
+
+/// A session with a scripted Falcon.
+struct SessionDesk {
+  FakeClock clock;
+  FakeFalcon falcon{clock};
+  falcon::FalconSession session{falcon, clock, kImage};
 };
 
 }  // namespace isotouch::test

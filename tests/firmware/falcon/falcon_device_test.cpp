@@ -167,8 +167,21 @@ TEST(FalconDevice, IsLostAfterAsManyMissingRepliesAsItsSettingsSay) {
   }
 }
 
+/// Is open, and takes every control request.
+class OpenLink : public FalconLink {
+ public:
+  LinkResult<void> open() override { return {}; }
+  void close() override {}
+  bool is_open() const override { return true; }
+  const FalconIdentity& identity() const override { return identity_; }
+  LinkResult<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
+
+ private:
+  FalconIdentity identity_;
+};
+
 /// The transfers that a test has put there, and a millisecond after each command its reply: the command's first word comes back as the first count.
-class TransferLink final : public FalconLink {
+class TransferLink final : public OpenLink {
  public:
   explicit TransferLink(FakeClock& clock) : clock_(clock) {}
 
@@ -186,11 +199,6 @@ class TransferLink final : public FalconLink {
   bool mute = false;
   int reads = 0;
 
-  LinkResult<void> open() override { return {}; }
-  void close() override {}
-  bool is_open() const override { return true; }
-  const FalconIdentity& identity() const override { return identity_; }
-  LinkResult<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
   LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
     if (!mute) coming_.push_back(replies({decode_command(data.first<kFalconPacketBytes>())->words[0]}));
     return data.size();
@@ -211,7 +219,6 @@ class TransferLink final : public FalconLink {
 
  private:
   FakeClock& clock_;
-  FalconIdentity identity_;
   std::deque<test::Bytes> coming_;
 };
 
@@ -259,13 +266,8 @@ TEST(FalconDevice, APartOfAMillisecondIsWaitedForToo) {
 }
 
 /// Takes everything, answers at once, and allocates nothing.
-class QuietLink final : public FalconLink {
+class QuietLink final : public OpenLink {
  public:
-  LinkResult<void> open() override { return {}; }
-  void close() override {}
-  bool is_open() const override { return true; }
-  const FalconIdentity& identity() const override { return identity_; }
-  LinkResult<std::size_t> control(const UsbSetup& /*setup*/, std::span<std::uint8_t> /*answer*/) override { return std::size_t{0}; }
   LinkResult<std::size_t> write(std::span<const std::uint8_t> data, std::uint32_t /*timeout_ms*/) override {
     waiting_ = true;
     return data.size();
@@ -280,7 +282,6 @@ class QuietLink final : public FalconLink {
   }
 
  private:
-  FalconIdentity identity_;
   bool waiting_ = false;
 };
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <string>
 
 #include "tests/firmware/falcon/fake_falcon.h"
@@ -11,15 +10,8 @@ namespace isotouch::falcon {
 namespace {
 
 using loop::Answer;
-using test::FakeClock;
-using test::FakeFalcon;
 
-const std::array<std::uint8_t, 34> kImage = synthetic_image();
-
-struct Desk {
-  FakeClock clock;
-  FakeFalcon falcon{clock};
-  FalconSession session{falcon, clock, kImage};
+struct Desk : test::SessionDesk {
   FalconPort port{session, falcon};
   FalconPacket reply{};
 

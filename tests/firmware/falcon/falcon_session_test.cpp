@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <memory>
-
 #include "tests/firmware/falcon/fake_falcon.h"
 
 namespace isotouch::falcon {
@@ -12,14 +9,9 @@ namespace {
 
 using test::FakeClock;
 using test::FakeFalcon;
+using test::kImage;
 
-const std::array<std::uint8_t, 34> kImage = synthetic_image();
-
-struct Desk {
-  FakeClock clock;
-  FakeFalcon falcon{clock};
-  FalconSession session{falcon, clock, kImage};
-
+struct Desk : test::SessionDesk {
   /// Steps until the state is reached; false when it is not within a minute.
   bool reaches(SessionState state) {
     for (const std::int64_t until = clock.now + 60'000'000'000; clock.now < until; clock.now += 100'000) {

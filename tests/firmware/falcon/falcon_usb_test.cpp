@@ -4,7 +4,6 @@
 #include <libusb.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -19,8 +18,7 @@ using test::Bytes;
 using test::fake_bus;
 using test::FakeClock;
 using test::FakeFalcon;
-
-const std::array<std::uint8_t, 34> kImage = synthetic_image();
+using test::kImage;
 
 /// A bus with one Falcon on it.
 struct Desk {
@@ -41,6 +39,14 @@ struct Desk {
     EXPECT_EQ(fake_bus().transfers, 0);
     EXPECT_EQ(fake_bus().lists, 0);
   }
+};
+
+/// The Falcon is open.
+struct OpenDesk : Desk {
+  FalconUsb link{clock};
+  Bytes buffer = Bytes(64);
+
+  OpenDesk() { EXPECT_TRUE(link.open()); }
 };
 
 TEST(FalconUsb, OpensTheDeviceAndGivesItBack) {
@@ -117,105 +123,89 @@ TEST(FalconUsb, CarriesABootAndAThousandExchangesWithAllTransfersPending) {
 }
 
 TEST(FalconUsb, KeepsTheOrderOfBytesWhenManyPacketsWait) {
-  Desk desk;
-  FalconUsb link(desk.clock);
-  ASSERT_TRUE(link.open());
+  OpenDesk desk;
   desk.falcon.faults.byte_by_byte = true;
   desk.falcon.faults.empty_packets = false;
   Bytes sent;
   for (int i = 0; i < 100; ++i) sent.push_back(static_cast<std::uint8_t>(i));
   desk.falcon.send(sent);
-  Bytes got, buffer(64);
+  Bytes got;
   while (got.size() < sent.size()) {
-    const LinkResult<std::size_t> size = link.read(buffer, 5);
+    const LinkResult<std::size_t> size = desk.link.read(desk.buffer, 5);
     ASSERT_TRUE(size);
     ASSERT_EQ(*size, 3U);
-    got.push_back(buffer[2]);
+    got.push_back(desk.buffer[2]);
   }
   EXPECT_EQ(got, sent);
 }
 
 TEST(FalconUsb, AReadWithoutDataEndsInTime) {
-  Desk desk;
-  FalconUsb link(desk.clock);
-  ASSERT_TRUE(link.open());
+  OpenDesk desk;
   desk.falcon.faults.empty_packets = false;
-  Bytes buffer(64);
   for (const std::uint32_t timeout : {0U, 1U, 20U}) {
     const std::int64_t began = desk.clock.now;
-    EXPECT_EQ(link.read(buffer, timeout).error(), LinkError::kTimedOut);
+    EXPECT_EQ(desk.link.read(desk.buffer, timeout).error(), LinkError::kTimedOut);
     EXPECT_EQ(desk.clock.now - began, std::int64_t{timeout} * 1'000'000);
   }
 }
 
 TEST(FalconUsb, AnUnplugIsSeenByEveryCallAndAReplugIsANewOpening) {
   for (const int call : {0, 1, 2}) {
-    Desk desk;
-    FalconUsb link(desk.clock);
-    ASSERT_TRUE(link.open());
-    Bytes buffer(64);
+    OpenDesk desk;
     desk.falcon.faults.present = false;
     if (call < 2) {
-      EXPECT_EQ((call == 0 ? link.control(ft232::kPurge1, {}) : link.write(buffer, 5)).error(), LinkError::kGone);
+      EXPECT_EQ((call == 0 ? desk.link.control(ft232::kPurge1, {}) : desk.link.write(desk.buffer, 5)).error(), LinkError::kGone);
     }
-    EXPECT_EQ(link.read(buffer, 5).error(), LinkError::kGone);
-    EXPECT_EQ(link.read(buffer, 0).error(), LinkError::kGone);
-    link.close();
-    EXPECT_FALSE(link.open());
+    EXPECT_EQ(desk.link.read(desk.buffer, 5).error(), LinkError::kGone);
+    EXPECT_EQ(desk.link.read(desk.buffer, 0).error(), LinkError::kGone);
+    desk.link.close();
+    EXPECT_FALSE(desk.link.open());
     desk.falcon.faults.present = true;
-    EXPECT_TRUE(link.open());
-    EXPECT_TRUE(link.control(ft232::kPurge1, {}));
+    EXPECT_TRUE(desk.link.open());
+    EXPECT_TRUE(desk.link.control(ft232::kPurge1, {}));
   }
 }
 
 TEST(FalconUsb, StallsAndDisturbedTransfersAreOvercome) {
-  Desk desk;
-  FalconUsb link(desk.clock);
-  ASSERT_TRUE(link.open());
+  OpenDesk desk;
   desk.falcon.faults.empty_packets = false;
-  Bytes buffer(64);
   fake_bus().line_errors = 20;
   desk.falcon.send({1});
-  EXPECT_EQ(link.read(buffer, 50).value(), 3U);
+  EXPECT_EQ(desk.link.read(desk.buffer, 50).value(), 3U);
   fake_bus().stall_in = 1;
-  EXPECT_EQ(link.read(buffer, 50).error(), LinkError::kStalled);
+  EXPECT_EQ(desk.link.read(desk.buffer, 50).error(), LinkError::kStalled);
   desk.falcon.send({2});
-  EXPECT_EQ(link.read(buffer, 50).value(), 3U);
+  EXPECT_EQ(desk.link.read(desk.buffer, 50).value(), 3U);
   fake_bus().stall_out = 1;
-  EXPECT_TRUE(link.write(buffer, 5));
-  EXPECT_EQ(link.read(buffer, 5).error(), LinkError::kTimedOut);
-  EXPECT_EQ(link.write(buffer, 5).error(), LinkError::kStalled);
-  EXPECT_TRUE(link.write(buffer, 5));
+  EXPECT_TRUE(desk.link.write(desk.buffer, 5));
+  EXPECT_EQ(desk.link.read(desk.buffer, 5).error(), LinkError::kTimedOut);
+  EXPECT_EQ(desk.link.write(desk.buffer, 5).error(), LinkError::kStalled);
+  EXPECT_TRUE(desk.link.write(desk.buffer, 5));
   EXPECT_EQ(fake_bus().clear_halts, 2);
   fake_bus().line_errors = 1000;
-  EXPECT_EQ(link.read(buffer, 500).error(), LinkError::kGone) << "nothing but errors";
+  EXPECT_EQ(desk.link.read(desk.buffer, 500).error(), LinkError::kGone) << "nothing but errors";
 }
 
 TEST(FalconUsb, ErrorsWithGoodTransfersBetweenThemDoNotAddUp) {
-  Desk desk;
-  FalconUsb link(desk.clock);
-  ASSERT_TRUE(link.open());
+  OpenDesk desk;
   desk.falcon.faults.empty_packets = false;
-  Bytes buffer(64);
   for (int i = 0; i < 10; ++i) {
     fake_bus().line_errors = 20;
     desk.falcon.send({1});
-    const LinkResult<std::size_t> size = link.read(buffer, 50);
+    const LinkResult<std::size_t> size = desk.link.read(desk.buffer, 50);
     ASSERT_TRUE(size) << i;
     EXPECT_EQ(*size, 3U);
   }
 }
 
 TEST(FalconUsb, SeveralWritesAreOnTheirWayAtOnce) {
-  Desk desk;
-  FalconUsb link(desk.clock);
-  ASSERT_TRUE(link.open());
+  OpenDesk desk;
   Bytes data(1000, 0x55);
-  EXPECT_EQ(link.write(data, 0).value(), 512U);
-  for (int i = 0; i < 3; ++i) EXPECT_TRUE(link.write(data, 0));
+  EXPECT_EQ(desk.link.write(data, 0).value(), 512U);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(desk.link.write(data, 0));
   EXPECT_TRUE(desk.falcon.log.back() == "open") << "nothing has been sent yet";
-  EXPECT_TRUE(link.write(data, 5)) << "waits for a free one";
-  link.close();
+  EXPECT_TRUE(desk.link.write(data, 5)) << "waits for a free one";
+  desk.link.close();
   EXPECT_EQ(std::count_if(desk.falcon.log.begin(), desk.falcon.log.end(), [](const std::string& line) { return line[0] == '>'; }), 5);
 }
 

@@ -2,9 +2,11 @@
 /// Programs that link it never see a real chip.
 #pragma once
 
+#include <cerrno>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace isotouch::test {
 
@@ -28,7 +30,26 @@ inline FakeChip& fake_chip() {
   return chip;
 }
 
-/// returns   false: another chip, or a path to one
-inline bool is_fake_chip(const std::string& name) { return name == "fakechip" || name == "/dev/fakechip"; }
+/// returns   false, and errno ENOENT: another chip, or a path to one
+inline bool open_fake_chip(const std::string& name) {
+  const bool there = name == "fakechip" || name == "/dev/fakechip";
+  if (there) {
+    fake_chip().opened = true;
+  } else {
+    errno = ENOENT;
+  }
+  return there;
+}
+
+/// Requests a line anew: nothing of an earlier request stays, and the level and the edge of an input are those that a test has set.
+inline void request_fake_line(unsigned offset, FakeGpiodLine wish) {
+  FakeGpiodLine& line = fake_chip().lines[offset];
+  if (!wish.output) wish.level = line.level, wish.edge_ns = line.edge_ns;
+  wish.held = true;
+  line = wish;
+}
+
+/// The time of the edge that waits, which then waits no more.
+inline std::int64_t take_fake_edge(unsigned offset) { return std::exchange(fake_chip().lines[offset].edge_ns, 0); }
 
 }  // namespace isotouch::test

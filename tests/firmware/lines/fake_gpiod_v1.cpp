@@ -1,6 +1,5 @@
 #include <gpiod.h>
 
-#include <cerrno>
 #include <ctime>
 #include <map>
 
@@ -8,7 +7,9 @@
 
 using isotouch::test::fake_chip;
 using isotouch::test::FakeGpiodLine;
-using isotouch::test::is_fake_chip;
+using isotouch::test::open_fake_chip;
+using isotouch::test::request_fake_line;
+using isotouch::test::take_fake_edge;
 
 // The types that gpiod.h only names.
 struct gpiod_chip {};
@@ -21,11 +22,7 @@ namespace {
 FakeGpiodLine& of(gpiod_line* line) { return fake_chip().lines[line->offset]; }
 
 int request_input(gpiod_line* line, int flags, bool edges) {
-  FakeGpiodLine& wire = of(line);
-  wire.output = false;
-  wire.pulled_down = (flags & GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN) != 0;
-  wire.both_edges = edges;
-  wire.held = true;
+  request_fake_line(line->offset, {.pulled_down = (flags & GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN) != 0, .both_edges = edges});
   return 0;
 }
 
@@ -33,10 +30,7 @@ int request_input(gpiod_line* line, int flags, bool edges) {
 
 gpiod_chip* gpiod_chip_open_lookup(const char* name) {
   static gpiod_chip chip;
-  errno = ENOENT;
-  if (!is_fake_chip(name)) return nullptr;
-  fake_chip().opened = true;
-  return &chip;
+  return open_fake_chip(name) ? &chip : nullptr;
 }
 
 void gpiod_chip_close(gpiod_chip* /*chip*/) { fake_chip().opened = false; }
@@ -53,9 +47,7 @@ int gpiod_line_request_both_edges_events_flags(gpiod_line* line, const char* /*o
 int gpiod_line_request_input_flags(gpiod_line* line, const char* /*owner*/, int flags) { return request_input(line, flags, false); }
 
 int gpiod_line_request_output(gpiod_line* line, const char* /*owner*/, int level) {
-  FakeGpiodLine& wire = of(line);
-  wire.output = wire.held = true;
-  wire.level = level;
+  request_fake_line(line->offset, {.output = true, .level = level});
   return 0;
 }
 
@@ -71,8 +63,7 @@ int gpiod_line_set_value(gpiod_line* line, int level) {
 int gpiod_line_event_wait(gpiod_line* line, const timespec* /*timeout*/) { return of(line).edge_ns != 0 ? 1 : 0; }
 
 int gpiod_line_event_read(gpiod_line* line, gpiod_line_event* event) {
-  const long ns = static_cast<long>(of(line).edge_ns % 1'000'000'000);
-  event->ts = {static_cast<std::time_t>(of(line).edge_ns / 1'000'000'000), ns};
-  of(line).edge_ns = 0;
+  const std::int64_t ns = take_fake_edge(line->offset);
+  event->ts = {static_cast<std::time_t>(ns / 1'000'000'000), static_cast<long>(ns % 1'000'000'000)};
   return 0;
 }

@@ -1,12 +1,12 @@
 #include <gpiod.h>
 
-#include <cerrno>
-
 #include "tests/firmware/lines/fake_gpiod.h"
 
 using isotouch::test::fake_chip;
 using isotouch::test::FakeGpiodLine;
-using isotouch::test::is_fake_chip;
+using isotouch::test::open_fake_chip;
+using isotouch::test::request_fake_line;
+using isotouch::test::take_fake_edge;
 
 // The types that gpiod.h only names.
 struct gpiod_chip {};
@@ -30,10 +30,7 @@ struct gpiod_edge_event_buffer {
 
 gpiod_chip* gpiod_chip_open(const char* path) {
   static gpiod_chip chip;
-  errno = ENOENT;
-  if (!is_fake_chip(path)) return nullptr;
-  fake_chip().opened = true;
-  return &chip;
+  return open_fake_chip(path) ? &chip : nullptr;
 }
 
 void gpiod_chip_close(gpiod_chip* /*chip*/) { fake_chip().opened = false; }
@@ -75,11 +72,7 @@ int gpiod_line_config_add_line_settings(gpiod_line_config* config, const unsigne
 }
 
 gpiod_line_request* gpiod_chip_request_lines(gpiod_chip* /*chip*/, gpiod_request_config* /*wish*/, gpiod_line_config* config) {
-  FakeGpiodLine& wire = fake_chip().lines[config->offset];
-  const FakeGpiodLine before = wire;
-  wire = config->line;
-  if (!wire.output) wire.level = before.level, wire.edge_ns = before.edge_ns;
-  wire.held = true;
+  request_fake_line(config->offset, config->line);
   return new gpiod_line_request{config->offset};
 }
 
@@ -102,8 +95,7 @@ int gpiod_line_request_wait_edge_events(gpiod_line_request* request, int64_t /*t
 }
 
 int gpiod_line_request_read_edge_events(gpiod_line_request* request, gpiod_edge_event_buffer* buffer, size_t /*most*/) {
-  buffer->event.ns = fake_chip().lines[request->offset].edge_ns;
-  fake_chip().lines[request->offset].edge_ns = 0;
+  buffer->event.ns = take_fake_edge(request->offset);
   return 1;
 }
 

@@ -37,9 +37,11 @@ TEST(GpioChip, AnOutputIsLowAtFirstAndTakesWhatItIsSetTo) {
   if (!has_gpiod()) GTEST_SKIP() << "built without libgpiod";
   fake_chip().lines[4].level = 1;
   const auto chip = open_gpio("fakechip");
+  chip->input(4, true);  // and given back
   const auto line = chip->output(4);
   ASSERT_NE(line, nullptr);
   EXPECT_TRUE(fake_chip().lines[4].output);
+  EXPECT_FALSE(fake_chip().lines[4].pulled_down || fake_chip().lines[4].both_edges) << "of the input that it was";
   EXPECT_EQ(fake_chip().lines[4].level, 0);
   for (const bool high : {true, false}) {
     EXPECT_TRUE(line->set(high));

@@ -89,7 +89,7 @@ TEST(FieldStore, APointerThatIsNoHashPointsNowhere) {
   }
 }
 
-TEST(FieldStore, WhatIsTakenBackNoPowerCutBringsAgain) {
+TEST(FieldStore, AFieldThatWasTakenBackDoesNotReturnAfterAPowerCut) {
   CrashingFolder folder;
   FieldStore store(folder, 4);
   const FileBytes bytes(10, 7);
