@@ -15,6 +15,9 @@ struct FaultName {
   std::string_view sentence;  ///< what happened, and what to do before it is resumed
 };
 
+/// Faults after which a person has to look at lines, board or program before anybody resumes.
+inline constexpr std::uint16_t kServiceFaults = kFaultEmergency | kFaultEnable | kFaultMemory | kFaultGuard;
+
 inline constexpr std::array<FaultName, 11> kFaultNames = {{
     {kFaultStopped, "stopped", "a stop was requested"},
     {kFaultSilent, "silent", "the device did not answer in time; check its cable and power supply"},

@@ -14,8 +14,8 @@
 namespace isotouch::protocol {
 
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'C', 'W'};
-inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 2;
+inline constexpr std::uint16_t kMajor = 2;
+inline constexpr std::uint16_t kMinor = 0;
 inline constexpr std::size_t kKindAt = 4;
 inline constexpr std::size_t kLengthAt = 8;
 inline constexpr std::size_t kChecksumAt = 12;
@@ -39,11 +39,12 @@ enum class Kind : std::uint8_t {
   kResume,       ///< nothing → kDone
   kFields,       ///< nothing → kFieldList
   kSelect,       ///< Select → kAccepted, once the field is active
-  kDevice = 20,  ///< nothing → kDeviceReport; since minor 1, as the three that follow
+  kDevice = 20,  ///< nothing → kDeviceReport
   kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
   kCalibrate,    ///< Calibrate → kDone, once it is kept
   kSet,          ///< Set → kDone: the setting holds from the next tick on, by a ramp
-  kWorst,        ///< WorstRequest → kWorstTicks; since minor 2
+  kWorst,        ///< WorstRequest → kWorstTicks
+  kSettings,     ///< nothing → kSettingsReport
   kDone = 128,   ///< answer without a body
   kWelcome,
   kAccepted,
@@ -54,6 +55,7 @@ enum class Kind : std::uint8_t {
   kDeviceReport = 140,
   kPostureReport,
   kWorstTicks,
+  kSettingsReport,
   kRecords = 192,  ///< unasked
   kRefused = 255,  ///< Refusal, in place of an answer; or unasked, with the kind of what ended
 };

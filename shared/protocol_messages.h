@@ -72,6 +72,17 @@ class BodyWriter {
   std::size_t used_ = 0;
 };
 
+/// What a user may ask of a controller; each role may do what those before it may.
+enum class Role : std::uint8_t {
+  kNone,     ///< is not let in
+  kWatch,    ///< see everything, and stop
+  kOperate,  ///< send and choose fields, change settings within the limits, record, resume
+  kService,  ///< raise limits, calibrate, resume after a fault of lines, memory or guard
+};
+inline constexpr std::array<std::string_view, 4> kRoleNames = {"none", "watch", "operate", "service"};
+
+constexpr std::string_view name_of(Role role) { return kRoleNames[static_cast<std::size_t>(role) % kRoleNames.size()]; }
+
 struct Hello {
   std::uint16_t major = kMajor, minor = kMinor;
   static void fields(auto& m, auto& use) { use(m.major), use(m.minor); }
@@ -82,7 +93,8 @@ struct Welcome {
   std::uint32_t period_ns = 0;    ///< of a tick
   std::uint64_t image_limit = 0;  ///< bytes of a field's image, at most
   Text program;                   ///< name and version
-  static void fields(auto& m, auto& use) { use(m.major), use(m.minor), use(m.period_ns), use(m.image_limit), use(m.program); }
+  std::uint8_t role = 0;          ///< Role of the client
+  static void fields(auto& m, auto& use) { use(m.major), use(m.minor), use(m.period_ns), use(m.image_limit), use(m.program), use(m.role); }
 };
 
 struct Begin {
@@ -124,10 +136,22 @@ struct StatusReport {
   std::uint64_t allocations = 0;
   std::uint64_t page_faults = 0;
   std::array<Quantiles, kMeasures> measures;  ///< ns; the delay from reply to commands in ticks
+  std::uint32_t status = 0;                   ///< StatusBits of the last tick
+  std::uint16_t age = 0;                      ///< of its sample, ticks
+  std::uint8_t lines = 0;                     ///< LineBits of the last tick
+  Text field_name;                            ///< empty: no field, or one without a name
   static void fields(auto& m, auto& use) {
     use(m.state), use(m.faults), use(m.generation), use(m.ticks), use(m.late), use(m.field_hash), use(m.allocations), use(m.page_faults);
     for (auto& q : m.measures) use(q.p50), use(q.p999), use(q.max);
+    use(m.status), use(m.age), use(m.lines), use(m.field_name);
   }
+};
+
+struct SettingsReport {
+  std::uint64_t checksum = 0;  ///< of all settings as the controller was started with them; recordings carry it
+  std::span<const std::uint8_t>
+      different;  ///< those that differ now from their default: "section.name = value" each, by newlines; printable
+  static void fields(auto& m, auto& use) { use(m.checksum), use(m.different); }
 };
 
 struct HistogramRequest {

@@ -61,6 +61,11 @@ constexpr std::uint8_t line_bits(GuardVerdict verdict) { return static_cast<std:
 /// Largest number of periods that `Input::late` counts.
 inline constexpr std::uint8_t kMaxLate = 31;
 
+/// Who changed something while it was felt: the number of the user plus 1.
+inline constexpr std::uint32_t kNobody = 0;  ///< the controller itself, or somebody who is not known
+constexpr std::uint32_t author_of(std::uint32_t user) { return user + 1; }
+constexpr std::uint32_t user_of(std::uint32_t author) { return author - 1; }
+
 /// Everything that a tick gets to know. Arrival times stay outside: they are not the same twice.
 struct Input {
   InputKind kind = InputKind::kPacket;
@@ -70,6 +75,7 @@ struct Input {
   std::uint8_t requests = 0;           ///< RequestBits
   std::uint16_t age = 0;               ///< whole ticks since the sample was fresh
   SettingChange change;                ///< what a person set anew
+  std::uint32_t author = kNobody;      ///< who made these requests, this change, or this field the tick's; no part of the tick's decision
   std::uint32_t heat = 0;              ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
   std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
   FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first

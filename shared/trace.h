@@ -19,6 +19,8 @@ inline constexpr std::uint64_t kUnfinished = ~std::uint64_t{0};
 struct TraceHeader {
   std::uint64_t record_count = 0;  ///< kUnfinished while the file is written, and for ever where its writer was killed
   std::uint64_t field_hash = 0;    ///< of the field's image; 0 = none was loaded, or any
+  std::uint64_t settings_checksum =
+      0;  ///< of everything that the controller was set up with, as `isotouch status` shows it; 0 = no controller
   bool has_outputs = false;
   std::uint32_t period_ns = static_cast<std::uint32_t>(rows::kPeriod.standard);
   TickSettings settings;
@@ -55,7 +57,8 @@ constexpr void header_fields(Header& h, Use& use) {
   use("settings", h.settings);
   use.zeros(4);
   use("device", h.device);
-  use.zeros(36);
+  use("settings_checksum", h.settings_checksum);
+  use.zeros(28);
 }
 
 /// The same of a record.
@@ -90,7 +93,7 @@ constexpr void record_fields(Record& r, Use& use) {
   use("faults", r.output.faults);
   use("packet_flags", r.output.packet_flags);
   use("buttons", r.output.buttons);
-  use.zeros(4);
+  use("input.author", r.input.author);
   use("chain", r.chain);
   use("arrival_ns", r.arrival_ns);
 }

@@ -9,8 +9,10 @@
 
 namespace isotouch::control {
 
-void ControlClient::open(int socket, std::int64_t now_ns) {
+void ControlClient::open(int socket, const Peer& peer, protocol::Role its_role, std::int64_t now_ns) {
   socket_ = socket;
+  role = its_role;
+  user = static_cast<std::uint32_t>(peer.user);
   in_size_ = out_begin_ = out_end_ = 0;
   greeted = waiting = leaving = records = false;
   every = ring_lost = 0;

@@ -21,7 +21,7 @@ class ControlClient {
   ControlClient(const ControlClient&) = delete;
   ControlClient& operator=(const ControlClient&) = delete;
 
-  void open(int socket, std::int64_t now_ns);
+  void open(int socket, const Peer& peer, protocol::Role role, std::int64_t now_ns);
   void close();
   bool is_open() const { return socket_ >= 0; }
   int socket() const { return socket_; }
@@ -49,6 +49,8 @@ class ControlClient {
   bool has_unread() const { return in_size_ > 0; }
   bool wants_more() const { return in_size_ < in_.size(); }
 
+  protocol::Role role = protocol::Role::kNone;
+  std::uint32_t user = 0;
   bool greeted = false;
   bool waiting = false;  ///< for the field worker: nothing further is read from it meanwhile
   bool leaving = false;  ///< to be closed as soon as it was told why

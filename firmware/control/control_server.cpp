@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <utility>
 
+#include "firmware/control/rights.h"
 #include "firmware/control/tick_report.h"
 #include "firmware/loop/realtime.h"
 
@@ -16,6 +19,7 @@ namespace isotouch::control {
 namespace {
 
 using protocol::Kind;
+using protocol::Role;
 
 constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
@@ -116,24 +120,25 @@ void ControlServer::admit() {
     if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) deaf_until_ns_ = now + kDeafNs;  // it knocks on
     return;
   }
-  const Refusal refusal = refusal_of(settings_.peer(socket), settings_.admission);
-  if (refusal) return turn_away(socket, refusal);
+  const Peer peer = settings_.peer(socket);
+  const Role role = role_of(peer, settings_.admission);
+  if (role == Role::kNone) return turn_away(socket, peer, not_admitted(peer));
   const auto place = std::find_if(clients_.begin(), clients_.end() - 1, [](const ControlClient& c) { return !c.is_open(); });
   if (place->is_open()) {  // nobody may hold the place for a stop: it is the newest one's
     place->refuse(Kind::kHello, full());
     (void)place->send(now);
     forget(*place);
   }
-  place->open(socket, now);
+  place->open(socket, peer, role, now);
 }
 
 std::string ControlServer::full() const {
   return std::to_string(settings_.clients) + " clients are connected, the most that are allowed; close one of them";
 }
 
-void ControlServer::turn_away(int socket, const Refusal& refusal) {
+void ControlServer::turn_away(int socket, const Peer& peer, const Refusal& refusal) {
   const std::int64_t now = neighbours_.clock.now_ns();
-  stranger_.open(socket, now);
+  stranger_.open(socket, peer, Role::kNone, now);
   stranger_.refuse(Kind::kHello, refusal.sentence());
   (void)stranger_.send(now);  // a fresh connection has room for it
   stranger_.close();
@@ -177,6 +182,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     client.leaving = true;
     return;
   }
+  if (!may(client, frame.kind, role_for(frame.kind))) return;
   // What may lead to a force waits until the hand has been measured.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
   if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
@@ -192,8 +198,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     case Kind::kCommit: return commit(client);
     case Kind::kAbort: upload_.drop(client); return client.say(Kind::kDone);
     case Kind::kStatus:
-      return client.say(Kind::kStatusReport,
-                        status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published().image_hash));
+      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published()));
     case Kind::kHistogram: {
       const auto wanted = protocol::decode<protocol::HistogramRequest>(frame.body);
       return wanted ? histogram(client, wanted->measure) : malformed();
@@ -210,9 +215,20 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     case Kind::kRecordEnd:
       if (client.records) feed_.end_recording(client);
       return client.say(Kind::kDone);
-    case Kind::kStop: neighbours_.requests.ask(kRequestStop); return client.say(Kind::kDone);
-    case Kind::kResume: neighbours_.requests.ask(kRequestResume); return client.say(Kind::kDone);
-    case Kind::kFields: return start_work(client, FieldWork::Kind::kList, {});
+    case Kind::kStop:
+      neighbours_.requests.ask(kRequestStop, author_of(client.user));
+      log(client.user, "stop");
+      return client.say(Kind::kDone);
+    case Kind::kResume:
+      if (!may(client, frame.kind, role_for_resume(neighbours_.shown.get().out.faults))) return;
+      neighbours_.requests.ask(kRequestResume, author_of(client.user));
+      log(client.user, "resume");
+      return client.say(Kind::kDone);
+    case Kind::kFields:
+      if (!neighbours_.fields.keeps_fields())
+        return client.refuse(frame.kind,
+                             "this controller keeps no fields, because it has no state folder; name one in its settings, [files] state");
+      return start_work(client, FieldWork::Kind::kList, {});
     case Kind::kSelect: {
       const auto wanted = protocol::decode<protocol::Select>(frame.body);
       if (!wanted) return malformed();
@@ -230,16 +246,31 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     }
     case Kind::kSet: {
       const auto wanted = protocol::decode<protocol::Set>(frame.body);
-      if (!wanted) return malformed();
-      if (!neighbours_.set) return client.refuse(frame.kind, "this controller's settings are fixed");
-      return done_or_refused(client, frame.kind, neighbours_.set(wanted->name.view(), wanted->value.view()));
+      return wanted ? set(client, *wanted) : malformed();
     }
+    case Kind::kSettings: return settings(client);
     case Kind::kWorst: {
       const auto wanted = protocol::decode<protocol::WorstRequest>(frame.body);
-      return wanted ? worst(client, wanted->anew != 0) : malformed();
+      if (!wanted) return malformed();
+      if (!may(client, frame.kind, role_for_worst(wanted->anew != 0))) return;
+      return worst(client, wanted->anew != 0);
     }
     default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
   }
+}
+
+/// Has the client this role? Where not, it is told so.
+bool ControlServer::may(ControlClient& client, Kind request, Role wanted) {
+  if (client.role >= wanted) return true;
+  const std::string role(name_of(wanted));
+  client.refuse(request, "this takes the role " + role + ", and user " + name_of_user(client.user) + " has the role " +
+                             std::string(name_of(client.role)) + "; ask somebody who has it, or see [control] " + role + "_users and " +
+                             role + "_groups in the controller's settings");
+  return false;
+}
+
+void ControlServer::log(std::uint32_t user, const std::string& change) const {
+  if (neighbours_.log) neighbours_.log("user " + name_of_user(user) + ": " + change);
 }
 
 void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) const {
@@ -256,6 +287,7 @@ void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) c
   welcome.period_ns = settings_.recordings.period_ns;
   welcome.image_limit = neighbours_.fields.image_limit();
   welcome.program = protocol::Text::of(settings_.program);
+  welcome.role = static_cast<std::uint8_t>(client.role);
   client.say(Kind::kWelcome, welcome);
 }
 
@@ -268,14 +300,16 @@ void ControlServer::commit(ControlClient& client) {
 void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
   // A stored field is read to where an upload is put together.
   if (kind == FieldWork::Kind::kSelect && upload_.is_under_way()) return client.refuse(Kind::kSelect, kSomebodySends);
-  worker_.begin({kind, field, {}});
+  worker_.begin({kind, field, {}, client.user});
   awaiting_ = &client;
   client.waiting = true;
 }
 
 void ControlServer::finish_work() {
   const std::optional<FieldDone> done = worker_.take();
-  ControlClient* client = done ? std::exchange(awaiting_, nullptr) : nullptr;
+  if (!done) return;
+  if (!done->outcome.refusal) log_done(*done);
+  ControlClient* client = std::exchange(awaiting_, nullptr);
   if (client == nullptr) return;
   client->waiting = false;
   if (done->kind == FieldWork::Kind::kCalibrate) return done_or_refused(*client, Kind::kCalibrate, done->outcome.refusal);
@@ -296,6 +330,29 @@ void ControlServer::finish_work() {
   client->say(Kind::kFieldList, list);
 }
 
+void ControlServer::log_done(const FieldDone& done) const {
+  if (done.kind == FieldWork::Kind::kCalibrate) log(done.user, "other angles were stored for the device");
+  if (done.kind == FieldWork::Kind::kList || done.kind == FieldWork::Kind::kCalibrate) return;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), " %016llx is active, generation %u",
+                static_cast<unsigned long long>(done.outcome.accepted.image_hash), done.outcome.accepted.generation);
+  log(done.user, "field " + std::string(neighbours_.fields.published().name.view()) + text.data());
+}
+
+void ControlServer::set(ControlClient& client, const protocol::Set& wanted) {
+  if (!neighbours_.set) return client.refuse(Kind::kSet, "this controller's settings are fixed");
+  const Refusal refusal = neighbours_.set(wanted.name.view(), wanted.value.view(), client);
+  if (!refusal) log(client.user, std::string(wanted.name.view()) + " = " + std::string(wanted.value.view()));
+  done_or_refused(client, Kind::kSet, refusal);
+}
+
+void ControlServer::settings(ControlClient& client) {
+  const std::string different = neighbours_.different ? neighbours_.different() : std::string();
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(different.data());
+  client.say(Kind::kSettingsReport, protocol::SettingsReport{settings_.recordings.settings_checksum,
+                                                             {bytes, std::min(different.size(), protocol::kMaxBody - 64)}});
+}
+
 void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
   if (measure >= protocol::kMeasures)
     return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
@@ -311,7 +368,8 @@ void ControlServer::worst(ControlClient& client, bool anew) {
 void ControlServer::begin_recording(ControlClient& client) {
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
-  feed_.record(client, neighbours_.fields.published());
+  feed_.record(client, neighbours_.fields.published().accepted());
+  log(client.user, "a recording began");
 }
 
 /// Where the arms stand, over a second in which no force may begin.
@@ -346,6 +404,7 @@ void ControlServer::calibrate(ControlClient& client, const protocol::Calibrate& 
   FieldWork work;
   work.kind = FieldWork::Kind::kCalibrate;
   work.measured = measured;
+  work.user = client.user;
   worker_.begin(work);
   awaiting_ = &client;
   client.waiting = true;

@@ -36,7 +36,7 @@ struct ControlSettings {
   std::string path;                           ///< of the socket
   mode_t mode = 0660;                         ///< of the socket's file
   std::optional<gid_t> group;                 ///< of the socket's file
-  Admission admission;                        ///< who may come in
+  Admission admission;                        ///< who may come in, and what for
   std::string program;                        ///< name and version, for people
   TraceHeader recordings;                     ///< device, settings and period of every recording
   std::size_t clients = 8;                    ///< at once; one place more is kept for whoever wants to stop
@@ -53,8 +53,12 @@ struct ControlNeighbours {
   loop::Clock& clock;                     ///< of the machine
   loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
   Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
-  /// Sets a setting by name; returns why not. Empty: none may be set
-  std::function<Refusal(std::string_view name, std::string_view value)> set = nullptr;
+  /// Sets a setting by name, for a client; returns why not. Empty: none may be set
+  std::function<Refusal(std::string_view name, std::string_view value, const ControlClient& client)> set = nullptr;
+  /// The settings that differ from their default, see protocol::SettingsReport. Empty: none are told
+  std::function<std::string()> different = nullptr;
+  /// Gets one line for each change that a client makes: who, and what.
+  std::function<void(const std::string&)> log = nullptr;
 };
 
 class ControlServer {
@@ -78,15 +82,20 @@ class ControlServer {
   bool wait(bool busy);
   void admit();
   std::string full() const;
-  void turn_away(int socket, const Refusal& refusal);
+  void turn_away(int socket, const Peer& peer, const Refusal& refusal);
   bool is_for_stop(const ControlClient& client) const { return &client == &clients_.back(); }
   void serve(ControlClient& client);
+  bool may(ControlClient& client, protocol::Kind request, protocol::Role wanted);
+  void log(std::uint32_t user, const std::string& change) const;
   bool must_wait(const protocol::Frame& frame) const;
   void answer(ControlClient& client, const protocol::Frame& frame);
   void hello(ControlClient& client, const protocol::Frame& frame) const;
   void commit(ControlClient& client);
   void start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field);
   void finish_work();
+  void log_done(const FieldDone& done) const;
+  void set(ControlClient& client, const protocol::Set& wanted);
+  void settings(ControlClient& client);
   void histogram(ControlClient& client, std::uint8_t measure);
   void worst(ControlClient& client, bool anew);
   void begin_recording(ControlClient& client);

@@ -20,10 +20,12 @@ struct FieldWork {
   Kind kind{};
   protocol::Begin field;         ///< kSelect: its hash alone
   protocol::Calibrate measured;  ///< kCalibrate
+  std::uint32_t user = 0;        ///< who wants it
 };
 
 struct FieldDone {
   FieldWork::Kind kind{};
+  std::uint32_t user = 0;
   store::IntakeOutcome outcome;            ///< of kAccept and kSelect; of kCalibrate its refusal alone
   std::vector<store::StoredField> stored;  ///< of kList
 };

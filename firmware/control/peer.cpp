@@ -1,12 +1,18 @@
 #include "firmware/control/peer.h"
 
+#include <pwd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 
+#include "shared/printable.h"
+
 namespace isotouch::control {
+
+using protocol::Role;
 
 namespace {
 
@@ -15,6 +21,11 @@ constexpr int kPeerGroups = 59;  // SO_PEERGROUPS, which the C library's headers
 template <class T>
 bool holds(const std::vector<T>& all, T one) {
   return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+bool has(const Members& members, const Peer& peer) {
+  return holds(members.users, peer.user) ||
+         std::any_of(peer.groups.begin(), peer.groups.end(), [&](gid_t group) { return holds(members.groups, group); });
 }
 
 }  // namespace
@@ -39,12 +50,28 @@ Peer peer_of(int socket) {
   return peer;
 }
 
-Refusal refusal_of(const Peer& peer, const Admission& admission) {
+std::string name_of_user(uid_t user) {
+  passwd entry{};
+  passwd* found = nullptr;
+  std::array<char, 4096> memory{};
+  const std::string number = std::to_string(user);
+  if (::getpwuid_r(user, &entry, memory.data(), memory.size(), &found) != 0 || found == nullptr) return number;
+  std::string name = entry.pw_name;
+  make_printable(name, '?');
+  return name + " (" + number + ")";
+}
+
+Role role_of(const Peer& peer, const Admission& admission) {
+  if (!peer.known) return Role::kNone;
+  if (peer.user == 0 || peer.user == ::geteuid() || has(admission.service, peer)) return Role::kService;
+  if (has(admission.operate, peer)) return Role::kOperate;
+  return has(admission.watch, peer) ? Role::kWatch : Role::kNone;
+}
+
+Refusal not_admitted(const Peer& peer) {
   if (!peer.known) return "the system does not report who is connecting, so the connection is refused; use a local socket";
-  if (peer.user == 0 || peer.user == ::geteuid() || holds(admission.users, peer.user)) return {};
-  if (std::any_of(peer.groups.begin(), peer.groups.end(), [&](gid_t group) { return holds(admission.groups, group); })) return {};
-  return "user " + std::to_string(peer.user) +
-         " may not use this controller; add the user, or a group of the user, to those that its settings let in";
+  return "user " + name_of_user(peer.user) +
+         " may not use this controller; add the user, or a group of the user, to a role in its settings, [control]";
 }
 
 }  // namespace isotouch::control

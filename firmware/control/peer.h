@@ -1,12 +1,14 @@
-/// Who is at the other end of a local socket, told by the kernel, and whether they may come in.
+/// Who is at the other end of a local socket, told by the kernel, and what they may do.
 #pragma once
 
 #include <sys/types.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "shared/files/refusal.h"
+#include "shared/protocol_messages.h"
 
 namespace isotouch::control {
 
@@ -16,16 +18,26 @@ struct Peer {
   std::vector<gid_t> groups;  ///< the primary one and the others
 };
 
-/// Users and groups that may speak to this controller; root and the program's own user always may.
-struct Admission {
+/// The peer of a connected local socket: as it was when it connected.
+Peer peer_of(int socket);
+
+/// The user as people know them: name and number, such as "anna (1000)". Asks the system for the name.
+std::string name_of_user(uid_t user);
+
+struct Members {
   std::vector<uid_t> users;
   std::vector<gid_t> groups;
 };
 
-/// The peer of a connected local socket: as it was when it connected.
-Peer peer_of(int socket);
+/// Who has which role. Root and the program's own user always have kService.
+struct Admission {
+  Members watch, operate, service;
+};
 
-/// returns   why this peer may not come in
-Refusal refusal_of(const Peer& peer, const Admission& admission);
+/// The highest role of the peer; kNone: may not come in.
+protocol::Role role_of(const Peer& peer, const Admission& admission);
+
+/// Why somebody with the role kNone may not come in.
+Refusal not_admitted(const Peer& peer);
 
 }  // namespace isotouch::control

@@ -38,7 +38,7 @@ void TickFeed::record(ControlClient& client, const protocol::Accepted& field) {
   client.every = 0;
   begun_ = false;
   generation_ = field.generation;
-  requests_.ask(kRequestRestart);
+  requests_.ask(kRequestRestart, author_of(client.user));
 }
 
 void TickFeed::end_recording(ControlClient& client) { client.records = false; }

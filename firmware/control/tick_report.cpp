@@ -17,14 +17,18 @@ const loop::Histogram& histogram(protocol::Measure measure, const loop::TickStat
 
 }  // namespace
 
-protocol::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, std::uint64_t field_hash) {
+protocol::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, const store::PublishedField& field) {
   protocol::StatusReport report;
   report.state = newest.out.state;
   report.faults = newest.out.faults;
   report.generation = newest.in.field_generation;
   report.ticks = stats.ticks.value();
   report.late = stats.late.value();
-  report.field_hash = field_hash;
+  report.field_hash = field.image_hash;
+  report.field_name = field.name;
+  report.status = newest.out.status;
+  report.age = newest.in.age;
+  report.lines = newest.in.lines;
   report.allocations = stats.allocations.value();
   report.page_faults = stats.page_faults.value();
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) {

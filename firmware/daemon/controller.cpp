@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
+#include "firmware/settings/table.h"
 
 namespace isotouch::daemon {
 
@@ -36,7 +38,8 @@ Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<std::uint8_t> bytes((std::istreambuf_iterator<char>(file)), {});
   if (bytes.empty()) return path + ": it cannot be read; give a field that 'isotouch build' made";
-  if (const Refusal refusal = intake.begin_with(bytes)) return path + ": " + refusal.sentence();
+  if (const Refusal refusal = intake.begin_with(bytes, std::filesystem::path(path).stem().string()))
+    return path + ": " + refusal.sentence();
   return {};
 }
 
@@ -88,6 +91,7 @@ void Controller::choose_calibration() {
   header_.device = calibration_->in_use().model;
   header_.settings = settings::tick_settings(settings_);
   header_.period_ns = settings::period_ns(settings_);
+  header_.settings_checksum = settings::checksum(settings_);
 }
 
 /// The device with its guard, and the lines beside it, joined to the loop: by a thread, or in lockstep without one and without time.
@@ -131,9 +135,13 @@ Refusal Controller::listen() {
   if (Refusal refusal = settings::apply_control(settings_, wish)) return refusal;
   wish.program = "isotouchd";
   wish.recordings = header_;
-  const auto set = [this](std::string_view name, std::string_view value) { return live_.set(name, value, requests_, measured_delay()); };
-  control_.emplace(std::move(wish),
-                   control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_, set});
+  const auto set = [this](std::string_view name, std::string_view value, const control::ControlClient& client) {
+    const bool may_raise = client.role >= protocol::Role::kService;
+    return live_.set(name, value, requests_, measured_delay(), {author_of(client.user), may_raise, intake_->published().stiffness});
+  };
+  const auto different = [this] { return settings::different(live_.now()); };
+  control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,
+                                                               set, different, say});
   return control_->start();
 }
 
@@ -220,7 +228,7 @@ void Controller::say_what_changed() {
       calibration_->answers(report.state == falcon::SessionState::kRunning ? report.serial.data() : "");
     }
   }
-  if (std::string line = supervisor_line(recorder_->state(), recorder_->faults()); line != supervisor_line_) {
+  if (std::string line = supervisor_line(recorder_->condition()); line != supervisor_line_) {
     say(supervisor_line_ = std::move(line));
     systemd_.status(supervisor_line_);
   }
@@ -274,8 +282,6 @@ void Controller::stop() {
   crash_.reset();
 }
 
-std::string Controller::summary() const {
-  return "at the end, " + supervisor_line(recorder_->state(), recorder_->faults()) + "\n" + figures(stats_);
-}
+std::string Controller::summary() const { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }
 
 }  // namespace isotouch::daemon

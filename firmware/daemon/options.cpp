@@ -87,6 +87,12 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   if (!control.empty()) options.settings.control = control;
   if (!field.empty()) options.settings.field = field;
   if (!record.empty()) options.settings.record = record;
+  if (options.settings.control.empty() && options.settings.field.empty() && options.settings.record.empty()) {
+    complain(
+        "there is no field to feel (--field or [files] field), and no socket to get one by (--control or [files] control); "
+        "give one of them, or a settings file with --config");
+    return exit_code = kWrongUsage, false;
+  }
   if (options.lockstep && options.device == Options::Device::kUsb) {
     complain("--lockstep is for simulated and recorded devices");
     return exit_code = kWrongUsage, false;

@@ -37,23 +37,7 @@ std::string device_line(const falcon::PortReport& report) {
   return {};
 }
 
-std::string supervisor_line(SupervisorState state, std::uint16_t faults) {
-  switch (state) {
-    case SupervisorState::kBoot: return "state: boot, no packet yet";
-    case SupervisorState::kHoming: return "state: homing; pull the grip out as far as it goes, then push it in";
-    case SupervisorState::kIdle: return "state: idle, no field";
-    case SupervisorState::kReady: return "state: ready; hold a button of the grip, if the settings require one for force";
-    case SupervisorState::kActive: return "state: active";
-    case SupervisorState::kHold:
-      return "state: hold, no force for a moment: samples are missing, ticks are late, the pose is uncertain or the hand is too fast";
-    case SupervisorState::kFault: break;
-  }
-  std::string text = "state: fault, no force until resumed by a button or 'isotouch resume'";
-  for (const FaultName& fault : kFaultNames) {
-    if ((faults & fault.fault) != 0) text.append(": ").append(fault.sentence);
-  }
-  return text;
-}
+std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
 
 std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }
 

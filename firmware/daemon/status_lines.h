@@ -6,6 +6,7 @@
 
 #include "firmware/falcon/falcon_port.h"
 #include "firmware/loop/tick_stats.h"
+#include "shared/files/state_text.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::daemon {
@@ -14,7 +15,7 @@ namespace isotouch::daemon {
 std::string device_line(const falcon::PortReport& report);
 
 /// What the supervisor allows and what a person can do.
-std::string supervisor_line(SupervisorState state, std::uint16_t faults);
+std::string supervisor_line(const files::Condition& condition);
 
 /// What the guard has stopped.
 std::string guard_line(GuardVerdict verdict);

@@ -52,10 +52,11 @@ Result<const FieldView*> FieldSlots::verify() {
   return &views_[slot];
 }
 
-Result<std::uint32_t> FieldSlots::commit() {
+Result<std::uint32_t> FieldSlots::commit(std::uint32_t author) {
   if (!verified_) return Error::kTruncated;
   const std::uint32_t slot = receiving_slot();
   abandon();
+  authors_[slot] = author;
   publish(slot);
   return generation_;
 }
@@ -75,10 +76,12 @@ bool FieldSlots::clear() {
   return true;
 }
 
-ActiveField FieldSlots::published() const {
-  const std::uint32_t word = published_.load(std::memory_order_relaxed);
-  if ((word & kSlot) == kNone) return {};
-  return {&views_[word & kSlot], word >> 2};
+ActiveField FieldSlots::published() const { return field_in(published_.load(std::memory_order_relaxed)); }
+
+ActiveField FieldSlots::field_in(std::uint32_t word) const {
+  const std::uint32_t slot = word & kSlot;
+  if (slot == kNone) return {};
+  return {&views_[slot], word >> 2, authors_[slot]};
 }
 
 ActiveField FieldSlots::field() {
@@ -87,8 +90,7 @@ ActiveField FieldSlots::field() {
     active_ = word;
     acknowledged_.store(word, std::memory_order_release);
   }
-  if ((word & kSlot) == kNone) return {};
-  return {&views_[word & kSlot], word >> 2};
+  return field_in(word);
 }
 
 std::uint32_t FieldSlots::damaged_in(std::size_t part) {

@@ -20,6 +20,7 @@
 
 #include "shared/field_view.h"
 #include "shared/result.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::loop {
 
@@ -27,6 +28,7 @@ namespace isotouch::loop {
 struct ActiveField {
   const FieldView* view = nullptr;  ///< nullptr: none
   std::uint32_t generation = 0;     ///< 0 = none; another number = another field
+  std::uint32_t author = kNobody;   ///< who sent or chose it
 };
 
 class FieldSlots {
@@ -55,9 +57,10 @@ class FieldSlots {
 
   /// Hands what was verified to the tick.
   ///
+  /// author    who sent or chose it
   /// returns   the generation by which the tick will know it
   /// fails     kTruncated: nothing was verified
-  Result<std::uint32_t> commit();
+  Result<std::uint32_t> commit(std::uint32_t author = kNobody);
 
   /// Takes back what `commit` handed over and the tick did not take: it goes on with the field before, by a new generation.
   ///
@@ -112,6 +115,7 @@ class FieldSlots {
  private:
   static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
 
+  ActiveField field_in(std::uint32_t word) const;
   std::uint32_t receiving_slot() const { return (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0; }
   void publish(std::uint32_t slot);
 
@@ -119,6 +123,7 @@ class FieldSlots {
   std::vector<std::uint64_t> memory_;
   std::array<std::uint8_t*, 2> places_{};
   std::array<FieldView, 2> views_{};
+  std::array<std::uint32_t, 2> authors_{};
   std::array<std::array<std::uint64_t, kParts>, 2> hashes_{};  ///< of each part, as it was verified
   std::mutex reused_;                                          ///< a place is not used again while it is read
   std::size_t receiving_ = 0;                                  ///< bytes; 0 = nothing was begun

@@ -46,12 +46,7 @@ bool Loop::step() {
   record.arrival_ns = sample.arrival_ns;
   record.in = look(sample, missed);
   const ActiveField field = neighbours_.fields.field();
-  record.in.requests = requests();
-  if ((record.in.requests & kRequestRestart) != 0) {
-    record.in.heat = core::heat_input(state_.heat);
-  } else {
-    record.in.change = neighbours_.requests.take_change();
-  }
+  hear(field, record.in);
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   record.in.field_generation = field.generation;
   record.out = core::tick(record.in, field.view, model_, state_);
@@ -85,11 +80,21 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
   }
 }
 
-/// What is asked of this tick. A restart is no way out of a fault: there it comes with a stop.
-std::uint8_t Loop::requests() {
-  const std::uint8_t asked = neighbours_.requests.take();
-  if ((asked & kRequestRestart) != 0) neighbours_.requests.repeat_changes();
-  return core::is_in_fault(state_.supervisor) && (asked & kRequestRestart) != 0 ? static_cast<std::uint8_t>(asked | kRequestStop) : asked;
+/// What people want of this tick. A restart is no way out of a fault: there it comes with a stop. A tick has one author: a change waits for the next
+/// tick where somebody asks for something else.
+void Loop::hear(const ActiveField& field, Input& in) {
+  const Asked asked = neighbours_.requests.take();
+  in.requests = asked.bits;
+  in.author = asked.author != kNobody || field.generation == generation_ ? asked.author : field.author;
+  if ((asked.bits & kRequestRestart) != 0) {
+    neighbours_.requests.repeat_changes();
+    if (core::is_in_fault(state_.supervisor)) in.requests |= kRequestStop;
+    in.heat = core::heat_input(state_.heat);
+  } else if (in.author == kNobody) {
+    const AskedChange set = neighbours_.requests.take_change();
+    in.change = set.change;
+    in.author = set.author;
+  }
 }
 
 /// What the device has sent for this tick, and how old it is.

@@ -59,7 +59,7 @@ class Loop {
   std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
  private:
-  std::uint8_t requests();
+  void hear(const ActiveField& field, Input& in);
   Input look(const Sample& sample, std::uint32_t missed);
   void count_own_costs();
 

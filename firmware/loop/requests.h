@@ -1,4 +1,4 @@
-/// What other threads ask of the tick, kept until the next tick begins. Any number of askers.
+/// What other threads ask of the tick, kept until the next tick begins, and who asked. Any number of askers.
 #pragma once
 
 #include <array>
@@ -11,16 +11,33 @@
 
 namespace isotouch::loop {
 
+struct Asked {
+  std::uint8_t bits = 0;           ///< RequestBits
+  std::uint32_t author = kNobody;  ///< of several, who asked last
+
+  bool operator==(const Asked&) const = default;
+};
+
+struct AskedChange {
+  SettingChange change;
+  std::uint32_t author = kNobody;
+
+  bool operator==(const AskedChange&) const = default;
+};
+
 class Requests {
  public:
   /// bits      RequestBits; added to what is asked already
-  void ask(std::uint8_t bits) {
+  void ask(std::uint8_t bits, std::uint32_t author = kNobody) {
     if ((bits & kRequestResume) != 0) stopped_.store(false, std::memory_order_relaxed);
     if ((bits & kRequestStop) != 0) {
       stopped_.store(true, std::memory_order_relaxed);
       stops_.fetch_add(1, std::memory_order_relaxed);
     }
-    asked_.fetch_or(bits, std::memory_order_acq_rel);
+    std::uint64_t before = asked_.load(std::memory_order_relaxed);
+    while (!asked_.compare_exchange_weak(before, pair(low_of(before) | bits, author == kNobody ? author_in(before) : author),
+                                         std::memory_order_acq_rel, std::memory_order_relaxed)) {
+    }
   }
 
   /// How often a stop was ever asked for, and whether no resume was since. Any thread.
@@ -30,14 +47,15 @@ class Requests {
   /// All that was asked since the last tick, and nothing is asked any more.
   ///
   /// tick      yes
-  std::uint8_t take() {
-    return asked_.load(std::memory_order_relaxed) == 0 ? std::uint8_t{0} : asked_.exchange(0, std::memory_order_acq_rel);
+  Asked take() {
+    const std::uint64_t asked = asked_.load(std::memory_order_relaxed) == 0 ? 0 : asked_.exchange(0, std::memory_order_acq_rel);
+    return {static_cast<std::uint8_t>(low_of(asked)), author_in(asked)};
   }
 
   /// change    a valid one; of two for the same setting that no tick took in between, the later holds
-  void set(const SettingChange& change) {
+  void set(const SettingChange& change, std::uint32_t author = kNobody) {
     const auto number = static_cast<std::size_t>(change.setting) - 1;
-    values_[number].store(change.raw, std::memory_order_relaxed);
+    values_[number].store(pair(static_cast<std::uint32_t>(change.raw), author), std::memory_order_relaxed);
     changed_.fetch_or(1U << number, std::memory_order_release);
     waiting_.fetch_or(1U << number, std::memory_order_release);
   }
@@ -45,18 +63,20 @@ class Requests {
   /// One change at most; the others follow in the next ticks.
   ///
   /// tick      yes
-  SettingChange take_change() {
+  AskedChange take_change() {
     const std::uint32_t waiting = waiting_.load(std::memory_order_acquire);
     if (waiting == 0) return {};
     const auto number = static_cast<std::size_t>(std::countr_zero(waiting));
     waiting_.fetch_and(~(1U << number), std::memory_order_acq_rel);
-    return {static_cast<TickSetting>(number + 1), values_[number].load(std::memory_order_relaxed)};
+    const std::uint64_t value = values_[number].load(std::memory_order_relaxed);
+    return {{static_cast<TickSetting>(number + 1), raw_of(value)}, author_in(value)};
   }
 
   /// What was asked for last, taken over or not; `otherwise` where nothing ever was. Any thread.
   std::int32_t newest(TickSetting setting, std::int32_t otherwise) const {
     const auto number = static_cast<std::size_t>(setting) - 1;
-    return (changed_.load(std::memory_order_acquire) >> number & 1U) != 0 ? values_[number].load(std::memory_order_relaxed) : otherwise;
+    return (changed_.load(std::memory_order_acquire) >> number & 1U) != 0 ? raw_of(values_[number].load(std::memory_order_relaxed))
+                                                                          : otherwise;
   }
 
   /// A tick forgets everything before it: all that was ever set is to be set again.
@@ -65,10 +85,16 @@ class Requests {
   void repeat_changes() { waiting_.fetch_or(changed_.load(std::memory_order_relaxed), std::memory_order_acq_rel); }
 
  private:
-  std::atomic<std::uint8_t> asked_{0};
+  // What is asked, or a value, and its author are one word, so that nobody sees the one with another's.
+  static constexpr std::uint64_t pair(std::uint32_t low, std::uint32_t author) { return std::uint64_t{author} << 32 | low; }
+  static constexpr std::uint32_t low_of(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
+  static constexpr std::uint32_t author_in(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); }
+  static constexpr std::int32_t raw_of(std::uint64_t word) { return static_cast<std::int32_t>(low_of(word)); }
+
+  std::atomic<std::uint64_t> asked_{0};
   std::atomic<std::uint32_t> stops_{0};
   std::atomic<bool> stopped_{false};
-  std::array<std::atomic<std::int32_t>, kLiveSettings> values_{};
+  std::array<std::atomic<std::uint64_t>, kLiveSettings> values_{};
   std::atomic<std::uint32_t> changed_{0}, waiting_{0};
 };
 

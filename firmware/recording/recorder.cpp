@@ -78,12 +78,17 @@ void Recorder::drain() {
   for (loop::TickRecord tick; ring_.pop(tick);) take(tick);
 }
 
+files::Condition Recorder::condition() const {
+  return {state_.load(std::memory_order_relaxed), faults_.load(std::memory_order_relaxed), status_.load(std::memory_order_relaxed)};
+}
+
 void Recorder::take(const loop::TickRecord& tick) {
   if (passed_on_ != nullptr) passed_on_->push(tick);
   if (writer_.is_open()) record(tick);
   if (!memory_.empty()) remember(tick);
   state_.store(tick.out.state, std::memory_order_relaxed);
   faults_.store(tick.out.faults, std::memory_order_relaxed);
+  status_.store(tick.out.status, std::memory_order_relaxed);
 }
 
 void Recorder::record(const loop::TickRecord& tick) {

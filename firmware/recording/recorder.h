@@ -19,6 +19,7 @@
 #include "firmware/recording/last_ticks.h"
 #include "firmware/recording/tick_writer.h"
 #include "shared/files/refusal.h"
+#include "shared/files/state_text.h"
 
 namespace isotouch::recording {
 
@@ -56,7 +57,7 @@ class Recorder {
 
   /// Of the newest tick taken; any thread.
   SupervisorState state() const { return static_cast<SupervisorState>(state_.load(std::memory_order_relaxed)); }
-  std::uint16_t faults() const { return faults_.load(std::memory_order_relaxed); }
+  files::Condition condition() const;
 
  private:
   void take(const loop::TickRecord& tick);
@@ -89,6 +90,7 @@ class Recorder {
   std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
   std::atomic<std::uint16_t> state_{0}, faults_{0};
+  std::atomic<std::uint32_t> status_{0};
 };
 
 }  // namespace isotouch::recording

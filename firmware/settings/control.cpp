@@ -68,13 +68,19 @@ Refusal apply_control(const Settings& settings, control::ControlSettings& contro
     control.group = group(settings.control_group);
     if (!control.group) return "[control] group = \"" + settings.control_group + "\": there is no such group; make it, or name another";
   }
-  if (const std::string none = add_all(settings.control_users, user, control.admission.users); !none.empty()) {
-    return "[control] users: there is no user " + none + "; make the user, or leave the name out";
-  }
-  if (const std::string none = add_all(settings.control_groups, group, control.admission.groups); !none.empty()) {
-    return "[control] groups: there is no group " + none + "; make it, or leave the name out";
-  }
-  return {};
+  const auto take = [&settings](const char* role, std::string Settings::*users, std::string Settings::*groups,
+                                control::Members& members) -> Refusal {
+    const std::string place = std::string("[control] ") + role;
+    if (const std::string none = add_all(settings.*users, user, members.users); !none.empty())
+      return place + "_users: there is no user " + none + "; make the user, or leave the name out";
+    if (const std::string none = add_all(settings.*groups, group, members.groups); !none.empty())
+      return place + "_groups: there is no group " + none + "; make it, or leave the name out";
+    return {};
+  };
+  control::Admission& roles = control.admission;
+  if (Refusal refusal = take("watch", &Settings::watch_users, &Settings::watch_groups, roles.watch)) return refusal;
+  if (Refusal refusal = take("operate", &Settings::operate_users, &Settings::operate_groups, roles.operate)) return refusal;
+  return take("service", &Settings::service_users, &Settings::service_groups, roles.service);
 }
 
 }  // namespace isotouch::settings

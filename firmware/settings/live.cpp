@@ -1,6 +1,7 @@
 #include "firmware/settings/live.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <variant>
@@ -32,6 +33,12 @@ bool store_number(const Setting& setting, double value, Settings& settings) {
   return false;
 }
 
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
 std::string range(const Setting& setting) {
   char text[96];
   std::snprintf(text, sizeof text, "a number from %.10g to %.10g%s%.*s", setting.low, setting.high, setting.unit.empty() ? "" : " ",
@@ -55,7 +62,8 @@ Settings LiveSettings::now() const {
   return now_;
 }
 
-Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay) {
+Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay,
+                          const Setter& setter) {
   constexpr std::string_view kSection = "feel.";
   if (name.starts_with(kSection)) name.remove_prefix(kSection.size());
   const Setting* setting = find("feel", name);
@@ -66,19 +74,37 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
   if (!wanted || !(*wanted >= setting->low && *wanted <= setting->high)) {
     return std::string("feel.").append(name).append(" must be ") + range(*setting);
   }
+  const std::optional<double> limit = setter.may_raise ? std::nullopt : limit_of(setting->live, setter.fields);
+  if (limit && std::abs(*wanted) > *limit) {
+    return std::string("feel.")
+        .append(name)
+        .append(" may be at most ")
+        .append(number_text(*limit))
+        .append(" for the role operate, as the controller was started or the field was built; ask somebody with the role service");
+  }
   const std::lock_guard guard(mutex_);
   Settings changed = now_;
   store_number(*setting, *wanted, changed);
   if (Refusal refusal = refusal_of_stiffness(changed, measured_delay)) return refusal;
-  change_to(changed, requests);
+  change_to(changed, requests, setter.author);
   return {};
 }
 
+/// The largest magnitude of what may add to a force; none: the setting adds none.
+std::optional<double> LiveSettings::limit_of(TickSetting setting, Stiffness fields) const {
+  switch (setting) {
+    case TickSetting::kStiffness: return begin_.stiffness.value_or(std::ldexp(fields.raw(), -rows::kStiffness.fraction_bits));
+    case TickSetting::kForceLimit: return begin_.force_limit_n;
+    case TickSetting::kWeight: return std::abs(begin_.weight_n);
+    default: return std::nullopt;
+  }
+}
+
 /// What differs goes to the tick. Under the lock.
-void LiveSettings::change_to(const Settings& changed, loop::Requests& requests) {
+void LiveSettings::change_to(const Settings& changed, loop::Requests& requests, std::uint32_t author) {
   const LiveRaw before = live_settings(tick_settings(now_)), after = live_settings(tick_settings(changed));
   for (std::size_t i = 0; i < kLiveSettings; ++i) {
-    if (after[i] != before[i]) requests.set({static_cast<TickSetting>(i + 1), after[i]});
+    if (after[i] != before[i]) requests.set({static_cast<TickSetting>(i + 1), after[i]}, author);
   }
   now_ = changed;
 }
@@ -89,7 +115,7 @@ std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t me
   if (tick_settings(now_).stiffness <= most) return {};
   Settings changed = now_;
   changed.stiffness = *number(n_mm(most));
-  change_to(changed, requests);
+  change_to(changed, requests, kNobody);
   return "feel.stiffness was lowered to " + n_mm(most) +
          " N/mm, the largest that this device can render stably at this rate with the measured delay of " + std::to_string(measured_delay) +
          " ticks";

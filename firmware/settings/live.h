@@ -3,18 +3,27 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "firmware/loop/requests.h"
 #include "firmware/settings/settings.h"
 #include "shared/files/refusal.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::settings {
 
+/// Who sets something, and how far they may go.
+struct Setter {
+  std::uint32_t author = kNobody;
+  bool may_raise = true;  ///< false: a force is at most as large as with the settings that the controller was started with
+  Stiffness fields{};     ///< the stiffness of the field itself: the limit of the stiffness where the settings name none
+};
+
 class LiveSettings {
  public:
-  explicit LiveSettings(const Settings& begin) : now_(begin) {}
+  explicit LiveSettings(const Settings& begin) : begin_(begin), now_(begin) {}
 
   /// Those that hold now; any thread.
   Settings now() const;
@@ -26,7 +35,8 @@ class LiveSettings {
   /// requests  take it to the tick
   /// measured_delay  ticks, see `loop::measured_delay_ticks`
   /// returns   why it is not set
-  Refusal set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0);
+  Refusal set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0,
+              const Setter& setter = {});
 
   /// Lowers a stiffness of the settings to what the loop holds with the delay that was measured, from the next tick on. Any thread.
   ///
@@ -34,8 +44,10 @@ class LiveSettings {
   std::string keep_within(loop::Requests& requests, std::uint32_t measured_delay);
 
  private:
-  void change_to(const Settings& changed, loop::Requests& requests);
+  void change_to(const Settings& changed, loop::Requests& requests, std::uint32_t author);
+  std::optional<double> limit_of(TickSetting setting, Stiffness fields) const;
 
+  const Settings begin_;
   mutable std::mutex mutex_;
   Settings now_;
 };

@@ -183,6 +183,10 @@ Refusal parse_settings(std::string_view text, const std::string& name, Settings&
   if (settings.word_slew < settings.tick_hz) {
     return name + ": limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall";
   }
+  const bool has_all =
+      !settings.line_chip.empty() && settings.line_stop >= 0 && settings.line_enable >= 0 && settings.line_enable_back >= 0;
+  if (settings.lines_required && !has_all)
+    return name + ": lines.required is true, so [lines] must name chip, stop, enable and enable_back; name them, or set required = false";
   return {};
 }
 

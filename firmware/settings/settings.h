@@ -78,6 +78,7 @@ struct Settings {
   bool hold_to_run = false;
 
   // [lines]
+  bool lines_required = false;
   std::string line_chip;
   int line_stop = -1;
   int line_enable = -1;
@@ -97,8 +98,9 @@ struct Settings {
   // [control]
   std::string control_mode = "0660";
   std::string control_group;
-  std::string control_users;
-  std::string control_groups;
+  std::string watch_users, watch_groups;
+  std::string operate_users, operate_groups;
+  std::string service_users, service_groups;
 
   // [calibration.SERIAL]
   std::map<std::string, Calibration> calibrations;

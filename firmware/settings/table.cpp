@@ -2,6 +2,9 @@
 
 #include <cstdio>
 
+#include "shared/hash64.h"
+#include "shared/printable.h"
+
 namespace isotouch::settings {
 
 namespace {
@@ -25,6 +28,11 @@ constexpr Setting of(std::string_view section, const SettingRow& row, std::strin
 
 constexpr Setting feel(TickSetting setting, const Member& member, std::string_view otherwise = {}) {
   return of("feel", *kTickSettingRows[index_of(setting)], member, otherwise, setting);
+}
+
+/// Names or numbers, separated by commas.
+constexpr Setting role(std::string_view name, const Member& member, std::string_view meaning) {
+  return {"control", name, member, {}, 0, 0, {}, meaning, {}};
 }
 
 constexpr double kMinTickHz = 1e9 / rows::kPeriod.high, kMaxTickHz = 1e9 / rows::kPeriod.low;
@@ -135,6 +143,15 @@ constexpr Setting kTable[] = {
     of("buttons", rows::kButtonMask, &S::button_mask),
     {"buttons", "hold_to_run", &S::hold_to_run, {}, 0, 0, {}, rows::kHoldToRun.meaning, {}},
 
+    {"lines",
+     "required",
+     &S::lines_required,
+     {},
+     0,
+     0,
+     {},
+     "true: the controller does not start without a chip, an emergency stop and the motors' enable with its return line",
+     {}},
     {"lines", "chip", &S::line_chip, {}, 0, 0, {}, "GPIO chip of the safety lines, such as \"gpiochip0\"; \"\" = there are none", {}},
     {"lines", "stop", &S::line_stop, {}, -1, 1023, {}, "input, emergency stop: high = run, low = pressed or broken wire; -1 = none", {}},
     {"lines", "enable", &S::line_enable, {}, -1, 1023, {}, "output, power of the motors: high = on; -1 = none", {}},
@@ -152,38 +169,61 @@ constexpr Setting kTable[] = {
 
     {"control", "mode", &S::control_mode, {}, 0, 0, {}, "permissions of the control socket's file, octal", {}},
     {"control", "group", &S::control_group, {}, 0, 0, {}, "group of the socket's file; \"\" = the program's", {}},
-    {"control",
-     "users",
-     &S::control_users,
-     {},
-     0,
-     0,
-     {},
-     "users who may use the socket besides root and the program's own user: names or numbers, separated by commas",
-     {}},
-    {"control", "groups", &S::control_groups, {}, 0, 0, {}, "groups whose members may use the socket, separated by commas", {}},
+    role("watch_users", &S::watch_users, "users who may watch and stop"),
+    role("watch_groups", &S::watch_groups, "groups whose members may do so"),
+    role("operate_users", &S::operate_users,
+         "users who may also send and choose fields, record, resume, and change settings within the limits"),
+    role("operate_groups", &S::operate_groups, "groups whose members may do so"),
+    role("service_users", &S::service_users,
+         "users who may also raise limits, calibrate, and resume after a fault of lines, memory or guard; root and the program's own user "
+         "may"),
+    role("service_groups", &S::service_groups, "groups whose members may do so"),
 };
 
-std::string number(double value) {
+std::string number(double value, const char* format = "%.10g") {
   char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
-std::string shown(const Member& member) {
-  static const Settings kDefaults;
+/// The value of a member, as it would stand in the file; empty: an optional one that is left out.
+std::string shown(const Member& member, const Settings& settings, const char* format = "%.10g") {
   struct Show {
-    std::string operator()(double S::*m) const { return number(kDefaults.*m); }
-    std::string operator()(int S::*m) const { return std::to_string(kDefaults.*m); }
-    std::string operator()(bool S::*m) const { return kDefaults.*m ? "true" : "false"; }
-    std::string operator()(std::string S::*m) const { return std::string("\"").append(kDefaults.*m).append("\""); }
-    std::string operator()(std::optional<double> S::*) const { return {}; }
+    const Settings& all;
+    const char* format;
+    std::string operator()(double S::*m) const { return number(all.*m, format); }
+    std::string operator()(int S::*m) const { return std::to_string(all.*m); }
+    std::string operator()(bool S::*m) const { return all.*m ? "true" : "false"; }
+    std::string operator()(std::string S::*m) const { return std::string("\"").append(all.*m).append("\""); }
+    std::string operator()(std::optional<double> S::*m) const { return all.*m ? number(*(all.*m), format) : std::string(); }
     std::string operator()(std::array<double, 3> S::*m) const {
-      const auto& v = kDefaults.*m;
-      return std::string("[").append(number(v[0])).append(", ").append(number(v[1])).append(", ").append(number(v[2])).append("]");
+      const auto& v = all.*m;
+      return std::string("[")
+          .append(number(v[0], format))
+          .append(", ")
+          .append(number(v[1], format))
+          .append(", ")
+          .append(number(v[2], format))
+          .append("]");
     }
   };
-  return std::visit(Show{}, member);
+  return std::visit(Show{settings, format}, member);
+}
+
+std::string line(std::string_view section, std::string_view name, const std::string& value) {
+  return std::string(section).append(".").append(name).append(" = ").append(value).append("\n");
+}
+
+std::string calibrations(const Settings& settings, const char* format) {
+  std::string text;
+  for (const auto& [serial, calibration] : settings.calibrations) {
+    Settings place;
+    place.workspace_origin_mm = calibration.angle_at_zero_deg;
+    std::string section = "calibration." + serial;
+    make_printable(section, '?');
+    text += line(section, "angle_at_zero_deg", shown(&S::workspace_origin_mm, place, format));
+  }
+  return text;
 }
 
 }  // namespace
@@ -195,6 +235,27 @@ const Setting* find(std::string_view section, std::string_view name) {
     if (setting.section == section && setting.name == name) return &setting;
   }
   return nullptr;
+}
+
+std::string different(const Settings& settings) {
+  std::string text;
+  for (const Setting& setting : kTable) {
+    std::string value = shown(setting.member, settings);
+    if (value == shown(setting.member, {})) continue;
+    make_printable(value, '?');
+    text += line(setting.section, setting.name, value.empty() ? "left out" : value);
+  }
+  return text + calibrations(settings, "%.10g");
+}
+
+std::uint64_t checksum(const Settings& settings) {
+  constexpr const char* kExact = "%.17g";
+  std::string text;
+  Settings relevant = settings;
+  relevant.record.clear();
+  for (const Setting& setting : kTable) text += line(setting.section, setting.name, shown(setting.member, relevant, kExact));
+  text += calibrations(settings, kExact);
+  return hash64(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
 }
 
 std::string default_file() {
@@ -209,7 +270,7 @@ std::string default_file() {
     if (!setting.unit.empty()) text.append(" ").append(setting.unit);
     text.append("\n");
     if (setting.otherwise.empty()) {
-      text.append(setting.name).append(" = ").append(shown(setting.member)).append("\n");
+      text.append(setting.name).append(" = ").append(shown(setting.member, {})).append("\n");
     } else {
       text.append("# ").append(setting.name).append(" =    (").append(setting.otherwise).append(")\n");
     }

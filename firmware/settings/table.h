@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,6 +36,12 @@ std::span<const Setting> table();
 
 /// nullptr: there is no such setting
 const Setting* find(std::string_view section, std::string_view name);
+
+/// The settings that differ from their default: "section.name = value" each, by newlines, without characters that a terminal must not get.
+std::string different(const Settings& settings);
+
+/// One number for all settings together, for people and reports: equal numbers mean the same settings, but for the name of the recording that carries it.
+std::uint64_t checksum(const Settings& settings);
 
 /// The file in which every setting stands with its default, commented by unit, range and meaning. Reading it changes nothing.
 std::string default_file();

@@ -42,16 +42,16 @@ FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock
 
 FieldIntake::~FieldIntake() { ZSTD_freeDCtx(context_); }
 
-IntakeOutcome FieldIntake::accept(const protocol::Begin& promised) {
+IntakeOutcome FieldIntake::accept(const protocol::Begin& promised, std::uint32_t author) {
   const std::lock_guard guard(exchanging_);
   const auto packed = std::span(upload_).first(static_cast<std::size_t>(promised.packed_bytes));
   const Before before = store_before(promised.image_hash);
   Refusal refusal = unpack(packed, promised.image_hash);
   if (!refusal && store_ != nullptr) refusal = keep(promised, packed);
-  return activate(promised.image_hash, std::move(refusal), before);
+  return activate({promised.image_hash, promised.name, author}, std::move(refusal), before);
 }
 
-IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
+IntakeOutcome FieldIntake::select(std::uint64_t wanted, std::uint32_t author) {
   const std::lock_guard guard(exchanging_);
   if (store_ == nullptr) return {"this controller stores no fields; upload one, or start it with a state folder", {}};
   const Before before = store_before(wanted);
@@ -63,7 +63,7 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted) {
     const StoreResult<void> switched = store_->set_active(wanted);
     if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; check the state folder";
   }
-  return activate(wanted, std::move(refusal), before);
+  return activate({wanted, stored_name(wanted), author}, std::move(refusal), before);
 }
 
 Refusal FieldIntake::begin_with_active() {
@@ -73,12 +73,12 @@ Refusal FieldIntake::begin_with_active() {
   const StoreResult<std::size_t> bytes = store_->read(*wanted, upload_);
   if (!bytes) return std::string("the field that was active last cannot be read: ") + describe(bytes.error()) + "; upload one";
   Refusal refusal = unpack(std::span(upload_).first(*bytes), *wanted);
-  if (!refusal) refusal = publish(*wanted);
+  if (!refusal) refusal = publish({*wanted, stored_name(*wanted), kNobody});
   slots_.abandon();
   return refusal ? Refusal("the field that was active last was not loaded: " + refusal.sentence()) : Refusal();
 }
 
-Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
+Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field, std::string_view name) {
   std::uint64_t hash = 0;
   Refusal refusal;
   if (PackedField::has_magic(field)) {
@@ -96,7 +96,7 @@ Refusal FieldIntake::begin_with(std::span<const std::uint8_t> field) {
     hash = (*view)->hash();
     refusal = judge(**view);
   }
-  if (!refusal) refusal = publish(hash);
+  if (!refusal) refusal = publish({hash, protocol::Text::of(name), kNobody});
   slots_.abandon();
   return refusal;
 }
@@ -110,7 +110,7 @@ bool FieldIntake::check_again(Refusal& refusal) {
   {
     const std::lock_guard handing_over(handing_over_);
     if (!slots_.clear()) return false;
-    remember(0);
+    remember(0, {});
   }
   refusal = "the field was unloaded: " + why.sentence() + " and load it again";
   return true;
@@ -160,46 +160,54 @@ Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uin
 }
 
 /// What was unpacked becomes the tick's, unless something spoke against it.
-IntakeOutcome FieldIntake::activate(std::uint64_t hash, Refusal refusal, const Before& before) {
-  const std::uint64_t felt = published().image_hash;
-  if (!refusal) refusal = publish(hash);
-  if (!refusal && !was_taken_over()) refusal = take_back(hash, felt, before);
+IntakeOutcome FieldIntake::activate(const Wish& wish, Refusal refusal, const Before& before) {
+  const PublishedField felt = handed_over_[newest_];  // nobody else writes it while `exchanging_` is held
+  if (!refusal) refusal = publish(wish);
+  if (!refusal && !was_taken_over()) refusal = take_back(wish.hash, felt, before);
   slots_.abandon();
-  return {std::move(refusal), published()};
+  return {std::move(refusal), published().accepted()};
 }
 
-Refusal FieldIntake::publish(std::uint64_t hash) {
+Refusal FieldIntake::publish(const Wish& wish) {
   const std::lock_guard handing_over(handing_over_);
-  const Result<std::uint32_t> generation = slots_.commit();
+  const Result<std::uint32_t> generation = slots_.commit(wish.author);
   if (!generation) return unusable(generation.error());
-  remember(hash);
+  remember(wish.hash, wish.name);
+  return {};
+}
+
+protocol::Text FieldIntake::stored_name(std::uint64_t hash) {
+  for (const StoredField& field : store_->list()) {
+    if (field.hash == hash) return protocol::Text::of(field.name);
+  }
   return {};
 }
 
 /// What was just handed over. While `handing_over_` is held.
-void FieldIntake::remember(std::uint64_t hash) {
+void FieldIntake::remember(std::uint64_t hash, const protocol::Text& name) {
   newest_ = (newest_ + 1) % kRemembered;
-  handed_over_[newest_] = {hash, slots_.published().generation};
+  const loop::ActiveField field = slots_.published();
+  handed_over_[newest_] = {hash, field.generation, name, field.view == nullptr ? Stiffness{} : field.view->stiffness};
 }
 
-protocol::Accepted FieldIntake::published() const {
+PublishedField FieldIntake::published() const {
   const std::lock_guard handing_over(handing_over_);
   return handed_over_[newest_];
 }
 
 std::uint64_t FieldIntake::hash_of(std::uint32_t generation) const {
   const std::lock_guard handing_over(handing_over_);
-  const auto found = std::find_if(handed_over_.begin(), handed_over_.end(),
-                                  [&](const protocol::Accepted& field) { return field.generation == generation; });
+  const auto found =
+      std::find_if(handed_over_.begin(), handed_over_.end(), [&](const PublishedField& one) { return one.generation == generation; });
   return generation != 0 && found != handed_over_.end() ? found->image_hash : 0;
 }
 
 /// The tick does not come: as if nothing had been sent. returns no refusal: the tick has come after all
-Refusal FieldIntake::take_back(std::uint64_t hash, std::uint64_t felt, const Before& before) {
+Refusal FieldIntake::take_back(std::uint64_t hash, const PublishedField& felt, const Before& before) {
   {
     const std::lock_guard handing_over(handing_over_);
     if (!slots_.take_back()) return {};
-    remember(felt);
+    remember(felt.image_hash, felt.name);
   }
   std::string refusal = "the field is good, but the controller's loop does not run, so the field is not loaded";
   if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", although the next start may load it";

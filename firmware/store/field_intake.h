@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "firmware/loop/clock.h"
@@ -30,6 +31,16 @@ using FieldCheck = std::function<Refusal(const FieldView&)>;
 /// What is said of a field that does not fit, with both sizes in bytes.
 std::string too_large(std::uint64_t image_bytes, std::size_t limit);
 
+/// A field that was handed to the tick.
+struct PublishedField {
+  std::uint64_t image_hash = 0;  ///< 0 = none
+  std::uint32_t generation = 0;
+  protocol::Text name;  ///< for people; may be empty
+  Stiffness stiffness;  ///< the field's own; 0 without a field
+
+  protocol::Accepted accepted() const { return {image_hash, generation}; }
+};
+
 struct IntakeOutcome {
   Refusal refusal;  ///< none: the field is active
   protocol::Accepted accepted;
@@ -46,6 +57,7 @@ class FieldIntake {
   FieldIntake(const FieldIntake&) = delete;
   FieldIntake& operator=(const FieldIntake&) = delete;
 
+  bool keeps_fields() const { return store_ != nullptr; }
   std::size_t image_limit() const { return slots_.capacity(); }
   /// Where an upload is put together, by whoever lets no other function run meanwhile. Room for the packed form of every image that there may be.
   std::span<std::uint8_t> upload() { return upload_; }
@@ -54,10 +66,11 @@ class FieldIntake {
   /// neither felt later nor there at the next start.
   ///
   /// promised  what was said before the bytes came: they must keep it
-  IntakeOutcome accept(const protocol::Begin& promised);
+  /// author    who sent it
+  IntakeOutcome accept(const protocol::Begin& promised, std::uint32_t author = kNobody);
 
   /// The same for a stored field.
-  IntakeOutcome select(std::uint64_t wanted);
+  IntakeOutcome select(std::uint64_t wanted, std::uint32_t author = kNobody);
 
   /// Begins with the field that was active last; before the tick's first step, does not wait.
   ///
@@ -66,8 +79,9 @@ class FieldIntake {
 
   /// Begins with a field that is nowhere stored, instead: packed, or an image as it is.
   ///
+  /// name      for people
   /// returns   why it was not loaded
-  Refusal begin_with(std::span<const std::uint8_t> field);
+  Refusal begin_with(std::span<const std::uint8_t> field, std::string_view name);
 
   /// Asks `check` again about the newest field, when what it answers may have changed. A field that is refused now is taken away from the tick; the
   /// next start may begin with it. Any thread.
@@ -80,7 +94,7 @@ class FieldIntake {
   std::vector<StoredField> stored();
 
   /// The field handed to the tick last: hash and generation belong together. Any thread but the tick's.
-  protocol::Accepted published() const;
+  PublishedField published() const;
 
   /// Of one of the fields handed to the tick lately, also of one that the tick has left since; any thread but the tick's.
   ///
@@ -93,17 +107,24 @@ class FieldIntake {
     std::optional<std::uint64_t> active;
     bool held = false;  ///< the field that the request is about
   };
+  /// What is to be handed over, and for whom.
+  struct Wish {
+    std::uint64_t hash = 0;
+    protocol::Text name;
+    std::uint32_t author = kNobody;
+  };
 
   Before store_before(std::uint64_t hash);
   Refusal unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
   Refusal unpack(const PackedField& packed);
   Refusal judge(const FieldView& field) const;
   Refusal keep(const protocol::Begin& field, std::span<const std::uint8_t> packed);
-  IntakeOutcome activate(std::uint64_t hash, Refusal refusal, const Before& before);
-  Refusal publish(std::uint64_t hash);
-  void remember(std::uint64_t hash);
+  IntakeOutcome activate(const Wish& wish, Refusal refusal, const Before& before);
+  Refusal publish(const Wish& wish);
+  void remember(std::uint64_t hash, const protocol::Text& name);
+  protocol::Text stored_name(std::uint64_t hash);
   bool was_taken_over();
-  Refusal take_back(std::uint64_t hash, std::uint64_t felt, const Before& before);
+  Refusal take_back(std::uint64_t hash, const PublishedField& felt, const Before& before);
 
   loop::FieldSlots& slots_;
   FieldStore* store_;
@@ -116,7 +137,7 @@ class FieldIntake {
   static constexpr std::size_t kRemembered = 16;
   mutable std::mutex
       handing_over_;  ///< held while a field is handed to the tick, so that nobody hears of a generation before its hash is here
-  std::array<protocol::Accepted, kRemembered> handed_over_{};  ///< a circle
+  std::array<PublishedField, kRemembered> handed_over_{};  ///< a circle
   std::size_t newest_ = 0;
 };
 

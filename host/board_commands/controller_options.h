@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "shared/fault_names.h"
+#include "shared/files/state_text.h"
 #include "shared/protocol_messages.h"
 
 namespace isotouch::commands {
@@ -33,12 +34,6 @@ inline constexpr std::array<MeasureName, protocol::kMeasures> kMeasureNames = {{
     {"delay_ticks", "sensor to motor", true},
 }};
 
-/// SupervisorState in words.
-inline const char* state_name(std::uint16_t state) {
-  constexpr std::array<const char*, 7> kNames = {"boot", "homing", "idle", "ready", "active", "hold", "fault"};
-  return state < kNames.size() ? kNames[state] : "unknown";
-}
-
 /// The names of Faults.
 inline std::vector<std::string> fault_names(std::uint16_t faults) {
   std::vector<std::string> names;
@@ -51,11 +46,11 @@ inline std::vector<std::string> fault_names(std::uint16_t faults) {
   return names;
 }
 
-/// State and faults in words, such as "fault (late)".
+using files::state_name;
+
+/// What is true for the hand, and the next step: see `files::state_text`.
 inline std::string state_text(const protocol::StatusReport& status) {
-  std::string text = state_name(status.state);
-  for (const std::string& fault : fault_names(status.faults)) text += " (" + fault + ")";
-  return text;
+  return files::state_text({status.state, status.faults, status.status});
 }
 
 /// An angle of 2^32 to the turn, -180 to 180 degrees.

@@ -1,5 +1,4 @@
 /// isotouch fields: what a controller has stored, and which one it renders.
-#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -21,13 +20,19 @@ struct Options {
   bool json = false;
 };
 
-std::uint64_t read_hash(const std::string& text) {
-  std::uint64_t hash = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), hash, 16);
-  if (text.size() != 16 || failed != std::errc{} || end != text.data() + text.size()) {
-    throw InputError("--select " + text + ": a hash has 16 hexadecimal digits; take one from the list without --select");
+/// The field that a hash or a name means.
+std::uint64_t find(const std::vector<protocol::FieldEntry>& fields, const std::string& wanted) {
+  std::vector<const protocol::FieldEntry*> found;
+  for (const protocol::FieldEntry& field : fields) {
+    if (trace::hash_text(field.image_hash) == wanted) return field.image_hash;
+    if (field.name.view() == wanted) found.push_back(&field);
   }
-  return hash;
+  if (found.size() == 1) return found.front()->image_hash;
+  if (found.empty())
+    throw InputError("--select " + wanted + ": no stored field has this hash or name; the list without --select shows them");
+  std::string hashes;
+  for (const protocol::FieldEntry* field : found) hashes += " " + trace::hash_text(field->image_hash);
+  throw InputError("--select " + wanted + ": several stored fields have this name; say which by its hash:" + hashes);
 }
 
 void print(const std::vector<protocol::FieldEntry>& fields, bool as_json) {
@@ -45,9 +50,8 @@ void print(const std::vector<protocol::FieldEntry>& fields, bool as_json) {
 }
 
 void run(const Options& options) {
-  const std::uint64_t wanted = options.select.empty() ? 0 : read_hash(options.select);
   link::Controller controller(options.to);
-  if (!options.select.empty()) (void)controller.select(wanted);
+  if (!options.select.empty()) (void)controller.select(find(controller.fields(), options.select));
   print(controller.fields(), options.json);
 }
 
@@ -58,7 +62,7 @@ void add_fields(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("fields", "List the fields stored on a controller and mark the active one, or make another one active");
   add_address(*command, options->to);
-  command->add_option("--select", options->select, "hash of the stored field to make active");
+  command->add_option("--select", options->select, "hash or name of the stored field to make active");
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

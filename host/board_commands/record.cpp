@@ -36,6 +36,9 @@ void run(const Options& options) {
   const double period = controller.welcome().period_ns / 1e9;
   const auto ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(options.seconds / std::max(period, 1e-4))));
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
+  if (const protocol::StatusReport status = controller.status(); status.faults != 0)
+    std::fprintf(stderr, "isotouch: %s: the recording will hold no force; the state is %s\n", options.to.c_str(),
+                 state_text(status).c_str());
   std::optional<trace::TraceWriter> writer;
   std::uint64_t taken = 0;
   const Interruption interruption;

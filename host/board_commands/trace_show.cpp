@@ -55,7 +55,7 @@ Json if_packet(const Row& row, const T& value) {
 
 /// The first thirteen are shown where none are named.
 constexpr std::size_t kStandardColumns = 13;
-constexpr std::array<Column, 33> kColumns = {{
+constexpr std::array<Column, 34> kColumns = {{
     {"tick", [](const Row& r) { return Json(r.tick); }},
     {"hip_x_mm", [](const Row& r) { return r.knows_hip() ? Json(to_double(r.hip().x)) : Json(nullptr); }},
     {"hip_y_mm", [](const Row& r) { return r.knows_hip() ? Json(to_double(r.hip().y)) : Json(nullptr); }},
@@ -81,6 +81,7 @@ constexpr std::array<Column, 33> kColumns = {{
     {"lines", [](const Row& r) { return Json(r.record.input.lines); }},
     {"guard", [](const Row& r) { return if_packet(r, std::string(name_of(guard_verdict(r.record.input.lines)))); }},
     {"requests", [](const Row& r) { return Json(r.record.input.requests); }},
+    {"author_user", [](const Row& r) { return r.record.input.author == kNobody ? Json(nullptr) : Json(user_of(r.record.input.author)); }},
     {"setting", [](const Row& r) { return Json(static_cast<int>(r.record.input.change.setting)); }},
     {"setting_raw", [](const Row& r) { return Json(r.record.input.change.raw); }},
     {"field_generation", [](const Row& r) { return Json(r.record.input.field_generation); }},
@@ -158,6 +159,7 @@ Json header_json(const trace::Trace& trace) {
           {"has_outputs", header.has_outputs},
           {"field_hash", trace::hash_text(header.field_hash)},
           {"settings", settings},
+          {"settings_checksum", trace::hash_text(header.settings_checksum)},
           {"device_hash", trace::hash_text(hash(header.device))}};
 }
 

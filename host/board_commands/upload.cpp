@@ -39,19 +39,13 @@ void run(const Options& options) {
   if (accepted.image_hash != hash) throw InputError(options.to + ": another field was taken over meanwhile; upload again");
   const protocol::StatusReport status = controller.status();
   if (options.json) {
-    const nlohmann::ordered_json json{{"field_hash", trace::hash_text(hash)},
-                                      {"bytes", packed.size()},
-                                      {"generation", accepted.generation},
-                                      {"state", state_name(status.state)},
-                                      {"faults", fault_names(status.faults)}};
+    const nlohmann::ordered_json json{{"field_hash", trace::hash_text(hash)}, {"bytes", packed.size()},
+                                      {"generation", accepted.generation},    {"state", state_name(status.state)},
+                                      {"sentence", state_text(status)},       {"faults", fault_names(status.faults)}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    const char* outcome = status.faults == 0 ? "is the field that is felt" : "is loaded, but there is no force";
-    std::printf("%s %s: hash %s, %zu bytes sent, state %s\n", name.c_str(), outcome, trace::hash_text(hash).c_str(), packed.size(),
+    std::printf("%s is loaded: hash %s, %zu bytes sent\nthe state is %s\n", name.c_str(), trace::hash_text(hash).c_str(), packed.size(),
                 state_text(status).c_str());
-    if (status.faults != 0)
-      std::fprintf(stderr, "isotouch: %s: remove the cause of the fault, then resume with: isotouch resume --to %s\n", options.to.c_str(),
-                   options.to.c_str());
   }
 }
 

@@ -1,6 +1,7 @@
 #include "host/link/controller.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "host/error.h"
 #include "shared/printable.h"
@@ -34,6 +35,20 @@ Controller::Controller(const std::string& address) : connection_(read_address(ad
 protocol::StatusReport Controller::status() {
   connection_.send(Kind::kStatus);
   return read<protocol::StatusReport>(expect(Kind::kStatusReport, kAnswer));
+}
+
+Controller::Settings Controller::settings() {
+  connection_.send(Kind::kSettings);
+  const auto report = read<protocol::SettingsReport>(expect(Kind::kSettingsReport, kAnswer));
+  Settings settings{report.checksum, {}};
+  std::istringstream lines(std::string(report.different.begin(), report.different.end()));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t middle = line.find(" = ");
+    if (middle == std::string::npos) complain("the list of settings cannot be read; install the same release on both sides");
+    make_printable(line, ' ');
+    settings.different.emplace_back(line.substr(0, middle), line.substr(middle + 3));
+  }
+  return settings;
 }
 
 Histogram Controller::histogram(protocol::Measure measure) {
@@ -99,7 +114,6 @@ void Controller::calibrate(const protocol::Calibrate& measured) {
 }
 
 std::vector<protocol::WorstTick> Controller::worst_ticks(bool anew) {
-  if (welcome_.minor < 2) return {};
   connection_.send(Kind::kWorst, protocol::WorstRequest{static_cast<std::uint8_t>(anew ? 1 : 0)});
   const auto report = read<protocol::WorstTicks>(expect(Kind::kWorstTicks, kAnswer));
   std::vector<protocol::WorstTick> worst;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/link/connection.h"
@@ -30,6 +31,12 @@ class Controller {
   const protocol::Welcome& welcome() const { return welcome_; }
 
   protocol::StatusReport status();
+
+  struct Settings {
+    std::uint64_t checksum = 0;
+    std::vector<std::pair<std::string, std::string>> different;  ///< name and value of those that differ from their default
+  };
+  Settings settings();
   Histogram histogram(protocol::Measure measure);
 
   /// Sends a packed field. It is felt when this returns; when it throws the controller keeps the field before.
@@ -39,7 +46,6 @@ class Controller {
 
   std::vector<protocol::FieldEntry> fields();
   protocol::Accepted select(std::uint64_t image_hash);
-  /// The next three are of minor version 1: older controllers refuse them.
   protocol::DeviceReport device();
   /// Where the arms stand, measured over a second in which the hand must hold still.
   ///
@@ -47,7 +53,7 @@ class Controller {
   protocol::PostureReport posture(DeviceModel& model);
   /// The controller keeps these angles.
   void calibrate(const protocol::Calibrate& measured);
-  /// The ticks whose commands came latest since they were last forgotten; of minor version 2. None where an older controller answers.
+  /// The ticks whose commands came latest since they were last forgotten.
   ///
   /// anew      those until now are forgotten after this
   std::vector<protocol::WorstTick> worst_ticks(bool anew);

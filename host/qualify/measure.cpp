@@ -150,8 +150,6 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.allocations = after.status.allocations - before.status.allocations;
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
   for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
-  if (controller.welcome().minor < 2)
-    figures.worst_unknown = "this controller does not report its worst ticks; install the same release on both sides";
   figures.cause_unknown = causes.why();
 
   if (wish.priority > 0) tell("cyclictest, as long again");

@@ -84,8 +84,7 @@ Refusal read_trace(const std::string& path, TraceFile& trace) {
     const Result<TraceRecord> record = decode_record(at);
     if (!record) return place + " holds an undefined value; make or record the trace again";
     if (record->input.kind != trace.kind()) return place + " holds another kind of input than the first; make or record the trace again";
-    const auto is_set = [](std::uint8_t byte) { return byte != 0; };
-    if (!header->has_outputs && std::any_of(at.begin() + kOutputAt, at.begin() + kChainAt + 8, is_set)) {
+    if (!header->has_outputs && (record->output != Output{} || record->chain != 0)) {
       return place + " holds an output, but the header says that there are none; make or record the trace again";
     }
   }

@@ -192,7 +192,7 @@ class Follow {
     if (!zero && case_.shows == nullptr) return;
     if (zero && !case_.shows && broken_.empty()) broken_ = "no force, though nothing shows a fault";
     if (graver(bench_.state(), S::kActive) ? graver(bench_.state(), state_) : bench_.state() == S::kHoming && state_ == S::kActive)
-      state_ = bench_.state();
+      state_ = bench_.state(), status_ = now.out.status;
     if (!asked_) faults_ = static_cast<std::uint16_t>(faults_ | now.out.faults);
     if (zero_ >= 0 && well_again_ < 0 && t > zero_ && !zero && (now.out.status & kRamping) == 0) well_again_ = t;
     if (zero_ >= 0 && well_again_ < 0 && !zero && bench_.state() == S::kActive && (before.out.state != now.out.state) &&
@@ -202,7 +202,7 @@ class Follow {
 
   std::string sentence() const {
     if (case_.shows && state_ == S::kActive) return "none: no force until the hand has left the object";
-    return state_ == S::kActive ? "none" : daemon::supervisor_line(state_, faults_);
+    return state_ == S::kActive ? "none" : daemon::supervisor_line({static_cast<std::uint16_t>(state_), faults_, status_});
   }
 
   std::string recovery() const {
@@ -230,6 +230,7 @@ class Follow {
   int shown_ = -1, zero_ = -1, well_again_ = -1;
   S state_ = S::kActive;
   std::uint16_t faults_ = 0;
+  std::uint32_t status_ = 0;
   bool asked_ = false;
   std::string broken_;
 };

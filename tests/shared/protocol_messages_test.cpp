@@ -31,13 +31,14 @@ void expect_round_trip(const Message& message, std::size_t bytes) {
 TEST(ProtocolMessages, EveryMessageComesBack) {
   const std::vector<std::uint8_t> some = {1, 2, 3, 250};
   expect_round_trip(Hello{1, 7}, 4);
-  expect_round_trip(Welcome{1, 0, 1'000'000, 1U << 24, Text::of("isotouchd 0.1.0")}, 32);
+  expect_round_trip(Welcome{1, 0, 1'000'000, 1U << 24, Text::of("isotouchd 0.1.0"), 2}, 33);
   expect_round_trip(Begin{466'000, 1'563'000, 0x0123456789ABCDEFU, Text::of("hydrant")}, 32);
   expect_round_trip(Chunk{65'536, some}, 12);
   expect_round_trip(Accepted{0xFEDCBA9876543210U, 3}, 12);
-  StatusReport status{4, 2, 3, 1'000'000, 5, 0xAAAAAAAAAAAAAAAAU, 1, 2, {}};
+  StatusReport status{4, 2, 3, 1'000'000, 5, 0xAAAAAAAAAAAAAAAAU, 1, 2, {}, 0x01020304, 5, 6, Text::of("owl")};
   for (std::uint32_t i = 0; i < kMeasures; ++i) status.measures[i] = {10 + i, 20 + i, 30 + i};
-  expect_round_trip(status, 96);
+  expect_round_trip(status, 107);
+  expect_round_trip(SettingsReport{0x0102030405060708U, some}, 12);
   expect_round_trip(HistogramRequest{2}, 1);
   expect_round_trip(Bin{12'000, 99}, kBinBytes);
   expect_round_trip(HistogramReport{2, 99, some}, 13);
@@ -96,7 +97,7 @@ TEST(ProtocolMessages, NoBodyMakesAMessageReachBeyondIt) {
       ++read;
       ASSERT_LE(records->bytes.size(), body.size());
     }
-    read += decode<StatusReport>(body).has_value();
+    read += decode<StatusReport>(body).has_value() + decode<SettingsReport>(body).has_value();
   }
   EXPECT_GT(read, 1000);
 }

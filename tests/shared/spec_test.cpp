@@ -99,7 +99,7 @@ TEST(Spec, EveryFieldOfATraceStandsWhereTheCodeHasIt) {
     EXPECT_TRUE(holds_line(trace, kFieldsAt + field.offset, field.size, std::string(field.name)))
         << kFieldsAt + field.offset << " " << field.size << " " << field.name;
   }
-  EXPECT_EQ(fields, kPositionFields.count + kPacketFields.count + 6);
+  EXPECT_EQ(fields, kPositionFields.count + kPacketFields.count + 7);
   EXPECT_TRUE(holds_line(trace, 4, 2, "major")) << "with version " << kMajor;
   EXPECT_NE(trace.find("## 3. Trace, version " + std::to_string(kMajor)), std::string::npos);
   const std::string prose = std::regex_replace(trace, std::regex(R"(\s+)"), " ");  // wherever its lines break

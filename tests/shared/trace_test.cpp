@@ -22,6 +22,7 @@ TraceHeader some_header() {
   header.record_count = 3;
   header.field_hash = 0x1122334455667788;
   header.has_outputs = true;
+  header.settings_checksum = 0x4142434445464748;
   header.period_ns = 500'000;
   header.settings.stiffness = Stiffness::of(2);
   header.settings.damping = Damping::of(0.001);
@@ -48,6 +49,7 @@ TraceRecord some_record(InputKind kind) {
   in.requests = kRequestResume;
   in.change = {TickSetting::kFriction, 0x0A0B0C0D};
   in.age = 0x0203;
+  in.author = 0x0E0D0C0B;
   in.field_generation = 0x04050607;
   if (kind == InputKind::kPosition) {
     in.hip = {Mm::from_raw(0x01020304), Mm::from_raw(-5), Mm::from_raw(6)};
@@ -93,7 +95,8 @@ TEST(Trace, TheHeaderStandsAsTheSpecificationDrawsIt) {
   EXPECT_EQ(load_le<std::uint32_t>(at + 84), 0U);
   const DeviceModelBytes model = encode(martin_hillier_model());
   EXPECT_TRUE(std::equal(model.begin(), model.end(), at + 88));
-  EXPECT_TRUE(std::all_of(at + 216, at + 252, [](std::uint8_t b) { return b == 0; }));
+  EXPECT_EQ(load_le<std::uint64_t>(at + 216), 0x4142434445464748U);
+  EXPECT_TRUE(std::all_of(at + 224, at + 252, [](std::uint8_t b) { return b == 0; }));
   EXPECT_EQ(load_le<std::uint32_t>(at + 252), crc32(at, 252));
 }
 
@@ -141,7 +144,7 @@ TEST(Trace, TheRecordStandsAsTheSpecificationDrawsIt) {
     EXPECT_EQ(load_le<std::uint16_t>(at + 80), 0x1C1D);
     EXPECT_EQ(at[82], 0x0E);
     EXPECT_EQ(at[83], 0x0F);
-    EXPECT_EQ(load_le<std::uint32_t>(at + 84), 0U);
+    EXPECT_EQ(load_le<std::uint32_t>(at + 84), 0x0E0D0C0BU);
     EXPECT_EQ(load_le<std::uint64_t>(at + 88), 0x2122232425262728U);
     EXPECT_EQ(load_le<std::uint64_t>(at + 96), 0x3132333435363738U);
   }
@@ -198,7 +201,7 @@ TEST(Trace, EveryMalformedHeaderIsRefusedForItsReason) {
       {"a model without arms", Error::kBadModel, [](std::uint8_t* h) { store_le(h + 88, 0); }},
       {"a model with a reserved byte", Error::kBadModel, [](std::uint8_t* h) { h[88 + 127] = 1; }},
   };
-  for (const std::size_t reserved : {33U, 35U, 84U, 87U, 216U, 251U}) {
+  for (const std::size_t reserved : {33U, 35U, 84U, 87U, 224U, 251U}) {
     cases.push_back({"reserved byte " + std::to_string(reserved), Error::kBadHeader, [=](std::uint8_t* h) { h[reserved] = 1; }});
   }
   for (const Malformed& malformed : cases) {
@@ -246,7 +249,7 @@ TEST(Trace, ARecordWithAnUndefinedValueIsRefused) {
     EXPECT_TRUE(refused_at(kind, 5, 0)) << "a value of no setting";
     EXPECT_TRUE(refused_at(kind, 11, 0x60)) << "a friction above 1.5";
     EXPECT_TRUE(refused_at(kind, 11, 0x80)) << "a friction below 0";
-    for (std::size_t offset = 84; offset < 88; ++offset) EXPECT_TRUE(refused_at(kind, offset, 1)) << "a reserved byte";
+    EXPECT_FALSE(refused_at(kind, 84, 1)) << "any user may be an author";
   }
   EXPECT_TRUE(refused_at(InputKind::kPosition, 28, 0x10)) << "a fifth button";
   for (std::size_t offset = 29; offset < 32; ++offset) EXPECT_TRUE(refused_at(InputKind::kPosition, offset, 1)) << "a reserved byte";
@@ -331,6 +334,7 @@ TEST(Trace, ADifferenceIsNamedByItsFieldAndPart) {
     EXPECT_EQ(input_named([](Input& in) { in.fresh = true; }), "input.fresh");
     EXPECT_EQ(input_named([](Input& in) { in.age = 7; }), "input.age");
     EXPECT_EQ(input_named([](Input& in) { in.change.raw = 7; }), "input.value");
+    EXPECT_EQ(input_named([](Input& in) { in.author = author_of(1000); }), "input.author");
     EXPECT_EQ(input_named([](Input& in) { in.kind = in.kind == InputKind::kPacket ? InputKind::kPosition : InputKind::kPacket; }),
               "input.kind");
     if (kind == InputKind::kPosition) {

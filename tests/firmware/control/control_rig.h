@@ -44,8 +44,10 @@ class FakeTick {
   std::atomic<std::uint64_t> felt{0};        ///< hash of that field, as far as it was read in the tick
   std::atomic<std::int16_t> count{0};        ///< of every arm, homed
   std::atomic<std::int16_t> sway{0};         ///< added to it in every other tick
-  std::atomic<std::int16_t> word{0};         ///< motor command of the next tick alone
-  std::atomic<bool> rests{false};            ///< no ticks meanwhile
+  std::atomic<std::uint16_t> faults{0}, shown_faults{0};
+  std::atomic<std::uint32_t> author{0};  ///< of the last request that had one
+  std::atomic<std::int16_t> word{0};     ///< motor command of the next tick alone
+  std::atomic<bool> rests{false};        ///< no ticks meanwhile
 
  private:
   void run() {
@@ -58,7 +60,10 @@ class FakeTick {
       const auto at = static_cast<std::int16_t>(count + (number % 2 == 0 ? sway.load() : 0));
       record.in.packet = encode(FalconReply{{at, at, at}, 0, 7});
       record.in.fresh = true;
-      record.in.requests = commands.take();
+      const loop::Asked asked = commands.take();
+      record.in.requests = asked.bits;
+      if (asked.author != kNobody) author = asked.author;
+      record.out.faults = faults;
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
       record.out.commands[0] = word.exchange(0);
@@ -68,6 +73,7 @@ class FakeTick {
       stats.ticks.add();
       stats.tick_time.add(static_cast<std::int64_t>(number % 1000));
       shown.put(record);
+      shown_faults = record.out.faults;
       ring.push(record);
       std::this_thread::sleep_for(std::chrono::microseconds(100));
     }
@@ -92,12 +98,14 @@ struct ControlRig {
     settings.recordings.device = libnifalcon_model();
     settings.recordings.period_ns = 1'000'000;
     if (change) change(settings);
-    server =
-        std::make_unique<ControlServer>(settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring,
-                                                                    &calibration, [this](std::string_view name, std::string_view value) {
-                                                                      set_to = std::string(name) + "=" + std::string(value);
-                                                                      return value == "no" ? Refusal("that cannot be") : Refusal();
-                                                                    }});
+    server = std::make_unique<ControlServer>(
+        settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring, &calibration,
+                                    [this](std::string_view name, std::string_view value, const ControlClient&) {
+                                      set_to = std::string(name) + "=" + std::string(value);
+                                      return value == "no" ? Refusal("that cannot be") : Refusal();
+                                    },
+                                    [] { return std::string("feel.friction = 0.5\n"); },
+                                    [this](const std::string& line) { logged.push_back(line); }});
     EXPECT_EQ(server->start().sentence(), "");
   }
 
@@ -111,7 +119,8 @@ struct ControlRig {
   Calibration calibration;
   FakeTick tick;
   ControlSettings settings;
-  std::string set_to;  ///< the last setting that was asked for, written before its answer
+  std::vector<std::string> logged;  ///< by the server's thread, before its answers
+  std::string set_to;               ///< the last setting that was asked for, written before its answer
   std::unique_ptr<ControlServer> server;
 };
 

@@ -30,8 +30,7 @@ TEST(ControlServer, AUserWhoIsNotListedIsRefusedWithASentence) {
   Peer stranger{true, 4711, {4711, 4712}};
   ControlRig rig(1 << 20, [&](ControlSettings& settings) {
     settings.peer = [&](int) { return stranger; };
-    settings.admission.users = {1234};
-    settings.admission.groups = {77};
+    settings.admission.watch = {{1234}, {77}};
   });
   Speaker refused(rig.settings.path);
   expect_sentence(refused.hear(), "user 4711 may not use this controller");
@@ -50,7 +49,7 @@ TEST(ControlServer, ARealStrangerIsRefused) {
     // Refused with the right sentence: 42.
     if (::setegid(65534) != 0 || ::seteuid(65534) != 0) ::_exit(1);
     Speaker speaker(rig.settings.path);
-    ::_exit(speaker.hear().refusal().find("user 65534 may not") != std::string::npos ? 42 : 2);
+    ::_exit(speaker.hear().refusal().find("(65534) may not") != std::string::npos ? 42 : 2);
   }
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -176,7 +176,7 @@ TEST(ControlServer, TwoSendersDoNotMixTheirFields) {
 TEST(ControlServer, AnotherVersionIsToldWhatToDo) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);
-  expect_sentence(speaker.greet(2), "speaks version 1 of the protocol and the tool 2; install the same release");
+  expect_sentence(speaker.greet(1), "speaks version 2 of the protocol and the tool 1; install the same release");
   EXPECT_EQ(speaker.hear().kind, Kind{}) << "and the connection ends";
   Speaker newer(rig.settings.path);
   newer.say(Kind::kHello, protocol::Hello{protocol::kMajor, 99});

@@ -11,6 +11,8 @@
 namespace isotouch::control {
 namespace {
 
+using protocol::Role;
+
 constexpr std::array<gid_t, 2> kOthers = {4711, 4712};
 
 /// A program of its own, which is in two more groups, connects to itself. Ends with 0 when `peer_of` names user and groups.
@@ -27,15 +29,26 @@ TEST(PeerDeathTest, IsInEveryGroupThatItsProgramIsIn) {
   EXPECT_EXIT(connect_with_more_groups(), ::testing::ExitedWithCode(0), "");
 }
 
-TEST(Peer, OneOfItsGroupsIsEnough) {
+TEST(Peer, HasTheHighestRoleOfUserAndGroups) {
   const uid_t stranger = ::geteuid() + 1;
   const Peer peer = {true, stranger, {20, 30}};
-  EXPECT_TRUE(refusal_of(peer, {}));
-  EXPECT_TRUE(refusal_of(peer, {{stranger + 1}, {10, 40}}));
-  EXPECT_FALSE(refusal_of(peer, {{}, {30}}));
-  EXPECT_FALSE(refusal_of(peer, {{stranger}, {}}));
-  EXPECT_FALSE(refusal_of({true, ::geteuid(), {}}, {}));
-  EXPECT_TRUE(refusal_of({false, ::geteuid(), {30}}, {{::geteuid()}, {30}})) << "nobody knows who it is";
+  const Members user = {{stranger}, {}}, group = {{}, {10, 30}}, others = {{stranger + 1}, {10, 40}};
+  EXPECT_EQ(role_of(peer, {}), Role::kNone);
+  EXPECT_EQ(role_of(peer, {others, others, others}), Role::kNone);
+  EXPECT_EQ(role_of(peer, {user, {}, {}}), Role::kWatch);
+  EXPECT_EQ(role_of(peer, {group, others, others}), Role::kWatch);
+  EXPECT_EQ(role_of(peer, {user, group, {}}), Role::kOperate);
+  EXPECT_EQ(role_of(peer, {{}, user, {}}), Role::kOperate);
+  EXPECT_EQ(role_of(peer, {user, user, group}), Role::kService);
+  EXPECT_EQ(role_of(peer, {{}, {}, user}), Role::kService);
+  EXPECT_EQ(role_of({true, ::geteuid(), {}}, {}), Role::kService) << "the program's own user";
+  EXPECT_EQ(role_of({true, 0, {}}, {}), Role::kService);
+  EXPECT_EQ(role_of({false, ::geteuid(), {30}}, {{}, {}, {{::geteuid()}, {30}}}), Role::kNone) << "nobody knows who it is";
+}
+
+TEST(Peer, AUserIsNamedAsPeopleKnowThem) {
+  EXPECT_EQ(name_of_user(0), "root (0)");
+  EXPECT_EQ(name_of_user(3'999'999'999), "3999999999");
 }
 
 }  // namespace

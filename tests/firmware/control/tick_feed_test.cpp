@@ -30,9 +30,9 @@ std::vector<std::uint8_t> all_of(int socket) {
 struct Recording {
   explicit Recording(std::size_t ring_size) : ring(ring_size) {
     EXPECT_EQ(::socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends.data()), 0);
-    clients[0].open(ends[0], 0);
+    clients[0].open(ends[0], Peer{true, 1000, {}}, protocol::Role::kOperate, 0);
     feed.record(clients[0], {0, 0});
-    tick.in.requests = requests.take();
+    tick.in.requests = requests.take().bits;
   }
   ~Recording() { ::close(ends[1]); }
   Recording(const Recording&) = delete;
@@ -128,7 +128,7 @@ TEST(TickFeed, EveryRecordingHasAChainOfItsOwn) {
     if (!first) {
       recording.feed.end_recording(recording.clients[0]);
       recording.feed.record(recording.clients[0], {0, 0});
-      recording.tick.in.requests = recording.requests.take();
+      recording.tick.in.requests = recording.requests.take().bits;
     }
     recording.push(first ? 1 : 11, first ? 10 : 20);
     recording.pump();

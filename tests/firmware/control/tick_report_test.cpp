@@ -29,7 +29,7 @@ TEST(TickReport, EveryMeasureIsItsOwn) {
   EXPECT_EQ(static_cast<int>(Measure::kRoundTrip), 2);
   EXPECT_EQ(static_cast<int>(Measure::kDelay), 3);
   const Counted counted;
-  const protocol::StatusReport report = status_report({}, counted.stats, 0);
+  const protocol::StatusReport report = status_report({}, counted.stats, {});
   std::vector<std::uint8_t> scratch(kHistogramScratch);
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
     EXPECT_EQ(report.measures[i].max, Counted::kNs[i]) << i;
@@ -45,7 +45,7 @@ TEST(TickReport, TheQuantilesAreThoseOfTheirNames) {
   loop::TickStats stats;
   for (int n = 0; n < 1000; ++n) stats.tick_time.add(n < 985 ? 10 : n < 997 ? 1000 : 100'000);
   stats.tick_time.add(5'000'000);
-  const protocol::Quantiles tick = status_report({}, stats, 0).measures[static_cast<std::size_t>(Measure::kTick)];
+  const protocol::Quantiles tick = status_report({}, stats, {}).measures[static_cast<std::size_t>(Measure::kTick)];
   EXPECT_EQ(tick.p50, 10U);
   EXPECT_NEAR(tick.p999, 100'000, 100'000 / 16) << "of 1001, the second longest; p99 would be 1000";
   EXPECT_EQ(tick.max, 5'000'000U);
@@ -61,7 +61,10 @@ TEST(TickReport, EveryCountIsItsOwn) {
   newest.out.state = 5;
   newest.out.faults = 6;
   newest.in.field_generation = 7;
-  const protocol::StatusReport report = status_report(newest, stats, 8);
+  newest.out.status = kTooFast;
+  newest.in.age = 10;
+  newest.in.lines = kLineStop;
+  const protocol::StatusReport report = status_report(newest, stats, {8, 9, protocol::Text::of("owl"), {}});
   EXPECT_EQ(report.ticks, 1U);
   EXPECT_EQ(report.late, 2U);
   EXPECT_EQ(report.allocations, 3U);
@@ -70,6 +73,10 @@ TEST(TickReport, EveryCountIsItsOwn) {
   EXPECT_EQ(report.faults, 6);
   EXPECT_EQ(report.generation, 7U);
   EXPECT_EQ(report.field_hash, 8U);
+  EXPECT_EQ(report.field_name.view(), "owl");
+  EXPECT_EQ(report.status, kTooFast);
+  EXPECT_EQ(report.age, 10);
+  EXPECT_EQ(report.lines, kLineStop);
 }
 
 }  // namespace

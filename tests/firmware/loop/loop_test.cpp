@@ -56,10 +56,10 @@ struct Bench {
     EXPECT_TRUE(loop.step());
     return shown.get();
   }
-  void load(const std::vector<std::uint8_t>& image) {
+  void load(const std::vector<std::uint8_t>& image, std::uint32_t author = kNobody) {
     std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
     ASSERT_TRUE(fields.verify());
-    ASSERT_TRUE(fields.commit());
+    ASSERT_TRUE(fields.commit(author));
   }
   SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.state); }
 };
@@ -224,6 +224,25 @@ TEST(Loop, ARequestReachesOneTick) {
   bench.requests.ask(kRequestRestart);
   EXPECT_EQ(bench.step().in.requests, kRequestStop | kRequestRestart);
   EXPECT_EQ(bench.step().in.requests, 0);
+}
+
+TEST(Loop, ATickNamesWhoeverChangedSomethingInIt) {
+  Bench bench;
+  EXPECT_EQ(bench.step().in.author, kNobody);
+  bench.requests.ask(kRequestStop, author_of(1000));
+  bench.requests.set({TickSetting::kFriction, 1000}, author_of(7));
+  TickRecord record = bench.step();
+  EXPECT_EQ(record.in.author, author_of(1000));
+  EXPECT_EQ(record.in.change, SettingChange{}) << "a change of somebody else waits for a tick of its own";
+  record = bench.step();
+  EXPECT_EQ(record.in.author, author_of(7));
+  EXPECT_EQ(record.in.change.setting, TickSetting::kFriction);
+  bench.load(ball(), author_of(8));
+  EXPECT_EQ(bench.step().in.author, author_of(8)) << "who sent the field";
+  EXPECT_EQ(bench.step().in.author, kNobody) << "once";
+  bench.requests.ask(kRequestRestart, author_of(9));
+  EXPECT_EQ(bench.step().in.author, author_of(9)) << "who began a recording";
+  EXPECT_EQ(bench.step().in.author, author_of(7)) << "whose setting is set again";
 }
 
 TEST(Loop, ASettingChangesInOneTickAndAgainInTheTickAfterARestart) {

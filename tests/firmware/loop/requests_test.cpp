@@ -9,8 +9,26 @@ TEST(Requests, AreTakenOnce) {
   Requests requests;
   requests.ask(kRequestStop);
   requests.ask(kRequestRestart);
-  EXPECT_EQ(requests.take(), kRequestStop | kRequestRestart);
-  EXPECT_EQ(requests.take(), 0);
+  EXPECT_EQ(requests.take().bits, kRequestStop | kRequestRestart);
+  EXPECT_EQ(requests.take().bits, 0);
+}
+
+TEST(Requests, WhoAskedGoesWithWhatWasAsked) {
+  Requests requests;
+  requests.ask(kRequestStop, author_of(1000));
+  requests.ask(kRequestRestart);
+  EXPECT_EQ(requests.take(), (Asked{kRequestStop | kRequestRestart, author_of(1000)})) << "the controller itself is no author";
+  requests.ask(kRequestStop, author_of(1000));
+  requests.ask(kRequestResume, author_of(0));
+  EXPECT_EQ(requests.take().author, author_of(0)) << "root came last";
+  EXPECT_EQ(requests.take(), Asked{});
+  requests.set({TickSetting::kWeight, -1}, author_of(7));
+  requests.set({TickSetting::kFriction, 2}, author_of(8));
+  EXPECT_EQ(requests.take_change(), (AskedChange{{TickSetting::kFriction, 2}, author_of(8)}));
+  EXPECT_EQ(requests.take_change(), (AskedChange{{TickSetting::kWeight, -1}, author_of(7)}));
+  requests.repeat_changes();
+  EXPECT_EQ(requests.take_change().author, author_of(8)) << "it is still theirs when it is said again";
+  EXPECT_EQ(requests.newest(TickSetting::kWeight, 0), -1);
 }
 
 TEST(Requests, OneSettingChangesInATickAndTheLaterOfTwoValuesHolds) {
@@ -18,20 +36,20 @@ TEST(Requests, OneSettingChangesInATickAndTheLaterOfTwoValuesHolds) {
   requests.set({TickSetting::kWeight, 1});
   requests.set({TickSetting::kFriction, 2});
   requests.set({TickSetting::kWeight, 3});
-  EXPECT_EQ(requests.take_change(), (SettingChange{TickSetting::kFriction, 2}));
-  EXPECT_EQ(requests.take_change(), (SettingChange{TickSetting::kWeight, 3}));
-  EXPECT_EQ(requests.take_change(), SettingChange{});
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kFriction, 2}));
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kWeight, 3}));
+  EXPECT_EQ(requests.take_change().change, SettingChange{});
 }
 
 TEST(Requests, WhatWasEverSetIsSetAgainWhenATickForgot) {
   Requests requests;
   requests.repeat_changes();
-  EXPECT_EQ(requests.take_change(), SettingChange{});
+  EXPECT_EQ(requests.take_change().change, SettingChange{});
   requests.set({TickSetting::kStiffness, 7});
   requests.take_change();
   requests.repeat_changes();
-  EXPECT_EQ(requests.take_change(), (SettingChange{TickSetting::kStiffness, 7}));
-  EXPECT_EQ(requests.take_change(), SettingChange{});
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, 7}));
+  EXPECT_EQ(requests.take_change().change, SettingChange{});
 }
 
 TEST(Requests, AnybodySeesStopsAndTheNewestSettings) {

@@ -37,7 +37,7 @@ struct Bench {
     for (int i = 0; i < count; ++i) {
       loop::TickRecord tick;
       tick.number = ++number;
-      tick.in.requests = commands.take();
+      tick.in.requests = commands.take().bits;
       tick.in.field_generation = generation;
       tick.out.state = static_cast<std::uint16_t>(shown);
       tick.out.faults = shown == SupervisorState::kFault ? kFaultSilent : 0;
@@ -121,7 +121,7 @@ TEST(Recorder, KeepsWhatWasBeforeAFault) {
   bench.ticks(100, 3, SupervisorState::kActive);
   EXPECT_EQ(bench.recorder->state(), SupervisorState::kActive);
   bench.ticks(5, 3, SupervisorState::kFault);
-  EXPECT_EQ(bench.recorder->faults(), kFaultSilent);
+  EXPECT_EQ(bench.recorder->condition().faults, kFaultSilent);
   EXPECT_TRUE(saved(state).empty()) << "what comes after it belongs to it";
   bench.ticks(100, 3, SupervisorState::kFault);
   const files::TraceFile trace = bench.read(state + "/fault-1.trace");

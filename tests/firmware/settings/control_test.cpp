@@ -14,15 +14,24 @@ TEST(ControlSettings, NamesAndNumbersBecomeWhoMayComeIn) {
   settings.control = "/run/x";
   settings.control_mode = "0600";
   settings.control_group = "0";
-  settings.control_users = "root, 1234,";
-  settings.control_groups = "77 root";
+  settings.watch_users = "root, 1234,";
+  settings.watch_groups = "77 root";
+  settings.operate_users = "12";
+  settings.operate_groups = "13";
+  settings.service_users = "14";
+  settings.service_groups = "15";
   control::ControlSettings control;
   ASSERT_EQ(apply_control(settings, control).sentence(), "");
   EXPECT_EQ(control.path, "/run/x");
   EXPECT_EQ(control.mode, 0600U);
   EXPECT_EQ(control.group, gid_t{0});
-  EXPECT_THAT(control.admission.users, ElementsAre(0U, 1234U));
-  EXPECT_THAT(control.admission.groups, ElementsAre(77U, 0U));
+  const control::Admission& roles = control.admission;
+  EXPECT_THAT(roles.watch.users, ElementsAre(0U, 1234U));
+  EXPECT_THAT(roles.watch.groups, ElementsAre(77U, 0U));
+  EXPECT_THAT(roles.operate.users, ElementsAre(12U));
+  EXPECT_THAT(roles.operate.groups, ElementsAre(13U));
+  EXPECT_THAT(roles.service.users, ElementsAre(14U));
+  EXPECT_THAT(roles.service.groups, ElementsAre(15U));
 }
 
 TEST(ControlSettings, TheDefaultsAreThoseOfTheServer) {
@@ -30,7 +39,9 @@ TEST(ControlSettings, TheDefaultsAreThoseOfTheServer) {
   ASSERT_EQ(apply_control({}, control).sentence(), "");
   EXPECT_EQ(control.mode, control::ControlSettings{}.mode);
   EXPECT_FALSE(control.group);
-  EXPECT_TRUE(control.admission.users.empty() && control.admission.groups.empty());
+  const control::Admission& roles = control.admission;
+  for (const control::Members& members : {roles.watch, roles.operate, roles.service})
+    EXPECT_TRUE(members.users.empty() && members.groups.empty());
 }
 
 TEST(ControlSettings, WhatIsNoNameIsToldWithItsPlace) {
@@ -43,8 +54,9 @@ TEST(ControlSettings, WhatIsNoNameIsToldWithItsPlace) {
   for (const char* mode : {"", "rw", "0668", "1777", "-1"})
     EXPECT_THAT(refusal(&Settings::control_mode, mode), HasSubstr("[control] mode")) << mode;
   EXPECT_THAT(refusal(&Settings::control_group, "no-such-group"), HasSubstr("[control] group"));
-  EXPECT_THAT(refusal(&Settings::control_users, "root,no-such-user"), HasSubstr("no user no-such-user"));
-  EXPECT_THAT(refusal(&Settings::control_groups, "no-such-group"), HasSubstr("no group no-such-group"));
+  EXPECT_THAT(refusal(&Settings::watch_users, "root,no-such-user"), HasSubstr("[control] watch_users: there is no user no-such-user"));
+  EXPECT_THAT(refusal(&Settings::operate_groups, "no-such-group"), HasSubstr("[control] operate_groups: there is no group no-such-group"));
+  EXPECT_THAT(refusal(&Settings::service_users, "no-such-user"), HasSubstr("[control] service_users"));
 }
 
 }  // namespace

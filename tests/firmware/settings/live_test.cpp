@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace isotouch::settings {
 namespace {
@@ -11,16 +12,16 @@ TEST(LiveSettings, WhatIsSetReachesTheTickInItsFormat) {
   loop::Requests commands;
   LiveSettings live{Settings{}};
   EXPECT_EQ(live.set("friction", "0.5", commands).sentence(), "");
-  EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kFriction, Ratio::of(0.5).raw()}));
-  EXPECT_EQ(commands.take_change(), SettingChange{});
+  EXPECT_EQ(commands.take_change().change, (SettingChange{TickSetting::kFriction, Ratio::of(0.5).raw()}));
+  EXPECT_EQ(commands.take_change().change, SettingChange{});
   EXPECT_EQ(live.set("feel.stiffness", "1.25", commands).sentence(), "");
-  EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kStiffness, Stiffness::of(1.25).raw()}));
+  EXPECT_EQ(commands.take_change().change, (SettingChange{TickSetting::kStiffness, Stiffness::of(1.25).raw()}));
   EXPECT_EQ(live.set("weight_n", "-0.75", commands).sentence(), "");
-  EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kWeight, Newton::of(-0.75).raw()}));
+  EXPECT_EQ(commands.take_change().change, (SettingChange{TickSetting::kWeight, Newton::of(-0.75).raw()}));
   EXPECT_EQ(live.now().friction, 0.5);
   EXPECT_EQ(live.now().stiffness, 1.25);
   EXPECT_EQ(live.set("friction", "0.5", commands).sentence(), "");  // as it is
-  EXPECT_EQ(commands.take_change(), SettingChange{});
+  EXPECT_EQ(commands.take_change().change, SettingChange{});
 }
 
 TEST(LiveSettings, ARangeHoldsItsEndsAndNothingBeyond) {
@@ -49,8 +50,37 @@ TEST(LiveSettings, WhatCannotBeIsRefusedInOneSentenceAndChangesNothing) {
             "that is too stiff for this device at this rate and its measured delay of 2 ticks; feel.stiffness may be at most 1.2 N/mm")
       << "0.003 N s/mm, 1 ms";
   EXPECT_EQ(live.set("force_limit_n", "50.1", commands).sentence(), "feel.force_limit_n must be a number from 0 to 50 N");
-  EXPECT_EQ(commands.take_change(), SettingChange{});
+  EXPECT_EQ(commands.take_change().change, SettingChange{});
   EXPECT_EQ(live.now(), Settings{});
+}
+
+TEST(LiveSettings, WhoMayNotRaiseLimitsStaysWithinThoseOfTheStart) {
+  loop::Requests requests;
+  Settings settings;
+  settings.force_limit_n = 5;
+  settings.weight_n = -0.8;
+  LiveSettings live{settings};
+  const Setter operates{author_of(1000), false, Stiffness::of(0.8)}, services{author_of(1001), true, Stiffness::of(0.8)};
+  const auto set = [&](const char* name, const char* value, const Setter& setter) {
+    return live.set(name, value, requests, 0, setter).sentence();
+  };
+  const std::string limit =
+      " for the role operate, as the controller was started or the field was built; ask somebody with the role service";
+  EXPECT_EQ(set("force_limit_n", "5.01", operates), "feel.force_limit_n may be at most 5" + limit);
+  EXPECT_EQ(set("weight_n", "0.81", operates), "feel.weight_n may be at most 0.8" + limit);
+  EXPECT_EQ(set("stiffness", "0.81", operates).find("feel.stiffness may be at most 0.8"), 0U) << "the field's own";
+  EXPECT_EQ(requests.take_change(), loop::AskedChange{});
+  for (const auto& [name, value] : {std::pair("force_limit_n", "4.5"), {"weight_n", "0.8"}, {"stiffness", "0.75"}, {"friction", "1.5"}}) {
+    EXPECT_EQ(set(name, value, operates), "") << name;
+    EXPECT_EQ(requests.take_change().author, author_of(1000)) << name;
+  }
+  EXPECT_EQ(set("force_limit_n", "6", services), "");
+  EXPECT_EQ(requests.take_change().author, author_of(1001));
+  EXPECT_NE(set("force_limit_n", "6", operates), "") << "what somebody raised is no new limit for others";
+  settings.stiffness = 0.5;
+  LiveSettings lower{settings};
+  EXPECT_TRUE(lower.set("stiffness", "0.6", requests, 0, operates)) << "what the settings name counts more than the field's own";
+  EXPECT_FALSE(lower.set("stiffness", "0.5", requests, 0, operates));
 }
 
 TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchForIt) {
@@ -66,7 +96,7 @@ TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchF
             "feel.stiffness was lowered to 0.857 N/mm, the largest that this device can render stably at this rate with the measured delay "
             "of 3 ticks");
   EXPECT_EQ(live.now().stiffness, 0.857);
-  EXPECT_EQ(commands.take_change(), (SettingChange{TickSetting::kStiffness, Stiffness::of(0.857).raw()}));
+  EXPECT_EQ(commands.take_change().change, (SettingChange{TickSetting::kStiffness, Stiffness::of(0.857).raw()}));
   EXPECT_EQ(live.keep_within(commands, 3), "");
   EXPECT_NE(live.keep_within(commands, 5), "");
   EXPECT_EQ(live.now().stiffness, 0.545);

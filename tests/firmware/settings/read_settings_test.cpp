@@ -131,6 +131,22 @@ TEST(ReadSettings, AWordThatCouldNotChangeByOneInATickIsRefused) {
             "a.toml: limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall");
 }
 
+TEST(ReadSettings, WhereLinesAreRequiredTheFileNamesThem) {
+  const auto said = [](const std::string& lines) {
+    Settings settings;
+    return parse_settings("[lines]\nrequired = true\n" + lines, "a.toml", settings).sentence();
+  };
+  const std::string all = "chip = \"gpiochip0\"\nstop = 1\nenable = 2\nenable_back = 3\n";
+  EXPECT_EQ(said(all), "");
+  EXPECT_EQ(said(""),
+            "a.toml: lines.required is true, so [lines] must name chip, stop, enable and enable_back; name them, or set required = false");
+  for (const char* one : {"chip = \"gpiochip0\"\n", "stop = 1\n", "enable = 2\n", "enable_back = 3\n"}) {
+    std::string without = all;
+    without.erase(without.find(one), std::string(one).size());
+    EXPECT_NE(said(without), "") << one;
+  }
+}
+
 TEST(ReadSettings, WhatIsNotTomlIsRefusedWithItsLine) {
   for (const char* text :
        {"[loop\n", "[loop]\ntick_hz = \n", "[loop]\ntick_hz = 1000\ntick_hz = 1000\n", "\x01", "[a]\n[a]\n", "x = \"\\q\""}) {

@@ -68,11 +68,14 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
   EXPECT_EQ(outcome.accepted.generation, rig.slots.acknowledged());
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
   EXPECT_EQ(rig.intake.published().image_hash, ball.promise.image_hash);
+  EXPECT_EQ(rig.intake.published().name, ball.promise.name);
+  EXPECT_EQ(rig.intake.published().stiffness, rig.slots.field().view->stiffness);
 
   loop::FieldSlots slots(1 << 18);
   FieldIntake next(slots, &rig.store, rig.clock, {});
   EXPECT_EQ(next.begin_with_active().sentence(), "");
   EXPECT_EQ(slots.field().view->hash(), ball.promise.image_hash);
+  EXPECT_EQ(next.published().name, ball.promise.name) << "the store keeps it";
 }
 
 TEST(FieldIntake, AStoredFieldIsSelected) {
@@ -108,7 +111,7 @@ TEST(FieldIntake, NobodySeesTheHashOfOneFieldWithTheGenerationOfAnother) {
   int wrong = 0, seen = 0;
   std::thread reader([&] {
     while (!stop) {
-      const protocol::Accepted field = rig.intake.published();
+      const PublishedField field = rig.intake.published();
       const std::uint64_t of_it = field.generation % 2 == 1 ? one.promise.image_hash : two.promise.image_hash;  // they take turns
       wrong += field.image_hash != of_it ? 1 : 0;
       ++seen;
@@ -126,8 +129,9 @@ TEST(FieldIntake, AFieldThatDoesNotFitNamesTheSettingThatLimitsIt) {
   Rig rig({}, 1 << 11);
   const std::string said =
       "the field takes " + std::to_string(ball.promise.image_bytes) + " bytes, and [limits] field_mib allows 2048 bytes; ";
-  EXPECT_THAT(rig.intake.begin_with(ball.bytes).sentence(), HasSubstr(said));
-  EXPECT_THAT(rig.intake.begin_with(std::vector<std::uint8_t>(5000)).sentence(), HasSubstr("takes 5000 bytes, and [limits] field_mib"))
+  EXPECT_THAT(rig.intake.begin_with(ball.bytes, "ball").sentence(), HasSubstr(said));
+  EXPECT_THAT(rig.intake.begin_with(std::vector<std::uint8_t>(5000), "zeros").sentence(),
+              HasSubstr("takes 5000 bytes, and [limits] field_mib"))
       << "an image";
 }
 

@@ -1,0 +1,73 @@
+#include "shared/files/state_text.h"
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "shared/fault_names.h"
+
+namespace isotouch::files {
+
+namespace {
+
+struct State {
+  const char* name;
+  std::string_view sentence;
+};
+
+/// In the order of SupervisorState.
+constexpr std::array<State, 7> kStates = {{
+    {"boot", ": no packet of a device has come yet; plug it in, and switch its power supply on"},
+    {"homing", ": pull the grip out as far as it goes, then push it in"},
+    {"idle", ": there is no field; send one with 'isotouch upload'"},
+    {"ready", ": hold a button of the grip, if the settings require one for force"},
+    {"active", ": the object can be felt"},
+    {"hold", ": no force for a moment, because "},
+    {"fault", ": no force, because "},
+}};
+
+struct Cause {
+  std::uint32_t bit;
+  std::string_view sentence;
+};
+
+/// Why a hold lasts: the first that holds.
+constexpr std::array<Cause, 4> kHoldCauses = {{
+    {kPoseUncertain, "the position of the grip is uncertain; move it slowly, and home it again if this does not end"},
+    {kTooFast, "the grip moves too fast; move it more slowly"},
+    {kStale, "packets of the device are missing; check its cable if this does not end"},
+    {kBadReply, "packets of the device are malformed; check its cable if this does not end"},
+}};
+constexpr std::string_view kLateTicks = "ticks came late; see 'isotouch latency' if this does not end";
+
+std::string_view hold_cause(std::uint32_t status) {
+  for (const Cause& cause : kHoldCauses) {
+    if ((status & cause.bit) != 0) return cause.sentence;
+  }
+  return kLateTicks;
+}
+
+std::string faults_text(std::uint16_t faults) {
+  std::string text;
+  for (const FaultName& fault : kFaultNames) {
+    if ((faults & fault.fault) != 0) text.append(text.empty() ? "" : "; ").append(fault.sentence);
+  }
+  return text + "; then press a button of the grip, or run 'isotouch resume'";
+}
+
+}  // namespace
+
+const char* state_name(std::uint16_t state) { return state < kStates.size() ? kStates[state].name : "unknown"; }
+
+std::string state_text(const Condition& condition) {
+  std::string text = state_name(condition.state);
+  if (condition.state >= kStates.size()) return text;
+  text += kStates[condition.state].sentence;
+  switch (static_cast<SupervisorState>(condition.state)) {
+    case SupervisorState::kHold: return text.append(hold_cause(condition.status));
+    case SupervisorState::kFault: return text.append(faults_text(condition.faults));
+    default: return text;
+  }
+}
+
+}  // namespace isotouch::files

@@ -1,0 +1,27 @@
+/// What a controller does with the hand, as a person needs to be told: what is true, and the next step where there is one. `isotouchd`, the state of its
+/// service and the host tool print these sentences.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "shared/tick_io.h"
+
+namespace isotouch::files {
+
+/// From a tick's outputs.
+struct Condition {
+  std::uint16_t state = 0;   ///< SupervisorState
+  std::uint16_t faults = 0;  ///< Faults
+  std::uint32_t status = 0;  ///< StatusBits
+
+  bool operator==(const Condition&) const = default;
+};
+
+/// One word: "boot" to "fault"; "unknown" for a number that is no state.
+const char* state_name(std::uint16_t state);
+
+/// Begins with that word.
+std::string state_text(const Condition& condition);
+
+}  // namespace isotouch::files

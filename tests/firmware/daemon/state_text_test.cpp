@@ -1,0 +1,51 @@
+#include "shared/files/state_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "shared/fault_names.h"
+
+namespace isotouch::files {
+namespace {
+
+using testing::HasSubstr, testing::StartsWith;
+
+std::string text(SupervisorState state, std::uint16_t faults = 0, std::uint32_t status = 0) {
+  return state_text({static_cast<std::uint16_t>(state), faults, status});
+}
+
+TEST(StateText, EveryStateHasASentenceThatBeginsWithItsName) {
+  std::set<std::string> sentences;
+  for (std::uint16_t state = 0; state <= 6; ++state) {
+    const std::string sentence = state_text({state, 0, 0});
+    EXPECT_THAT(sentence, StartsWith(std::string(state_name(state)) + ":"));
+    EXPECT_TRUE(sentences.insert(sentence).second);
+  }
+  EXPECT_EQ(state_text({7, 0, 0}), "unknown");
+}
+
+TEST(StateText, AFaultIsExplainedWithTheNextStep) {
+  EXPECT_EQ(
+      text(SupervisorState::kFault, kFaultSilent | kFaultStopped),
+      "fault: no force, because a stop was requested; the device did not answer in time; check its cable and power supply; then press a "
+      "button of the grip, or run 'isotouch resume'");
+  std::set<std::string> sentences;
+  for (const FaultName& fault : kFaultNames) sentences.insert(text(SupervisorState::kFault, fault.fault));
+  EXPECT_EQ(sentences.size(), kFaultNames.size());
+}
+
+TEST(StateText, AHoldNamesTheOneCauseThatItWaitsFor) {
+  const auto hold = [](std::uint32_t status) { return text(SupervisorState::kHold, 0, status); };
+  EXPECT_THAT(hold(kPoseUncertain | kStale), HasSubstr("the position of the grip is uncertain"));
+  EXPECT_THAT(hold(kTooFast), HasSubstr("moves too fast"));
+  EXPECT_THAT(hold(kStale), HasSubstr("packets of the device are missing"));
+  EXPECT_THAT(hold(kBadReply), HasSubstr("malformed"));
+  EXPECT_THAT(hold(kLate), HasSubstr("ticks came late"));
+  EXPECT_THAT(hold(0), HasSubstr("ticks came late")) << "lateness outlasts the tick that was late";
+}
+
+}  // namespace
+}  // namespace isotouch::files
