@@ -341,7 +341,7 @@ void ControlServer::log_done(const FieldDone& done) const {
 
 void ControlServer::set(ControlClient& client, const protocol::Set& wanted) {
   if (!neighbours_.set) return client.refuse(Kind::kSet, "this controller's settings are fixed");
-  const Refusal refusal = neighbours_.set(wanted.name.view(), wanted.value.view(), client);
+  const Refusal refusal = neighbours_.set(wanted.name.view(), wanted.value.view(), author_of(client.user), client.role >= Role::kService);
   if (!refusal) log(client.user, std::string(wanted.name.view()) + " = " + std::string(wanted.value.view()));
   done_or_refused(client, Kind::kSet, refusal);
 }

@@ -53,8 +53,8 @@ struct ControlNeighbours {
   loop::Clock& clock;                     ///< of the machine
   loop::TraceRing* ring = nullptr;        ///< every tick, read by the server alone; nullptr: nothing to watch or record
   Calibration* calibration = nullptr;     ///< nullptr: there is no device to calibrate
-  /// Sets a setting by name, for a client; returns why not. Empty: none may be set
-  std::function<Refusal(std::string_view name, std::string_view value, const ControlClient& client)> set = nullptr;
+  /// Sets a setting by name; returns why not. `may_raise`: beyond the limits of the start. Empty: none may be set
+  std::function<Refusal(std::string_view name, std::string_view value, std::uint32_t author, bool may_raise)> set = nullptr;
   /// The settings that differ from their default, see protocol::SettingsReport. Empty: none are told
   std::function<std::string()> different = nullptr;
   /// Gets one line for each change that a client makes: who, and what.

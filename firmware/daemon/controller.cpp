@@ -135,9 +135,8 @@ Refusal Controller::listen() {
   if (Refusal refusal = settings::apply_control(settings_, wish)) return refusal;
   wish.program = "isotouchd";
   wish.recordings = header_;
-  const auto set = [this](std::string_view name, std::string_view value, const control::ControlClient& client) {
-    const bool may_raise = client.role >= protocol::Role::kService;
-    return live_.set(name, value, requests_, measured_delay(), {author_of(client.user), may_raise, intake_->published().stiffness});
+  const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
+    return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});
   };
   const auto different = [this] { return settings::different(live_.now()); };
   control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,

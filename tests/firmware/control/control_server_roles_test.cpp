@@ -92,6 +92,17 @@ TEST(ControlServerRoles, WhoServicesDoesEverything) {
   for (const bool is : allowed(speaker)) EXPECT_TRUE(is);
 }
 
+TEST(ControlServerRoles, OnlyWhoServicesMayRaiseALimit) {
+  for (const Role role : {Role::kOperate, Role::kService}) {
+    RoleRig rig(role);
+    Speaker speaker(rig.settings.path);
+    speaker.greet();
+    EXPECT_EQ(ask(speaker, Kind::kSet, protocol::Set{protocol::Text::of("stiffness"), protocol::Text::of("1")}).kind, Kind::kDone);
+    EXPECT_EQ(rig.set_by, author_of(kUser));
+    EXPECT_EQ(rig.set_may_raise, role == Role::kService);
+  }
+}
+
 TEST(ControlServerRoles, AFaultOfTheLinesIsResumedByWhoServices) {
   for (const std::uint16_t fault : {kFaultEmergency, kFaultEnable, kFaultMemory, kFaultGuard, kFaultStopped, kFaultPenetration}) {
     const bool of_service = (fault & kServiceFaults) != 0;
