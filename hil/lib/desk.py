@@ -29,8 +29,8 @@ def within(seconds: float, condition: Callable[[], object]) -> bool:
 
 
 def whole_number(text: str) -> int:
-    """An argument of the command line, from 1 to 999999."""
-    if text.isascii() and text.isdigit() and 1 <= int(text) < 1_000_000:
+    """An argument of the command line, from 1 to 1000000."""
+    if text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000:
         return int(text)
     raise ValueError(text)
 

@@ -1,0 +1,89 @@
+# What the programs consist of, as an SPDX document that is made when the build is configured: each library with the version that was found, its licence, and
+# the shared object that a program needs; a library of headers alone has none. tests/integration/components reads it beside the programs.
+find_package(PkgConfig REQUIRED)
+
+set(components)
+function(isotouch_component name version licence shared)
+  if(NOT version)
+    return()   # this build has no use for it
+  endif()
+  string(CONFIGURE [[{
+      "SPDXID": "SPDXRef-@name@",
+      "name": "@name@",
+      "versionInfo": "@version@",
+      "downloadLocation": "NOASSERTION",
+      "filesAnalyzed": false,
+      "licenseConcluded": "@licence@",
+      "licenseDeclared": "@licence@",
+      "copyrightText": "NOASSERTION",
+      "packageFileName": "@shared@"
+    }]] component @ONLY)
+  set(components "${components}${component}@" PARENT_SCOPE)
+endfunction()
+macro(isotouch_component_of module name licence shared)
+  pkg_check_modules(component_of QUIET ${module})
+  isotouch_component(${name} "${component_of_VERSION}" ${licence} "${shared}")
+endmacro()
+
+isotouch_component_of(CLI11 CLI11 BSD-3-Clause "")
+isotouch_component_of(libzstd zstd BSD-3-Clause libzstd.so)
+if(ISOTOUCH_DEVICE)
+  isotouch_component_of(libusb-1.0 libusb LGPL-2.1-or-later libusb-1.0.so)
+  isotouch_component_of(libgpiod libgpiod LGPL-2.1-or-later libgpiod.so)
+  isotouch_component_of(tomlplusplus tomlplusplus MIT "")
+endif()
+if(ISOTOUCH_HOST)
+  isotouch_component_of(eigen3 Eigen MPL-2.0 "")
+  isotouch_component_of(nanoflann nanoflann BSD-2-Clause "")
+  isotouch_component_of(nlohmann_json nlohmann-json MIT "")
+  isotouch_component_of(libpng libpng libpng-2.0 libpng16.so)
+endif()
+if(ISOTOUCH_HOST AND ISOTOUCH_OPENVDB)
+  find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+  file(STRINGS ${OPENVDB_INCLUDE_DIR}/openvdb/version.h numbers REGEX "define OPENVDB_LIBRARY_(MAJOR|MINOR|PATCH)_VERSION_NUMBER +[0-9]+")
+  string(REGEX REPLACE "[^;]*NUMBER +([0-9]+)[^;]*" "\\1" numbers "${numbers}")
+  list(JOIN numbers "." openvdb_version)
+  isotouch_component(OpenVDB "${openvdb_version}" MPL-2.0 libopenvdb.so)
+  isotouch_component_of(tbb oneTBB Apache-2.0 libtbb.so)
+  pkg_check_modules(imath QUIET Imath)
+  string(REGEX REPLACE "^([0-9]+)\\.([0-9]+).*" "libImath-\\1_\\2.so" imath_object "${imath_VERSION}")
+  isotouch_component(Imath "${imath_VERSION}" BSD-3-Clause "${imath_object}")
+endif()
+
+set(relations)
+string(REGEX MATCHALL "SPDXRef-[A-Za-z0-9-]+" ids "${components}")
+foreach(id ${ids})
+  string(APPEND relations ",\n    {\"spdxElementId\": \"SPDXRef-isotouch\", \"relationshipType\": \"DEPENDS_ON\", \"relatedSpdxElement\": \"${id}\"}")
+endforeach()
+string(REPLACE "@" ",\n    " packages "${components}")
+execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} show -s --format=%ct HEAD OUTPUT_VARIABLE commit_time OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(commit_time)
+  set(ENV{SOURCE_DATE_EPOCH} ${commit_time})   # the same tree gives the same document
+endif()
+string(TIMESTAMP created "%Y-%m-%dT%H:%M:%SZ" UTC)
+unset(ENV{SOURCE_DATE_EPOCH})
+file(CONFIGURE OUTPUT isotouch.spdx.json @ONLY CONTENT [[{
+  "spdxVersion": "SPDX-2.3",
+  "dataLicense": "CC0-1.0",
+  "SPDXID": "SPDXRef-DOCUMENT",
+  "name": "isotouch-@PROJECT_VERSION@",
+  "documentNamespace": "https://spdx.org/spdxdocs/isotouch-@PROJECT_VERSION@-@ISOTOUCH_COMMIT@",
+  "creationInfo": {"created": "@created@", "creators": ["Tool: CMake-@CMAKE_VERSION@"]},
+  "packages": [
+    @packages@{
+      "SPDXID": "SPDXRef-isotouch",
+      "name": "isotouch",
+      "versionInfo": "@PROJECT_VERSION@+@ISOTOUCH_COMMIT@",
+      "downloadLocation": "NOASSERTION",
+      "filesAnalyzed": false,
+      "licenseConcluded": "NOASSERTION",
+      "licenseDeclared": "NOASSERTION",
+      "copyrightText": "NOASSERTION"
+    }
+  ],
+  "relationships": [
+    {"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": "SPDXRef-isotouch"}@relations@
+  ]
+}
+]])
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/isotouch.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT daemon)
