@@ -17,6 +17,7 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/table.h"
+#include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
 
@@ -133,7 +134,7 @@ Refusal Controller::listen() {
   if (settings_.control.empty()) return {};
   control::ControlSettings wish;
   if (Refusal refusal = settings::apply_control(settings_, wish)) return refusal;
-  wish.program = "isotouchd";
+  wish.program = files::short_version_text("isotouchd");
   wish.recordings = header_;
   const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
     return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});

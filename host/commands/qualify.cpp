@@ -34,6 +34,11 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
                  qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
   }
+  std::fprintf(to, "what the board does for ticks in time, which explains the figures above and does not judge it:\n");
+  for (const qualify::Finding& f : figures.practice) {
+    std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
+                 f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
+  }
   for (const std::string& remark : {figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <map>
 #include <thread>
@@ -10,7 +11,12 @@
 #include "host/error.h"
 #include "host/link/board_shell.h"
 #include "host/link/controller.h"
+#include "host/qualify/board_files.h"
 #include "host/qualify/board_questions.h"
+#include "host/qualify/practice_questions.h"
+#include "host/qualify/verdict.h"
+#include "host/trace/hash_text.h"
+#include "shared/files/version_text.h"
 
 namespace isotouch::qualify {
 
@@ -86,6 +92,21 @@ class Causes {
   bool tracing_ = false;
 };
 
+Subject subject_of(const link::Controller& controller, link::BoardShell& shell) {
+  const protocol::Welcome& welcome = controller.welcome();
+  Subject subject;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  char date[32] = {};
+  if (gmtime_r(&now, &utc) != nullptr) (void)std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  subject.date = date;
+  subject.host = shown(shell.run("uname -n", kFirstPatience).text);
+  subject.tool = files::short_version_text("isotouch");
+  subject.controller = welcome.program.view();
+  subject.protocol = std::to_string(welcome.major) + "." + std::to_string(welcome.minor);
+  return subject;
+}
+
 Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
   Moment moment;
   moment.second = seconds_since(begun);
@@ -123,12 +144,13 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   link::BoardShell shell(link::read_address(address));
   Figures figures;
   figures.address = address;
-  figures.program = controller.welcome().program.view();
+  figures.subject = subject_of(controller, shell);
   figures.period_ns = std::max(controller.welcome().period_ns, 1U);
   figures.board = read_description(shell.run(describe_command(), kFirstPatience).text);
 
   Causes causes(shell, wish.trace);
   tell("the ticks, for " + std::to_string(static_cast<int>(wish.seconds)) + " s");
+  const BoardFiles files_before = read_practice(shell.run(practice_command(), kPatience).text);
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
   const auto begun = Clock::now();
@@ -143,6 +165,11 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.seconds = seconds_since(begun);
   causes.look(worst = controller.worst_ticks(false));
   figures.moments.push_back(look(controller, shell, begun, before.status.late));
+
+  figures.practice =
+      judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_limit_us(figures.period_ns));
+  figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
+  figures.subject.device = controller.device().serial.view();
 
   figures.ticks = after.status.ticks - before.status.ticks;
   figures.late = after.status.late - before.status.late;

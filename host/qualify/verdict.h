@@ -1,6 +1,7 @@
 /// Is this board fit to render forces? Each limit is judged on its own; one that is missed makes the board unfit, one that could not be measured is said.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ struct Limits {
   double faults = 0;     ///< looks that saw the controller in fault
   double inactive = 50;  ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
 };
+
+/// Unless it is set: a tenth of the period.
+double wakeup_limit_us(std::uint32_t period_ns);
 
 struct Judgement {
   enum class Outcome { kMet, kMissed, kNotMeasured };
