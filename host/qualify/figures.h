@@ -56,6 +56,9 @@ struct Figures {
 
   std::vector<Finding> practice;  ///< what the board does for or against ticks in time
 
+  link::Histogram cold;      ///< ticks while other programs wrote to memory; ns
+  std::string cold_unknown;  ///< one sentence why there are none
+
   link::Histogram timer;      ///< cyclictest's wake-ups; ns
   int timer_priority = 0;     ///< of cyclictest under SCHED_FIFO
   std::string timer_unknown;  ///< one sentence why there are none

@@ -116,6 +116,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     std::optional<double> limit;
     for (const Judgement& j : judgements) {
       if (measure == protocol::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kTick && j.key == "cold_tick_p99_us") limit = j.limit * unit_ns;
       if (measure == protocol::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
       if (measure == protocol::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
     }
@@ -125,8 +126,15 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
                                             std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
                                       : "<p>Not compared with cyclictest: " + escaped(figures.timer_unknown) + "</p>\n";
     }
+    if (measure == protocol::Measure::kTick) {
+      html += figures.cold.count > 0 ? "<p>The line beside it is the same afterwards, while other programs wrote to memory: " +
+                                           quantiles(figures.cold, 1000, "us") + "</p>\n"
+                                     : "<p>Cold ticks: " + escaped(figures.cold_unknown) + "</p>\n";
+    }
     html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
-                          measure == protocol::Measure::kWakeup ? figures.timer : link::Histogram{});
+                          measure == protocol::Measure::kWakeup ? figures.timer
+                          : measure == protocol::Measure::kTick ? figures.cold
+                                                                : link::Histogram{});
   }
   html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
   html += course(figures, "Temperature", "°C", &Moment::celsius) +

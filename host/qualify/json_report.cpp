@@ -66,6 +66,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
     const bool in_ticks = static_cast<protocol::Measure>(i) == protocol::Measure::kDelay;
     json[text.key] = json_of(figures.measures[i], in_ticks ? figures.period_ns : 1000.0);
   }
+  json["cold_tick_us"] = figures.cold.count > 0 ? json_of(figures.cold, 1000.0) : Json{{"unknown", figures.cold_unknown}};
   json["cyclictest_priority"] = figures.timer_priority;
   json["cyclictest_us"] = figures.timer.count > 0 ? json_of(figures.timer, 1000.0) : Json{{"unknown", figures.timer_unknown}};
   json["worst_ticks"] = Json::array();

@@ -117,6 +117,25 @@ Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_p
   return moment;
 }
 
+/// Ticks as they are while other programs use the caches.
+void measure_cold(link::Controller& controller, link::BoardShell& shell, const Wish& wish, Figures& figures) {
+  const double seconds = std::min(wish.cold_seconds, wish.seconds);
+  if (seconds == 0) {
+    figures.cold_unknown = "cold ticks were not asked for";
+    return;
+  }
+  try {
+    const link::Histogram before = controller.histogram(protocol::Measure::kTick);
+    const auto begun = Clock::now();
+    (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
+    const bool was_written = seconds_since(begun) >= 0.9 * seconds;  // a program that ended at once has written nothing
+    if (was_written) figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
+    if (!was_written) figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
+  } catch (const InputError& e) {  // the ticks are measured, and stay so
+    figures.cold_unknown = e.what();
+  }
+}
+
 void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) {
   if (wish.priority == 0) {
     figures.timer_unknown = "cyclictest was not asked for";
@@ -178,6 +197,9 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
   for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
   figures.cause_unknown = causes.why();
+
+  if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
+  measure_cold(controller, shell, wish, figures);
 
   if (wish.priority > 0) tell("cyclictest, as long again");
   measure_timer(shell, wish, figures);

@@ -19,9 +19,10 @@ struct Limits {
   double celsius = 75;          ///< most boards slow down at 80
   double page_faults = 0;
   double allocations = 0;
-  double left_out = 1;   ///< of a hundred expected ticks, those that did not come
-  double faults = 0;     ///< looks that saw the controller in fault
-  double inactive = 50;  ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
+  double left_out = 1;      ///< of a hundred expected ticks, those that did not come
+  double faults = 0;        ///< looks that saw the controller in fault
+  double cold_tick_us = 0;  ///< 99 % of the ticks while other programs use the caches; 0: a tenth of the period
+  double inactive = 50;     ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
 };
 
 /// Unless it is set: a tenth of the period.

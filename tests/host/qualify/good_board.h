@@ -20,6 +20,7 @@ inline Figures good_board() {
   figures.moments = {moment, moment};
   figures.moments[1].second = 10;
   figures.worst = {{{77, 5'000'000'000, 90'000, 12'000}, "processor 0: kworker/0:1"}, {{78, 5'001'000'000, 80'000, 12'000}, ""}};
+  figures.cold = {2'000, {{9'000, 1'900}, {30'000, 100}}};
   figures.timer_priority = 80;
   figures.timer = {10'000, {{8'000, 9'999}, {31'000, 1}}};
   return figures;
