@@ -35,7 +35,7 @@ struct Subject {
   std::string controller;  ///< the same of the controller, as it gives them
   std::string protocol;    ///< version that both speak
   std::string field;       ///< hash of the image that was felt at the end, 16 hexadecimal digits; empty: none
-  std::string settings;    ///< checksum of the controller's settings; empty: it gives none
+  std::string settings;    ///< checksum of the controller's settings, as `isotouch status` shows it
   std::string device;      ///< serial number; empty: none answers, or it has none
 };
 

@@ -62,8 +62,7 @@ std::string subject_table(const Subject& subject) {
   const auto or_none = [](const std::string& text, const char* none) { return text.empty() ? std::string(none) : text; };
   return "<table>" + row("date", subject.date) + row("host", or_none(subject.host, "unknown")) + row("isotouch", subject.tool) +
          row("controller", subject.controller) + row("protocol", subject.protocol) + row("field", or_none(subject.field, "none")) +
-         row("settings", or_none(subject.settings, "the controller gives no checksum")) + row("device", or_none(subject.device, "none")) +
-         "</table>\n";
+         row("checksum of the settings", subject.settings) + row("device", or_none(subject.device, "none")) + "</table>\n";
 }
 
 std::string practice_table(const std::vector<Finding>& practice) {

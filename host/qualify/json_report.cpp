@@ -47,7 +47,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   json["host"] = or_null(subject.host);
   json["versions"] = {{"isotouch", subject.tool}, {"controller", subject.controller}, {"protocol", subject.protocol}};
   json["field"] = or_null(subject.field);
-  json["settings"] = or_null(subject.settings);
+  json["settings_checksum"] = or_null(subject.settings);
   json["device"] = or_null(subject.device);
   for (const auto& [name, value] : figures.board) json["board"][name] = value;
   json["practice"] = Json::array();

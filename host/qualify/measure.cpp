@@ -189,6 +189,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
       judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_limit_us(figures.period_ns));
   figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
   figures.subject.device = controller.device().serial.view();
+  figures.subject.settings = trace::hash_text(controller.settings().checksum);
 
   figures.ticks = after.status.ticks - before.status.ticks;
   figures.late = after.status.late - before.status.late;

@@ -8,7 +8,8 @@ namespace isotouch::qualify {
 inline Figures good_board() {
   Figures figures;
   figures.address = "ssh://me@board";
-  figures.subject = {"2026-11-26T08:30:00Z", "board", "isotouch 1", "isotouchd 1", "1.2", "0123456789abcdef", "", "FALCON1"};
+  figures.subject = {"2026-11-26T08:30:00Z", "board",  "isotouch 1", "isotouchd 1", "1.2", "0123456789abcdef",
+                     "fedcba9876543210",     "FALCON1"};
   figures.practice = {{"kernel", "kernel", "Linux 6.1 <rt>", Finding::Verdict::kBad, "It is slow.", "sudo reboot"},
                       {"governor", "frequency governor", "", Finding::Verdict::kNotRead, "There is none.", ""}};
   figures.board = {{"kernel", "Linux 6.1 <rt>"}};
