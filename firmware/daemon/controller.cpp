@@ -15,9 +15,9 @@
 #include "firmware/daemon/status_lines.h"
 #include "firmware/loop/measured_delay.h"
 #include "firmware/loop/realtime.h"
-#include "firmware/settings/apply.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/table.h"
+#include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
 
@@ -53,7 +53,8 @@ Controller::Controller(const Options& options, settings::LiveSettings& live, Ser
       heat_(heat),
       fields_(settings::field_bytes(settings_)),
       trace_(ticks_in(4)),
-      watched_(ticks_in(4)) {}
+      watched_(ticks_in(4)),
+      latency_(settings_.latency_file) {}
 
 Refusal Controller::build(bool again) {
   if (!settings::device_model(settings_, {}))
@@ -133,7 +134,7 @@ Refusal Controller::listen() {
   if (settings_.control.empty()) return {};
   control::ControlSettings wish;
   if (Refusal refusal = settings::apply_control(settings_, wish)) return refusal;
-  wish.program = "isotouchd";
+  wish.program = files::short_version_text("isotouchd");
   wish.recordings = header_;
   const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
     return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});
@@ -152,11 +153,11 @@ void Controller::mark_run() {
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
-std::thread Controller::begin_thread(const char* name, int priority, int core, std::function<void()> life) {
-  return std::thread([this, name, priority, core, life = std::move(life)] {
+std::thread Controller::begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life) {
+  return std::thread([this, name, rights, life = std::move(life)] {
     pthread_setname_np(pthread_self(), name);
     loop::keep_crash_stack();
-    refused_ |= loop::become_realtime(priority, core);
+    refused_ |= loop::become_realtime(rights.priority, rights.core);
     loop::touch_stack();
     asked_->count_down();
     go_.wait();
@@ -177,14 +178,15 @@ void Controller::start() {
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) recorder_->drain();
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
-  if (exchange_) exchanges_ = begin_thread("exchange", settings_.exchange_priority, -1, [this] { exchange_->serve(stop_exchange_); });
+  const settings::Threads rights = settings::thread_rights(settings_);
+  if (exchange_) exchanges_ = begin_thread("exchange", rights.exchange, [this] { exchange_->serve(stop_exchange_); });
   if (lines_.watchdog) {
-    watchdogs_ = begin_thread("watchdog", settings_.watchdog_priority, -1, [this] {
+    watchdogs_ = begin_thread("watchdog", rights.watchdog, [this] {
       while (!stop_exchange_) lines_.watchdog->step();
       lines_.watchdog->leave();
     });
   }
-  ticks_ = begin_thread("tick", settings_.priority, settings_.core, [this] {
+  ticks_ = begin_thread("tick", rights.tick, [this] {
     loop_->run(stop_ticks_, options_.ticks);
     ticks_ended_ = true;
   });
@@ -201,6 +203,7 @@ Controller::End Controller::supervise() {
   while (!ticks_ended_) {
     say_what_changed();
     systemd_.alive(stats_.ticks.value());
+    stay_awake();
     check_memory();
     if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
     if (may_begin_again()) return End::kBeginAgain;
@@ -208,6 +211,15 @@ Controller::End Controller::supervise() {
   }
   systemd_.ending();
   return End::kOver;
+}
+
+/// From a homed device a force may come within a few ticks. Until the processors are asked for, at most a pause has passed, and the force has not
+/// risen yet (`[limits] ramp_after_rest_ms`).
+void Controller::stay_awake() {
+  const int error = latency_.hold(!options_.lockstep && is_homed_and_confirmed(lines_.state.told()));
+  if (error == 0 || error == latency_error_) return;
+  latency_error_ = error;
+  say(latency_line(settings_.latency_file, error));
 }
 
 void Controller::check_memory() {
@@ -272,6 +284,7 @@ void Controller::stop() {
     if (thread->joinable()) thread->join();
   }
   hardware_.port().rest();
+  latency_.hold(false);
   if (control_) control_->stop();
   stop_recorder_ = true;
   if (records_.joinable()) records_.join();

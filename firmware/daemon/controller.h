@@ -26,10 +26,12 @@
 #include "firmware/guard/device_guard.h"
 #include "firmware/loop/direct_device.h"
 #include "firmware/loop/exchange_thread.h"
+#include "firmware/loop/latency_request.h"
 #include "firmware/loop/linux_clock.h"
 #include "firmware/loop/loop.h"
 #include "firmware/loop/memory_check.h"
 #include "firmware/recording/recorder.h"
+#include "firmware/settings/apply.h"
 #include "firmware/settings/live.h"
 #include "firmware/store/field_intake.h"
 #include "firmware/store/linux_folder.h"
@@ -77,10 +79,11 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
-  std::thread begin_thread(const char* name, int priority, int core, std::function<void()> life);
+  std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
   bool may_begin_again() const;
+  void stay_awake();
   void check_memory();
   void say_what_changed();
   std::string judge_delay();
@@ -101,6 +104,8 @@ class Controller {
   loop::TraceRing trace_, watched_;
   loop::Latest<loop::TickRecord> shown_;
   loop::TickStats stats_;
+
+  loop::LatencyRequest latency_;  ///< the main thread's
 
   // What stands around the tick, in the order in which it is built.
   Hardware hardware_;
@@ -126,6 +131,7 @@ class Controller {
   std::thread exchanges_, watchdogs_, ticks_, records_;
 
   std::string device_line_, supervisor_line_;                   ///< as said last
+  int latency_error_ = 0;                                       ///< the same
   loop::Damage damage_ = loop::Damage::kNone;                   ///< the same
   GuardVerdict verdict_ = GuardVerdict::kNone;                  ///< the same
   std::pair<std::uint32_t, std::uint32_t> judged_delay_{0, 0};  ///< and for which field

@@ -1,6 +1,8 @@
 #include "firmware/daemon/status_lines.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "firmware/loop/realtime.h"
 #include "shared/fault_names.h"
@@ -48,9 +50,19 @@ std::string refusal_line(unsigned refused) {
     if ((refused & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(name);
   };
   add(loop::kRefusedPriority, "a real-time priority");
-  add(loop::kRefusedCore, "the processor core");
+  add(loop::kRefusedCore, "a processor core");
   add(loop::kRefusedMemory, "locked memory");
   return "runs without " + text + ", because this user or machine may not have it: ticks may be late; see packaging/isotouchd.service";
+}
+
+std::string latency_line(const std::string& file, int error) {
+  const std::string remedy = error == EACCES || error == EPERM ? "install 60-isotouch-latency.rules and be in the group isotouch"
+                             : error == ENOTTY                 ? "name a character device in [loop] latency_file, or \"\""
+                             : error == ENOENT
+                                 ? "use a kernel with CONFIG_PM, or set [loop] latency_file = \"\" where processors never sleep"
+                                 : "set [loop] latency_file = \"\" to do without it";
+  const std::string why = error == ENOTTY ? "it is no character device" : std::strerror(error);
+  return "processors may fall asleep while there is force, and ticks then begin late: " + file + " cannot be held (" + why + "); " + remedy;
 }
 
 std::string no_lines_line() {

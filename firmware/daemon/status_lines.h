@@ -25,6 +25,12 @@ std::string guard_line(GuardVerdict verdict);
 /// refused   loop::Refusals
 std::string refusal_line(unsigned refused);
 
+/// Why processors may fall asleep while there is force, and what to do.
+///
+/// file      [loop] latency_file
+/// error     as loop::LatencyRequest::hold returns it, not 0
+std::string latency_line(const std::string& file, int error);
+
 /// What is missing where no safety lines are wired.
 std::string no_lines_line();
 

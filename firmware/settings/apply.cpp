@@ -134,6 +134,12 @@ falcon::SessionSettings session_settings(const Settings& settings) {
   return session;
 }
 
+Threads thread_rights(const Settings& settings) {
+  return {{settings.priority, settings.core},
+          {settings.exchange_priority, settings.exchange_core},
+          {settings.watchdog_priority, settings.watchdog_core}};
+}
+
 lines::GpioSettings gpio_settings(const Settings& settings) {
   return {settings.line_stop, settings.line_enable, settings.line_enable_back, settings.line_heartbeat, settings.line_light};
 }

@@ -46,6 +46,16 @@ std::string n_mm(Stiffness stiffness);
 
 falcon::SessionSettings session_settings(const Settings& settings);
 
+/// What each thread asks the system for, as `loop::become_realtime` takes it.
+struct ThreadRights {
+  int priority = 0, core = -1;
+  bool operator==(const ThreadRights&) const = default;
+};
+struct Threads {
+  ThreadRights tick, exchange, watchdog;
+};
+Threads thread_rights(const Settings& settings);
+
 /// Numbers of the safety lines.
 lines::GpioSettings gpio_settings(const Settings& settings);
 loop::WatchdogSettings watchdog_settings(const Settings& settings);

@@ -24,6 +24,8 @@ struct Settings {
   int priority = 80;
   int exchange_priority = 75;
   int core = -1;
+  int exchange_core = -1;
+  std::string latency_file = "/dev/cpu_dma_latency";
   bool lock_memory = true;
   double refresh_ms = 2.5;
 
@@ -87,6 +89,7 @@ struct Settings {
   int line_light = -1;
   double line_settle_ms = 50;
   int watchdog_priority = 90;
+  int watchdog_core = -1;
 
   // [files]
   std::string field;

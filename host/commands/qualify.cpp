@@ -34,7 +34,12 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
                  qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
   }
-  for (const std::string& remark : {figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
+  std::fprintf(to, "what the board does for ticks in time, which explains the figures above and does not judge it:\n");
+  for (const qualify::Finding& f : figures.practice) {
+    std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
+                 f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
+  }
+  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }
@@ -78,6 +83,11 @@ void add_qualify(CLI::App& app) {
   command->add_option("--seconds", options->wish.seconds, "how long to measure the ticks, and as long again with cyclictest, s")
       ->check(CLI::Range(1.0, 86400.0))
       ->capture_default_str();
+  command
+      ->add_option("--cold-seconds", options->wish.cold_seconds,
+                   "how long to measure ticks while other programs write to memory, at most --seconds, s; 0: not at all")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
   command->add_option("--priority", options->wish.priority, "priority of cyclictest; 0: do not run it")
       ->check(CLI::Range(0, 99))
       ->capture_default_str();
@@ -100,6 +110,10 @@ void add_qualify(CLI::App& app) {
   command->add_option("--faults", limits.faults, "limit: how many of the checks, one per second, find the controller in fault")
       ->capture_default_str();
   command->add_option("--inactive", limits.inactive, "limit: checks that find it in a state other than active, percent")
+      ->capture_default_str();
+  command
+      ->add_option("--cold-tick-us", limits.cold_tick_us,
+                   "limit: 99th percentile of a tick's time while other programs write to memory, us; 0: a tenth of the period")
       ->capture_default_str();
   command->callback([options] {
     require_apart(options->page, is_standard(options->json));

@@ -98,6 +98,13 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
   return std::nullopt;
 }
 
+std::string eviction_command(double seconds) {
+  const std::string s = std::to_string(static_cast<int>(std::ceil(seconds)));
+  return "n=$(nproc 2>/dev/null || echo 1); [ $n -le 8 ] || n=8\n"
+         "i=0; while [ $i -lt $n ]; do i=$((i + 1)); nice -n 19 timeout " +
+         s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & done; wait";
+}
+
 std::string begin_tracing_command() {
   return std::string(kFindTracer) +
          "mkdir $i 2>/dev/null || [ -d $i ] || exit 1\n"

@@ -33,6 +33,10 @@ std::string timer_command(int priority, std::uint32_t period_us, double seconds)
 /// why       when nothing is returned: one sentence why
 std::optional<link::Histogram> read_timer(int status, const std::string& text, std::string& why);
 
+/// Programs that write 64 MiB of memory over and over for so long, one for each of up to eight processors, so that what the tick needs is in no cache. They
+/// run only when nothing else wants to, and outlive a connection that is cut by no more than this time.
+std::string eviction_command(double seconds);
+
 /// The kernel's tracer: a buffer of its own that always holds the last second or so, with every switch of threads and every interrupt.
 /// It is there whole, or not at all.
 std::string begin_tracing_command();

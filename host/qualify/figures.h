@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/link/controller.h"
+#include "host/qualify/practice.h"
 #include "shared/protocol_messages.h"
 
 namespace isotouch::qualify {
@@ -26,8 +27,21 @@ struct WorstTick {
   std::string cause;  ///< what the processor did instead; empty: unknown
 };
 
+/// What a report is about, so that two of them can be compared.
+struct Subject {
+  std::string date;        ///< UTC at the begin, as 2026-11-26T08:30:00Z
+  std::string host;        ///< name of the board
+  std::string tool;        ///< name, version and commit of this program
+  std::string controller;  ///< the same of the controller, as it gives them
+  std::string protocol;    ///< version that both speak
+  std::string field;       ///< hash of the image that was felt at the end, 16 hexadecimal digits; empty: none
+  std::string settings;    ///< checksum of the controller's settings, as `isotouch status` shows it
+  std::string device;      ///< serial number; empty: none answers, or it has none
+};
+
 struct Figures {
-  std::string address, program;
+  std::string address;
+  Subject subject;
   std::vector<std::pair<std::string, std::string>> board;  ///< name and value of what describes it
   std::uint32_t period_ns = 1'000'000;                     ///< of a tick
   double seconds = 0;                                      ///< that the ticks were measured for
@@ -39,6 +53,11 @@ struct Figures {
   std::vector<WorstTick> worst;  ///< the latest commands first
   std::string worst_unknown;     ///< one sentence why there are none
   std::string cause_unknown;     ///< one sentence why causes are not known
+
+  std::vector<Finding> practice;  ///< what the board does for or against ticks in time
+
+  link::Histogram cold;      ///< ticks while other programs wrote to memory; ns
+  std::string cold_unknown;  ///< one sentence why there are none
 
   link::Histogram timer;      ///< cyclictest's wake-ups; ns
   int timer_priority = 0;     ///< of cyclictest under SCHED_FIFO

@@ -13,7 +13,7 @@ constexpr const char* kStyle =
     "h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}table{border-collapse:collapse}td,th{padding:.2rem .9rem .2rem "
     "0;text-align:left;"
     "border-bottom:1px solid #ddd;vertical-align:top}td.n{text-align:right;font-variant-numeric:tabular-nums}"
-    ".fit{color:#17692b}.unfit{color:#b00020}.missed{color:#b00020;font-weight:600}.unknown{color:#777}"
+    ".fit{color:#17692b}.unfit{color:#b00020}.missed{color:#b00020;font-weight:600}.unknown{color:#777}.better{color:#9a5b00}"
     "svg{width:100%;max-width:46rem;font:11px system-ui,sans-serif;fill:#555}svg .grid{stroke:#eee}svg .bar{fill:#4878a8}"
     "svg .limit{stroke:#b00020;stroke-width:1.5;stroke-dasharray:5 3}svg .beside{fill:none;stroke:#d08000;stroke-width:1.5}"
     "svg .course{fill:none;stroke:#4878a8;stroke-width:1.5}";
@@ -58,6 +58,27 @@ std::string worst_table(const Figures& figures) {
   return html;
 }
 
+std::string subject_table(const Subject& subject) {
+  const auto or_none = [](const std::string& text, const char* none) { return text.empty() ? std::string(none) : text; };
+  return "<table>" + row("date", subject.date) + row("host", or_none(subject.host, "unknown")) + row("isotouch", subject.tool) +
+         row("controller", subject.controller) + row("protocol", subject.protocol) + row("field", or_none(subject.field, "none")) +
+         row("checksum of the settings", subject.settings) + row("device", or_none(subject.device, "none")) + "</table>\n";
+}
+
+std::string practice_table(const std::vector<Finding>& practice) {
+  std::string html = "<table><tr><th>what</th><th>read</th><th></th><th>why, and what to do</th></tr>\n";
+  for (const Finding& f : practice) {
+    const bool known = f.verdict != Finding::Verdict::kNotRead;
+    const char* look = f.verdict == Finding::Verdict::kBad    ? "missed"
+                       : f.verdict == Finding::Verdict::kGood ? "fit"
+                       : known                                ? "better"
+                                                              : "unknown";
+    html += "<tr><td>" + escaped(f.what) + "</td><td>" + escaped(f.read) + "</td><td class=\"" + look + "\">" + name_of(f.verdict) +
+            "</td><td>" + escaped(f.why) + (f.remedy.empty() ? "" : "<br>" + escaped(f.remedy)) + "</td></tr>\n";
+  }
+  return html + "</table>\n<p>The verdict follows from what was measured, not from this table, which says where time may be lost.</p>\n";
+}
+
 std::string course(const Figures& figures, const char* title, const char* unit, std::optional<double> Moment::*value) {
   std::vector<Sample> samples;
   for (const Moment& m : figures.moments) {
@@ -82,7 +103,9 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
           escaped(sentence(judgements)) + "</span></h1>\n";
   html += "<p>" + std::to_string(figures.ticks) + " ticks of " + short_number(figures.period_ns / 1000.0) + " us in " +
           short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
-  html += "<h2>The board</h2>\n<table>" + row("controller", figures.program);
+  html += "<h2>What was measured</h2>\n" + subject_table(figures.subject);
+  html += "<h2>What the board does for ticks in time</h2>\n" + practice_table(figures.practice);
+  html += "<h2>The board</h2>\n<table>";
   for (const auto& [name, value] : figures.board) html += row(name, value);
   html += "</table>\n";
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
@@ -92,6 +115,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     std::optional<double> limit;
     for (const Judgement& j : judgements) {
       if (measure == protocol::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kTick && j.key == "cold_tick_p99_us") limit = j.limit * unit_ns;
       if (measure == protocol::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
       if (measure == protocol::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
     }
@@ -101,8 +125,15 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
                                             std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
                                       : "<p>Not compared with cyclictest: " + escaped(figures.timer_unknown) + "</p>\n";
     }
+    if (measure == protocol::Measure::kTick) {
+      html += figures.cold.count > 0 ? "<p>The line beside it is the same afterwards, while other programs wrote to memory: " +
+                                           quantiles(figures.cold, 1000, "us") + "</p>\n"
+                                     : "<p>Cold ticks: " + escaped(figures.cold_unknown) + "</p>\n";
+    }
     html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
-                          measure == protocol::Measure::kWakeup ? figures.timer : link::Histogram{});
+                          measure == protocol::Measure::kWakeup ? figures.timer
+                          : measure == protocol::Measure::kTick ? figures.cold
+                                                                : link::Histogram{});
   }
   html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
   html += course(figures, "Temperature", "°C", &Moment::celsius) +

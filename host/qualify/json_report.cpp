@@ -40,8 +40,21 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
         {{"key", j.key}, {"limit", j.limit}, {"value", known ? Json(j.value) : Json()}, {"outcome", name_of(j.outcome)}});
   }
   json["address"] = figures.address;
-  json["program"] = figures.program;
+  const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
+  const Subject& subject = figures.subject;
+  json["program"] = subject.controller;
+  json["date"] = subject.date;
+  json["host"] = or_null(subject.host);
+  json["versions"] = {{"isotouch", subject.tool}, {"controller", subject.controller}, {"protocol", subject.protocol}};
+  json["field"] = or_null(subject.field);
+  json["settings_checksum"] = or_null(subject.settings);
+  json["device"] = or_null(subject.device);
   for (const auto& [name, value] : figures.board) json["board"][name] = value;
+  json["practice"] = Json::array();
+  for (const Finding& f : figures.practice) {
+    json["practice"].push_back(
+        {{"key", f.key}, {"read", or_null(f.read)}, {"verdict", name_of(f.verdict)}, {"why", f.why}, {"remedy", or_null(f.remedy)}});
+  }
   json["period_us"] = figures.period_ns / 1000.0;
   json["seconds"] = figures.seconds;
   json["ticks"] = figures.ticks;
@@ -53,6 +66,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
     const bool in_ticks = static_cast<protocol::Measure>(i) == protocol::Measure::kDelay;
     json[text.key] = json_of(figures.measures[i], in_ticks ? figures.period_ns : 1000.0);
   }
+  json["cold_tick_us"] = figures.cold.count > 0 ? json_of(figures.cold, 1000.0) : Json{{"unknown", figures.cold_unknown}};
   json["cyclictest_priority"] = figures.timer_priority;
   json["cyclictest_us"] = figures.timer.count > 0 ? json_of(figures.timer, 1000.0) : Json{{"unknown", figures.timer_unknown}};
   json["worst_ticks"] = Json::array();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iterator>
 #include <map>
 #include <thread>
@@ -10,7 +11,12 @@
 #include "host/error.h"
 #include "host/link/board_shell.h"
 #include "host/link/controller.h"
+#include "host/qualify/board_files.h"
 #include "host/qualify/board_questions.h"
+#include "host/qualify/practice_questions.h"
+#include "host/qualify/verdict.h"
+#include "host/trace/hash_text.h"
+#include "shared/files/version_text.h"
 
 namespace isotouch::qualify {
 
@@ -86,6 +92,21 @@ class Causes {
   bool tracing_ = false;
 };
 
+Subject subject_of(const link::Controller& controller, link::BoardShell& shell) {
+  const protocol::Welcome& welcome = controller.welcome();
+  Subject subject;
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  char date[32] = {};
+  if (gmtime_r(&now, &utc) != nullptr) (void)std::strftime(date, sizeof date, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  subject.date = date;
+  subject.host = shown(shell.run("uname -n", kFirstPatience).text);
+  subject.tool = files::short_version_text("isotouch");
+  subject.controller = welcome.program.view();
+  subject.protocol = std::to_string(welcome.major) + "." + std::to_string(welcome.minor);
+  return subject;
+}
+
 Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
   Moment moment;
   moment.second = seconds_since(begun);
@@ -94,6 +115,25 @@ Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_p
   moment.state = status.state;
   read_sensors(shell.run(sensors_command(), kPatience).text, moment);
   return moment;
+}
+
+/// Ticks as they are while other programs use the caches.
+void measure_cold(link::Controller& controller, link::BoardShell& shell, const Wish& wish, Figures& figures) {
+  const double seconds = std::min(wish.cold_seconds, wish.seconds);
+  if (seconds == 0) {
+    figures.cold_unknown = "cold ticks were not asked for";
+    return;
+  }
+  try {
+    const link::Histogram before = controller.histogram(protocol::Measure::kTick);
+    const auto begun = Clock::now();
+    (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
+    const bool was_written = seconds_since(begun) >= 0.9 * seconds;  // a program that ended at once has written nothing
+    if (was_written) figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
+    if (!was_written) figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
+  } catch (const InputError& e) {  // the ticks are measured, and stay so
+    figures.cold_unknown = e.what();
+  }
 }
 
 void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) {
@@ -123,12 +163,13 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   link::BoardShell shell(link::read_address(address));
   Figures figures;
   figures.address = address;
-  figures.program = controller.welcome().program.view();
+  figures.subject = subject_of(controller, shell);
   figures.period_ns = std::max(controller.welcome().period_ns, 1U);
   figures.board = read_description(shell.run(describe_command(), kFirstPatience).text);
 
   Causes causes(shell, wish.trace);
   tell("the ticks, for " + std::to_string(static_cast<int>(wish.seconds)) + " s");
+  const BoardFiles files_before = read_practice(shell.run(practice_command(), kPatience).text);
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
   const auto begun = Clock::now();
@@ -144,6 +185,12 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   causes.look(worst = controller.worst_ticks(false));
   figures.moments.push_back(look(controller, shell, begun, before.status.late));
 
+  figures.practice =
+      judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_limit_us(figures.period_ns));
+  figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
+  figures.subject.device = controller.device().serial.view();
+  figures.subject.settings = trace::hash_text(controller.settings().checksum);
+
   figures.ticks = after.status.ticks - before.status.ticks;
   figures.late = after.status.late - before.status.late;
   figures.page_faults = after.status.page_faults - before.status.page_faults;
@@ -151,6 +198,9 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   for (std::size_t i = 0; i < protocol::kMeasures; ++i) figures.measures[i] = between(before.measures[i], after.measures[i]);
   for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
   figures.cause_unknown = causes.why();
+
+  if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
+  measure_cold(controller, shell, wish, figures);
 
   if (wish.priority > 0) tell("cyclictest, as long again");
   measure_timer(shell, wish, figures);

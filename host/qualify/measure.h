@@ -9,12 +9,13 @@
 namespace isotouch::qualify {
 
 struct Wish {
-  double seconds = 60;  ///< of the ticks, and of cyclictest after them
-  int priority = 80;    ///< of cyclictest, as isotouchd's tick unless its settings say otherwise; 0 = it is not run
-  bool trace = true;    ///< ask the kernel's tracer for causes
+  double seconds = 60;       ///< of the ticks, and of cyclictest after them
+  double cold_seconds = 10;  ///< of the ticks while other programs write to memory, at most `seconds`; 0: not measured
+  int priority = 80;         ///< of cyclictest, as isotouchd's tick unless its settings say otherwise; 0 = it is not run
+  bool trace = true;         ///< ask the kernel's tracer for causes
 };
 
-/// The ticks first, undisturbed; then cyclictest beside them.
+/// The ticks first, undisturbed; then with cold caches; then cyclictest beside them.
 ///
 /// address   as host/link/address.h
 /// tell      what happens now, for people

@@ -46,10 +46,14 @@ std::optional<double> inactive(const std::vector<Moment>& moments) {
 
 }  // namespace
 
+double wakeup_limit_us(std::uint32_t period_ns) { return period_ns / 10'000.0; }
+
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   const double expected = figures.seconds * 1e9 / figures.period_ns;
   const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
-  const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : figures.period_ns / 10'000.0;
+  const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : wakeup_limit_us(figures.period_ns);
+  const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : figures.period_ns / 10'000.0;
+  const auto cold_ns = quantile_ns(figures.cold, 0.99);
   const double left_out = expected > 0 ? std::max(0.0, 100 * (expected - static_cast<double>(figures.ticks)) / expected) : 100;
   return {
       against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
@@ -65,6 +69,7 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
       against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
       against("faults", "checks that find a fault", "", limits.faults, looks_in(SupervisorState::kFault, figures.moments)),
       against("inactive", "checks that find no force", "%", limits.inactive, inactive(figures.moments)),
+      against("cold_tick_p99_us", "99 % of cold ticks", "us", cold_us, cold_ns ? std::optional(*cold_ns / 1000.0) : std::nullopt),
   };
 }
 

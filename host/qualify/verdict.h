@@ -1,6 +1,7 @@
 /// Is this board fit to render forces? Each limit is judged on its own; one that is missed makes the board unfit, one that could not be measured is said.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,14 @@ struct Limits {
   double celsius = 75;          ///< most boards slow down at 80
   double page_faults = 0;
   double allocations = 0;
-  double left_out = 1;   ///< of a hundred expected ticks, those that did not come
-  double faults = 0;     ///< looks that saw the controller in fault
-  double inactive = 50;  ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
+  double left_out = 1;      ///< of a hundred expected ticks, those that did not come
+  double faults = 0;        ///< looks that saw the controller in fault
+  double cold_tick_us = 0;  ///< 99 % of the ticks while other programs use the caches; 0: a tenth of the period
+  double inactive = 50;     ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
 };
+
+/// Unless it is set: a tenth of the period.
+double wakeup_limit_us(std::uint32_t period_ns);
 
 struct Judgement {
   enum class Outcome { kMet, kMissed, kNotMeasured };

@@ -17,9 +17,10 @@ std::string format(const char* name, unsigned major, unsigned minor) {
 
 }  // namespace
 
+std::string short_version_text(const std::string& program) { return program + " " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT; }
+
 std::string version_text(const std::string& program) {
-  return program + " " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT "; formats: " +
-         format("field", image_layout::kMajor, image_layout::kMinorTrilinear) + ", " +
+  return short_version_text(program) + "; formats: " + format("field", image_layout::kMajor, image_layout::kMinorTrilinear) + ", " +
          format("packed field", packed_layout::kMajor, packed_layout::kMinor) + ", " +
          format("trace", trace_layout::kMajor, trace_layout::kMinor) + ", " + format("protocol", protocol::kMajor, protocol::kMinor) +
          "; " ISOTOUCH_COMPILER;

@@ -5,6 +5,9 @@
 
 namespace isotouch::files {
 
+/// Program, version and commit; fits a text of the protocol.
+std::string short_version_text(const std::string& program);
+
 /// One line: program, version, commit, the newest version of each format that it writes, compiler.
 std::string version_text(const std::string& program);
 

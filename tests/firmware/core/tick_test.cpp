@@ -196,5 +196,14 @@ TEST(DeviceTick, TheHandleIsHeldUpWhileThereMayBeForcesOnly) {
   EXPECT_NE(out.commands, Words{});
 }
 
+/// Each line of a cold cache is a trip to memory; see "A cold tick" in DESIGN.md.
+TEST(DeviceTick, ItsOwnDataAreFewCacheLines) {
+  constexpr std::size_t kLine = 64, kStateLines = 12, kModelLines = 6;
+  EXPECT_LE(sizeof(TickState), kStateLines * kLine);
+  EXPECT_GT(sizeof(TickState), (kStateLines - 3) * kLine) << "they have become fewer: lower the bound";
+  EXPECT_LE(sizeof(TickModel), kModelLines * kLine);
+  EXPECT_GT(sizeof(TickModel), (kModelLines - 3) * kLine) << "they have become fewer: lower the bound";
+}
+
 }  // namespace
 }  // namespace isotouch::core

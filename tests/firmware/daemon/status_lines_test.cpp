@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <string>
+
 #include "firmware/loop/realtime.h"
 
 namespace isotouch::daemon {
@@ -33,6 +36,13 @@ TEST(StatusLines, ARefusalNamesWhatIsMissing) {
   EXPECT_EQ(refusal_line(0), "");
   EXPECT_EQ(refusal_line(loop::kRefusedPriority | loop::kRefusedMemory).find("runs without a real-time priority, locked memory, because"),
             0U);
+}
+
+TEST(StatusLines, AFileThatCannotBeHeldIsToldWithWhatToDo) {
+  const std::string begin = "processors may fall asleep while there is force, and ticks then begin late: /dev/x cannot be held (";
+  EXPECT_EQ(latency_line("/dev/x", EACCES), begin + "Permission denied); install 60-isotouch-latency.rules and be in the group isotouch");
+  EXPECT_EQ(latency_line("/dev/x", ENOTTY), begin + "it is no character device); name a character device in [loop] latency_file, or \"\"");
+  for (const int error : {ENOENT, EIO}) EXPECT_NE(latency_line("/dev/x", error).find("set [loop] latency_file = \"\""), std::string::npos);
 }
 
 TEST(StatusLines, FiguresLeaveOutWhatWasNeverMeasured) {

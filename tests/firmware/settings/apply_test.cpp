@@ -178,5 +178,16 @@ TEST(ApplySettings, ACalibrationIsThatOfItsSerialOnly) {
   EXPECT_EQ((*device_model(settings, "B")).legs[2].at_zero, Angle::degrees(40));
 }
 
+TEST(Apply, EveryThreadAsksForItsOwnPriorityAndCore) {
+  Settings settings;
+  settings.priority = 11, settings.core = 1;
+  settings.exchange_priority = 12, settings.exchange_core = 2;
+  settings.watchdog_priority = 13, settings.watchdog_core = 3;
+  const Threads threads = thread_rights(settings);
+  EXPECT_EQ(threads.tick, (ThreadRights{11, 1}));
+  EXPECT_EQ(threads.exchange, (ThreadRights{12, 2}));
+  EXPECT_EQ(threads.watchdog, (ThreadRights{13, 3}));
+}
+
 }  // namespace
 }  // namespace isotouch::settings

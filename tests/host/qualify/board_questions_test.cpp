@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -62,6 +63,31 @@ TEST(BoardQuestions, TheTimerIsAskedWithWholeSecondsAndItsPriority) {
   const std::string command = timer_command(79, 1000, 2.5);
   EXPECT_THAT(command, HasSubstr("-p 79 -i 1000 "));
   EXPECT_THAT(command, HasSubstr("-D 3"));
+}
+
+TEST(BoardQuestions, MemoryIsWrittenForAsLongAsAskedAndByOneProgramAProcessor) {
+  const ScratchFolder scratch;
+  const std::string path = std::getenv("PATH");
+  const auto program = [&](const char* name, const std::string& text) {
+    std::filesystem::permissions(scratch.write(name, "#!/bin/sh\n" + text + "\n"), std::filesystem::perms::owner_all);
+  };
+  program("nproc", "echo 4");
+  program("dd", "echo \"$@\" >>" + scratch.path().string() + "/asked; exec sleep 60");
+  ::setenv("PATH", (scratch.path().string() + ":" + path).c_str(), 1);
+  link::BoardShell shell(link::read_address("unix:/nowhere"));
+  ::setenv("PATH", path.c_str(), 1);
+  const auto begun = std::chrono::steady_clock::now();
+  (void)shell.run(eviction_command(0.5), 30);
+  EXPECT_GT(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(900)) << "whole seconds";
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
+  std::ifstream asked(scratch.path() / "asked");
+  std::string line;
+  int programs = 0;
+  while (std::getline(asked, line)) {
+    EXPECT_EQ(line, "if=/dev/zero of=/dev/null bs=16M");
+    ++programs;
+  }
+  EXPECT_EQ(programs, 4);
 }
 
 /// What the kernel's tracer holds of a tick that should have begun at 100.001 s and did at 100.00104 s, and of others, each a second later.

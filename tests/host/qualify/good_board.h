@@ -8,7 +8,10 @@ namespace isotouch::qualify {
 inline Figures good_board() {
   Figures figures;
   figures.address = "ssh://me@board";
-  figures.program = "isotouchd";
+  figures.subject = {"2026-11-26T08:30:00Z", "board",  "isotouch 1", "isotouchd 1", "1.2", "0123456789abcdef",
+                     "fedcba9876543210",     "FALCON1"};
+  figures.practice = {{"kernel", "kernel", "Linux 6.1 <rt>", Finding::Verdict::kBad, "It is slow.", "sudo reboot"},
+                      {"governor", "frequency governor", "", Finding::Verdict::kNotRead, "There is none.", ""}};
   figures.board = {{"kernel", "Linux 6.1 <rt>"}};
   figures.seconds = 10;
   figures.ticks = 10'000;
@@ -18,6 +21,7 @@ inline Figures good_board() {
   figures.moments = {moment, moment};
   figures.moments[1].second = 10;
   figures.worst = {{{77, 5'000'000'000, 90'000, 12'000}, "processor 0: kworker/0:1"}, {{78, 5'001'000'000, 80'000, 12'000}, ""}};
+  figures.cold = {2'000, {{9'000, 1'900}, {30'000, 100}}};
   figures.timer_priority = 80;
   figures.timer = {10'000, {{8'000, 9'999}, {31'000, 1}}};
   return figures;

@@ -19,7 +19,7 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   const Figures figures = good_board();
   const auto json = json_report(figures, judge(figures, {}));
   EXPECT_EQ(json["verdict"], "fit");
-  EXPECT_EQ(json["limits"].size(), 11U);
+  EXPECT_EQ(json["limits"].size(), 12U);
   EXPECT_EQ(json["ticks"], 10'000);
   for (const char* key : {"wakeup_us", "tick_us", "round_trip_us", "cyclictest_us"}) {
     EXPECT_EQ(json[key]["count"], 10'000) << key;
@@ -34,6 +34,34 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   EXPECT_TRUE(json["worst_ticks"][1]["cause"].is_null());
   EXPECT_EQ(json["moments"][0]["celsius"], 55.5);
   EXPECT_EQ(json["cyclictest_priority"], 80);
+  EXPECT_EQ(json["cold_tick_us"]["count"], 2'000);
+  EXPECT_DOUBLE_EQ(json["cold_tick_us"]["p99"].get<double>(), 30);
+}
+
+TEST(Report, ItSaysWhatWasMeasuredAndWhatTheBoardDoesForIt) {
+  Figures figures = good_board();
+  auto json = json_report(figures, judge(figures, {}));
+  EXPECT_EQ(json["date"], "2026-11-26T08:30:00Z");
+  EXPECT_EQ(json["host"], "board");
+  EXPECT_EQ(json["versions"].dump(), R"({"isotouch":"isotouch 1","controller":"isotouchd 1","protocol":"1.2"})");
+  EXPECT_EQ(json["program"], "isotouchd 1");
+  EXPECT_EQ(json["field"], "0123456789abcdef");
+  EXPECT_EQ(json["device"], "FALCON1");
+  EXPECT_EQ(json["settings_checksum"], "fedcba9876543210");
+  EXPECT_EQ(json["practice"][0].dump(),
+            R"({"key":"kernel","read":"Linux 6.1 <rt>","verdict":"bad","why":"It is slow.","remedy":"sudo reboot"})");
+  EXPECT_EQ(json["practice"][1].dump(),
+            R"({"key":"governor","read":null,"verdict":"could not be read","why":"There is none.","remedy":null})");
+  EXPECT_EQ(json["verdict"], "fit") << "a finding explains, the measurement judges";
+  const std::string page = html_report(figures, judge(figures, {}));
+  for (const char* text :
+       {"2026-11-26T08:30:00Z", "0123456789abcdef", "fedcba9876543210", "FALCON1", "<td>Linux 6.1 &lt;rt&gt;</td><td class=\"missed\">bad",
+        "It is slow.<br>sudo reboot", "<td class=\"unknown\">could not be read"}) {
+    EXPECT_THAT(page, HasSubstr(text));
+  }
+  figures.subject.field = figures.subject.device = "";
+  json = json_report(figures, judge(figures, {}));
+  EXPECT_TRUE(json["field"].is_null() && json["device"].is_null());
 }
 
 TEST(Report, WhatIsUnknownIsNullAndSaid) {
@@ -41,15 +69,19 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   figures.timer = {};
   figures.timer_unknown = "cyclictest is not installed there";
   figures.cause_unknown = "the tracer may not be used";
+  figures.cold = {};
+  figures.cold_unknown = "cold ticks were not asked for";
   figures.moments[0].celsius = figures.moments[1].celsius = std::nullopt;
   const auto judgements = judge(figures, {});
   const auto json = json_report(figures, judgements);
   EXPECT_EQ(json["cyclictest_us"]["unknown"], figures.timer_unknown);
+  EXPECT_EQ(json["cold_tick_us"]["unknown"], figures.cold_unknown);
   EXPECT_EQ(json["limits"][6]["key"], "celsius_max");
   EXPECT_TRUE(json["limits"][6]["value"].is_null());
   const std::string page = html_report(figures, judgements);
   EXPECT_THAT(page, HasSubstr("cyclictest is not installed there"));
   EXPECT_THAT(page, HasSubstr("the tracer may not be used"));
+  EXPECT_THAT(page, HasSubstr("cold ticks were not asked for"));
   EXPECT_THAT(page, HasSubstr("This board shows none."));
 }
 

@@ -32,7 +32,7 @@ constexpr auto kAsItIs = [](Figures&) {};
 
 TEST(Verdict, AGoodBoardIsFitAndEveryLimitWasJudged) {
   const auto judgements = judge(good_board(), {});
-  EXPECT_EQ(judgements.size(), 11U);
+  EXPECT_EQ(judgements.size(), 12U);
   EXPECT_TRUE(is_fit(judgements)) << sentence(judgements);
   EXPECT_EQ(sentence(judgements), "fit");
   EXPECT_TRUE(keys(Outcome::kNotMeasured, kAsItIs).empty());
@@ -59,6 +59,7 @@ TEST(Verdict, EachLimitFailsAloneAndByName) {
       {"page_faults", [](Figures& f) { f.page_faults = 1; }},
       {"allocations", [](Figures& f) { f.allocations = 1; }},
       {"faults", [](Figures& f) { f.moments[1].state = 6; }},
+      {"cold_tick_p99_us", [](Figures& f) { f.cold.bins[1].upper = 100'001; }},
       {"inactive", [](Figures& f) { f.moments[0].state = f.moments[1].state = 3; }},
   };
   EXPECT_EQ(spoilt.size(), judge(good_board(), {}).size()) << "every limit has its case here";
@@ -85,15 +86,28 @@ TEST(Verdict, AValueAtItsLimitIsGood) {
 }
 
 TEST(Verdict, TheWakeUpsLimitFollowsThePeriodUnlessItIsSet) {
-  const auto faster = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000; };
+  const auto faster = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000, f.cold = {}; };
   EXPECT_EQ(keys(Outcome::kMissed, faster), std::set<std::string>{"wakeup_p999_us"}) << "40 us of a tenth of 100 us";
   Limits own;
   own.wakeup_us = 39;
   EXPECT_EQ(keys(Outcome::kMissed, kAsItIs, own), std::set<std::string>{"wakeup_p999_us"});
 }
 
+TEST(Verdict, AColdTickMayTakeATenthOfThePeriodUnlessTheLimitIsSet) {
+  EXPECT_TRUE(keys(Outcome::kMissed, [](Figures& f) { f.cold.bins[1].upper = 100'000; }).empty());
+  EXPECT_TRUE(keys(Outcome::kMissed, [](Figures& f) { f.cold.bins = {{9'000, 1'980}, {200'000, 20}}; }).empty()) << "one in a hundred";
+  const auto faster = [](Figures& f) { f.period_ns = 200'000, f.ticks = 50'000, f.measures[0].bins = {{9'000, 50'000}}; };
+  EXPECT_EQ(keys(Outcome::kMissed, faster), std::set<std::string>{"cold_tick_p99_us"});
+  Limits own;
+  own.cold_tick_us = 29;
+  EXPECT_EQ(keys(Outcome::kMissed, kAsItIs, own), std::set<std::string>{"cold_tick_p99_us"});
+  EXPECT_EQ(keys(Outcome::kNotMeasured, [](Figures& f) { f.cold = {}; }), std::set<std::string>{"cold_tick_p99_us"});
+}
+
 TEST(Verdict, TicksFasterThanAFalconNeedNoSampleEach) {
-  const auto ten_kilohertz = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000, f.measures[0].bins = {{9'000, 100'000}}; };
+  const auto ten_kilohertz = [](Figures& f) {
+    f.period_ns = 100'000, f.ticks = 100'000, f.measures[0].bins = {{9'000, 100'000}}, f.cold = {};
+  };
   EXPECT_TRUE(keys(Outcome::kMissed, ten_kilohertz).empty()) << "one a millisecond is all there is";
   const auto and_slow = [&](Figures& f) { ten_kilohertz(f), f.measures[2].count = 9'000; };
   EXPECT_EQ(keys(Outcome::kMissed, and_slow), std::set<std::string>{"lost_samples"});
