@@ -1,7 +1,6 @@
 #include "host/field/filtered_normals.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cstddef>
 
 #include "host/field/parallel.h"
@@ -27,7 +26,7 @@ struct Plane {
 double squared(double x) { return x * x; }
 
 Plane plane_at(const Scan& scan, std::size_t i, double normal_variance) {
-  const auto around = scan.around(i).first(std::min(kPlane, scan.around(i).size()));
+  const auto around = scan.around(i, kPlane);
   const double position_variance = squared(kOffPlane * scan.spacing(i));
   const auto belongs = [&](const Neighbour& n) { return scan.normals()[n.index].dot(scan.normals()[i]) >= 0.0; };
   Plane plane{Vector3d::Zero(), Vector3d::Zero()};
@@ -62,7 +61,7 @@ Vector3d mean_of_planes(const Scan& scan, std::size_t i, const std::vector<Plane
   const Vector3d &position = scan.positions()[i], &normal = scan.normals()[i];
   const double position_variance = squared(kOffPlane * scan.spacing(i));
   Vector3d sum = Vector3d::Zero();
-  for (const Neighbour& n : scan.around(i).first(std::min(kPlanes, scan.around(i).size()))) {
+  for (const Neighbour& n : scan.around(i, kPlanes)) {
     const Plane& plane = planes[n.index];
     if (plane.normal.dot(normal) < 0.0 || !(position_variance > 0.0)) continue;
     const double height = plane.normal.dot(position - plane.middle);
