@@ -54,7 +54,7 @@ void describe(const AdaptiveSamples& described, std::size_t measured, Repair& re
     for (const std::uint32_t i : scan.together(begin, end)) {
       if (described.point[i] >= measured) continue;
       double sum = 0.0;
-      const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
+      const auto near = scan.around(i, kWitnesses + 1);
       for (const Neighbour& n : near) {
         if (n.index != i) sum += described.models[n.index].distance(scan.positions()[i]);
       }
@@ -88,7 +88,7 @@ AdaptiveSamples with_added(const AdaptiveSamples& described, const cloud::Orient
   std::vector<std::uint8_t> known(all.size(), 0);
   result.scan = std::make_unique<Scan>(std::move(all));
   for (std::size_t i = 0; i < scan.size(); ++i) {
-    const auto heard = result.scan->around(i).first(std::min(kModelled, result.scan->around(i).size()));
+    const auto heard = result.scan->around(i, kModelled);
     known[i] = std::all_of(heard.begin(), heard.end(), [&](const Neighbour& n) { return n.index < scan.size(); }) ? 1 : 0;
   }
   fit_models(*result.scan, known, result.models);

@@ -1,6 +1,5 @@
 #include "host/field/doubtful_samples.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -21,7 +20,7 @@ std::vector<std::uint8_t> doubtful_samples(const Scan& scan, const std::vector<L
   std::vector<std::uint8_t> unexpected(scan.size(), 0);
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (const std::uint32_t i : scan.together(begin, end)) {
-      const auto near = scan.around(i).first(std::min(kWitnesses + 1, scan.around(i).size()));
+      const auto near = scan.around(i, kWitnesses + 1);
       double sum = 0.0;
       for (const Neighbour& n : near) {
         if (n.index != i) sum += std::abs(models[n.index].distance(scan.positions()[i]));
@@ -32,7 +31,7 @@ std::vector<std::uint8_t> doubtful_samples(const Scan& scan, const std::vector<L
   std::vector<std::uint8_t> doubtful = unexpected;
   for (std::size_t i = 0; i < scan.size(); ++i) {
     if (unexpected[i] == 0) continue;
-    for (const Neighbour& n : scan.around(i).first(std::min(kBeside, scan.around(i).size()))) doubtful[n.index] = 1;
+    for (const Neighbour& n : scan.around(i, kBeside)) doubtful[n.index] = 1;
   }
   return doubtful;
 }

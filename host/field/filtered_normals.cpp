@@ -1,8 +1,8 @@
 #include "host/field/filtered_normals.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "host/field/parallel.h"
 
@@ -27,7 +27,7 @@ struct Plane {
 double squared(double x) { return x * x; }
 
 Plane plane_at(const Scan& scan, std::size_t i, double normal_variance) {
-  const auto around = scan.around(i).first(std::min(kPlane, scan.around(i).size()));
+  const auto around = scan.around(i, kPlane);
   const double position_variance = squared(kOffPlane * scan.spacing(i));
   const auto belongs = [&](const Neighbour& n) { return scan.normals()[n.index].dot(scan.normals()[i]) >= 0.0; };
   Plane plane{Vector3d::Zero(), Vector3d::Zero()};
@@ -40,13 +40,13 @@ Plane plane_at(const Scan& scan, std::size_t i, double normal_variance) {
     count += 1.0;
   }
   plane.middle /= count;
+  if (!(position_variance > 0.0)) return {scan.normals()[i], plane.middle, 0.0};
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Neighbour& n : around) {
     if (!belongs(n)) continue;
     const Vector3d way = scan.positions()[n.index] - plane.middle;
     spread += way * way.transpose();
   }
-  if (!(position_variance > 0.0)) return {scan.normals()[i], plane.middle, 0.0};
   Eigen::Matrix3d system = spread / position_variance;
   system.diagonal().array() += count / normal_variance;
   plane.normal = Vector3d(system.ldlt().solve(sum)).normalized();
@@ -61,10 +61,11 @@ Plane plane_at(const Scan& scan, std::size_t i, double normal_variance) {
 Vector3d mean_of_planes(const Scan& scan, std::size_t i, const std::vector<Plane>& planes, double normal_variance) {
   const Vector3d &position = scan.positions()[i], &normal = scan.normals()[i];
   const double position_variance = squared(kOffPlane * scan.spacing(i));
+  if (!(position_variance > 0.0)) return normal;
   Vector3d sum = Vector3d::Zero();
-  for (const Neighbour& n : scan.around(i).first(std::min(kPlanes, scan.around(i).size()))) {
+  for (const Neighbour& n : scan.around(i, kPlanes)) {
     const Plane& plane = planes[n.index];
-    if (plane.normal.dot(normal) < 0.0 || !(position_variance > 0.0)) continue;
+    if (plane.normal.dot(normal) < 0.0) continue;
     const double height = plane.normal.dot(position - plane.middle);
     const double misfit = plane.misfit + height * height / position_variance + (normal - plane.normal).squaredNorm() / normal_variance;
     sum += plane.normal / squared(misfit + kLeastMisfit);
@@ -77,11 +78,11 @@ Vector3d mean_of_planes(const Scan& scan, std::size_t i, const std::vector<Plane
 std::vector<Vector3d> filtered_normals(const Scan& scan, double noise) {
   std::vector<Plane> planes(scan.size());
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) planes[i] = plane_at(scan, i, noise * noise);
+    for (const std::uint32_t i : scan.together(begin, end)) planes[i] = plane_at(scan, i, noise * noise);
   });
   std::vector<Vector3d> normals(scan.size());
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) normals[i] = mean_of_planes(scan, i, planes, noise * noise);
+    for (const std::uint32_t i : scan.together(begin, end)) normals[i] = mean_of_planes(scan, i, planes, noise * noise);
   });
   return normals;
 }

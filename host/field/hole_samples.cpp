@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/field/fair_skin.h"
 #include "host/field/quadric_fit.h"
 
 namespace isotouch::field {
@@ -30,7 +31,20 @@ constexpr std::size_t kDrawing = 8;      // neighbours of a sample that draw it 
 constexpr int kPasses = 30;
 constexpr double kHole = 1.0;             // a hole is that far from its rim at one place: over less the models bridge
 constexpr std::size_t kMaxSamples = 200;  // a larger hole is left to the models
+constexpr double kWide = 2.0;             // and one that is that far from its rim at one place is wide
+constexpr double kLooks = 0.2;            // length of the mean normal of its rim: round the end of a tube it is nearly 0, in a face 1
+constexpr std::size_t kMaxWide = 1000;    // samples over a wide hole
+constexpr double kWithin = 1.0;           // the surface is closed that far beyond a skin, at least; a nearer end would cut it
 constexpr std::size_t kMaxTaken = 5000;   // of all holes together: more is a scan full of holes, which nothing mends
+
+/// The samples of a skin that lie beside its rim, and what the scan says there.
+struct Rim {
+  std::size_t samples = 0, disagreeing = 0;
+  Vector3d normals = Vector3d::Zero();  ///< their sum
+
+  bool disagrees() const { return kDisagreeing * disagreeing >= samples; }
+  bool looks_one_way() const { return normals.norm() > kLooks * static_cast<double>(samples); }
+};
 
 /// A place from which a skin goes on.
 struct Front {
@@ -46,6 +60,7 @@ class Skins {
       if (const auto seed = beyond_rim(i)) span(*seed, scan_.spacing(i));
     }
     if (result_.size() > 0) flatten();
+    append(result_, wide_);
     return std::move(result_);
   }
 
@@ -61,6 +76,13 @@ class Skins {
     const double off = middle.norm();
     if (!(off * off > kLopsided * kLopsided * around.back().squared_distance)) return std::nullopt;
     return Front{own - kStep * scan_.spacing(i) / off * middle, normal};
+  }
+
+  static void append(cloud::OrientedPoints& all, const cloud::OrientedPoints& more) {
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(all.positions, more.positions);
+    add(all.normals, more.normals);
+    add(all.stiffness, more.stiffness);
   }
 
   double outside(const Vector3d& x) const { return 0.5 - surface_.enclosure()(x); }
@@ -107,7 +129,7 @@ class Skins {
   void span(const Front& seed, double spacing) {
     std::vector<Front> waiting(1, seed);
     cloud::OrientedPoints skin;
-    std::size_t beside_rim = 0, disagreeing = 0;
+    Rim rim;
     double farthest = 0.0;  // from the samples of the scan
     bool too_large = false;
     while (!waiting.empty() && !too_large) {
@@ -120,8 +142,9 @@ class Skins {
       const double way = std::sqrt(found_[0].squared_distance);
       farthest = std::max(farthest, way);
       if (way < kBeside * spacing) {
-        ++beside_rim;
-        disagreeing += surface_.distance(here->place) > kDisagree * way ? 1U : 0U;
+        ++rim.samples;
+        rim.normals += scan_.normals()[found_[0].index];
+        rim.disagreeing += surface_.distance(here->place) > kDisagree * way ? 1U : 0U;
       }
       taken_.push_back(here->place);
       skin.positions.push_back(here->place);
@@ -132,14 +155,22 @@ class Skins {
       for (const Vector3d& step : {Vector3d(2 * half * u), Vector3d(half * u + high * v), Vector3d(-half * u + high * v),
                                    Vector3d(-2 * half * u), Vector3d(-half * u - high * v), Vector3d(half * u - high * v)})
         waiting.push_back({here->place + step, here->normal});
-      too_large = skin.size() == kMaxSamples || beside(given_up_, here->place, 2.0 * kStep * spacing);
+      too_large = skin.size() >= kMaxWide || beside(given_up_, here->place, 2.0 * kStep * spacing);
     }
-    if (too_large) given_up_.insert(given_up_.end(), skin.positions.begin(), skin.positions.end());
-    if (too_large || farthest < kHole * spacing || kDisagreeing * disagreeing < beside_rim) return;
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(result_.positions, skin.positions);
-    append(result_.normals, skin.normals);
-    append(result_.stiffness, skin.stiffness);
+    if (too_large) {
+      given_up_.insert(given_up_.end(), skin.positions.begin(), skin.positions.end());
+      return;
+    }
+    if (farthest >= kWide * spacing && rim.looks_one_way()) {
+      cloud::OrientedPoints bent = skin;
+      fair_skin(scan_, bent);
+      if (std::all_of(bent.positions.begin(), bent.positions.end(),
+                      [&](const Vector3d& p) { return surface_.closing().distance(p) < -kWithin; })) {
+        append(wide_, bent);
+        return;
+      }
+    }
+    if (skin.size() < kMaxSamples && farthest >= kHole * spacing && rim.disagrees()) append(result_, skin);
   }
 
   /// Draws the skins tight between the samples of the scan, which stay.
@@ -168,7 +199,8 @@ class Skins {
   const Surface& surface_;
   std::vector<Vector3d> taken_;     ///< all places of skins, also of those that were left out
   std::vector<Vector3d> given_up_;  ///< places of skins that are too large
-  cloud::OrientedPoints result_;
+  cloud::OrientedPoints result_;    ///< drawn tight
+  cloud::OrientedPoints wide_;      ///< bent as the surface round them
   mutable std::vector<Neighbour> found_;
 };
 

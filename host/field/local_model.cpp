@@ -209,8 +209,7 @@ void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::v
     Samples samples;
     for (const std::uint32_t i : scan.together(begin, end)) {
       if (known[i] != 0) continue;
-      const auto around = scan.around(i);
-      const auto found = around.first(std::min(kModelled, around.size()));
+      const auto found = scan.around(i, kModelled);
       const double reach = found.back().squared_distance;
       samples.assign(1, {scan.positions()[i], scan.normals()[i], 1.0});
       for (const auto& f : found) {

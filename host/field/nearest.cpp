@@ -73,45 +73,47 @@ class NearestFew {
   std::size_t capacity_, size_ = 0;
 };
 
-class Within {
- public:
-  /// found     room that grows; what is found stands at its beginning
-  Within(double radius, std::vector<Neighbour>& found) : squared_radius_(radius * radius), found_(found) {}
-  double worst() const { return squared_radius_; }
-  std::size_t size() const { return size_; }
+/// Neighbours at the beginning of room that grows.
+struct Found {
+  std::vector<Neighbour>& room;
+  std::size_t size = 0;
 
   /// Of a whole leaf, for a processor cannot foretell which of its positions are near: each is written, and stays where it is.
-  void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
-    if (found_.size() < size_ + kLeaf) found_.resize(2 * found_.size() + kLeaf);
+  void add_within(double square, const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
+    if (room.size() < size + kLeaf) room.resize(2 * room.size() + kLeaf);
     for (std::size_t n = 0; n < kLeaf; ++n) {
-      found_[size_] = {away[n], index[n]};
-      size_ += away[n] <= squared_radius_ ? 1U : 0U;
+      room[size] = {away[n], index[n]};
+      size += away[n] <= square ? 1U : 0U;
     }
+  }
+};
+
+class Within {
+ public:
+  Within(double radius, std::vector<Neighbour>& room) : squared_radius_(radius * radius), found_{room} {}
+  double worst() const { return squared_radius_; }
+  std::size_t size() const { return found_.size; }
+
+  void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
+    found_.add_within(squared_radius_, away, index);
   }
 
  private:
   double squared_radius_;
-  std::vector<Neighbour>& found_;
-  std::size_t size_ = 0;
+  Found found_;
 };
 
 /// Keeps what is at most `margin` farther away than the `count` nearest, as far as these are known, and some more.
 class NearestAndBeyond {
  public:
-  /// found     room that grows; what is found stands at its beginning
-  NearestAndBeyond(std::size_t count, double margin, std::vector<Neighbour>& found) : count_(count), margin_(margin), found_(found) {
+  NearestAndBeyond(std::size_t count, double margin, std::vector<Neighbour>& room) : count_(count), margin_(margin), found_{room} {
     nearest_.fill(std::numeric_limits<double>::max());
   }
   double worst() const { return worst_; }
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return found_.size; }
 
-  /// As for `Within`.
   void add(const std::array<double, kLeaf>& away, const std::array<std::uint32_t, kLeaf>& index) {
-    if (found_.size() < size_ + kLeaf) found_.resize(2 * found_.size() + kLeaf);
-    for (std::size_t n = 0; n < kLeaf; ++n) {
-      found_[size_] = {away[n], index[n]};
-      size_ += away[n] <= worst_ ? 1U : 0U;
-    }
+    found_.add_within(worst_, away, index);
     bool nearer = false;
     for (const double square : away) {
       if (!(square < nearest_[count_ - 1])) continue;
@@ -123,7 +125,7 @@ class NearestAndBeyond {
       }
       nearer = true;
     }
-    if (!nearer || size_ < count_) return;
+    if (!nearer || found_.size < count_) return;
     const double radius = std::sqrt(nearest_[count_ - 1]) + margin_;
     worst_ = radius * radius;
   }
@@ -132,8 +134,7 @@ class NearestAndBeyond {
   std::size_t count_;
   double margin_, worst_ = std::numeric_limits<double>::max();
   std::array<double, Nearest::kMaxWithBeyond> nearest_{};  ///< squared distances, ascending
-  std::vector<Neighbour>& found_;
-  std::size_t size_ = 0;
+  Found found_;
 };
 
 /// Sorts some tens by counting how many are nearer than each: more comparisons, but hardly any that a processor has to foretell.

@@ -72,8 +72,7 @@ struct Pair {
 std::vector<Pair> pairs_of_neighbours(const Scan& scan) {
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < scan.size(); ++i) {
-    const auto around = scan.around(i);
-    for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
+    for (const Neighbour& n : scan.around(i, kJoined)) {
       if (n.index == i) continue;
       const std::uint32_t a = std::min(i, n.index), b = std::max(i, n.index);
       const double agreed = agreement(scan.normals()[a], scan.normals()[b], scan.positions()[b] - scan.positions()[a]);
@@ -242,8 +241,7 @@ double contradictions(const Scan& scan) {
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::size_t clear_here = 0, opposed_here = 0;
     for (const std::uint32_t i : scan.together(begin, end)) {
-      const auto around = scan.around(i);
-      for (const Neighbour& n : around.first(std::min(kJoined, around.size()))) {
+      for (const Neighbour& n : scan.around(i, kJoined)) {
         if (n.index == i) continue;
         const double agreed = agreement(scan.normals()[i], scan.normals()[n.index], scan.positions()[n.index] - scan.positions()[i]);
         clear_here += std::abs(agreed) > kClear ? 1U : 0U;

@@ -34,51 +34,43 @@ double quantile(std::vector<double> values, double share) {
   return *place;
 }
 
-/// Heights of samples over the circles that their normals and those of others describe.
-struct PairHeights {
-  std::vector<double> heights;
-  double squared_steps = 0;
-
-  void add(const Scan& scan, std::size_t i, const Neighbour& n) {
-    // Half the sum of the heights of two samples, each over the other's tangent plane, is zero on every circle.
-    const Vector3d way = scan.positions()[n.index] - scan.positions()[i];
-    heights.push_back(std::abs(0.5 * (scan.normals()[i] + scan.normals()[n.index]).dot(way)));
-    squared_steps += n.squared_distance;
+/// By how much the samples of pairs differ, and how long the steps between them are.
+class Pairs {
+ public:
+  void add(double difference, const Neighbour& n) {
+    differences_.push_back(difference);
+    squared_steps_ += n.squared_distance;
   }
-  /// Of one sample: two have each their own.
-  double deviation() const { return heights.empty() ? 0.0 : quantile(heights, kUsual) / (kNormalUsual * std::sqrt(2.0)); }
-  double mean_squared_step() const { return heights.empty() ? 0.0 : squared_steps / static_cast<double>(heights.size()); }
+  double usual(double share) const { return differences_.empty() ? 0.0 : quantile(differences_, share); }
+  double mean_squared_step() const { return differences_.empty() ? 0.0 : squared_steps_ / static_cast<double>(differences_.size()); }
+
+ private:
+  std::vector<double> differences_;
+  double squared_steps_ = 0;
 };
 
-/// How far apart the normals of pairs are.
-struct PairTurns {
-  std::vector<double> squares;
-  double squared_steps = 0;
-
-  void add(const Scan& scan, std::size_t i, const Neighbour& n) {
-    const double square = (scan.normals()[i] - scan.normals()[n.index]).squaredNorm();
-    if (square > kMaxTurn) return;
-    squares.push_back(square);
-    squared_steps += n.squared_distance;
-  }
-  /// Of one normal in two directions: of a pair's difference in one.
-  double variance() const { return squares.empty() ? 0.0 : quantile(squares, 0.5) / kMedianTurn; }
-  double mean_squared_step() const { return squares.empty() ? 0.0 : squared_steps / static_cast<double>(squares.size()); }
-};
-
-/// Curvature turns normals in proportion to the step. Steps of two lengths tell what is left at none.
-double without_step(const PairTurns& near, const PairTurns& far) {
-  const double near_step = near.mean_squared_step(), far_step = far.mean_squared_step();
-  if (!(far_step > near_step)) return 0.0;
-  return std::sqrt(std::max(0.0, (near.variance() * far_step - far.variance() * near_step) / (far_step - near_step)));
+/// The size of half the sum of the heights of two samples, each over the other's tangent plane: zero on every circle.
+double height_over_circle(const Scan& scan, std::size_t i, const Neighbour& n) {
+  const Vector3d way = scan.positions()[n.index] - scan.positions()[i];
+  return std::abs(0.5 * (scan.normals()[i] + scan.normals()[n.index]).dot(way));
 }
 
-/// A tilted normal adds heights in proportion to the step. Steps of two lengths tell what is left at none.
-double without_step(const PairHeights& near, const PairHeights& far) {
+/// Of one sample's height: two have each their own.
+double deviation(const Pairs& heights) { return heights.usual(kUsual) / (kNormalUsual * std::sqrt(2.0)); }
+
+double height_variance(const Pairs& heights) {
+  const double own = deviation(heights);
+  return own * own;
+}
+
+/// Of one normal in two directions: of a pair's difference in one.
+double turn_variance(const Pairs& squared_turns) { return squared_turns.usual(0.5) / kMedianTurn; }
+
+/// A tilted normal adds heights, and curvature turns normals, in proportion to the step. Steps of two lengths tell what deviation is left at none.
+double without_step(const Pairs& near, const Pairs& far, double (*variance)(const Pairs&)) {
   const double near_step = near.mean_squared_step(), far_step = far.mean_squared_step();
   if (!(far_step > near_step)) return 0.0;
-  const double low = near.deviation(), high = far.deviation();
-  return std::sqrt(std::max(0.0, (low * low * far_step - high * high * near_step) / (far_step - near_step)));
+  return std::sqrt(std::max(0.0, (variance(near) * far_step - variance(far) * near_step) / (far_step - near_step)));
 }
 
 }  // namespace
@@ -103,24 +95,25 @@ Roughness roughness(const Scan& scan, double spacing) {
       tilts[n] = fit.normal.cross(scan.normals()[n * step]).norm();
     }
   });
-  PairHeights nearest, near, far;
-  PairTurns near_turns, far_turns;
+  Pairs nearest, near, far, near_turns, far_turns;
   for (std::size_t i = 0; i < scan.size(); i += step) {
     const auto around = scan.around(i);
     for (std::size_t k = 0; k < around.size(); ++k) {
       const Neighbour& n = around[k];
       if (n.index == i) continue;
-      if (k < kNear) nearest.add(scan, i, n);
-      (k < kNear ? near_turns : far_turns).add(scan, i, n);
-      if (scan.normals()[i].dot(scan.normals()[n.index]) > kOneFace) (k < kNear ? near : far).add(scan, i, n);
+      const Vector3d &own = scan.normals()[i], &other = scan.normals()[n.index];
+      const double height = height_over_circle(scan, i, n), squared_turn = (own - other).squaredNorm();
+      if (k < kNear) nearest.add(height, n);
+      if (squared_turn <= kMaxTurn) (k < kNear ? near_turns : far_turns).add(squared_turn, n);
+      if (own.dot(other) > kOneFace) (k < kNear ? near : far).add(height, n);
     }
   }
   Roughness result;
   result.spacing = spacing;
   result.of_positions = quantile(std::move(deviations), kUsual);
-  result.of_pairs = nearest.deviation();
-  result.of_no_step = without_step(near, far);
-  result.of_normals = without_step(near_turns, far_turns);
+  result.of_pairs = deviation(nearest);
+  result.of_no_step = without_step(near, far, height_variance);
+  result.of_normals = without_step(near_turns, far_turns, turn_variance);
   result.tilt = quantile(std::move(tilts), 0.5);
   return result;
 }

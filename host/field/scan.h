@@ -34,6 +34,8 @@ class Scan {
   }
   /// The nearest samples of a sample, ascending, all of a small set.
   std::span<const Neighbour> around(std::size_t sample) const { return std::span(lists_).subspan(sample * listed_, listed_); }
+  /// The first `most` of these, or all where there are fewer.
+  std::span<const Neighbour> around(std::size_t sample, std::size_t most) const { return around(sample).first(std::min(most, listed_)); }
 
   /// The distance to a sample's sixth neighbour, or to the last of a small set: how far apart samples are there.
   double spacing(std::size_t sample) const { return std::sqrt(around(sample)[std::min<std::size_t>(6, listed_ - 1)].squared_distance); }

@@ -44,6 +44,8 @@ class Surface {
   /// error.
   double distance(const Eigen::Vector3d& x) const;
 
+  /// The body ends where this ends.
+  const Box& closing() const { return closing_; }
   /// What the scan as a whole says.
   const WindingSign& enclosure() const { return enclosure_; }
 

@@ -27,7 +27,7 @@ double squared(double x) { return x * x; }
 WindingLevel::WindingLevel(const Scan& scan, std::vector<std::uint8_t> doubtful, const WindingSign& winding)
     : doubtful_(std::move(doubtful)), winding_(winding), slack_(kSlack) {
   if (winding.noise() > 0.0)
-    slack_ *= std::clamp((kNoSlackNoise - winding.noise() / winding.spacing()) / (kNoSlackNoise - kSlackNoise), 0.0, 1.0);
+    slack_ *= std::clamp((kNoSlackNoise - winding.noise() / scan.median_spacing()) / (kNoSlackNoise - kSlackNoise), 0.0, 1.0);
   if (std::find(doubtful_.begin(), doubtful_.end(), 1) == doubtful_.end()) return;
   const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
   std::vector<double> levels((scan.size() + step - 1) / step);

@@ -2,7 +2,7 @@
 ///
 /// Let w be the winding number and s = 1 - 2w. Above a plane whose samples are softened by h, s = z / √(z² + h²) at the height z. So h s / √(1 - s²) is
 /// the distance to the level w = 1/2 near it. This level is a mean over many samples: it is rounder than the models, and no single sample misleads it.
-/// The more noise there is, the less may a distance leave the level.
+/// The more noise there is, the less may a distance differ from the level.
 /// In a thin part it lies too deep, because both sides are smoothed into each other; so it is moved to where the median sample lies.
 #pragma once
 
@@ -39,7 +39,7 @@ class WindingLevel {
 
   std::vector<std::uint8_t> doubtful_;
   const WindingSign& winding_;
-  double slack_;         ///< spacings: how far a distance may leave the level where all samples are doubtful
+  double slack_;         ///< spacings: how far a distance may differ from the level where all samples are doubtful
   double offset_ = 0.0;  ///< of the samples over the level, in the median
 };
 

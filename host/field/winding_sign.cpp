@@ -115,7 +115,7 @@ std::vector<double> sample_areas(const Scan& scan) {
   return areas;
 }
 
-WindingSign::WindingSign(const Scan& scan, double noise) : noise_(noise), spacing_(scan.median_spacing()), areas_(sample_areas(scan)) {
+WindingSign::WindingSign(const Scan& scan, double noise) : noise_(noise), areas_(sample_areas(scan)) {
   samples_.reserve(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) samples_.push_back({scan.positions()[i], areas_[i] * scan.normals()[i]});
   nodes_.reserve(scan.size());

@@ -38,8 +38,6 @@ class WindingSign {
 
   /// As it was given.
   double noise() const { return noise_; }
-  /// How far apart the samples are, the scan's unit: the median distance to the sixth neighbour.
-  double spacing() const { return spacing_; }
 
  private:
   struct Dipole {
@@ -54,7 +52,7 @@ class WindingSign {
 
   void add_node(std::uint32_t first, std::uint32_t count);
 
-  double noise_, spacing_;
+  double noise_;
   std::vector<double> areas_;
   std::vector<Dipole> samples_;
   std::vector<double> softening_;  ///< of a sample, squared
@@ -64,7 +62,6 @@ class WindingSign {
 /// Holds a distance to what encloses its place. Next to the samples it stays as it is; the farther the nearest sample is, compared with how the nearest nine
 /// are spread, the more does the winding number count: of a place that is clearly enclosed, or clearly not, it is the sign, whatever the models
 /// say, and its distance from one half stands for the way to the surface.
-///
 ///
 /// nearest, ninth   squared distances to the nearest sample and to the ninth
 inline bool in_doubt(double nearest, double ninth) { return nearest > kDoubt * (ninth - nearest); }

@@ -8,6 +8,7 @@
 
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
+#include "tests/host/field/random_places.h"
 
 namespace isotouch::field {
 namespace {
@@ -16,15 +17,6 @@ using cloud::OrientedPoints;
 using Eigen::Vector3d;
 
 constexpr double kNoise = 0.37;  // 15 degrees in each of two directions
-
-Vector3d scatter(cloud::Random& random) {
-  Vector3d result;
-  for (double& x : result) {
-    x = -6;
-    for (int k = 0; k < 12; ++k) x += random.uniform();
-  }
-  return result;
-}
 
 /// Root of the mean square of the differences.
 double off(const std::vector<Vector3d>& normals, const OrientedPoints& truth) {

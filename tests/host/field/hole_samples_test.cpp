@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +82,37 @@ TEST(HoleSamples, AHoleInARoundBodyIsBridgedByTheModels) {
     points.normals.push_back(whole.normals[i]);
   }
   EXPECT_EQ(skins(points).size(), 0U);
+}
+
+/// A sphere without what lies less than `away` from its top.
+cloud::OrientedPoints open_sphere(double away) {
+  const cloud::OrientedPoints whole = cloud::sample_shape(cloud::shape("sphere"), 3756);  // about 4 apart, radius 80
+  cloud::OrientedPoints points;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if ((whole.positions[i] - Vector3d(0, 0, 80)).norm() < away) continue;
+    points.positions.push_back(whole.positions[i]);
+    points.normals.push_back(whole.normals[i]);
+  }
+  return points;
+}
+
+TEST(HoleSamples, AWideHoleIsAsRoundAsTheBody) {
+  const cloud::OrientedPoints found = skins(open_sphere(40));
+  ASSERT_GT(found.size(), 50U);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found.positions[i].norm(), 80.0, 1.5) << i;  // a flat skin lies up to 10 deeper
+    EXPECT_GT(found.normals[i].dot(found.positions[i].normalized()), 0.98) << i;
+    farthest = std::max(farthest, found.positions[i].z());
+  }
+  EXPECT_GT(farthest, 79.0);
+}
+
+TEST(HoleSamples, TheMissingEndOfABodyIsLeftToTheModels) {
+  EXPECT_EQ(skins(open_sphere(std::sqrt(2.0) * 80)).size(), 0U);  // its rim looks to all sides
+  const Scan scan(open_sphere(40));
+  const Surface closed(scan, Box{Vector3d(-83, -83, -83), Vector3d(83, 83, 75)});  // the rim lies at 70
+  EXPECT_EQ(hole_samples(scan, closed).size(), 0U);
 }
 
 TEST(HoleSamples, KeepTheStiffnessOfTheRim) {

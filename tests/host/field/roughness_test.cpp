@@ -10,21 +10,13 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/scan.h"
+#include "tests/host/field/random_places.h"
 
 namespace isotouch::field {
 namespace {
 
 using cloud::OrientedPoints;
 using Eigen::Vector3d;
-
-Vector3d scatter(cloud::Random& random) {
-  Vector3d result;
-  for (double& x : result) {
-    x = -6;
-    for (int k = 0; k < 12; ++k) x += random.uniform();
-  }
-  return result;
-}
 
 /// Thin rings and bolts: detail is finer than the spacing, so positions are rough without any noise.
 OrientedPoints detailed() { return cloud::sample_shape(cloud::shape("hydrant"), 3756); }

@@ -12,6 +12,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
+#include "tests/host/field/random_places.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::field {
@@ -166,13 +167,7 @@ TEST(SoundScan, MeasuresNoiseAndTakesMostOfItBack) {
   for (const double noise : test::examples<double>({0.1, 0.05, 0.25, 0.5})) {
     OrientedPoints points = of("torus");
     Random random(2);
-    for (Vector3d& p : points.positions) {
-      for (double& x : p) {
-        double sum = -6;
-        for (int k = 0; k < 12; ++k) sum += random.uniform();
-        x += noise * 4 * sum;  // spacing about 4
-      }
-    }
+    for (Vector3d& p : points.positions) p += noise * 4 * scatter(random);  // spacing about 4
     const SoundScan scan = sound_scan(points);
     EXPECT_NEAR(scan.noise, noise * 4, 0.25 * noise * 4) << noise;
     EXPECT_LT(off(scan, "torus"), 0.5 * noise * 4) << noise;
