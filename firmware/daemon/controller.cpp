@@ -217,9 +217,7 @@ void Controller::check_memory() {
   lines_.state.put_damaged(found != loop::Damage::kNone);
   if (damage == damage_) return;
   damage_ = damage;
-  if (damage == loop::Damage::kState) say("what the tick remembers was damaged in memory; 'isotouch resume' goes on");
-  if (damage == loop::Damage::kField) say("the field in memory was damaged; send the field again, then 'isotouch resume'");
-  if (damage == loop::Damage::kPrepared) say("the model of the device in memory was damaged; restart the controller");
+  if (damage != loop::Damage::kNone) say(memory_line(damage));
 }
 
 void Controller::say_what_changed() {

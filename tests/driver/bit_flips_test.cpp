@@ -13,7 +13,7 @@ TEST(BitFlipsHeavy, NoForceThatAnUndamagedRunWouldNotHaveGiven) {
   EXPECT_GE(run.rows.size(), 35U);
   for (const FlipRow& row : run.rows) {
     for (const FlipCell& cell : row.cells) {
-      if (row.place.rfind("state", 0) == 0 || row.place.rfind("model", 0) == 0) {
+      if (row.place.rfind("state", 0) == 0 || row.place.rfind("model", 0) == 0 || row.place == "guard: memory") {
         EXPECT_EQ(cell.noticed, cell.flips) << row.place;
         EXPECT_LE(cell.noticed_late, 1) << row.place;
       }
