@@ -6,6 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <type_traits>
 
 namespace isotouch::guard {
@@ -32,7 +33,10 @@ class PrivateMemory {
   const T* get() const { return value_; }
 
   /// returns   false: the value is not what it should be
-  bool put(const T& value) { return pwrite(file_, &value, sizeof value, 0) == static_cast<ssize_t>(sizeof value); }
+  bool put(const T& value) {
+    const bool written = pwrite(file_, &value, sizeof value, 0) == static_cast<ssize_t>(sizeof value);
+    return written && (value_ == nullptr || std::memcmp(value_, &value, sizeof value) == 0);  // else it went to another file
+  }
 
  private:
   int file_;

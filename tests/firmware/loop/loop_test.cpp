@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -397,7 +398,11 @@ std::unique_ptr<Bench> pressing() {
 }
 
 TEST(Loop, AFlippedBitOfItsStateStopsTheNextTickAndIsForgotten) {
-  for (std::size_t bit = 0; bit < 8 * sizeof(core::TickState); bit += 97) {
+  std::vector<std::size_t> bits;
+  for (std::size_t bit = 0; bit < 8 * sizeof(core::TickState); bit += 97) bits.push_back(bit);
+  for (std::size_t bit = 0; bit < 8 * sizeof(core::SupervisorMemory); bit += 5)
+    bits.push_back(8 * offsetof(core::TickState, supervisor) + bit);
+  for (const std::size_t bit : bits) {
     const auto bench = pressing();
     ASSERT_NE(bench->shown.get().out.commands, MotorCommands{}) << "else nothing is tested";
     flip(bench->loop.state(), bit);
