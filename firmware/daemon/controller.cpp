@@ -2,7 +2,6 @@
 
 #include <pthread.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigtimedwait
-#include <algorithm>
 
 #include <algorithm>
 #include <chrono>
