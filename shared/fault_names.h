@@ -54,6 +54,8 @@ inline constexpr std::array<std::string_view, kGuardVerdicts> kGuardVerdictNames
     "into the object",
     "that did not change while the hand moved",
     "after a stop",
+    "while an encoder did not move",
+    "after its own memory was damaged",
 };
 
 constexpr std::string_view name_of(GuardVerdict verdict) { return kGuardVerdictNames[static_cast<std::size_t>(verdict) % kGuardVerdicts]; }

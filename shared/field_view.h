@@ -123,13 +123,20 @@ struct FieldView {
   /// tick      no: it reads the whole image
   static Result<FieldView> parse(std::span<const std::uint8_t> image);
 
+  /// Where `root` has the entry for sample (i, j, k), each index within [0, size), and where that node has its own.
+  std::size_t root_entry(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    using image_layout::kNodeShift;
+    return static_cast<std::size_t>((((k >> kNodeShift) * root_size[1]) + (j >> kNodeShift)) * root_size[0] + (i >> kNodeShift));
+  }
+  static std::size_t node_entry(std::uint32_t node, std::int32_t i, std::int32_t j, std::int32_t k) {
+    using namespace image_layout;
+    const auto slot = (((k >> kBrickShift) & 3) << 4) | (((j >> kBrickShift) & 3) << 2) | ((i >> kBrickShift) & 3);
+    return node * kBricksPerNode + static_cast<std::size_t>(slot);
+  }
+
   /// The number of the brick that holds sample (i, j, k), each index within [0, size).
   std::uint32_t brick_number(std::int32_t i, std::int32_t j, std::int32_t k) const {
-    using namespace image_layout;
-    const auto cell = (((k >> kNodeShift) * root_size[1]) + (j >> kNodeShift)) * root_size[0] + (i >> kNodeShift);
-    const auto slot = (((k >> kBrickShift) & 3) << 4) | (((j >> kBrickShift) & 3) << 2) | ((i >> kBrickShift) & 3);
-    const std::uint32_t node = root[cell];
-    return nodes[node * kBricksPerNode + static_cast<std::size_t>(slot)];
+    return nodes[node_entry(root[root_entry(i, j, k)], i, j, k)];
   }
 
   /// Its 64 coefficients.

@@ -26,12 +26,12 @@ enum RequestBits : std::uint8_t {
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
-/// set. Bit 2: the memory. Bits 4 to 7: the guard's verdict.
+/// set. Bit 2: the memory. Bits 3 to 7: the guard's verdict.
 enum LineBits : std::uint8_t {
   kLineStop = 1U << 0,         ///< the emergency stop is pressed, its wire is broken, or nobody reads it
   kLineEnableWrong = 1U << 1,  ///< the motors' enable does not read back as it was set
   kLineMemory = 1U << 2,       ///< memory that the tick relies on has changed, see `loop/memory_check.h`
-  kLineGuard = 0xFU << 4,      ///< a GuardVerdict
+  kLineGuard = 0x1FU << 3,     ///< a GuardVerdict: its lower four bits in bits 4 to 7, its fifth in bit 3
 };
 
 /// Why the guard has taken the force away: a motor command, other than zero, contradicts what it reads in the device's packets itself.
@@ -52,11 +52,17 @@ enum class GuardVerdict : std::uint8_t {
   kPull,       ///< a force into the object
   kRepeat,     ///< the same commands again and again, though the hand moves
   kStopped,    ///< a stop was requested, and nobody has resumed
+  kStuck,      ///< an encoder does not move, though the hand or the force does
+  kMemory,     ///< what the guard remembers has changed
 };
-inline constexpr std::size_t kGuardVerdicts = 16;
+inline constexpr std::size_t kGuardVerdicts = 18;
 
-constexpr GuardVerdict guard_verdict(std::uint8_t lines) { return static_cast<GuardVerdict>(lines >> 4); }
-constexpr std::uint8_t line_bits(GuardVerdict verdict) { return static_cast<std::uint8_t>(static_cast<unsigned>(verdict) << 4); }
+/// returns   of bits that no verdict has, a number that is none
+constexpr GuardVerdict guard_verdict(std::uint8_t lines) { return static_cast<GuardVerdict>(lines >> 4 | (lines & 8) << 1); }
+constexpr std::uint8_t line_bits(GuardVerdict verdict) {
+  const auto number = static_cast<unsigned>(verdict);
+  return static_cast<std::uint8_t>((number & 15) << 4 | (number & 16) >> 1);
+}
 
 /// Largest number of periods that `Input::late` counts.
 inline constexpr std::uint8_t kMaxLate = 31;

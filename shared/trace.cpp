@@ -16,7 +16,6 @@ using namespace trace_layout;
 namespace {
 
 constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart;
-constexpr std::uint8_t kAllLines = kLineStop | kLineEnableWrong | kLineMemory | kLineGuard;
 
 /// Writes the fields of a layout one behind the other.
 struct FieldWriter {
@@ -176,8 +175,9 @@ Result<TraceRecord> decode_record(std::span<const std::uint8_t, kRecordBytes> by
   FieldReader reader{bytes.data()};
   record_fields(record, reader);
   const Input& in = record.input;
-  const bool defined = in.kind <= InputKind::kPacket && (in.requests & ~kAllRequests) == 0 && (in.lines & ~kAllLines) == 0 &&
-                       in.late <= kMaxLate && in.buttons <= 0x0F && is_valid(in.change);
+  const bool defined = in.kind <= InputKind::kPacket && (in.requests & ~kAllRequests) == 0 &&
+                       static_cast<std::size_t>(guard_verdict(in.lines)) < kGuardVerdicts && in.late <= kMaxLate && in.buttons <= 0x0F &&
+                       is_valid(in.change);
   if (!reader.good || !defined || (in.fresh && in.age != 0)) return Error::kBadRecord;
   return record;
 }

@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): sigtimedwait
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -223,12 +224,11 @@ void Controller::stay_awake() {
 }
 
 void Controller::check_memory() {
-  const loop::Damage damage = memory_check_->step();
+  const loop::Damage found = memory_check_->step(), damage = std::max(found, loop_->take_damage());
+  lines_.state.put_damaged(found != loop::Damage::kNone);
   if (damage == damage_) return;
   damage_ = damage;
-  lines_.state.put_damaged(damage != loop::Damage::kNone);
-  if (damage == loop::Damage::kField) say("the field in memory was damaged; send the field again, then 'isotouch resume'");
-  if (damage == loop::Damage::kPrepared) say("the model of the device in memory was damaged; restart the controller");
+  if (damage != loop::Damage::kNone) say(memory_line(damage));
 }
 
 void Controller::say_what_changed() {

@@ -43,6 +43,16 @@ std::string supervisor_line(const files::Condition& condition) { return "state: 
 
 std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }
 
+std::string memory_line(loop::Damage damage) {
+  switch (damage) {
+    case loop::Damage::kNone: return {};
+    case loop::Damage::kState: return "what the tick remembers was damaged in memory; it began anew: 'isotouch resume'";
+    case loop::Damage::kField: return "the field in memory was damaged; send the field again, then 'isotouch resume'";
+    case loop::Damage::kPrepared: break;
+  }
+  return "the model of the device in memory was damaged; restart the controller";
+}
+
 std::string refusal_line(unsigned refused) {
   if (refused == 0) return {};
   std::string text;

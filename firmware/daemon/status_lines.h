@@ -5,6 +5,7 @@
 #include <string>
 
 #include "firmware/falcon/falcon_port.h"
+#include "firmware/loop/memory_check.h"
 #include "firmware/loop/tick_stats.h"
 #include "shared/files/state_text.h"
 #include "shared/tick_io.h"
@@ -19,6 +20,9 @@ std::string supervisor_line(const files::Condition& condition);
 
 /// What the guard has stopped.
 std::string guard_line(GuardVerdict verdict);
+
+/// What was damaged in memory, and what to do; empty when nothing.
+std::string memory_line(loop::Damage damage);
 
 /// What the system refused; empty when nothing.
 ///

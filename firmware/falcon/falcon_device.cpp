@@ -63,6 +63,7 @@ Exchange FalconDevice::exchange(const FalconCommand& command) {
 }
 
 void FalconDevice::rest() {
+  gone_ = false;  // one that is gone refuses the first packet
   for (int i = 0; i < kRestPackets && !gone_; ++i) {
     if (send({})) await_reply();
   }

@@ -20,6 +20,10 @@ FalconSession::~FalconSession() { stop(); }
 Exchange FalconSession::step(const FalconCommand& command) {
   Exchange result;
   result.lost = true;
+  if (link_.is_open() && state_ != SessionState::kBooting && state_ != SessionState::kRunning) {  // a bit of the state has flipped
+    device_.rest();
+    search_again(0);
+  }
   switch (state_) {
     case SessionState::kSearching: search(); break;
     case SessionState::kBooting: bring_up(); break;

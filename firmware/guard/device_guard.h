@@ -1,5 +1,5 @@
-/// The guard where it works: on the thread that talks to the device. What it remembers is in a memory that no other thread can write; its model is
-/// ordinary memory, see `constants`. What it finds stops the force at once, and reaches the tick beside the safety lines, so that the supervisor is in fault
+/// The guard where it works: on the thread that talks to the device. What it remembers is in a memory that no other thread can write, and sealed between two
+/// uses; its model is ordinary memory, see `constants`. What it finds stops the force at once, and reaches the tick beside the safety lines, so that the supervisor is in fault
 /// and the recording names it.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "firmware/loop/field_slots.h"
 #include "firmware/loop/line_state.h"
 #include "firmware/loop/requests.h"
+#include "firmware/loop/seal.h"
 
 namespace isotouch::guard {
 
@@ -24,19 +25,26 @@ class DeviceGuard final : public loop::CommandGuard {
   bool is_ready() const { return memory_.get() != nullptr; }
 
   /// What does not change while it judges, as it stands in memory; for `loop::MemoryCheck`.
-  std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&guard_), sizeof guard_}; }
+  std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&constants_), sizeof constants_}; }
 
   MotorCommands pass(const loop::Command& command, std::int64_t now_ns) override;
   void hear(const FalconPacket& packet, std::int64_t now_ns) override;
 
  private:
-  const Guard guard_;
-  LiveRaw largest_;  ///< of every setting since the start
-  TickSettings settings_;
+  struct Constants {
+    Guard guard;
+    TickSettings settings;
+  };
+
+  bool put(const Memory& memory);
+  Memory afresh() const;
+
+  const Constants constants_;
   loop::FieldSlots& fields_;
   const loop::Requests& requests_;
   loop::LineState& lines_;
   PrivateMemory<Memory> memory_;
+  loop::Seal seal_;
 };
 
 }  // namespace isotouch::guard

@@ -79,6 +79,7 @@ void Guard::note(const loop::Command& command, const Evidence& evidence, Memory&
   if (command.sample >= memory.valid && memory.fresh < memory.valid) memory.fresh = memory.valid, memory.fresh_tick = command.tick;
   if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;
   warm(evidence.now_ns, memory);
+  if (memory.has_grip) follow_force(arms_.force(memory.commands, memory.grip), memory.encoders);
 }
 
 /// The first thing that this command must not be.
@@ -96,6 +97,7 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
   if (knows(command, memory.since.speed)) return kSpeed;
   if (knows(command, memory.since.pose)) return kPose;
   if (is_too_hot(memory)) return kHeat;
+  if (is_stuck(memory.encoders)) return kStuck;
   if (const GuardVerdict found = of_contact(command, evidence, memory); found != kNone) return found;
   const bool repeats = memory.has_grip && command.tick >= memory.repeated_since + kRepeats;
   return repeats && length(arms_.force(asked, memory.grip) - arms_.force(asked, memory.repeated_at)) >
@@ -198,6 +200,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   memory.since.jump = jumped ? memory.replies : 0;  // for this sample alone
   mark(!memory.referenced, memory.replies, memory.since.reference);
   mark(device_.hold_to_run != 0 && (reply->buttons & device_.buttons) == 0, memory.replies, memory.since.button);
+  follow_counts(reply->counts, memory.referenced && !jumped, memory.encoders);
   memory.counts = reply->counts;
   memory.valid = memory.replies;
   memory.heard_ns = now_ns;

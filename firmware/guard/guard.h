@@ -9,7 +9,8 @@
 ///   arms reach;
 /// - more than the motors can bear for long;
 /// - without contact, stronger than the way of the hand in contact explains, or into the object;
-/// - the same again and again while the hand moves.
+/// - the same again and again while the hand moves;
+/// - anything while an encoder is stuck, see `encoder_watch.h`.
 ///
 /// The hand's way bounds the spring: in contact the proxy only ever comes nearer to the HIP, so the distance between both grows by the HIP's movement
 /// at most. Energy is no bound here: force that returns by a ramp pushes a hand that went in while there was none, and so gives what it never took.
@@ -19,6 +20,7 @@
 #include <cstdint>
 
 #include "firmware/guard/arm_geometry.h"
+#include "firmware/guard/encoder_watch.h"
 #include "firmware/loop/device.h"
 #include "shared/device_model.h"
 #include "shared/field_view.h"
@@ -50,6 +52,8 @@ struct Memory {
     std::uint64_t reference, jump, button, speed, pose, free;
   } since{};
 
+  EncoderMemory encoders;
+
   // Of the contact.
   std::uint64_t placed = 0;            ///< the newest sample that was compared with the field
   std::uint32_t field_generation = 0;  ///< of the field that it was compared with
@@ -73,6 +77,8 @@ struct Memory {
   // Of its own verdict.
   GuardVerdict verdict = GuardVerdict::kNone;
   std::int64_t quiet_ns = 0;  ///< since when the tick has asked for nothing
+
+  LiveRaw largest{};  ///< of every setting since the start
 };
 
 /// What a command is judged by.

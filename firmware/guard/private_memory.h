@@ -6,6 +6,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
 namespace isotouch::guard {
@@ -32,9 +34,15 @@ class PrivateMemory {
   const T* get() const { return value_; }
 
   /// returns   false: the value is not what it should be
-  bool put(const T& value) { return pwrite(file_, &value, sizeof value, 0) == static_cast<ssize_t>(sizeof value); }
+  bool put(const T& value) {
+    const bool written = pwrite(file_, &value, sizeof value, 0) == static_cast<ssize_t>(sizeof value);
+    return written &&
+           (value_ == nullptr || std::equal(begin(value), begin(value) + sizeof value, begin(*value_)));  // else it went to another file
+  }
 
  private:
+  static const std::uint8_t* begin(const T& value) { return reinterpret_cast<const std::uint8_t*>(&value); }
+
   int file_;
   const T* value_ = nullptr;
 };

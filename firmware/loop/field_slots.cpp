@@ -1,24 +1,20 @@
 #include "firmware/loop/field_slots.h"
 
-#include "shared/hash64.h"
-
 namespace isotouch::loop {
 
 namespace {
 constexpr std::size_t kLine = 64;
 std::size_t whole_lines(std::size_t bytes) { return (bytes + kLine - 1) / kLine * kLine; }
 
-std::uint64_t hash_of(std::span<const std::uint8_t> image, std::size_t part) {
-  const auto border = [&image](std::size_t number) {
-    return static_cast<std::size_t>(std::uint64_t{image.size()} * number / FieldSlots::kParts);
-  };
-  const std::size_t begin = border(part), end = border(part + 1);
-  return hash64(image.data() + begin, end - begin);
+/// The blocks of one part of an image begin here, and end where the next one's begin.
+std::size_t border(std::size_t image_bytes, std::size_t part) {
+  return static_cast<std::size_t>(std::uint64_t{BlockSums::blocks_of(image_bytes)} * part / FieldSlots::kParts);
 }
 
 }  // namespace
 
-FieldSlots::FieldSlots(std::size_t bytes) : capacity_(bytes), memory_((2 * whole_lines(bytes) + kLine) / sizeof(std::uint64_t)) {
+FieldSlots::FieldSlots(std::size_t bytes)
+    : capacity_(bytes), memory_((2 * whole_lines(bytes) + kLine) / sizeof(std::uint64_t)), sums_{BlockSums(bytes), BlockSums(bytes)} {
   auto* at = reinterpret_cast<std::uint8_t*>(memory_.data());
   at += (kLine - reinterpret_cast<std::uintptr_t>(at) % kLine) % kLine;
   places_ = {at, at + whole_lines(bytes)};
@@ -47,7 +43,8 @@ Result<const FieldView*> FieldSlots::verify() {
     return view.error();
   }
   views_[slot] = *view;
-  for (std::size_t part = 0; part < kParts; ++part) hashes_[slot][part] = hash_of(view->image, part);
+  sums_[slot].take(view->image);
+  seals_[slot].close(views_[slot]);
   verified_ = true;
   return &views_[slot];
 }
@@ -81,7 +78,7 @@ ActiveField FieldSlots::published() const { return field_in(published_.load(std:
 ActiveField FieldSlots::field_in(std::uint32_t word) const {
   const std::uint32_t slot = word & kSlot;
   if (slot == kNone) return {};
-  return {&views_[slot], word >> 2, authors_[slot]};
+  return {&views_[slot], word >> 2, authors_[slot], &sums_[slot]};
 }
 
 ActiveField FieldSlots::field() {
@@ -98,7 +95,12 @@ std::uint32_t FieldSlots::damaged_in(std::size_t part) {
   const std::uint32_t word = published_.load(std::memory_order_acquire);
   if ((word & kSlot) == kNone) return 0;
   const std::size_t slot = word & kSlot;
-  return hash_of(views_[slot].image, part) == hashes_[slot][part] ? 0 : word >> 2;
+  bool whole = seals_[slot].holds(views_[slot]);
+  const std::span<const std::uint8_t> image = whole ? views_[slot].image : std::span<const std::uint8_t>{};
+  for (std::size_t block = border(image.size(), part); block < border(image.size(), part + 1); ++block) {
+    whole &= sums_[slot].holds(image, block);
+  }
+  return whole ? 0 : word >> 2;
 }
 
 const FieldView* FieldSlots::field_of(std::uint32_t generation) {

@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "firmware/loop/block_sums.h"
+#include "firmware/loop/seal.h"
 #include "shared/field_view.h"
 #include "shared/result.h"
 #include "shared/tick_io.h"
@@ -29,6 +31,7 @@ struct ActiveField {
   const FieldView* view = nullptr;  ///< nullptr: none
   std::uint32_t generation = 0;     ///< 0 = none; another number = another field
   std::uint32_t author = kNobody;   ///< who sent or chose it
+  const BlockSums* sums = nullptr;  ///< of its image
 };
 
 class FieldSlots {
@@ -89,9 +92,9 @@ class FieldSlots {
   /// The number of parts of an image, for `damaged_in`.
   static constexpr std::size_t kParts = 20;
 
-  /// Hashes one part of the published image again, up to 51 MiB of the largest. Waits while an upload begins, for a moment.
+  /// Hashes the view of the published image and one part of the image again, up to 51 MiB of the largest. Waits while an upload begins, for a moment.
   ///
-  /// returns   the image's generation where it is not what `verify` saw, else 0
+  /// returns   the field's generation where it is not what `verify` saw, else 0
   std::uint32_t damaged_in(std::size_t part);
 
   // --- tick ---
@@ -124,10 +127,11 @@ class FieldSlots {
   std::array<std::uint8_t*, 2> places_{};
   std::array<FieldView, 2> views_{};
   std::array<std::uint32_t, 2> authors_{};
-  std::array<std::array<std::uint64_t, kParts>, 2> hashes_{};  ///< of each part, as it was verified
-  std::mutex reused_;                                          ///< a place is not used again while it is read
-  std::size_t receiving_ = 0;                                  ///< bytes; 0 = nothing was begun
-  bool verified_ = false;                                      ///< what was received is a field
+  std::array<BlockSums, 2> sums_;  ///< of the images as they were verified
+  std::array<Seal, 2> seals_{};    ///< of the views
+  std::mutex reused_;              ///< a place is not used again while it is read
+  std::size_t receiving_ = 0;      ///< bytes; 0 = nothing was begun
+  bool verified_ = false;          ///< what was received is a field
   std::uint32_t generation_ = 0;
   std::atomic<std::uint32_t> published_{kNone};
   std::atomic<std::uint32_t> acknowledged_{kNone};

@@ -22,6 +22,9 @@ Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Nei
       neighbours_(neighbours),
       pace_(settings.period_ns, clock.now_ns()) {
   state_.heat = core::heat_from(settings.heat);
+  model_seal_.close(model_);
+  state_seal_.close(state_);
+  view_seal_.close(view_);
 }
 
 bool Loop::step() {
@@ -45,9 +48,13 @@ bool Loop::step() {
   record.start_ns = start;
   record.arrival_ns = sample.arrival_ns;
   record.in = look(sample, missed);
-  const ActiveField field = neighbours_.fields.field();
-  hear(field, record.in);
+  const std::uint32_t generation_before = generation_;
+  const ActiveField field = take_field();
+  const Damage damage = this->damage();
+  if (damage != Damage::kNone) found_.store(damage, std::memory_order_relaxed);
+  hear(field.generation != generation_before ? field.author : kNobody, damage == Damage::kState, record.in);
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
+  if (damage != Damage::kNone) record.in.lines |= kLineMemory;
   record.in.field_generation = field.generation;
   record.out = core::tick(record.in, field.view, model_, state_);
   device_.leave({{record.out.commands, record.out.packet_flags},
@@ -55,6 +62,7 @@ bool Loop::step() {
                  sample.number,
                  sample.number == 0 ? -1 : sample.arrival_ns,
                  field.generation});
+  state_seal_.close(state_);
 
   if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.state);
   record.wake_ns = short_ns(start - wanted);
@@ -66,11 +74,10 @@ bool Loop::step() {
   stats.by_reply.add(replied && wanted == arrival ? 1 : 0);
   stats.late.add(missed > 0 ? 1 : 0);
   stats.missed.add(missed);
-  stats.field_swaps.add(field.generation != generation_ ? 1 : 0);
-  generation_ = field.generation;
   neighbours_.trace.push(record);
   neighbours_.shown.put(record);
   count_own_costs();
+  if (field.view != nullptr) field_is_whole_ = field_is_whole_ && felt_.are_whole(view_, *field.sums, state_.render.proxy.point);
   return true;
 }
 
@@ -80,16 +87,45 @@ void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
   }
 }
 
+/// The field of this tick, by the loop's own view of it.
+ActiveField Loop::take_field() {
+  ActiveField field = neighbours_.fields.field();
+  if (field.generation != generation_) {
+    neighbours_.stats.field_swaps.add();
+    generation_ = field.generation;
+    view_ = field.view != nullptr ? *field.view : FieldView{};
+    view_seal_.close(view_);
+    field_is_whole_ = true;
+    felt_.forget();
+  }
+  if (field.view != nullptr) field.view = &view_;
+  return field;
+}
+
+/// What has changed since the last tick.
+Damage Loop::damage() const {
+  if (!model_seal_.holds(model_)) return Damage::kPrepared;
+  if (!state_seal_.holds(state_)) return Damage::kState;
+  return view_seal_.holds(view_) && field_is_whole_ ? Damage::kNone : Damage::kField;
+}
+
 /// What people want of this tick. A restart is no way out of a fault: there it comes with a stop. A tick has one author: a change waits for the next
 /// tick where somebody asks for something else.
-void Loop::hear(const ActiveField& field, Input& in) {
+///
+/// sender        of the field, where it is another one than before
+/// begins_anew   the state is damaged: the tick is told by its lines, and nobody knows what state it was
+void Loop::hear(std::uint32_t sender, bool begins_anew, Input& in) {
   const Asked asked = neighbours_.requests.take();
   in.requests = asked.bits;
-  in.author = asked.author != kNobody || field.generation == generation_ ? asked.author : field.author;
-  if ((asked.bits & kRequestRestart) != 0) {
-    neighbours_.requests.repeat_changes();
+  in.author = asked.author != kNobody ? asked.author : sender;
+  if (begins_anew) {
+    in.requests |= kRequestRestart;
+  } else if ((asked.bits & kRequestRestart) != 0) {
     if (core::is_in_fault(state_.supervisor)) in.requests |= kRequestStop;
     in.heat = core::heat_input(state_.heat);
+  }
+  if ((in.requests & kRequestRestart) != 0) {
+    neighbours_.requests.repeat_changes();
   } else if (in.author == kNobody) {
     const AskedChange set = neighbours_.requests.take_change();
     in.change = set.change;

@@ -1,5 +1,8 @@
 /// The loop around the tick: waits for the device, computes the age of its sample, ticks, hands the commands over, counts. It does not allocate, lock, or block
 /// but in `Device::wait` and in sleeping until the tick's time.
+///
+/// Between two ticks nobody may change what the tick remembers and relies on: its state, its model, its view of the field, and the part of the field that
+/// it reads. Before a tick the loop looks whether it is so. If not, the tick is told by kLineMemory, and a damaged state begins anew.
 #pragma once
 
 #include <atomic>
@@ -9,11 +12,14 @@
 #include "firmware/core/tick.h"
 #include "firmware/loop/clock.h"
 #include "firmware/loop/device.h"
+#include "firmware/loop/felt_blocks.h"
 #include "firmware/loop/field_slots.h"
 #include "firmware/loop/latest.h"
 #include "firmware/loop/line_state.h"
+#include "firmware/loop/memory_check.h"
 #include "firmware/loop/pace.h"
 #include "firmware/loop/requests.h"
+#include "firmware/loop/seal.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/loop/tick_stats.h"
 
@@ -55,11 +61,20 @@ class Loop {
   /// What does not change while it ticks, as it stands in memory; from construction on.
   std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&model_), sizeof model_}; }
 
+  /// The gravest damage that ticks were told of since the last call. Any thread.
+  Damage take_damage() { return found_.exchange(Damage::kNone, std::memory_order_relaxed); }
+
+  /// What the tick relies on and what it remembers, for tests. Not while it runs.
+  const core::TickModel& model() const { return model_; }
+  const core::TickState& state() const { return state_; }
+
   /// As core::heat_input gives it, for the loop that follows this one. Not while it runs.
   std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
  private:
-  void hear(const ActiveField& field, Input& in);
+  ActiveField take_field();
+  Damage damage() const;
+  void hear(std::uint32_t sender, bool begins_anew, Input& in);
   Input look(const Sample& sample, std::uint32_t missed);
   void count_own_costs();
 
@@ -69,6 +84,11 @@ class Loop {
   Clock& clock_;
   Neighbours neighbours_;
   core::TickState state_;
+  FieldView view_;              ///< of the field of `generation_`: the tick's own
+  bool field_is_whole_ = true;  ///< as far as the ticks have read it
+  FeltBlocks felt_;
+  Seal model_seal_, state_seal_, view_seal_;
+  std::atomic<Damage> found_{Damage::kNone};
   Pace pace_;
   std::uint64_t ticks_ = 0;
   std::uint64_t seen_ = 0;  ///< number of the newest sample that a tick has had

@@ -1,5 +1,5 @@
 /// Hashes the memory that the tick relies on again, in small steps: the field that is felt, and what was prepared before the first tick. Neither may change
-/// while it is used, so a difference is a flipped bit or a stray write. For a thread beside the tick.
+/// while it is used, so a difference is a flipped bit or a stray write. For a thread beside the tick; what the tick uses right now, the loop looks at itself.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@ namespace isotouch::loop {
 
 enum class Damage : std::uint8_t {
   kNone,
+  kState,     ///< what the tick remembers: it begins anew, and all is well again
   kField,     ///< until another field is published
   kPrepared,  ///< model, limits or settings, for good
 };

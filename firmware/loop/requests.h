@@ -1,4 +1,5 @@
-/// What other threads ask of the tick, kept until the next tick begins, and who asked. Any number of askers.
+/// What other threads ask of the tick, kept until the next tick begins, and who asked. Any number of askers. Everything is kept twice, so that one
+/// flipped bit asks for nothing but a stop.
 #pragma once
 
 #include <array>
@@ -35,8 +36,9 @@ class Requests {
       stops_.fetch_add(1, std::memory_order_relaxed);
     }
     std::uint64_t before = asked_.load(std::memory_order_relaxed);
-    while (!asked_.compare_exchange_weak(before, pair(low_of(before) | bits, author == kNobody ? author_in(before) : author),
-                                         std::memory_order_acq_rel, std::memory_order_relaxed)) {
+    while (!asked_.compare_exchange_weak(
+        before, pair(low_of(before) | static_cast<std::uint32_t>(bits << 8 | bits), author == kNobody ? author_in(before) : author),
+        std::memory_order_acq_rel, std::memory_order_relaxed)) {
     }
   }
 
@@ -49,13 +51,20 @@ class Requests {
   /// tick      yes
   Asked take() {
     const std::uint64_t asked = asked_.load(std::memory_order_relaxed) == 0 ? 0 : asked_.exchange(0, std::memory_order_acq_rel);
-    return {static_cast<std::uint8_t>(low_of(asked)), author_in(asked)};
+    const std::uint32_t one = low_of(asked) & 0xFF, other = low_of(asked) >> 8 & 0xFF;
+    const auto bits = static_cast<std::uint8_t>((one & other) | ((one | other) & kRequestStop));
+    return {bits, bits == 0 ? kNobody : author_in(asked)};
   }
 
   /// change    a valid one; of two for the same setting that no tick took in between, the later holds
   void set(const SettingChange& change, std::uint32_t author = kNobody) {
     const auto number = static_cast<std::size_t>(change.setting) - 1;
-    values_[number].store(pair(static_cast<std::uint32_t>(change.raw), author), std::memory_order_relaxed);
+    std::uint64_t now = pair(static_cast<std::uint32_t>(change.raw), author);
+    values_[number].store(now, std::memory_order_release);
+    do {  // of two that set the same, both end with the check of the value that stays
+      now = values_[number].load(std::memory_order_acquire);
+      checks_[number].store(check_of(now), std::memory_order_release);
+    } while (values_[number].load(std::memory_order_acquire) != now);
     changed_.fetch_or(1U << number, std::memory_order_release);
     waiting_.fetch_or(1U << number, std::memory_order_release);
   }
@@ -69,14 +78,15 @@ class Requests {
     const auto number = static_cast<std::size_t>(std::countr_zero(waiting));
     waiting_.fetch_and(~(1U << number), std::memory_order_acq_rel);
     const std::uint64_t value = values_[number].load(std::memory_order_relaxed);
-    return {{static_cast<TickSetting>(number + 1), raw_of(value)}, author_in(value)};
+    return is_whole(number, value) ? AskedChange{{static_cast<TickSetting>(number + 1), raw_of(value)}, author_in(value)} : AskedChange{};
   }
 
   /// What was asked for last, taken over or not; `otherwise` where nothing ever was. Any thread.
   std::int32_t newest(TickSetting setting, std::int32_t otherwise) const {
     const auto number = static_cast<std::size_t>(setting) - 1;
-    return (changed_.load(std::memory_order_acquire) >> number & 1U) != 0 ? raw_of(values_[number].load(std::memory_order_relaxed))
-                                                                          : otherwise;
+    const bool changed = (changed_.load(std::memory_order_acquire) >> number & 1U) != 0;
+    const std::uint64_t value = values_[number].load(std::memory_order_relaxed);
+    return changed && is_whole(number, value) ? raw_of(value) : otherwise;
   }
 
   /// A tick forgets everything before it: all that was ever set is to be set again.
@@ -91,10 +101,16 @@ class Requests {
   static constexpr std::uint32_t author_in(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); }
   static constexpr std::int32_t raw_of(std::uint64_t word) { return static_cast<std::int32_t>(low_of(word)); }
 
-  std::atomic<std::uint64_t> asked_{0};
+  static constexpr std::uint32_t check_of(std::uint64_t word) { return ~(low_of(word) ^ author_in(word)); }
+  bool is_whole(std::size_t number, std::uint64_t value) const {  // not one that nobody has set
+    return checks_[number].load(std::memory_order_relaxed) == check_of(value);
+  }
+
+  std::atomic<std::uint64_t> asked_{0};  ///< RequestBits in the lowest byte, and again in the next
   std::atomic<std::uint32_t> stops_{0};
   std::atomic<bool> stopped_{false};
   std::array<std::atomic<std::uint64_t>, kLiveSettings> values_{};
+  std::array<std::atomic<std::uint32_t>, kLiveSettings> checks_{};
   std::atomic<std::uint32_t> changed_{0}, waiting_{0};
 };
 

@@ -43,6 +43,7 @@ constexpr Form kForms[] = {
     {"firmware-lost", FaultKind::kFirmwareLost, {kNone, kNone}},
     {"homing-lost", FaultKind::kHomingLost, {kNone, kNone}},
     {"encoder-jump", FaultKind::kEncoderJump, {{{"AXIS", 0, 2, true, 0}, {"COUNTS", -32768, 32767, true, 0}}}},
+    {"encoder-stuck", FaultKind::kEncoderStuck, {{{"MASK", 1, 7, true, 0}, {"PACKETS", 1, kMany, true, 0}}}},
     {"no-wall-power", FaultKind::kNoWallPower, {kNone, kNone}},
     {"wall-power", FaultKind::kWallPower, {kNone, kNone}},
 };

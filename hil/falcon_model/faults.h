@@ -25,6 +25,7 @@ enum class FaultKind {
   kFirmwareLost,  ///< the board is cold
   kHomingLost,    ///< every axis counts from where it stands
   kEncoderJump,   ///< AXIS COUNTS: one axis, 0 top, 1 right, 2 left, counts so many more
+  kEncoderStuck,  ///< MASK PACKETS: axes of the mask, bit 0 top, 1 right, 2 left, report the same count for so many packets
   kNoWallPower,   ///< nobody answers behind the chip
   kWallPower,     ///< the supply is back, the board cold
 };

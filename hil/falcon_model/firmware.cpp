@@ -15,8 +15,12 @@ void Firmware::lose_homing(const Counts& now) {
   homed_ = 0;
 }
 
-ReplyPacket Firmware::take(const CommandPacket& packet, const Counts& now, std::uint8_t buttons) {
+ReplyPacket Firmware::take(const CommandPacket& packet, const Counts& true_counts, std::uint8_t buttons) {
   ReplyPacket reply;
+  Counts now = true_counts;
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    if ((stuck_ >> i & 1U) != 0) now[i] = stuck_at_[i];
+  }
   for (std::size_t i = 0; i < kLegs; ++i) {
     const auto bit = static_cast<std::uint8_t>(1U << i);
     const bool passed_reference = (last_[i] < 0) != (now[i] < 0);

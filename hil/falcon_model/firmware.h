@@ -34,12 +34,19 @@ class Firmware {
   void lose_homing(const Counts& now);
   /// One axis counts so many more from now on.
   void jump(std::size_t axis, int counts) { zero_[axis] -= counts; }
+  /// The axes of the mask report from now on what they would report now; 0: every axis moves again.
+  void stick(std::uint8_t mask, const Counts& now) {
+    stuck_ = mask;
+    stuck_at_ = now;
+  }
 
  private:
   Quirks quirks_;
   int hold_packets_;
   Counts zero_{};
   Counts last_{};
+  Counts stuck_at_{};
+  std::uint8_t stuck_ = 0;
   std::uint8_t homed_ = 0;
   std::uint8_t leds_ = 0;
   Commands commands_{};

@@ -92,6 +92,7 @@ void SimulatedFalcon::take(const CommandPacket& packet) {
   }
   if (stalled_ > 0) --stalled_;
   if (pressed_ > 0) --pressed_;
+  if (stuck_ > 0 && --stuck_ == 0) firmware_.stick(0, {});
   hand_.advance(settings_.step_ms, mechanism_.position_mm(), running() && firmware_.homed() == 7);
   const Commands commands = running() ? firmware_.commands() : Commands{};
   mechanism_.step(settings_.step_ms, commands, [&](const Vector& p, const Vector& v) { return hand_.force_n(p, v); });
@@ -118,6 +119,10 @@ void SimulatedFalcon::apply(const Fault& fault) {
     case FaultKind::kFirmwareLost: board_.lose_firmware(); break;
     case FaultKind::kHomingLost: firmware_.lose_homing(mechanism_.counts()); break;
     case FaultKind::kEncoderJump: firmware_.jump(static_cast<std::size_t>(first), second); break;
+    case FaultKind::kEncoderStuck:
+      firmware_.stick(static_cast<std::uint8_t>(first), mechanism_.counts());
+      stuck_ = second;
+      break;
     case FaultKind::kNoWallPower: board_.set_power(false); break;
     case FaultKind::kWallPower: board_.set_power(true); break;
     default: wire_.order(fault); return;

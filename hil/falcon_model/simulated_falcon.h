@@ -85,6 +85,7 @@ class SimulatedFalcon {
   std::size_t next_fault_ = 0;
   int stalled_ = 0;
   int pressed_ = 0;
+  int stuck_ = 0;
   std::uint8_t buttons_ = 0;
   bool present_ = true;
   int refusals_ = 0;

@@ -11,7 +11,8 @@ namespace isotouch::test {
 
 namespace {
 
-constexpr std::int64_t kRefreshNs = 2'500'000, kSilentNs = 4 * FaultBench::kPeriod;  // as the daemon sets them at 1 kHz
+constexpr std::int64_t kRefreshNs = 2'500'000, kSilentNs = 4 * FaultBench::kPeriod,
+                       kCheckNs = 100'000'000;  // as the daemon sets them at 1 kHz
 
 falcon_model::Settings model_settings(const FaultBench::Options& options) {
   falcon_model::Settings settings;
@@ -50,15 +51,20 @@ FaultBench::FaultBench(const Options& options)
       session(link, link_clock, firmware),
       port(session, link),
       watch({}, lines, clock, line_state, stats.ticks),
-      settings{options.device, {}, static_cast<std::uint32_t>(kPeriod), false},
+      settings{options.device, options.tick, static_cast<std::uint32_t>(kPeriod), false},
       guard(options.device, settings.tick, static_cast<std::uint32_t>(kPeriod), fields, commands, line_state),
-      loop(settings, *this, clock, {fields, commands, trace, shown, stats, &line_state}) {
+      loop(settings, *this, clock, {fields, commands, trace, shown, stats, &line_state}),
+      memory_check(fields, {loop.constants(), guard.constants()}) {
   lines.sleeps = false;
   gap_began_ = clock.passed;
 }
 
 const loop::TickRecord& FaultBench::tick() {
   watch.step();
+  if (clock.passed - checked_ >= kCheckNs) {
+    checked_ = clock.passed;
+    line_state.put_damaged(memory_check.step() != loop::Damage::kNone);
+  }
   loop.step();
   last = shown.get();
   longest_gap_ns = std::max(longest_gap_ns, clock.passed - gap_began_);
@@ -110,6 +116,7 @@ loop::Wake FaultBench::wait(std::int64_t until_ns) {
 
 loop::Sample FaultBench::newest() {
   unseen_ = false;
+  if (garble) garble(sample_);
   return sample_;
 }
 
@@ -140,7 +147,7 @@ bool FaultBench::end_exchange() {
   busy_ = false;
   if (!replies_) return false;
   guard.hear(arriving_, ends_ns_);
-  sample_ = {arriving_, sample_.number + 1, sent_ns_, ends_ns_, -1};
+  arrived_ = sample_ = {arriving_, arrived_.number + 1, sent_ns_, ends_ns_, -1};
   return unseen_ = true;
 }
 

@@ -12,6 +12,7 @@
 #include "firmware/falcon/firmware_image.h"
 #include "firmware/guard/device_guard.h"
 #include "firmware/loop/loop.h"
+#include "firmware/loop/memory_check.h"
 #include "firmware/loop/watchdog.h"
 #include "tests/driver/model_link.h"
 #include "tests/support/fake_lines.h"
@@ -45,6 +46,7 @@ class FaultBench final : public loop::Device {
     falcon_model::Path path = pressing_hand();
     std::string faults;  ///< a script, see hil/falcon_model/faults.h
     DeviceModel device = libnifalcon_model();
+    TickSettings tick = {};
   };
   explicit FaultBench(const Options& options);
 
@@ -59,11 +61,14 @@ class FaultBench final : public loop::Device {
   /// What stands at the device's seam.
   const FalconCommand& last_left() const { return command_.falcon; }
   falcon_model::SimulatedFalcon& falcon() { return link.falcon; }
+  /// The newest reply, as it arrived.
+  const loop::Sample& arrived() const { return arrived_; }
 
   // What a test pulls at, for the next tick.
   std::int64_t late_ns = 0;                    ///< it begins so much too late
   std::int64_t set_back_ns = 0;                ///< before it the clock is set back by so much
   std::function<void(loop::Command&)> tamper;  ///< with what the tick says, as if the core were broken
+  std::function<void(loop::Sample&)> garble;   ///< with a reply before the tick reads it
   FalconCommand sent;                          ///< what the device was told last
   std::uint64_t packets_with_force = 0;        ///< that it was told
 
@@ -84,6 +89,7 @@ class FaultBench final : public loop::Device {
   loop::LoopSettings settings;
   guard::DeviceGuard guard;
   loop::Loop loop;
+  loop::MemoryCheck memory_check;
   loop::TickRecord last;
   std::uint64_t allocations_of_driver = 0;  ///< in a program that counts them: the exchange thread may
   std::int64_t longest_gap_ns = 0;          ///< between two ticks, by the time that really passed
@@ -99,10 +105,10 @@ class FaultBench final : public loop::Device {
   void pass_without_ticks(std::int64_t until_ns);
 
   loop::Command command_;
-  loop::Sample sample_;
+  loop::Sample sample_, arrived_;
   FalconPacket arriving_{};
   bool busy_ = false, replies_ = false, unseen_ = false;
-  std::int64_t sent_ns_ = 0, ends_ns_ = 0, ticked_ns_ = 0, gap_began_ = 0;
+  std::int64_t sent_ns_ = 0, ends_ns_ = 0, ticked_ns_ = 0, gap_began_ = 0, checked_ = 0;
 };
 
 }  // namespace isotouch::test

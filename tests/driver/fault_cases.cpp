@@ -1,6 +1,9 @@
 #include "tests/driver/fault_cases.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "firmware/daemon/status_lines.h"
@@ -42,6 +45,48 @@ bool leap(const TickRecord& now, const TickRecord& before) {
   const auto a = decode_reply(now.in.packet), b = decode_reply(before.in.packet);
   return a && b && std::abs(a->counts[1] - b->counts[1]) > 200;
 }
+/// The encoders of the newest packets: how many packets' counts were all the same, and by how much each leg moved since another one did not.
+class Encoders {
+ public:
+  bool another_leg_travels(const TickRecord& now, const TickRecord& /*before*/) {
+    take(now);
+    bool travels = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) travels |= high_[i][j] - low_[i][j] > 400;
+    }
+    return travels;
+  }
+  bool rest_under_another_force(const TickRecord& now, const TickRecord& /*before*/) {
+    take(now);
+    const auto change = [&](Newton a, Newton b) { return std::abs(a.raw() - b.raw()) / 65536.0; };
+    const Vec3<Newton>& f = now.out.force;
+    const double most = std::max({change(f.x, force_.x), change(f.y, force_.y), change(f.z, force_.z)});
+    changed_ = most > 1.5 ? changed_ + 1 : 0;
+    return changed_ > 50;
+  }
+
+ private:
+  using Counts = std::array<std::int16_t, 3>;
+  void take(const TickRecord& now) {
+    const auto reply = decode_reply(now.in.packet);
+    if (!reply || !now.in.fresh) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (reply->counts[i] != counts_[i]) low_[i] = high_[i] = reply->counts;
+      for (std::size_t j = 0; j < 3; ++j) {
+        low_[i][j] = std::min(low_[i][j], reply->counts[j]);
+        high_[i][j] = std::max(high_[i][j], reply->counts[j]);
+      }
+    }
+    if (reply->counts != counts_) force_ = now.out.force, changed_ = 0;
+    counts_ = reply->counts;
+  }
+
+  Counts counts_{};
+  std::array<Counts, 3> low_{}, high_{};
+  Vec3<Newton> force_;
+  int changed_ = 0;
+};
+
 bool unhomed(const TickRecord& now, const TickRecord& /*before*/) {
   const auto reply = decode_reply(now.in.packet);
   return reply && reply->homed != 7;
@@ -59,6 +104,7 @@ struct Case {
   std::uint16_t faults;
   bool by_itself;  ///< comes back without a person
   FaultBench::Options options = {};
+  GuardVerdict verdict = GuardVerdict::kNone;  ///< what the guard alone can see
 };
 
 Pull during(int from, int to, std::function<void(FaultBench&, bool)> pull) {
@@ -83,12 +129,24 @@ falcon_model::Path deeper_hand(double deeper_mm) {
   };
 }
 
+/// Presses, and from 3.6 s on slides to and fro in front of the ball.
+falcon_model::Path sliding_hand() {
+  return [press = pressing_hand()](double ms) {
+    if (ms < 3600) return press(ms);
+    const double angle = 0.9 * std::sin((ms - 3600) / 400) * std::min((ms - 3600) / 400, 1.0);
+    return falcon_model::Vector{18 * std::sin(angle), 0, 18 * std::cos(angle)};
+  };
+}
+
 std::vector<Case> cases() {
   FaultBench::Options shallow;
   shallow.device.penetration_limit = Mm::of(4);
   shallow.path = deeper_hand(20);
   FaultBench::Options deep;
   deep.path = deeper_hand(0);
+  FaultBench::Options sliding;
+  sliding.path = sliding_hand();
+  const auto seen = [] { return std::make_shared<Encoders>(); };
   return {
       {"short packet", "at # short", {}, stale, S::kHold, 0, true},
       {"merged packets", "at # merged", {}, stale, S::kHold, 0, true},
@@ -105,6 +163,26 @@ std::vector<Case> cases() {
       {"homing lost", "at # homing-lost", {}, unhomed, S::kHoming, 0, true},
       {"encoder jump, 900 counts", "at # encoder-jump 1 900\nat #+400 homing-lost", {}, jump, S::kFault, kFaultEncoders, false},
       {"encoder leap, 300 counts", "at # encoder-jump 1 300\nat #+200 encoder-jump 1 -300", {}, leap, S::kHold, 0, true},
+      {"one encoder stuck",
+       "at # encoder-stuck 1 4000",
+       {},
+       [e = seen()](const TickRecord& now, const TickRecord& before) { return e->another_leg_travels(now, before); },
+       S::kFault,
+       kFaultGuard,
+       false,
+       sliding,
+       GuardVerdict::kStuck},
+      {"all encoders stuck, and the stiffness changes",
+       "at # encoder-stuck 7 1200",
+       [](FaultBench& b, int t) {
+         if (t == kStrike + 100) b.commands.set({TickSetting::kStiffness, Stiffness::of(0.1).raw()});
+       },
+       [e = seen()](const TickRecord& now, const TickRecord& before) { return e->rest_under_another_force(now, before); },
+       S::kFault,
+       kFaultGuard,
+       false,
+       {},
+       GuardVerdict::kStuck},
       {"clock jumps ahead 10 s", "", lateness(10'000'000'000, 1), late, S::kHold, 0, true},
       {"clock is set back 10 s",
        "",
@@ -185,7 +263,8 @@ class Follow {
   void look(int t, const TickRecord& now, const TickRecord& before) {
     const bool zero = !bench_.has_words();
     if (!zero && bench_.state() != S::kActive && broken_.empty()) broken_ = "words in a state that has none";
-    if (guard_verdict(now.in.lines) != GuardVerdict::kNone && broken_.empty()) broken_ = "the guard stopped it";
+    const GuardVerdict verdict = guard_verdict(now.in.lines);
+    if (verdict != GuardVerdict::kNone && verdict != case_.verdict && broken_.empty()) broken_ = "the guard stopped it";
     if (now.out.commands != bench_.last_left().words && broken_.empty()) broken_ = "words left that the tick did not say";
     if (shown_ < 0 && case_.shows && case_.shows(now, before)) shown_ = t;
     if (shown_ >= 0 && zero_ < 0 && zero) zero_ = t;

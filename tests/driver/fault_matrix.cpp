@@ -1,6 +1,6 @@
-/// Prints the fault matrix, or runs random faults.
+/// Prints the fault matrix, runs random faults, or flips random bits.
 ///
-///     fault_matrix [random TICKS [SEED]]
+///     fault_matrix [random TICKS [SEED] | flips FLIPS [SEED]]
 ///
 /// Exit codes: 0 every bound was kept, 2 wrong usage, 3 one was broken.
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/driver/bit_flips.h"
 #include "tests/driver/fault_cases.h"
 #include "tests/driver/random_faults.h"
 
@@ -45,13 +46,21 @@ int run_random(std::uint64_t ticks, std::uint64_t seed) {
   return run.broken.empty() ? 0 : 3;
 }
 
+int run_flips(int flips, std::uint64_t seed) {
+  const FlipRun run = bit_flips(flips, seed);
+  std::printf("%s", describe(run).c_str());
+  return run.broken.empty() && run.all.escaped == 0 ? 0 : 3;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc == 1) return print_matrix();
-  const std::uint64_t ticks = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  if (std::string(argv[1]) == "random" && ticks > 0 && argc <= 4)
-    return run_random(ticks, argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
-  std::fprintf(stderr, "usage: fault_matrix [random TICKS [SEED]]\n");
+  const std::string what = argv[1];
+  const std::uint64_t number = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0,
+                      seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+  if (what == "random" && number > 0 && argc <= 4) return run_random(number, seed);
+  if (what == "flips" && number > 0 && number <= 1'000'000'000 && argc <= 4) return run_flips(static_cast<int>(number), seed);
+  std::fprintf(stderr, "usage: fault_matrix [random TICKS [SEED] | flips FLIPS [SEED]]\n");
   return 2;
 }

@@ -7,6 +7,7 @@
 
 #include "shared/fault_names.h"
 #include "tests/driver/broken_cores.h"
+#include "tests/driver/flip_places.h"
 
 namespace isotouch::test {
 namespace {
@@ -67,6 +68,22 @@ TEST(Guard, StopsCommandsThatRepeat) {
   };
   const Passed through = passed(says, [](const Vec3<Newton>&) { return 0.0; }, 1500, {{15, 0, 8}, 300});
   EXPECT_EQ(through.verdict, GuardVerdict::kRepeat) << name_of(through.verdict);
+}
+
+TEST(Guard, StopsOnceItsOwnMemoryWasDamaged) {
+  for (std::uint64_t bit = 0; bit < 8 * sizeof(guard::Memory); bit += 331) {
+    const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+    ASSERT_TRUE(bench->begin());
+    flip(*bench, {"", {}, FlipPlace::Where::kGuardMemory}, bit);
+    bench->tick();
+    bench->tick();
+    EXPECT_EQ(bench->line_state.verdict(), GuardVerdict::kMemory) << bit;
+    EXPECT_FALSE(has_force(*bench)) << bit;
+    for (int t = 0; t < 200; ++t) bench->tick();
+    bench->commands.ask(kRequestResume);
+    for (int t = 0; t < 600; ++t) bench->tick();
+    EXPECT_TRUE(has_force(*bench)) << bit;
+  }
 }
 
 TEST(Guard, BelievesASoundCoreAfterAPersonHasResumed) {

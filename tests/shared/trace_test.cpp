@@ -242,7 +242,7 @@ TEST(Trace, ARecordWithAnUndefinedValueIsRefused) {
     EXPECT_TRUE(refused_at(kind, 0, 2)) << "a third kind";
     EXPECT_TRUE(refused_at(kind, 1, 1)) << "a fresh sample with an age";
     EXPECT_TRUE(refused_at(kind, 1, 2)) << "neither fresh nor not";
-    EXPECT_TRUE(refused_at(kind, 2, 8)) << "an undefined line";
+    EXPECT_TRUE(refused_at(kind, 2, 0x28)) << "an undefined verdict";
     EXPECT_TRUE(refused_at(kind, 3, 32)) << "more late periods than are counted";
     EXPECT_TRUE(refused_at(kind, 4, 8)) << "an undefined request";
     EXPECT_TRUE(refused_at(kind, 5, 9)) << "a setting that may not change";
@@ -254,6 +254,15 @@ TEST(Trace, ARecordWithAnUndefinedValueIsRefused) {
   EXPECT_TRUE(refused_at(InputKind::kPosition, 28, 0x10)) << "a fifth button";
   for (std::size_t offset = 29; offset < 32; ++offset) EXPECT_TRUE(refused_at(InputKind::kPosition, offset, 1)) << "a reserved byte";
   EXPECT_FALSE(refused_at(InputKind::kPacket, 16, 0)) << "a malformed packet is an input like any other";
+}
+
+TEST(Trace, EveryVerdictOfTheGuardFitsBesideTheLines) {
+  for (std::size_t number = 0; number < kGuardVerdicts; ++number) {
+    const auto verdict = static_cast<GuardVerdict>(number);
+    const std::uint8_t bits = line_bits(verdict);
+    EXPECT_EQ(bits & ~kLineGuard, 0) << number;
+    EXPECT_EQ(guard_verdict(static_cast<std::uint8_t>(bits | kLineStop | kLineEnableWrong | kLineMemory)), verdict) << number;
+  }
 }
 
 TEST(Trace, TheChainIsTheHashThatTheSpecificationStates) {

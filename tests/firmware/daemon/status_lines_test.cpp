@@ -32,6 +32,14 @@ TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
   EXPECT_EQ(device_line(report), "device: " + falcon::explain(report.boot));
 }
 
+TEST(StatusLines, EveryDamageOfMemoryHasALineOfItsOwn) {
+  using enum loop::Damage;
+  EXPECT_EQ(memory_line(kNone), "");
+  EXPECT_NE(memory_line(kState).find("tick remembers"), std::string::npos);
+  EXPECT_NE(memory_line(kField).find("send the field again"), std::string::npos);
+  EXPECT_NE(memory_line(kPrepared).find("restart"), std::string::npos);
+}
+
 TEST(StatusLines, ARefusalNamesWhatIsMissing) {
   EXPECT_EQ(refusal_line(0), "");
   EXPECT_EQ(refusal_line(loop::kRefusedPriority | loop::kRefusedMemory).find("runs without a real-time priority, locked memory, because"),

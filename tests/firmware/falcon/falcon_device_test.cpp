@@ -222,6 +222,20 @@ class TransferLink final : public OpenLink {
   std::deque<test::Bytes> coming_;
 };
 
+TEST(FalconDevice, RestsADeviceThatOnlyAFlippedBitCallsGone) {
+  int gone = 0;
+  for (std::size_t at = sizeof(FalconDevice) - 16; at < sizeof(FalconDevice); ++at) {  // the flags and counters at its end
+    Desk desk;
+    desk.device.exchange({{7, 7, 7}});
+    reinterpret_cast<std::uint8_t*>(&desk.device)[at] ^= 1;
+    const bool lost = desk.device.exchange({{7, 7, 7}}).lost;
+    gone += lost ? 1 : 0;
+    desk.device.rest();
+    EXPECT_EQ(desk.falcon.commands.back(), FalconCommand{}) << at;
+  }
+  EXPECT_EQ(gone, 1);
+}
+
 struct TransferDesk {
   FakeClock clock;
   TransferLink link{clock};

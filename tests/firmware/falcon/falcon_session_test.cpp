@@ -155,6 +155,25 @@ TEST(FalconSession, EndsWithoutForceAndLightAndGivesTheDeviceBack) {
   EXPECT_FALSE(falcon.is_open());
 }
 
+TEST(FalconSession, AFlippedBitOfItsStateLeavesTheDeviceWithoutForce) {
+  for (std::uint8_t bit = 0; bit < 8; ++bit) {
+    Desk desk;
+    ASSERT_TRUE(desk.reaches(SessionState::kRunning));
+    desk.session.step({{7, 7, 7}, kFalconGreen});
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(&desk.session);
+    bool found = false;
+    for (std::size_t at = 0; at < sizeof(FalconSession) && !found; ++at) {
+      bytes[at] ^= static_cast<std::uint8_t>(1U << bit);
+      found = desk.session.state() != SessionState::kRunning;
+      if (!found) bytes[at] ^= static_cast<std::uint8_t>(1U << bit);
+    }
+    ASSERT_TRUE(found);
+    desk.session.step({{7, 7, 7}, kFalconGreen});
+    EXPECT_EQ(desk.falcon.commands.back(), FalconCommand{}) << int{bit};
+    EXPECT_TRUE(desk.reaches(SessionState::kRunning)) << int{bit};
+  }
+}
+
 TEST(FalconSession, StopsWithinABootWhenToldTo) {
   FakeClock clock;
   FakeFalcon falcon(clock);

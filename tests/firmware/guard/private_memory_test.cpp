@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstring>
 
 namespace isotouch::guard {
 namespace {
@@ -17,6 +18,21 @@ TEST(PrivateMemory, KeepsWhatItsOwnerPuts) {
   value[99] = 7;
   EXPECT_TRUE(memory.put(value));
   EXPECT_EQ((*memory.get())[99], 7);
+}
+
+TEST(PrivateMemory, NoticesThatAnotherFileWasWritten) {
+  const int other = memfd_create("other", MFD_CLOEXEC);
+  ASSERT_GE(other, 0);
+  PrivateMemory<Value> memory;
+  Value value{};
+  value[99] = 7;
+  int own = -1;
+  std::memcpy(&own, &memory, sizeof own);
+  std::memcpy(reinterpret_cast<char*>(&memory), &other, sizeof other);  // as a flipped bit of its number
+  EXPECT_FALSE(memory.put(value));
+  std::memcpy(reinterpret_cast<char*>(&memory), &own, sizeof own);
+  EXPECT_TRUE(memory.put(value));
+  close(other);
 }
 
 TEST(PrivateMemoryDeathTest, NobodyElseCanWriteIt) {

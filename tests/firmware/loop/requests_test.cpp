@@ -70,5 +70,19 @@ TEST(Requests, AnybodySeesStopsAndTheNewestSettings) {
   EXPECT_EQ(requests.stops(), 2U);
 }
 
+TEST(Requests, AFlippedBitAsksForNothingButAStop) {
+  for (std::size_t bit = 0; bit < 8 * sizeof(Requests); ++bit) {
+    Requests requests;
+    requests.set({TickSetting::kWeight, 5});
+    static_cast<void>(requests.take_change());
+    reinterpret_cast<std::uint8_t*>(&requests)[bit / 8] ^= static_cast<std::uint8_t>(1U << bit % 8);
+    EXPECT_EQ(requests.take().bits & ~kRequestStop, 0) << bit;
+    const SettingChange change = requests.take_change().change;
+    EXPECT_TRUE(change == SettingChange{} || change == (SettingChange{TickSetting::kWeight, 5})) << bit;
+    const std::int32_t newest = requests.newest(TickSetting::kWeight, 7);
+    EXPECT_TRUE(newest == 5 || newest == 7) << bit;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::loop

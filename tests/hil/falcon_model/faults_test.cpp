@@ -24,7 +24,7 @@ std::string complaint(const std::string& text) {
 
 TEST(Faults, AreWrittenAsTheLineThatOrdersThem) {
   for (const char* line : {"at 3 unplug", "at 3 unplug 2", "at 4 corrupt", "at 4 corrupt 5 255", "at 4 corrupt 1", "at 9 short",
-                           "at 20 stall 7", "at 20 encoder-jump 2 -5", "at 0 no-wall-power"}) {
+                           "at 20 stall 7", "at 20 encoder-jump 2 -5", "at 20 encoder-stuck 7 90", "at 0 no-wall-power"}) {
     EXPECT_EQ(line_of(read(line).at(0)), line);
   }
 }

@@ -45,6 +45,16 @@ TEST(Firmware, TorquesRunOutLightsDoNot) {
   EXPECT_EQ(firmware.expired(), 1);
 }
 
+TEST(Firmware, AStuckAxisReportsWhatItReportedLast) {
+  Firmware firmware({}, 10);
+  firmware.start({0, 0, 0});
+  firmware.stick(5, {10, 20, 30});
+  EXPECT_EQ(firmware.take(kPlain, {10, 20, 30}, 0).encoders, (Encoders{10, 20, 30}));
+  EXPECT_EQ(firmware.take(kPlain, {90, 91, 92}, 0).encoders, (Encoders{10, 91, 30}));
+  firmware.stick(0, {});
+  EXPECT_EQ(firmware.take(kPlain, {90, 91, 92}, 0).encoders, (Encoders{90, 91, 92}));
+}
+
 TEST(Firmware, ShowsButtons) {
   Firmware firmware({}, 10);
   EXPECT_EQ(firmware.take(kPlain, {}, 9).buttons, 9);
