@@ -102,7 +102,7 @@ struct ControlRig {
         settings, ControlNeighbours{intake, tick.commands, tick.stats, tick.shown, clock, &tick.ring, &calibration,
                                     [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
                                       set_to = std::string(name) + "=" + std::string(value);
-                                                                      set_by = author, set_may_raise = may_raise;
+                                      set_by = author, set_may_raise = may_raise;
                                       return value == "no" ? Refusal("that cannot be") : Refusal();
                                     },
                                     [] { return std::string("feel.friction = 0.5\n"); },
@@ -123,7 +123,7 @@ struct ControlRig {
   std::vector<std::string> logged;  ///< by the server's thread, before its answers
   std::uint32_t set_by = kNobody;
   bool set_may_raise = false;
-  std::string set_to;               ///< the last setting that was asked for, written before its answer
+  std::string set_to;  ///< the last setting that was asked for, written before its answer
   std::unique_ptr<ControlServer> server;
 };
 
