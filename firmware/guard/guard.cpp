@@ -215,6 +215,7 @@ void Guard::find_hand(const FalconReply& reply, double took_s, bool leapt, Memor
   mark(memory.referenced && !memory.has_grip, memory.replies, memory.since.pose);
   const Point& at = memory.grip.at;
   memory.step = memory.has_grip && knew ? length(at - before) : 0;
+  if (!knew) memory.repeated_since = memory.tick, memory.repeated_at = memory.grip;  // no movement that a command should have followed
   memory.fastest = std::max(memory.step / took_s, memory.fastest * 0.95);
 
   const auto oldest = static_cast<std::size_t>(memory.replies % memory.places.size());
