@@ -79,7 +79,8 @@ void Recorder::drain() {
 }
 
 files::Condition Recorder::condition() const {
-  return {state_.load(std::memory_order_relaxed), faults_.load(std::memory_order_relaxed), status_.load(std::memory_order_relaxed)};
+  const auto now = [](const auto& of_the_tick) { return of_the_tick.load(std::memory_order_relaxed); };
+  return {now(state_), now(faults_), now(status_), now(has_field_)};
 }
 
 void Recorder::take(const loop::TickRecord& tick) {
@@ -89,6 +90,7 @@ void Recorder::take(const loop::TickRecord& tick) {
   state_.store(tick.out.state, std::memory_order_relaxed);
   faults_.store(tick.out.faults, std::memory_order_relaxed);
   status_.store(tick.out.status, std::memory_order_relaxed);
+  has_field_.store(tick.in.field_generation != 0, std::memory_order_relaxed);
 }
 
 void Recorder::record(const loop::TickRecord& tick) {

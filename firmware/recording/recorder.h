@@ -91,6 +91,7 @@ class Recorder {
   std::size_t saved_ = 0;
   std::atomic<std::uint16_t> state_{0}, faults_{0};
   std::atomic<std::uint32_t> status_{0};
+  std::atomic<bool> has_field_{false};
 };
 
 }  // namespace isotouch::recording

@@ -50,7 +50,7 @@ using files::state_name;
 
 /// What is true for the hand, and the next step: see `files::state_text`.
 inline std::string state_text(const protocol::StatusReport& status) {
-  return files::state_text({status.state, status.faults, status.status});
+  return files::state_text({status.state, status.faults, status.status, status.generation != 0});
 }
 
 /// An angle of 2^32 to the turn, -180 to 180 degrees.

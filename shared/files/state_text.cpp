@@ -19,7 +19,7 @@ struct State {
 constexpr std::array<State, 7> kStates = {{
     {"boot", ": no packet of a device has come yet; plug it in, and switch its power supply on"},
     {"homing", ": pull the grip out as far as it goes, then push it in"},
-    {"idle", ": there is no field; send one with 'isotouch upload'"},
+    {"idle", ": "},
     {"ready", ": hold a button of the grip, if the settings require one for force"},
     {"active", ": the object can be felt"},
     {"hold", ": no force for a moment, because "},
@@ -38,6 +38,8 @@ constexpr std::array<Cause, 4> kHoldCauses = {{
     {kStale, "packets of the device are missing; check its cable if this does not end"},
     {kBadReply, "packets of the device are malformed; check its cable if this does not end"},
 }};
+constexpr std::string_view kNoField = "there is no field; send one with 'isotouch upload'";
+constexpr std::string_view kNotYet = "no force yet, because ";  // the field waits for what a hold waits for
 constexpr std::string_view kLateTicks = "ticks came late; see 'isotouch latency' if this does not end";
 
 std::string_view hold_cause(std::uint32_t status) {
@@ -64,6 +66,8 @@ std::string state_text(const Condition& condition) {
   if (condition.state >= kStates.size()) return text;
   text += kStates[condition.state].sentence;
   switch (static_cast<SupervisorState>(condition.state)) {
+    case SupervisorState::kIdle:
+      return condition.has_field ? text.append(kNotYet).append(hold_cause(condition.status)) : text.append(kNoField);
     case SupervisorState::kHold: return text.append(hold_cause(condition.status));
     case SupervisorState::kFault: return text.append(faults_text(condition.faults));
     default: return text;

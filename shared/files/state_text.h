@@ -9,11 +9,12 @@
 
 namespace isotouch::files {
 
-/// From a tick's outputs.
+/// From a tick.
 struct Condition {
   std::uint16_t state = 0;   ///< SupervisorState
   std::uint16_t faults = 0;  ///< Faults
   std::uint32_t status = 0;  ///< StatusBits
+  bool has_field = false;
 
   bool operator==(const Condition&) const = default;
 };

@@ -281,7 +281,7 @@ class Follow {
 
   std::string sentence() const {
     if (case_.shows && state_ == S::kActive) return "none: no force until the hand has left the object";
-    return state_ == S::kActive ? "none" : daemon::supervisor_line({static_cast<std::uint16_t>(state_), faults_, status_});
+    return state_ == S::kActive ? "none" : daemon::supervisor_line({static_cast<std::uint16_t>(state_), faults_, status_, true});
   }
 
   std::string recovery() const {

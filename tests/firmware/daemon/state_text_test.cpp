@@ -14,17 +14,17 @@ namespace {
 using testing::HasSubstr, testing::StartsWith;
 
 std::string text(SupervisorState state, std::uint16_t faults = 0, std::uint32_t status = 0) {
-  return state_text({static_cast<std::uint16_t>(state), faults, status});
+  return state_text({static_cast<std::uint16_t>(state), faults, status, true});
 }
 
 TEST(StateText, EveryStateHasASentenceThatBeginsWithItsName) {
   std::set<std::string> sentences;
   for (std::uint16_t state = 0; state <= 6; ++state) {
-    const std::string sentence = state_text({state, 0, 0});
+    const std::string sentence = state_text({state, 0, 0, false});
     EXPECT_THAT(sentence, StartsWith(std::string(state_name(state)) + ":"));
     EXPECT_TRUE(sentences.insert(sentence).second);
   }
-  EXPECT_EQ(state_text({7, 0, 0}), "unknown");
+  EXPECT_EQ(state_text({7, 0, 0, false}), "unknown");
 }
 
 TEST(StateText, AFaultIsExplainedWithTheNextStep) {
@@ -45,6 +45,13 @@ TEST(StateText, AHoldNamesTheOneCauseThatItWaitsFor) {
   EXPECT_THAT(hold(kBadReply), HasSubstr("malformed"));
   EXPECT_THAT(hold(kLate), HasSubstr("ticks came late"));
   EXPECT_THAT(hold(0), HasSubstr("ticks came late")) << "lateness outlasts the tick that was late";
+}
+
+TEST(StateText, WithoutAFieldItAsksForOneAndWithOneItNamesWhatItWaitsFor) {
+  constexpr auto kIdle = static_cast<std::uint16_t>(SupervisorState::kIdle);
+  EXPECT_THAT(state_text({kIdle, 0, kStale, false}), HasSubstr("there is no field; send one"));
+  EXPECT_EQ(state_text({kIdle, 0, kStale, true}),
+            "idle: no force yet, because packets of the device are missing; check its cable if this does not end");
 }
 
 }  // namespace

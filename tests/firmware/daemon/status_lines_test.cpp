@@ -11,7 +11,7 @@ namespace isotouch::daemon {
 namespace {
 
 TEST(StatusLines, AStateIsToldInItsSentence) {
-  const files::Condition condition{static_cast<std::uint16_t>(SupervisorState::kFault), kFaultStopped, 0};
+  const files::Condition condition{static_cast<std::uint16_t>(SupervisorState::kFault), kFaultStopped, 0, true};
   EXPECT_EQ(supervisor_line(condition), "state: " + files::state_text(condition));
 }
 
