@@ -94,6 +94,7 @@ void Controller::choose_calibration() {
   header_.settings = settings::tick_settings(settings_);
   header_.period_ns = settings::period_ns(settings_);
   header_.settings_checksum = settings::checksum(settings_);
+  say(settings_line(header_.settings_checksum));
 }
 
 /// The device with its guard, and the lines beside it, joined to the loop: by a thread, or in lockstep without one and without time.

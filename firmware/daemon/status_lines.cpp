@@ -41,6 +41,12 @@ std::string device_line(const falcon::PortReport& report) {
 
 std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
 
+std::string settings_line(std::uint64_t checksum) {
+  Text text;
+  std::snprintf(text, sizeof text, "settings: checksum %016llx", static_cast<unsigned long long>(checksum));
+  return text;
+}
+
 std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }
 
 std::string memory_line(loop::Damage damage) {

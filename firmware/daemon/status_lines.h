@@ -18,6 +18,9 @@ std::string device_line(const falcon::PortReport& report);
 /// What the supervisor allows and what a person can do.
 std::string supervisor_line(const files::Condition& condition);
 
+/// By what the controller was set up; recordings carry the same number.
+std::string settings_line(std::uint64_t checksum);
+
 /// What the guard has stopped.
 std::string guard_line(GuardVerdict verdict);
 

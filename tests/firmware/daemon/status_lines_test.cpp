@@ -15,6 +15,8 @@ TEST(StatusLines, AStateIsToldInItsSentence) {
   EXPECT_EQ(supervisor_line(condition), "state: " + files::state_text(condition));
 }
 
+TEST(StatusLines, TheSettingsAreToldByTheirChecksum) { EXPECT_EQ(settings_line(0x1234), "settings: checksum 0000000000001234"); }
+
 TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
   falcon::PortReport report;
   EXPECT_EQ(device_line(report), "device: looking for one");
