@@ -66,12 +66,12 @@ void print(const Options& options, const protocol::Calibrate& calibration, const
 void require_ready(link::Controller& controller, const std::string& to) {
   if (static_cast<protocol::Role>(controller.welcome().role) < protocol::Role::kService)
     throw InputError(to + ": a calibration takes the role service; ask root, or somebody of [control] service_users or service_groups");
-  if (controller.device().serial.size == 0)
-    throw InputError(to + ": no device with a serial answers; plug it in, and see what isotouchd prints");
   const protocol::StatusReport status = controller.status();
   const auto state = static_cast<SupervisorState>(status.state);
   if (state == SupervisorState::kBoot || state == SupervisorState::kHoming)
     throw InputError(to + ": the device must be homed before it is measured; the state is " + state_text(status));
+  if (controller.device().serial.size == 0)
+    throw InputError(to + ": no device with a serial answers; plug it in, and see what isotouchd prints");
 }
 
 void run(Options options) {

@@ -11,11 +11,14 @@ TEST(BitFlipsHeavy, NoForceThatAnUndamagedRunWouldNotHaveGiven) {
   EXPECT_EQ(run.all.escaped, 0) << describe(run);
   EXPECT_GT(run.all.noticed, 1000) << "else nothing flips";
   EXPECT_GE(run.rows.size(), 35U);
+  constexpr int kWaitsForAPacket = 3;  // in hold: packets are missing, and the guard looks when the next command is sent
   for (const FlipRow& row : run.rows) {
-    for (const FlipCell& cell : row.cells) {
+    for (std::size_t state = 0; state < kFlipStates; ++state) {
+      const FlipCell& cell = row.cells[state];
       if (row.place.rfind("state", 0) == 0 || row.place.rfind("model", 0) == 0 || row.place == "guard: memory") {
         EXPECT_EQ(cell.noticed, cell.flips) << row.place;
-        EXPECT_LE(cell.noticed_late, 1) << row.place;
+        const bool waits = row.place == "guard: memory" && state == kFlipInHold;
+        EXPECT_LE(cell.noticed_late, waits ? kWaitsForAPacket : 1) << row.place << " in state " << state;
       }
       if (row.place.rfind("field: bricks", 0) == 0) {
         EXPECT_EQ(cell.noticed, cell.flips) << row.place;
