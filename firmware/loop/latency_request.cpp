@@ -18,15 +18,10 @@ int ask(const char* path) {
   const int file = ::open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe without a reader must not hold the program up
   if (file < 0) return -1;
   struct stat what {};
-  int error = 0;
-  if (::fstat(file, &what) != 0) {
-    error = errno;
-  } else if (!S_ISCHR(what.st_mode)) {
-    error = ENOTTY;  // nothing is written into somebody's file
-  } else if (::write(file, &kWakeUpUs, sizeof kWakeUpUs) != sizeof kWakeUpUs) {
-    error = errno;
-  }
-  if (error == 0) return file;
+  const bool looked = ::fstat(file, &what) == 0;
+  const bool is_device = S_ISCHR(what.st_mode);  // nothing is written into somebody's file
+  if (looked && is_device && ::write(file, &kWakeUpUs, sizeof kWakeUpUs) == sizeof kWakeUpUs) return file;
+  const int error = looked && !is_device ? ENOTTY : errno;
   ::close(file);
   errno = error;
   return -1;

@@ -17,7 +17,7 @@ namespace isotouch::test {
 
 /// What the controller was doing when the bit flipped.
 enum class FlipState : std::uint8_t { kContact, kFree, kHold, kFault };
-inline constexpr std::size_t kFlipStates = 4, kFlipInHold = 2;
+inline constexpr std::size_t kFlipStates = 4;
 
 inline constexpr double kMaxExtra = 0.1;  ///< N; three counts of depth at the stiffness of the runs
 

@@ -17,7 +17,7 @@ TEST(BitFlipsHeavy, NoForceThatAnUndamagedRunWouldNotHaveGiven) {
       const FlipCell& cell = row.cells[state];
       if (row.place.rfind("state", 0) == 0 || row.place.rfind("model", 0) == 0 || row.place == "guard: memory") {
         EXPECT_EQ(cell.noticed, cell.flips) << row.place;
-        const bool waits = row.place == "guard: memory" && state == kFlipInHold;
+        const bool waits = row.place == "guard: memory" && state == static_cast<std::size_t>(FlipState::kHold);
         EXPECT_LE(cell.noticed_late, waits ? kWaitsForAPacket : 1) << row.place << " in state " << state;
       }
       if (row.place.rfind("field: bricks", 0) == 0) {
