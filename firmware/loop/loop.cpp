@@ -17,6 +17,7 @@ std::uint32_t short_ns(std::int64_t ns) { return static_cast<std::uint32_t>(std:
 Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Neighbours& neighbours)
     : settings_(settings),
       model_(core::make_tick_model(settings.device, settings.tick, settings.period_ns)),
+      spare_(model_),
       device_(device),
       clock_(clock),
       neighbours_(neighbours),
@@ -56,7 +57,7 @@ bool Loop::step() {
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   if (damage != Damage::kNone) record.in.lines |= kLineMemory;
   record.in.field_generation = field.generation;
-  record.out = core::tick(record.in, field.view, model_, state_);
+  record.out = core::tick(record.in, field.view, damage == Damage::kPrepared ? spare_ : model_, state_);
   device_.leave({{record.out.commands, record.out.packet_flags},
                  record.number,
                  sample.number,

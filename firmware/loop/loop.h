@@ -80,6 +80,7 @@ class Loop {
 
   LoopSettings settings_;
   const core::TickModel model_;
+  const core::TickModel spare_;  ///< the same: what a tick computes with a damaged model, nobody can know
   Device& device_;
   Clock& clock_;
   Neighbours neighbours_;

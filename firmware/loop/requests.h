@@ -73,7 +73,7 @@ class Requests {
   ///
   /// tick      yes
   AskedChange take_change() {
-    const std::uint32_t waiting = waiting_.load(std::memory_order_acquire);
+    const std::uint32_t waiting = waiting_.load(std::memory_order_acquire) & kEverySetting;  // another bit is no setting
     if (waiting == 0) return {};
     const auto number = static_cast<std::size_t>(std::countr_zero(waiting));
     waiting_.fetch_and(~(1U << number), std::memory_order_acq_rel);
@@ -95,6 +95,8 @@ class Requests {
   void repeat_changes() { waiting_.fetch_or(changed_.load(std::memory_order_relaxed), std::memory_order_acq_rel); }
 
  private:
+  static constexpr std::uint32_t kEverySetting = (1U << kLiveSettings) - 1;
+
   // What is asked, or a value, and its author are one word, so that nobody sees the one with another's.
   static constexpr std::uint64_t pair(std::uint32_t low, std::uint32_t author) { return std::uint64_t{author} << 32 | low; }
   static constexpr std::uint32_t low_of(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
