@@ -5,13 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <utility>
 
-#include "firmware/control/rights.h"
-#include "firmware/control/tick_report.h"
 #include "firmware/loop/realtime.h"
 
 namespace isotouch::control {
@@ -24,17 +20,7 @@ using protocol::Role;
 constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
 
-constexpr std::int64_t kMeasuringNs = 1'000'000'000;
-constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
-
 constexpr std::int64_t kDeafNs = 200'000'000;
-
-constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
-constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
-
-void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
-  refusal ? client.refuse(kind, refusal.sentence()) : client.say(Kind::kDone);
-}
 
 }  // namespace
 
@@ -42,10 +28,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
     : settings_(std::move(settings)),
       neighbours_(neighbours),
       clients_(settings_.clients + 1),
-      feed_(neighbours.ring, settings_.recordings, neighbours.requests),
-      worker_(neighbours.fields, neighbours.calibration),
-      upload_(neighbours.fields),
-      scratch_(std::max(kHistogramScratch, protocol::kMaxBody)),
+      requests_(settings_.recordings, neighbours_, clients_),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 ControlServer::~ControlServer() {
@@ -76,10 +59,8 @@ void ControlServer::run() {
   loop::keep_crash_stack();
   for (bool busy = false; !stop_;) {
     if (!wait(busy)) continue;
-    finish_work();
+    busy = requests_.go_on();
     const std::int64_t now = neighbours_.clock.now_ns();
-    busy = feed_.pump(clients_, posture_, worst_, now) || measuring_ != nullptr;
-    finish_measuring();
     for (ControlClient& client : clients_) {
       if (client.is_open()) serve(client);
       if (client.is_open() && (!client.send(now) || (client.leaving && !client.has_unsent()))) forget(client);
@@ -91,7 +72,7 @@ void ControlServer::run() {
 /// Until something happens, or for a nap; then reads what has come. returns false: interrupted
 bool ControlServer::wait(bool busy) {
   const bool is_deaf = neighbours_.clock.now_ns() < deaf_until_ns_;
-  polled_.assign({{bell_, POLLIN, 0}, {worker_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
+  polled_.assign({{bell_, POLLIN, 0}, {requests_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
   for (const ControlClient& client : clients_) {
     if (!client.is_open()) continue;  // poll takes no more entries than there may be file handles
     const bool reads = !client.waiting && !client.leaving && client.wants_more() && client.has_room();
@@ -154,23 +135,13 @@ void ControlServer::serve(ControlClient& client) {
       client.leaving = true;
       return;
     }
-    if (frame->size == 0 || must_wait(*frame)) return;
+    if (frame->size == 0 || requests_.must_wait(*frame)) return;
     answer(client, *frame);
     client.drop(frame->size, neighbours_.clock.now_ns());
   }
 }
 
-/// What the field worker would do, or what touches its memory, comes after what it does now.
-bool ControlServer::must_wait(const protocol::Frame& frame) const {
-  const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields ||
-                            frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
-  return needs_worker && !worker_.is_idle();
-}
-
 void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) {
-  const auto malformed = [&] {
-    client.refuse(frame.kind, "the request is too short for its kind; install the same release on both sides");
-  };
   if (frame.kind == Kind::kHello) return hello(client, frame);
   if (!client.greeted) {
     client.refuse(frame.kind, "a connection begins with a greeting; connect with isotouch");
@@ -182,95 +153,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     client.leaving = true;
     return;
   }
-  if (!may(client, frame.kind, role_for(frame.kind))) return;
-  // What may lead to a force waits until the hand has been measured.
-  const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
-  if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
-  switch (frame.kind) {
-    case Kind::kBegin: {
-      const auto promised = protocol::decode<protocol::Begin>(frame.body);
-      return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised)) : malformed();
-    }
-    case Kind::kChunk: {
-      const auto piece = protocol::decode<protocol::Chunk>(frame.body);
-      return piece ? done_or_refused(client, frame.kind, upload_.add(client, *piece)) : malformed();
-    }
-    case Kind::kCommit: return commit(client);
-    case Kind::kAbort: upload_.drop(client); return client.say(Kind::kDone);
-    case Kind::kStatus:
-      return client.say(Kind::kStatusReport, status_report(neighbours_.shown.get(), neighbours_.stats, neighbours_.fields.published()));
-    case Kind::kHistogram: {
-      const auto wanted = protocol::decode<protocol::HistogramRequest>(frame.body);
-      return wanted ? histogram(client, wanted->measure) : malformed();
-    }
-    case Kind::kSubscribe: {
-      const auto wanted = protocol::decode<protocol::Subscribe>(frame.body);
-      if (!wanted) return malformed();
-      if (!feed_.is_there()) return client.refuse(frame.kind, "this controller shows no ticks; start it with its trace ring");
-      if (client.records) return client.refuse(frame.kind, "this connection is recording; use another connection to watch");
-      feed_.subscribe(client, wanted->every);
-      return client.say(Kind::kDone);
-    }
-    case Kind::kRecord: return begin_recording(client);
-    case Kind::kRecordEnd:
-      if (client.records) feed_.end_recording(client);
-      return client.say(Kind::kDone);
-    case Kind::kStop:
-      neighbours_.requests.ask(kRequestStop, author_of(client.user));
-      log(client.user, "stop");
-      return client.say(Kind::kDone);
-    case Kind::kResume:
-      if (!may(client, frame.kind, role_for_resume(neighbours_.shown.get().out.faults))) return;
-      neighbours_.requests.ask(kRequestResume, author_of(client.user));
-      log(client.user, "resume");
-      return client.say(Kind::kDone);
-    case Kind::kFields:
-      if (!neighbours_.fields.keeps_fields())
-        return client.refuse(frame.kind,
-                             "this controller keeps no fields, because it has no state folder; name one in its settings, [files] state");
-      return start_work(client, FieldWork::Kind::kList, {});
-    case Kind::kSelect: {
-      const auto wanted = protocol::decode<protocol::Select>(frame.body);
-      if (!wanted) return malformed();
-      protocol::Begin field;
-      field.image_hash = wanted->image_hash;
-      return start_work(client, FieldWork::Kind::kSelect, field);
-    }
-    case Kind::kDevice:
-      if (neighbours_.calibration == nullptr) return client.refuse(frame.kind, kNothingToCalibrate);
-      return client.say(Kind::kDeviceReport, neighbours_.calibration->report());
-    case Kind::kPosture: return measure(client);
-    case Kind::kCalibrate: {
-      const auto measured = protocol::decode<protocol::Calibrate>(frame.body);
-      return measured ? calibrate(client, *measured) : malformed();
-    }
-    case Kind::kSet: {
-      const auto wanted = protocol::decode<protocol::Set>(frame.body);
-      return wanted ? set(client, *wanted) : malformed();
-    }
-    case Kind::kSettings: return settings(client);
-    case Kind::kWorst: {
-      const auto wanted = protocol::decode<protocol::WorstRequest>(frame.body);
-      if (!wanted) return malformed();
-      if (!may(client, frame.kind, role_for_worst(wanted->anew != 0))) return;
-      return worst(client, wanted->anew != 0);
-    }
-    default: client.refuse(frame.kind, "this controller does not know the request; install the same release on both sides");
-  }
-}
-
-/// Has the client this role? Where not, it is told so.
-bool ControlServer::may(ControlClient& client, Kind request, Role wanted) {
-  if (client.role >= wanted) return true;
-  const std::string role(name_of(wanted));
-  client.refuse(request, "this takes the role " + role + ", and user " + name_of_user(client.user) + " has the role " +
-                             std::string(name_of(client.role)) + "; ask somebody who has it, or see [control] " + role + "_users and " +
-                             role + "_groups in the controller's settings");
-  return false;
-}
-
-void ControlServer::log(std::uint32_t user, const std::string& change) const {
-  if (neighbours_.log) neighbours_.log("user " + name_of_user(user) + ": " + change);
+  requests_.answer(client, frame);
 }
 
 void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) const {
@@ -291,130 +174,9 @@ void ControlServer::hello(ControlClient& client, const protocol::Frame& frame) c
   client.say(Kind::kWelcome, welcome);
 }
 
-void ControlServer::commit(ControlClient& client) {
-  protocol::Begin promised;
-  const Refusal refusal = upload_.complete(client, promised);
-  refusal ? client.refuse(Kind::kCommit, refusal.sentence()) : start_work(client, FieldWork::Kind::kAccept, promised);
-}
-
-void ControlServer::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
-  // A stored field is read to where an upload is put together.
-  if (kind == FieldWork::Kind::kSelect && upload_.is_under_way()) return client.refuse(Kind::kSelect, kSomebodySends);
-  worker_.begin({kind, field, {}, client.user});
-  awaiting_ = &client;
-  client.waiting = true;
-}
-
-void ControlServer::finish_work() {
-  const std::optional<FieldDone> done = worker_.take();
-  if (!done) return;
-  if (!done->outcome.refusal) log_done(*done);
-  ControlClient* client = std::exchange(awaiting_, nullptr);
-  if (client == nullptr) return;
-  client->waiting = false;
-  if (done->kind == FieldWork::Kind::kCalibrate) return done_or_refused(*client, Kind::kCalibrate, done->outcome.refusal);
-  if (done->kind != FieldWork::Kind::kList) {
-    if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.accepted);
-    return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal.sentence());
-  }
-  protocol::BodyWriter entries(scratch_);
-  protocol::FieldList list;
-  const std::uint64_t felt = neighbours_.fields.published().image_hash;
-  for (const store::StoredField& stored : done->stored) {
-    if (entries.used() + 128 > protocol::kMaxBody) break;
-    const protocol::FieldEntry entry{stored.hash, stored.bytes, stored.hash == felt, protocol::Text::of(stored.name)};
-    protocol::FieldEntry::fields(entry, entries);
-    ++list.count;
-  }
-  list.entries = std::span(scratch_).first(entries.used());
-  client->say(Kind::kFieldList, list);
-}
-
-void ControlServer::log_done(const FieldDone& done) const {
-  if (done.kind == FieldWork::Kind::kCalibrate) log(done.user, "other angles were stored for the device");
-  if (done.kind == FieldWork::Kind::kList || done.kind == FieldWork::Kind::kCalibrate) return;
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), " %016llx is active, generation %u",
-                static_cast<unsigned long long>(done.outcome.accepted.image_hash), done.outcome.accepted.generation);
-  log(done.user, "field " + std::string(neighbours_.fields.published().name.view()) + text.data());
-}
-
-void ControlServer::set(ControlClient& client, const protocol::Set& wanted) {
-  if (!neighbours_.set) return client.refuse(Kind::kSet, "this controller's settings are fixed");
-  const Refusal refusal = neighbours_.set(wanted.name.view(), wanted.value.view(), author_of(client.user), client.role >= Role::kService);
-  if (!refusal) log(client.user, std::string(wanted.name.view()) + " = " + std::string(wanted.value.view()));
-  done_or_refused(client, Kind::kSet, refusal);
-}
-
-void ControlServer::settings(ControlClient& client) {
-  const std::string different = neighbours_.different ? neighbours_.different() : std::string();
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(different.data());
-  client.say(Kind::kSettingsReport, protocol::SettingsReport{settings_.recordings.settings_checksum,
-                                                             {bytes, std::min(different.size(), protocol::kMaxBody - 64)}});
-}
-
-void ControlServer::histogram(ControlClient& client, std::uint8_t measure) {
-  if (measure >= protocol::kMeasures)
-    return client.refuse(Kind::kHistogram, "this controller does not measure that; install the same release on both sides");
-  client.say(Kind::kHistogramReport, histogram_report(static_cast<protocol::Measure>(measure), neighbours_.stats, scratch_));
-}
-
-void ControlServer::worst(ControlClient& client, bool anew) {
-  if (!feed_.is_there()) return client.refuse(Kind::kWorst, "this controller shows no ticks; start it with its trace ring");
-  client.say(Kind::kWorstTicks, worst_report(worst_, scratch_));
-  if (anew) worst_.begin_anew();
-}
-
-void ControlServer::begin_recording(ControlClient& client) {
-  if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
-  if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
-  feed_.record(client, neighbours_.fields.published().accepted());
-  log(client.user, "a recording began");
-}
-
-/// Where the arms stand, over a second in which no force may begin.
-void ControlServer::measure(ControlClient& client) {
-  if (!feed_.is_there()) return client.refuse(Kind::kPosture, "this controller shows no ticks; start it with its trace ring");
-  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
-  if (neighbours_.calibration->report().serial.size == 0)
-    return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
-  if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
-  if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
-  // The tick under way may not have heard of a stop yet.
-  posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(settings_.recordings.period_ns, 1U)),
-                 neighbours_.shown.get().number + 1);
-  measuring_ = &client;
-  measured_by_ns_ = neighbours_.clock.now_ns() + kMeasuringPatienceNs;
-  client.waiting = true;
-}
-
-void ControlServer::finish_measuring() {
-  const bool given_up = neighbours_.clock.now_ns() >= measured_by_ns_;
-  if (measuring_ == nullptr || (!posture_.has_ended() && !given_up)) return;
-  ControlClient& client = *std::exchange(measuring_, nullptr);
-  client.waiting = false;
-  if (!posture_.has_ended()) return client.refuse(Kind::kPosture, "the controller's loop does not run; restart the controller");
-  if (posture_.refusal()) return client.refuse(Kind::kPosture, posture_.refusal().sentence());
-  const DeviceModelBytes device = encode(settings_.recordings.device);
-  client.say(Kind::kPostureReport, protocol::PostureReport{neighbours_.calibration->report().serial, posture_.counts(), device});
-}
-
-void ControlServer::calibrate(ControlClient& client, const protocol::Calibrate& measured) {
-  if (neighbours_.calibration == nullptr) return client.refuse(Kind::kCalibrate, kNothingToCalibrate);
-  FieldWork work;
-  work.kind = FieldWork::Kind::kCalibrate;
-  work.measured = measured;
-  work.user = client.user;
-  worker_.begin(work);
-  awaiting_ = &client;
-  client.waiting = true;
-}
-
 /// A connection has ended, for whatever reason: what it had begun is void.
 void ControlServer::forget(ControlClient& client) {
-  upload_.drop(client);
-  if (awaiting_ == &client) awaiting_ = nullptr;
-  if (measuring_ == &client) measuring_ = nullptr;
+  requests_.forget(client);
   client.close();
 }
 
@@ -424,8 +186,8 @@ void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
-    const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || upload_.is_from(client);
-    const bool is_late = (in_the_middle && worker_.is_idle() && client.moved_ns < since) || (!may_stay && client.opened_ns < since);
+    const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || requests_.is_sending(client);
+    const bool is_late = (in_the_middle && !requests_.is_working() && client.moved_ns < since) || (!may_stay && client.opened_ns < since);
     if (client.is_open() && is_late) forget(client);
   }
 }

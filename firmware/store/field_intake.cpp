@@ -165,7 +165,7 @@ IntakeOutcome FieldIntake::activate(const Wish& wish, Refusal refusal, const Bef
   if (!refusal) refusal = publish(wish);
   if (!refusal && !was_taken_over()) refusal = take_back(wish.hash, felt, before);
   slots_.abandon();
-  return {std::move(refusal), published().accepted()};
+  return {std::move(refusal), published()};
 }
 
 Refusal FieldIntake::publish(const Wish& wish) {

@@ -42,8 +42,8 @@ struct PublishedField {
 };
 
 struct IntakeOutcome {
-  Refusal refusal;  ///< none: the field is active
-  protocol::Accepted accepted;
+  Refusal refusal;       ///< none: the field is active
+  PublishedField field;  ///< the one that is active now
 };
 
 /// Used by one thread, except where it says otherwise. All its memory is taken when it is made.

@@ -64,8 +64,8 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
   const PackedField ball = packed_ball(1);
   const IntakeOutcome outcome = rig.upload(ball);
   EXPECT_EQ(outcome.refusal.sentence(), "");
-  EXPECT_EQ(outcome.accepted.image_hash, ball.promise.image_hash);
-  EXPECT_EQ(outcome.accepted.generation, rig.slots.acknowledged());
+  EXPECT_EQ(outcome.field.image_hash, ball.promise.image_hash);
+  EXPECT_EQ(outcome.field.generation, rig.slots.acknowledged());
   EXPECT_EQ(rig.felt(), ball.promise.image_hash);
   EXPECT_EQ(rig.intake.published().image_hash, ball.promise.image_hash);
   EXPECT_EQ(rig.intake.published().name, ball.promise.name);
@@ -94,8 +94,8 @@ TEST(FieldIntake, AStoredFieldIsSelected) {
 TEST(FieldIntake, AFieldThatTheTickHasLeftStillHasItsHash) {
   Rig rig;
   const PackedField one = packed_ball(1), two = packed_ball(2);
-  const std::uint32_t first = rig.upload(one).accepted.generation;
-  const std::uint32_t second = rig.upload(two).accepted.generation;
+  const std::uint32_t first = rig.upload(one).field.generation;
+  const std::uint32_t second = rig.upload(two).field.generation;
   EXPECT_EQ(rig.intake.hash_of(first), one.promise.image_hash) << "of a tick that is recorded late";
   EXPECT_EQ(rig.intake.hash_of(second), two.promise.image_hash);
   EXPECT_EQ(rig.intake.hash_of(second + 1), 0U);
