@@ -7,63 +7,11 @@
 #include <memory>
 #include <vector>
 
+#include "tests/firmware/loop/loop_bench.h"
 #include "tests/support/alloc_guard.h"
-#include "tests/support/fake_device.h"
-#include "tests/support/falcon_twin.h"
-#include "tests/support/field_image.h"
 
 namespace isotouch::loop {
 namespace {
-
-using test::FakeDevice;
-using test::Point;
-
-constexpr Point kOrigin = {0, 0, 125};
-
-std::vector<std::uint8_t> ball() {
-  return test::FieldImage({64, 64, 64},
-                          [](const Point& p) {
-                            return test::length(p * 0.4 - Point{12, 12, 12}) / 0.4 - 20.0;
-                          },
-                          {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}})
-      .bytes();
-}
-
-/// A homed grip at a place of the workspace.
-FalconPacket grip_at(const Point& place) {
-  static const test::FalconSet set = test::falcon_sets()[0];
-  return encode(FalconReply{test::nearest_counts(set.twin, place + kOrigin).value(), 0, 7});
-}
-
-struct Bench {
-  explicit Bench(const LoopSettings& wish = {}, std::size_t ring = 1 << 12)
-      : trace(ring), settings(wish), loop(settings, device, clock, {fields, requests, trace, shown, stats, &lines}) {}
-
-  VirtualClock clock;
-  FakeDevice device{clock};
-  FieldSlots fields{1 << 20};
-  Requests requests;
-  TraceRing trace;
-  Latest<TickRecord> shown;
-  TickStats stats;
-  LineState lines;
-  LoopSettings settings;
-  Loop loop;
-
-  void steps(int count) {
-    for (int i = 0; i < count; ++i) ASSERT_TRUE(loop.step());
-  }
-  TickRecord step() {
-    EXPECT_TRUE(loop.step());
-    return shown.get();
-  }
-  void load(const std::vector<std::uint8_t>& image, std::uint32_t author = kNobody) {
-    std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
-    ASSERT_TRUE(fields.verify());
-    ASSERT_TRUE(fields.commit(author));
-  }
-  SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.state); }
-};
 
 TEST(Loop, RepliesStartTheTicksAndEachIsFresh) {
   Bench bench;
@@ -372,90 +320,6 @@ TEST(Loop, RecordingsDoNotMakeTheMotorsForgetTheirHeat) {
   EXPECT_GT(once, 10'000) << "warm enough to be limited";
   EXPECT_LE(often, once * 1.02);
   EXPECT_GE(often, once * 0.8) << "nor does it take force away";
-}
-
-/// Flips a bit of something that nobody may change.
-template <class T>
-void flip(const T& value, std::size_t bit) {
-  volatile std::uint8_t* const at = reinterpret_cast<std::uint8_t*>(const_cast<T*>(&value)) + bit / 8;
-  *at = static_cast<std::uint8_t>(*at ^ 1U << bit % 8);
-}
-
-/// Presses into the ball, and rests there.
-std::unique_ptr<Bench> pressing() {
-  static const std::vector<FalconPacket> way = [] {
-    std::vector<FalconPacket> packets;
-    for (int i = 0; i < 300; ++i) packets.push_back(grip_at({11.0 - 0.02 * i, 0, 0}));
-    return packets;
-  }();
-  auto bench = std::make_unique<Bench>();
-  bench->load(ball());
-  bench->device.answer = [](const Command&) { return way.front(); };
-  bench->steps(400);
-  bench->device.answer = [i = std::size_t{0}](const Command&) mutable { return way[std::min(i++, way.size() - 1)]; };
-  bench->steps(350);
-  return bench;
-}
-
-TEST(Loop, AFlippedBitOfItsStateStopsTheNextTickAndIsForgotten) {
-  std::vector<std::size_t> bits;
-  for (std::size_t bit = 0; bit < 8 * sizeof(core::TickState); bit += 97) bits.push_back(bit);
-  for (std::size_t bit = 0; bit < 8 * sizeof(core::SupervisorMemory); bit += 5)
-    bits.push_back(8 * offsetof(core::TickState, supervisor) + bit);
-  for (const std::size_t bit : bits) {
-    const auto bench = pressing();
-    ASSERT_NE(bench->shown.get().out.commands, MotorCommands{}) << "else nothing is tested";
-    flip(bench->loop.state(), bit);
-    const TickRecord record = bench->step();
-    EXPECT_EQ(record.out.commands, MotorCommands{}) << bit;
-    EXPECT_EQ(record.out.faults, kFaultMemory) << bit;
-    EXPECT_EQ(record.in.requests, kRequestRestart) << "a replay forgets what was damaged, too";
-    EXPECT_EQ(record.in.heat, 0U) << "nobody knows it";
-    EXPECT_EQ(bench->loop.take_damage(), Damage::kState);
-    EXPECT_EQ(bench->step().in.lines, 0) << bit;
-    EXPECT_EQ(bench->loop.take_damage(), Damage::kNone);
-    bench->requests.ask(kRequestResume);
-    bench->steps(20);
-    EXPECT_EQ(bench->state(), SupervisorState::kActive) << bit;
-  }
-}
-
-TEST(Loop, AFlippedBitOfItsModelStopsEveryTick) {
-  for (std::size_t bit = 0; bit < 8 * sizeof(core::TickModel); bit += 97) {
-    const auto bench = pressing();
-    flip(bench->loop.model(), bit);
-    for (int t = 0; t < 3; ++t) {
-      const TickRecord record = bench->step();
-      EXPECT_EQ(record.out.commands, MotorCommands{}) << bit;
-      EXPECT_EQ(record.in.lines, kLineMemory) << bit;
-      bench->requests.ask(kRequestResume);
-    }
-    EXPECT_EQ(bench->loop.take_damage(), Damage::kPrepared);
-  }
-}
-
-TEST(Loop, AFlippedBitOfTheFieldThatIsFeltStopsTheSecondTickUntilAnotherFieldComes) {
-  const auto bench = pressing();
-  const FieldView& view = *bench->fields.published().view;
-  flip(*view.brick(50, 30, 30), 3);
-  static_cast<void>(bench->step());
-  const TickRecord record = bench->step();
-  EXPECT_EQ(record.out.commands, MotorCommands{});
-  EXPECT_EQ(record.in.lines, kLineMemory);
-  EXPECT_EQ(bench->loop.take_damage(), Damage::kField);
-  bench->requests.ask(kRequestResume);
-  EXPECT_EQ(bench->step().in.lines, kLineMemory);
-  bench->load(ball());
-  EXPECT_EQ(bench->step().in.lines, 0);
-}
-
-TEST(Loop, ItsViewOfTheFieldIsItsOwn) {
-  const auto bench = pressing();
-  const FieldView& view = *bench->fields.published().view;
-  const MotorCommands before = bench->step().out.commands;
-  flip(view.stiffness, 19);
-  EXPECT_EQ(bench->step().out.commands, before);
-  EXPECT_NE(bench->fields.damaged_in(7), 0U) << "the guard uses the other one";
 }
 
 }  // namespace
