@@ -58,6 +58,9 @@ inline constexpr std::array<std::string_view, kGuardVerdicts> kGuardVerdictNames
     "after its own memory was damaged",
 };
 
-constexpr std::string_view name_of(GuardVerdict verdict) { return kGuardVerdictNames[static_cast<std::size_t>(verdict) % kGuardVerdicts]; }
+constexpr std::string_view name_of(GuardVerdict verdict) {
+  const auto number = static_cast<std::size_t>(verdict);
+  return number < kGuardVerdicts ? kGuardVerdictNames[number] : "for an unknown reason";
+}
 
 }  // namespace isotouch

@@ -81,7 +81,10 @@ enum class Role : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 4> kRoleNames = {"none", "watch", "operate", "service"};
 
-constexpr std::string_view name_of(Role role) { return kRoleNames[static_cast<std::size_t>(role) % kRoleNames.size()]; }
+constexpr std::string_view name_of(Role role) {
+  const auto number = static_cast<std::size_t>(role);
+  return number < kRoleNames.size() ? kRoleNames[number] : "unknown";
+}
 
 struct Hello {
   std::uint16_t major = kMajor, minor = kMinor;

@@ -75,14 +75,14 @@ constexpr std::uint32_t user_of(std::uint32_t author) { return author - 1; }
 /// Everything that a tick gets to know. Arrival times stay outside: they are not the same twice.
 struct Input {
   InputKind kind = InputKind::kPacket;
-  bool fresh = false;                  ///< false: the same sample as in an earlier tick, or none yet
-  std::uint8_t lines = 0;              ///< LineBits, the guard's verdict among them
-  std::uint8_t late = 0;               ///< whole periods that were left out since the tick before; kMaxLate = that many or more
-  std::uint8_t requests = 0;           ///< RequestBits
-  std::uint16_t age = 0;               ///< whole ticks since the sample was fresh
-  SettingChange change;                ///< what a person set anew
-  std::uint32_t author = kNobody;      ///< who made these requests, this change, or this field the tick's; no part of the tick's decision
-  std::uint32_t heat = 0;              ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
+  bool fresh = false;              ///< false: the same sample as in an earlier tick, or none yet
+  std::uint8_t lines = 0;          ///< LineBits, the guard's verdict among them
+  std::uint8_t late = 0;           ///< whole periods that were left out since the tick before; kMaxLate = that many or more
+  std::uint8_t requests = 0;       ///< RequestBits
+  std::uint16_t age = 0;           ///< whole ticks since the sample was fresh
+  SettingChange change;            ///< what a person set anew
+  std::uint32_t author = kNobody;  ///< who made the requests, else who sent the new field, else who made the change; the tick ignores it
+  std::uint32_t heat = 0;          ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
   std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
   FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first
   Vec3<Mm> hip;                        ///< kPosition: workspace frame

@@ -18,6 +18,8 @@ using protocol::Role;
 constexpr std::int64_t kMeasuringNs = 1'000'000'000;
 constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
 
+constexpr std::size_t kMostSettings = protocol::kMaxBody - 64;
+
 constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
 constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
 
@@ -99,7 +101,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       log(client.user, "stop");
       return client.say(Kind::kDone);
     case Kind::kResume:
-      if (!may(client, frame.kind, role_for_resume(neighbours_.shown.get().out.faults))) return;
+      if (!may(client, frame.kind, role_after(neighbours_.shown.get().out.faults))) return;
       neighbours_.requests.ask(kRequestResume, author_of(client.user));
       log(client.user, "resume");
       return client.say(Kind::kDone);
@@ -142,14 +144,14 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
 bool ControlRequests::may(ControlClient& client, Kind request, Role wanted) {
   if (client.role >= wanted) return true;
   const std::string role(name_of(wanted));
-  client.refuse(request, "this takes the role " + role + ", and user " + name_of_user(client.user) + " has the role " +
+  client.refuse(request, "this takes the role " + role + ", and user " + std::to_string(client.user) + " has the role " +
                              std::string(name_of(client.role)) + "; ask somebody who has it, or see [control] " + role + "_users and " +
                              role + "_groups in the controller's settings");
   return false;
 }
 
 void ControlRequests::log(std::uint32_t user, const std::string& change) const {
-  if (neighbours_.log) neighbours_.log("user " + name_of_user(user) + ": " + change);
+  if (neighbours_.log) neighbours_.log("user " + std::to_string(user) + ": " + change);
 }
 
 void ControlRequests::commit(ControlClient& client) {
@@ -209,10 +211,10 @@ void ControlRequests::set(ControlClient& client, const protocol::Set& wanted) {
 }
 
 void ControlRequests::settings(ControlClient& client) {
-  const std::string different = neighbours_.different ? neighbours_.different() : std::string();
+  std::string different = neighbours_.different ? neighbours_.different() : std::string();
+  if (different.size() > kMostSettings) different.resize(different.rfind('\n', kMostSettings - 1) + 1);  // whole lines
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(different.data());
-  client.say(Kind::kSettingsReport,
-             protocol::SettingsReport{recordings_.settings_checksum, {bytes, std::min(different.size(), protocol::kMaxBody - 64)}});
+  client.say(Kind::kSettingsReport, protocol::SettingsReport{recordings_.settings_checksum, {bytes, different.size()}});
 }
 
 void ControlRequests::histogram(ControlClient& client, std::uint8_t measure) {
@@ -228,6 +230,7 @@ void ControlRequests::worst(ControlClient& client, bool anew) {
 }
 
 void ControlRequests::begin_recording(ControlClient& client) {
+  if (!may(client, Kind::kRecord, role_after(neighbours_.shown.get().out.faults))) return;
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
   feed_.record(client, neighbours_.fields.published().accepted());

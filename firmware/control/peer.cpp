@@ -1,14 +1,10 @@
 #include "firmware/control/peer.h"
 
-#include <pwd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-
-#include "shared/printable.h"
 
 namespace isotouch::control {
 
@@ -50,17 +46,6 @@ Peer peer_of(int socket) {
   return peer;
 }
 
-std::string name_of_user(uid_t user) {
-  passwd entry{};
-  passwd* found = nullptr;
-  std::array<char, 4096> memory{};
-  const std::string number = std::to_string(user);
-  if (::getpwuid_r(user, &entry, memory.data(), memory.size(), &found) != 0 || found == nullptr) return number;
-  std::string name = entry.pw_name;
-  make_printable(name, '?');
-  return name + " (" + number + ")";
-}
-
 Role role_of(const Peer& peer, const Admission& admission) {
   if (!peer.known) return Role::kNone;
   if (peer.user == 0 || peer.user == ::geteuid() || has(admission.service, peer)) return Role::kService;
@@ -70,7 +55,7 @@ Role role_of(const Peer& peer, const Admission& admission) {
 
 Refusal not_admitted(const Peer& peer) {
   if (!peer.known) return "the system does not report who is connecting, so the connection is refused; use a local socket";
-  return "user " + name_of_user(peer.user) +
+  return "user " + std::to_string(peer.user) +
          " may not use this controller; add the user, or a group of the user, to a role in its settings, [control]";
 }
 

@@ -3,8 +3,6 @@
 
 #include <sys/types.h>
 
-#include <array>
-#include <string>
 #include <vector>
 
 #include "shared/files/refusal.h"
@@ -20,9 +18,6 @@ struct Peer {
 
 /// The peer of a connected local socket: as it was when it connected.
 Peer peer_of(int socket);
-
-/// The user as people know them: name and number, such as "anna (1000)". Asks the system for the name.
-std::string name_of_user(uid_t user);
 
 struct Members {
   std::vector<uid_t> users;

@@ -9,8 +9,8 @@
 
 namespace isotouch::control {
 
-/// The lowest role that may send a request of this kind. What depends on more than the kind is for `role_for_resume`, `role_for_worst`, and for the
-/// settings themselves.
+/// The lowest role that may send a request of this kind. Some requests need a higher one, by their content or by the state of the controller: see
+/// `role_after`, `role_for_worst` and `settings::LiveSettings::set`.
 constexpr protocol::Role role_for(protocol::Kind request) {
   using protocol::Kind, protocol::Role;
   switch (request) {
@@ -28,8 +28,11 @@ constexpr protocol::Role role_for(protocol::Kind request) {
   }
 }
 
-/// After a fault of what watches over the controller somebody has to look for its cause first.
-constexpr protocol::Role role_for_resume(std::uint16_t faults) {
+/// For a resume, and for a recording, which begins a run anew and so forgets these faults: after a fault of what watches over the controller somebody has
+/// to look for its cause first.
+///
+/// faults    of the newest tick
+constexpr protocol::Role role_after(std::uint16_t faults) {
   return (faults & kServiceFaults) != 0 ? protocol::Role::kService : protocol::Role::kOperate;
 }
 

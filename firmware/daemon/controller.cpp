@@ -295,6 +295,6 @@ void Controller::stop() {
   crash_.reset();
 }
 
-std::string Controller::summary() const { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }
+std::string Controller::summary() { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }
 
 }  // namespace isotouch::daemon

@@ -69,7 +69,7 @@ class Controller {
   std::uint32_t heat() const { return loop_ ? loop_->heat() : heat_; }
 
   /// What there is to say when it has stopped.
-  std::string summary() const;
+  std::string summary();
 
  private:
   Refusal open_state();

@@ -52,8 +52,10 @@ std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor
 std::string memory_line(loop::Damage damage) {
   switch (damage) {
     case loop::Damage::kNone: return {};
-    case loop::Damage::kState: return "what the tick remembers was damaged in memory; it began anew: 'isotouch resume'";
-    case loop::Damage::kField: return "the field in memory was damaged; send the field again, then 'isotouch resume'";
+    case loop::Damage::kState:
+      return "what the tick remembers was damaged in memory; it began anew; somebody with the role service may run 'isotouch resume'";
+    case loop::Damage::kField:
+      return "the field in memory was damaged; send the field again, then somebody with the role service may run 'isotouch resume'";
     case loop::Damage::kPrepared: break;
   }
   return "the model of the device in memory was damaged; restart the controller";

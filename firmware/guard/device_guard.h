@@ -1,6 +1,6 @@
-/// The guard where it works: on the thread that talks to the device. What it remembers is in a memory that no other thread can write, and sealed between two
-/// uses; its model is ordinary memory, see `constants`. What it finds stops the force at once, and reaches the tick beside the safety lines, so that the supervisor is in fault
-/// and the recording names it.
+/// The guard where it works: on the thread that talks to the device. No other thread can write what it remembers, and a hash of that is checked before
+/// each use. Its model and settings are ordinary memory, which `loop::MemoryCheck` checks. What it finds stops the force at once, and reaches the tick
+/// beside the safety lines, so that the supervisor is in fault and the recording names it.
 #pragma once
 
 #include <span>

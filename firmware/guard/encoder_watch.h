@@ -1,5 +1,5 @@
 /// Do the encoders still count? Each leg of the device moves by itself, so a count that stays is a place of the hand like any other. Two things no hand
-/// does, and a motor without power or with a torn cable shows the second one, too:
+/// does. A motor without power or with a torn cable shows the second one, too:
 ///
 /// - One leg keeps its count to the unit, while another one moves by 400 counts, which are 14.6° or some 18 mm of the hand. The hand would have to follow
 ///   a curved surface to a fiftieth of a millimetre.
@@ -43,13 +43,17 @@ struct EncoderMemory {
 /// A valid packet came.
 ///
 /// referenced   its counts have a reference, the same as those before
+/// tick         yes: constant work, no allocation
 void follow_counts(const std::array<std::int16_t, 3>& counts, bool referenced, EncoderMemory& memory);
 
 /// A command was sent.
 ///
-/// force     that it makes, N
+/// force     that it makes on the hand, device axes, N
+/// tick      yes: constant work, no allocation
 void follow_force(const Point& force, EncoderMemory& memory);
 
+/// returns   true: one leg, or all three, cannot be following the hand
+/// tick      yes: constant work, no allocation
 bool is_stuck(const EncoderMemory& memory);
 
 }  // namespace isotouch::guard

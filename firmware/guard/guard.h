@@ -8,9 +8,9 @@
 /// - other than zero after packets that forbid it: no reference, counts that jumped, none that came, no button held, too fast a hand, no place that the
 ///   arms reach;
 /// - more than the motors can bear for long;
+/// - other than zero while an encoder is stuck, see `encoder_watch.h`;
 /// - without contact, stronger than the way of the hand in contact explains, or into the object;
-/// - the same again and again while the hand moves;
-/// - anything while an encoder is stuck, see `encoder_watch.h`.
+/// - the same again and again while the hand moves.
 ///
 /// The hand's way bounds the spring: in contact the proxy only ever comes nearer to the HIP, so the distance between both grows by the HIP's movement
 /// at most. Energy is no bound here: force that returns by a ramp pushes a hand that went in while there was none, and so gives what it never took.

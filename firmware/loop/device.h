@@ -77,7 +77,7 @@ class CommandGuard {
   /// fails     never. Does not allocate; may make a system call that does not wait
   virtual MotorCommands pass(const Command& command, std::int64_t now_ns) = 0;
 
-  /// The port answered with this packet. Before the next `pass`; as it.
+  /// The port answered with this packet. Called before the next `pass`, on the same thread and with the same limits.
   virtual void hear(const FalconPacket& packet, std::int64_t now_ns) = 0;
 };
 

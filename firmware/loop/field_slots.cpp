@@ -104,7 +104,7 @@ std::uint32_t FieldSlots::damaged_in(std::size_t part) {
 }
 
 const FieldView* FieldSlots::field_of(std::uint32_t generation) {
-  const auto is_of = [generation](std::uint32_t word) { return ((word & kSlot) == kNone ? 0 : word >> 2) == generation; };
+  const auto is_of = [generation](std::uint32_t word) { return generation_in(word) == generation; };
   const std::uint32_t word = published_.load(std::memory_order_acquire);
   if (is_of(word) && word != guarded_field_) {
     guarded_field_ = word;

@@ -86,6 +86,8 @@ class FieldSlots {
 
   /// The newest published field, also when the tick has not taken it over yet. Valid until the next `begin`.
   ActiveField published() const;
+  /// Its generation; 0: none. Any thread.
+  std::uint32_t published_generation() const { return generation_in(published_.load(std::memory_order_relaxed)); }
 
   // --- memory check ---
 
@@ -118,6 +120,7 @@ class FieldSlots {
  private:
   static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
 
+  static std::uint32_t generation_in(std::uint32_t word) { return (word & kSlot) == kNone ? 0 : word >> 2; }
   ActiveField field_in(std::uint32_t word) const;
   std::uint32_t receiving_slot() const { return (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0; }
   void publish(std::uint32_t slot);

@@ -61,7 +61,7 @@ class Loop {
   /// What does not change while it ticks, as it stands in memory; from construction on.
   std::span<const std::uint8_t> constants() const { return {reinterpret_cast<const std::uint8_t*>(&model_), sizeof model_}; }
 
-  /// The gravest damage that ticks were told of since the last call. Any thread.
+  /// The newest damage that a tick was told of since the last call; kNone: there was none. Any thread.
   Damage take_damage() { return found_.exchange(Damage::kNone, std::memory_order_relaxed); }
 
   /// What the tick relies on and what it remembers, for tests. Not while it runs.

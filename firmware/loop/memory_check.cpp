@@ -11,7 +11,7 @@ Damage MemoryCheck::step() {
   part_ = (part_ + 1) % FieldSlots::kParts;
   is_prepared_damaged_ |= hash_of_prepared() != hash_;
   if (is_prepared_damaged_) return Damage::kPrepared;
-  return damaged_ != 0 && damaged_ == fields_.published().generation ? Damage::kField : Damage::kNone;
+  return damaged_ != 0 && damaged_ == fields_.published_generation() ? Damage::kField : Damage::kNone;
 }
 
 std::uint64_t MemoryCheck::hash_of_prepared() const {

@@ -78,19 +78,12 @@ void Recorder::drain() {
   for (loop::TickRecord tick; ring_.pop(tick);) take(tick);
 }
 
-files::Condition Recorder::condition() const {
-  const auto now = [](const auto& of_the_tick) { return of_the_tick.load(std::memory_order_relaxed); };
-  return {now(state_), now(faults_), now(status_), now(has_field_)};
-}
-
 void Recorder::take(const loop::TickRecord& tick) {
   if (passed_on_ != nullptr) passed_on_->push(tick);
   if (writer_.is_open()) record(tick);
   if (!memory_.empty()) remember(tick);
   state_.store(tick.out.state, std::memory_order_relaxed);
-  faults_.store(tick.out.faults, std::memory_order_relaxed);
-  status_.store(tick.out.status, std::memory_order_relaxed);
-  has_field_.store(tick.in.field_generation != 0, std::memory_order_relaxed);
+  condition_.put({tick.out.state, tick.out.faults, tick.out.status, tick.in.field_generation != 0});
 }
 
 void Recorder::record(const loop::TickRecord& tick) {

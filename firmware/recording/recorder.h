@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/loop/latest.h"
 #include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/recording/last_ticks.h"
@@ -57,7 +58,8 @@ class Recorder {
 
   /// Of the newest tick taken; any thread.
   SupervisorState state() const { return static_cast<SupervisorState>(state_.load(std::memory_order_relaxed)); }
-  files::Condition condition() const;
+  /// The same tick's, as people are told; one thread.
+  files::Condition condition() { return condition_.get(); }
 
  private:
   void take(const loop::TickRecord& tick);
@@ -89,9 +91,8 @@ class Recorder {
   std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
   std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
-  std::atomic<std::uint16_t> state_{0}, faults_{0};
-  std::atomic<std::uint32_t> status_{0};
-  std::atomic<bool> has_field_{false};
+  std::atomic<std::uint16_t> state_{0};
+  loop::Latest<files::Condition> condition_;
 };
 
 }  // namespace isotouch::recording

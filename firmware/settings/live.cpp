@@ -14,7 +14,7 @@ namespace isotouch::settings {
 
 namespace {
 
-std::optional<double> number(std::string_view text) {
+std::optional<double> number_in(std::string_view text) {
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failed != std::errc{} || end != text.data() + text.size()) return std::nullopt;
@@ -31,12 +31,6 @@ bool store_number(const Setting& setting, double value, Settings& settings) {
     return true;
   }
   return false;
-}
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
 }
 
 std::string range(const Setting& setting) {
@@ -70,16 +64,19 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
   if (setting == nullptr || setting->live == TickSetting::kNone) {
     return std::string("'").append(name).append("' cannot be set while running; it may be one of ") + all_names();
   }
-  const std::optional<double> wanted = number(value);
+  const std::optional<double> wanted = number_in(value);
   if (!wanted || !(*wanted >= setting->low && *wanted <= setting->high)) {
     return std::string("feel.").append(name).append(" must be ") + range(*setting);
   }
+  const bool has_limit = setting->live != TickSetting::kStiffness || begin_.stiffness || setter.fields > Stiffness{};
+  if (!setter.may_raise && !has_limit)
+    return "feel.stiffness: the limit for the role operate is the field's own stiffness, and there is no field; load one first";
   const std::optional<double> limit = setter.may_raise ? std::nullopt : limit_of(setting->live, setter.fields);
   if (limit && std::abs(*wanted) > *limit) {
     return std::string("feel.")
         .append(name)
         .append(" may be at most ")
-        .append(number_text(*limit))
+        .append(number(*limit))
         .append(" for the role operate, as the controller was started or the field was built; ask somebody with the role service");
   }
   const std::lock_guard guard(mutex_);
@@ -114,7 +111,7 @@ std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t me
   const Stiffness most = most_stiffness(now_, measured_delay);
   if (tick_settings(now_).stiffness <= most) return {};
   Settings changed = now_;
-  changed.stiffness = *number(n_mm(most));
+  changed.stiffness = *number_in(n_mm(most));
   change_to(changed, requests, kNobody);
   return "feel.stiffness was lowered to " + n_mm(most) +
          " N/mm, the largest that this device can render stably at this rate with the measured delay of " + std::to_string(measured_delay) +

@@ -7,6 +7,12 @@
 
 namespace isotouch::settings {
 
+std::string number(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
 namespace {
 
 using S = Settings;
@@ -191,11 +197,7 @@ constexpr Setting kTable[] = {
     role("service_groups", &S::service_groups, "groups whose members may do so"),
 };
 
-std::string number(double value, const char* format = "%.10g") {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+const Settings kDefaults;
 
 /// The value of a member, as it would stand in the file; empty: an optional one that is left out.
 std::string shown(const Member& member, const Settings& settings, const char* format = "%.10g") {
@@ -252,7 +254,7 @@ std::string different(const Settings& settings) {
   std::string text;
   for (const Setting& setting : kTable) {
     std::string value = shown(setting.member, settings);
-    if (value == shown(setting.member, {})) continue;
+    if (value == shown(setting.member, kDefaults)) continue;
     make_printable(value, '?');
     text += line(setting.section, setting.name, value.empty() ? "left out" : value);
   }
@@ -281,7 +283,7 @@ std::string default_file() {
     if (!setting.unit.empty()) text.append(" ").append(setting.unit);
     text.append("\n");
     if (setting.otherwise.empty()) {
-      text.append(setting.name).append(" = ").append(shown(setting.member, {})).append("\n");
+      text.append(setting.name).append(" = ").append(shown(setting.member, kDefaults)).append("\n");
     } else {
       text.append("# ").append(setting.name).append(" =    (").append(setting.otherwise).append(")\n");
     }

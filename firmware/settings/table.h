@@ -37,6 +37,9 @@ std::span<const Setting> table();
 /// nullptr: there is no such setting
 const Setting* find(std::string_view section, std::string_view name);
 
+/// A number as a person reads it, or in another format of printf for one double.
+std::string number(double value, const char* format = "%.10g");
+
 /// The settings that differ from their default: "section.name = value" each, by newlines, without characters that a terminal must not get.
 std::string different(const Settings& settings);
 

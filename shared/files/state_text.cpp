@@ -54,7 +54,9 @@ std::string faults_text(std::uint16_t faults) {
   for (const FaultName& fault : kFaultNames) {
     if ((faults & fault.fault) != 0) text.append(text.empty() ? "" : "; ").append(fault.sentence);
   }
-  return text + "; then press a button of the grip, or run 'isotouch resume'";
+  const bool of_service = (faults & kServiceFaults) != 0;
+  return text + "; then press a button of the grip, or " + (of_service ? "let somebody with the role service run" : "run") +
+         " 'isotouch resume'";
 }
 
 }  // namespace

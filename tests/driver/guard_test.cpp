@@ -86,6 +86,23 @@ TEST(Guard, StopsOnceItsOwnMemoryWasDamaged) {
   }
 }
 
+TEST(Guard, AfterItsOwnDamageItStillKnowsWhichPacketsACommandHasSeen) {
+  const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+  ASSERT_TRUE(bench->begin());
+  flip(*bench, {"", {}, FlipPlace::Where::kGuardMemory}, 331);
+  for (int t = 0; t < 200; ++t) bench->tick();
+  bench->commands.ask(kRequestResume);
+  for (int t = 0; t < 600; ++t) bench->tick();
+  ASSERT_TRUE(has_force(*bench));
+  Command frozen;
+  bench->tamper = [&frozen](Command& c) {  // a tick that looks at no new packet
+    if (frozen.tick == 0) frozen = c;
+    c.falcon = frozen.falcon, c.sample = frozen.sample;
+  };
+  for (int t = 0; t < 20; ++t) bench->tick();
+  EXPECT_EQ(bench->line_state.verdict(), GuardVerdict::kStale) << name_of(bench->line_state.verdict());
+}
+
 TEST(Guard, BelievesASoundCoreAfterAPersonHasResumed) {
   const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
   ASSERT_TRUE(bench->begin());

@@ -112,6 +112,14 @@ TEST(ControlServerRoles, AFaultOfTheLinesIsResumedByWhoServices) {
       Speaker speaker(rig.settings.path);
       speaker.greet();
       while (rig.tick.shown_faults != fault) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      const Heard recording = ask(speaker, Kind::kRecord);  // it begins a run anew, which forgets these faults
+      EXPECT_EQ(recording.kind, of_service && role == Role::kOperate ? Kind::kRefused : Kind::kRecording) << fault;
+      if (recording.kind == Kind::kRecording) {
+        speaker.say(Kind::kRecordEnd);
+        while (speaker.hear().kind != Kind::kDone) {
+        }
+        rig.logged.clear();
+      }
       const Heard heard = ask(speaker, Kind::kResume);
       if (of_service && role == Role::kOperate) {
         EXPECT_THAT(heard.refusal(), HasSubstr("this takes the role service, and user 4711 has the role operate")) << fault;

@@ -49,7 +49,7 @@ TEST(ControlServer, ARealStrangerIsRefused) {
     // Refused with the right sentence: 42.
     if (::setegid(65534) != 0 || ::seteuid(65534) != 0) ::_exit(1);
     Speaker speaker(rig.settings.path);
-    ::_exit(speaker.hear().refusal().find("(65534) may not") != std::string::npos ? 42 : 2);
+    ::_exit(speaker.hear().refusal().find("user 65534 may not") != std::string::npos ? 42 : 2);
   }
   int status = 0;
   ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -46,10 +46,5 @@ TEST(Peer, HasTheHighestRoleOfUserAndGroups) {
   EXPECT_EQ(role_of({false, ::geteuid(), {30}}, {{}, {}, {{::geteuid()}, {30}}}), Role::kNone) << "nobody knows who it is";
 }
 
-TEST(Peer, AUserIsNamedAsPeopleKnowThem) {
-  EXPECT_EQ(name_of_user(0), "root (0)");
-  EXPECT_EQ(name_of_user(3'999'999'999), "3999999999");
-}
-
 }  // namespace
 }  // namespace isotouch::control

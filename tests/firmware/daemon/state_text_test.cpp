@@ -32,6 +32,7 @@ TEST(StateText, AFaultIsExplainedWithTheNextStep) {
       text(SupervisorState::kFault, kFaultSilent | kFaultStopped),
       "fault: no force, because a stop was requested; the device did not answer in time; check its cable and power supply; then press a "
       "button of the grip, or run 'isotouch resume'");
+  EXPECT_THAT(text(SupervisorState::kFault, kFaultGuard), HasSubstr("let somebody with the role service run 'isotouch resume'"));
   std::set<std::string> sentences;
   for (const FaultName& fault : kFaultNames) sentences.insert(text(SupervisorState::kFault, fault.fault));
   EXPECT_EQ(sentences.size(), kFaultNames.size());

@@ -77,6 +77,8 @@ TEST(LiveSettings, WhoMayNotRaiseLimitsStaysWithinThoseOfTheStart) {
   EXPECT_EQ(set("force_limit_n", "6", services), "");
   EXPECT_EQ(requests.take_change().author, author_of(1001));
   EXPECT_NE(set("force_limit_n", "6", operates), "") << "what somebody raised is no new limit for others";
+  EXPECT_EQ(set("stiffness", "0.1", {author_of(1000), false, Stiffness{}}),
+            "feel.stiffness: the limit for the role operate is the field's own stiffness, and there is no field; load one first");
   settings.stiffness = 0.5;
   LiveSettings lower{settings};
   EXPECT_TRUE(lower.set("stiffness", "0.6", requests, 0, operates)) << "what the settings name counts more than the field's own";
