@@ -29,8 +29,8 @@ void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
 
 }  // namespace
 
-ControlRequests::ControlRequests(TraceHeader recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients)
-    : recordings_(std::move(recordings)),
+ControlRequests::ControlRequests(const TraceHeader& recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients)
+    : recordings_(recordings),
       neighbours_(neighbours),
       clients_(clients),
       feed_(neighbours.ring, recordings_, neighbours.requests),
@@ -70,7 +70,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = protocol::decode<protocol::Begin>(frame.body);
-      return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised)) : malformed();
+      return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised, neighbours_.clock.now_ns())) : malformed();
     }
     case Kind::kChunk: {
       const auto piece = protocol::decode<protocol::Chunk>(frame.body);

@@ -180,14 +180,15 @@ void ControlServer::forget(ControlClient& client) {
   client.close();
 }
 
-/// Closes whoever stops in the middle of something, does not complete its greeting, or holds the place for a stop for too long. A client that has said
+/// Closes whoever stops in the middle of something, sends a field too slowly, does not complete its greeting, or holds the place for a stop for too long. A client that has said
 /// and read everything may stay.
 void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {
     const bool may_stay = client.greeted && !is_for_stop(client);
     const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || requests_.is_sending(client);
-    const bool is_late = (in_the_middle && !requests_.is_working() && client.moved_ns < since) || (!may_stay && client.opened_ns < since);
+    const bool is_late = (in_the_middle && !requests_.is_working() && client.moved_ns < since) || (!may_stay && client.opened_ns < since) ||
+                         requests_.sends_too_slowly(client, settings_.patience_ns);
     if (client.is_open() && is_late) forget(client);
   }
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kNoneHere = "no upload is under way on this connection; begin one";
 }
 
-Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promised) {
+Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns) {
   drop(client);
   if (is_under_way()) return std::string(kSomebodySends);
   if (promised.image_bytes > fields_.image_limit()) return store::too_large(promised.image_bytes, fields_.image_limit());
@@ -21,7 +21,13 @@ Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promis
   sender_ = &client;
   promised_ = promised;
   received_ = 0;
+  begun_ns_ = now_ns;
   return {};
+}
+
+bool Upload::is_too_slow(const ControlClient& client, std::int64_t now_ns, std::int64_t patience_ns) const {
+  constexpr std::int64_t kNsPerByte = 100'000;
+  return is_from(client) && now_ns - begun_ns_ > patience_ns + static_cast<std::int64_t>(received_) * kNsPerByte;
 }
 
 Refusal Upload::add(const ControlClient& client, const protocol::Chunk& piece) {

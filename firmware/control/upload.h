@@ -25,8 +25,12 @@ class Upload {
 
   /// Begins one; the same client's earlier one is void.
   ///
+  /// now_ns    of the caller's clock
   /// returns   why not: another client sends, or there is no room for it
-  Refusal begin(const ControlClient& client, const protocol::Begin& promised);
+  Refusal begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns);
+
+  /// Whether this client's upload has got on by less than 10,000 bytes a second, after `patience_ns`: it would keep everybody else from sending one.
+  bool is_too_slow(const ControlClient& client, std::int64_t now_ns, std::int64_t patience_ns) const;
 
   /// Takes the next piece. One that does not follow the piece before ends the upload.
   Refusal add(const ControlClient& client, const protocol::Chunk& piece);
@@ -44,6 +48,7 @@ class Upload {
   const ControlClient* sender_ = nullptr;
   protocol::Begin promised_;
   std::uint64_t received_ = 0;
+  std::int64_t begun_ns_ = 0;
 };
 
 }  // namespace isotouch::control

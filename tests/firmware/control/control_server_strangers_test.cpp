@@ -140,6 +140,23 @@ TEST(ControlServer, ARequestHasOneDeadlineHoweverSlowlyItComes) {
   EXPECT_LT(sent, begin.size() - 1) << "a byte at a time held the place";
 }
 
+TEST(ControlServer, AnUploadThatHardlyGetsOnGivesItsPlaceUp) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = 200'000'000; });
+  const store::PackedField ball = store::packed_ball(1);
+  Speaker slow(rig.settings.path), next(rig.settings.path);
+  slow.greet(), next.greet();
+  slow.say(Kind::kBegin, ball.promise);
+  ASSERT_EQ(slow.hear().kind, Kind::kDone);
+  std::size_t sent = 0;
+  for (; sent < 100; ++sent) {
+    slow.say(Kind::kChunk, protocol::Chunk{sent, std::span(ball.bytes).subspan(sent, 1)});
+    if (slow.hear().kind != Kind::kDone) break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_LT(sent, 100U) << "a byte at a time kept everybody else from sending a field";
+  EXPECT_EQ(upload(next, ball).kind, Kind::kAccepted);
+}
+
 /// Processor time of this process, seconds.
 double used_s() {
   rusage usage{};
