@@ -32,6 +32,12 @@ struct DeviceLeg {
 /// How far a calibration may take an arm from where it was expected: public sources differ by 15 degrees.
 inline constexpr int kFarthestTurnDeg = 20;
 
+/// Whether an arm's angle at count 0 is within kFarthestTurnDeg of what was expected, the shorter way round.
+constexpr bool stands_near(Angle angle, Angle expected) {
+  const std::uint32_t turn = (angle - expected).raw(), most = Angle::degrees(kFarthestTurnDeg).raw();
+  return turn + most <= 2 * most;
+}
+
 consteval std::int32_t standard(const SettingRow& row) { return row.raw(row.standard); }
 
 struct DeviceModel {

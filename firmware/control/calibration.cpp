@@ -1,7 +1,6 @@
 #include "firmware/control/calibration.h"
 
 #include <cstdint>
-#include <cstdlib>
 #include <utility>
 
 namespace isotouch::control {
@@ -19,12 +18,8 @@ std::string too_far() {
 
 /// Does every arm stand near enough to where it is expected?
 bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
-  constexpr auto kMost = static_cast<std::int64_t>(kFarthestTurnDeg / 360.0 * 4294967296.0);
   bool near = true;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    const auto turn = static_cast<std::int32_t>(angles[i].raw() - expected.legs[i].at_zero.raw());  // the shorter way round
-    near = near && std::abs(std::int64_t{turn}) <= kMost;
-  }
+  for (std::size_t i = 0; i < angles.size(); ++i) near = near && stands_near(angles[i], expected.legs[i].at_zero);
   return near;
 }
 

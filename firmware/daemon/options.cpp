@@ -77,6 +77,9 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
     Refusal refusal = settings::read_settings(file, options.settings);
     if (!refusal && !settings::device_model(options.settings, {}))
       refusal = file + ": the numbers contradict each other: no device can have them; check [device] and [limits]";
+    if (!refusal) {
+      if (const Refusal angles = settings::refusal_of_angles(options.settings)) refusal = file + ": " + angles.sentence();
+    }
     if (refusal) return exit_code = complain(refusal.sentence()), false;
   }
   if (!check.empty()) return std::printf("%s: good\n", check.c_str()), false;

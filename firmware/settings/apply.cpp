@@ -47,10 +47,38 @@ std::string and_the_delay(const Settings& settings, std::uint32_t measured_delay
   return " and its measured delay of " + std::to_string(measured_delay) + " ticks";
 }
 
+DeviceModel geometry_of(const Settings& settings) {
+  return settings.geometry == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+}
+
 }  // namespace
 
+Refusal refusal_of_angles(const Settings& settings) {
+  const auto too_far = [](const std::string& setting, double degrees, const std::string& from) {
+    char given[32];
+    std::snprintf(given, sizeof given, "%g", degrees);
+    return setting + " has an arm at " + given + " degrees, more than " + std::to_string(kFarthestTurnDeg) + " degrees away from " + from +
+           "; correct it, or leave it out and measure it with isotouch calibrate";
+  };
+  const DeviceModel geometry = geometry_of(settings);
+  for (const DeviceLeg& leg : geometry.legs) {
+    if (settings.angle_at_zero_deg && !stands_near(angle(*settings.angle_at_zero_deg), leg.at_zero))
+      return too_far("device.angle_at_zero_deg", *settings.angle_at_zero_deg, "where the geometry has it");
+    const Angle expected = settings.angle_at_zero_deg ? angle(*settings.angle_at_zero_deg) : leg.at_zero;
+    for (const auto& [serial, calibration] : settings.calibrations) {
+      for (const double degrees : calibration.angle_at_zero_deg) {
+        if (!stands_near(angle(degrees), expected)) {
+          return too_far("calibration." + serial + ".angle_at_zero_deg", degrees,
+                         settings.angle_at_zero_deg ? "device.angle_at_zero_deg" : "where the geometry has it");
+        }
+      }
+    }
+  }
+  return {};
+}
+
 Result<DeviceModel> device_model(const Settings& settings, const std::string& serial) {
-  DeviceModel model = settings.geometry == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
+  DeviceModel model = geometry_of(settings);
   const auto calibration = settings.calibrations.find(serial);
   for (std::size_t i = 0; i < model.legs.size(); ++i) {
     DeviceLeg& leg = model.legs[i];

@@ -19,6 +19,11 @@ namespace isotouch::settings {
 /// fails     kBadModel: values that are fine one by one make no device together
 Result<DeviceModel> device_model(const Settings& settings, const std::string& serial);
 
+/// Whether the arms of the settings stand near to those of the geometry, and the arms of each calibration near to those of the settings.
+///
+/// returns   which do not
+Refusal refusal_of_angles(const Settings& settings);
+
 TickSettings tick_settings(const Settings& settings);
 
 /// returns   the tick's period, 100,000 to 4,000,000

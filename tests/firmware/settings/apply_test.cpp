@@ -1,11 +1,14 @@
 #include "firmware/settings/apply.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/field_image.h"
 
 namespace isotouch::settings {
 namespace {
+
+using testing::HasSubstr;
 
 TEST(ApplySettings, TheDefaultsAreThoseOfTheLayersBelow) {
   const Settings settings;
@@ -40,6 +43,27 @@ TEST(ApplySettings, NumbersOfAPublishedSetWrittenOutAreThatSet) {
     EXPECT_EQ(model.legs[i].at_zero, set.legs[i].at_zero);
     EXPECT_NEAR(model.legs[i].per_count.raw(), set.legs[i].per_count.raw(), 1);
   }
+}
+
+TEST(ApplySettings, AnglesFarFromTheGeometrysAreRefused) {
+  Settings settings;
+  EXPECT_FALSE(refusal_of_angles(settings));
+  settings.angle_at_zero_deg = 55;
+  settings.calibrations["A1"].angle_at_zero_deg = {35, 55, 75};
+  EXPECT_FALSE(refusal_of_angles(settings));
+  settings.calibrations["A1"].angle_at_zero_deg[0] = 34.99;
+  EXPECT_THAT(
+      refusal_of_angles(settings).sentence(),
+      HasSubstr("calibration.A1.angle_at_zero_deg has an arm at 34.99 degrees, more than 20 degrees away from device.angle_at_zero_deg"));
+  settings.angle_at_zero_deg.reset();
+  settings.calibrations["A1"].angle_at_zero_deg = {35, 35, -35};
+  EXPECT_THAT(refusal_of_angles(settings).sentence(),
+              HasSubstr("has an arm at -35 degrees, more than 20 degrees away from where the geometry"));
+  settings.calibrations.clear();
+  settings.angle_at_zero_deg = 55.01;
+  EXPECT_THAT(refusal_of_angles(settings).sentence(), HasSubstr("device.angle_at_zero_deg has an arm at 55.01 degrees"));
+  settings.geometry = "martin-hillier";
+  EXPECT_FALSE(refusal_of_angles(settings)) << "40 degrees at count 0";
 }
 
 TEST(ApplySettings, EveryNumberArrivesInItsUnit) {
