@@ -12,6 +12,13 @@ struct OrientedPoints {
   std::vector<double> stiffness = {};      ///< of the surface, N/mm, above 0 and at most 100; one for each position, or none at all
 
   std::size_t size() const { return positions.size(); }
+  /// more      has a stiffness where these have one
+  void append(const OrientedPoints& more) {
+    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    add(positions, more.positions);
+    add(normals, more.normals);
+    add(stiffness, more.stiffness);
+  }
 };
 
 /// From the cloud's frame to the workspace: `workspace = scale * cloud + offset`. No rotation.

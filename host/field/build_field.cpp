@@ -78,10 +78,7 @@ void describe(const AdaptiveSamples& described, std::size_t measured, Repair& re
 AdaptiveSamples with_added(const AdaptiveSamples& described, const cloud::OrientedPoints& added) {
   const Scan& scan = *described.scan;
   cloud::OrientedPoints all{scan.positions(), scan.normals(), scan.stiffness()};
-  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-  append(all.positions, added.positions);
-  append(all.normals, added.normals);
-  append(all.stiffness, added.stiffness);
+  all.append(added);
   AdaptiveSamples result;
   result.models = described.models;
   result.models.resize(all.size());

@@ -12,6 +12,8 @@
 
 namespace isotouch::field {
 
+/// Lengths in the points' unit. Never fails; a sample without neighbours stays.
+///
 /// scan      whose rim the skin meets; its samples stay
 /// skin      at least 1 sample, about as far apart as those of the scan; replaced positions and normals
 void fair_skin(const Scan& scan, cloud::OrientedPoints& skin);

@@ -34,7 +34,7 @@ constexpr std::size_t kMaxSamples = 200;  // a larger hole is left to the models
 constexpr double kWide = 2.0;             // and one that is that far from its rim at one place is wide
 constexpr double kLooks = 0.2;            // length of the mean normal of its rim: round the end of a tube it is nearly 0, in a face 1
 constexpr std::size_t kMaxWide = 1000;    // samples over a wide hole
-constexpr double kWithin = 1.0;           // the surface is closed that far beyond a skin, at least; a nearer end would cut it
+constexpr double kWithin = 1.0;           // of the points' unit, in a build voxels: the closing box is at least that far beyond a skin
 constexpr std::size_t kMaxTaken = 5000;   // of all holes together: more is a scan full of holes, which nothing mends
 
 /// The samples of a skin that lie beside its rim, and what the scan says there.
@@ -60,7 +60,7 @@ class Skins {
       if (const auto seed = beyond_rim(i)) span(*seed, scan_.spacing(i));
     }
     if (result_.size() > 0) flatten();
-    append(result_, wide_);
+    result_.append(wide_);
     return std::move(result_);
   }
 
@@ -76,13 +76,6 @@ class Skins {
     const double off = middle.norm();
     if (!(off * off > kLopsided * kLopsided * around.back().squared_distance)) return std::nullopt;
     return Front{own - kStep * scan_.spacing(i) / off * middle, normal};
-  }
-
-  static void append(cloud::OrientedPoints& all, const cloud::OrientedPoints& more) {
-    const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    add(all.positions, more.positions);
-    add(all.normals, more.normals);
-    add(all.stiffness, more.stiffness);
   }
 
   double outside(const Vector3d& x) const { return 0.5 - surface_.enclosure()(x); }
@@ -166,11 +159,11 @@ class Skins {
       fair_skin(scan_, bent);
       if (std::all_of(bent.positions.begin(), bent.positions.end(),
                       [&](const Vector3d& p) { return surface_.closing().distance(p) < -kWithin; })) {
-        append(wide_, bent);
+        wide_.append(bent);
         return;
       }
     }
-    if (skin.size() < kMaxSamples && farthest >= kHole * spacing && rim.disagrees()) append(result_, skin);
+    if (skin.size() < kMaxSamples && farthest >= kHole * spacing && rim.disagrees()) result_.append(skin);
   }
 
   /// Draws the skins tight between the samples of the scan, which stay.

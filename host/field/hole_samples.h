@@ -2,8 +2,8 @@
 ///
 /// Where a scan ends, the local models go on as their samples say. That is right on a gentle surface. Round the rim of a hole that turns inward, as
 /// a lip does, the models lead into the body. The winding number spans such a hole like a skin: it is one half there. A wide hole in a surface that
-/// looks one way gets a skin that is bent like the surface round it (fair_skin.h). A skin that would leave the box of the samples is not: where the
-/// end of a part is missing, nobody knows where it ends.
+/// looks one way gets a skin that is bent like the surface round it (fair_skin.h). A skin that would come within 1 (the points' unit) of the closing
+/// box of `surface` is not bent: where the end of a part is missing, its shape is unknown.
 ///
 /// source    advancing front on a level set; the level set: winding_sign.h
 #pragma once
