@@ -34,12 +34,12 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
                  qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
   }
-  std::fprintf(to, "what the board does for ticks in time, which explains the figures above and does not judge it:\n");
+  std::fprintf(to, "settings of the board that affect timing (they explain the figures above; the verdict does not depend on them):\n");
   for (const qualify::Finding& f : figures.practice) {
     std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
                  f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
   }
-  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.worst_unknown, figures.cause_unknown}) {
+  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.cause_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }
@@ -116,6 +116,7 @@ void add_qualify(CLI::App& app) {
                    "limit: 99th percentile of a tick's time while other programs write to memory, us; 0: a tenth of the period")
       ->capture_default_str();
   command->callback([options] {
+    options->wish.wakeup_us = options->limits.wakeup_us;
     require_apart(options->page, is_standard(options->json));
     run(*options);
   });

@@ -1,4 +1,5 @@
-/// How the kernel writes what it tells of a board: numbers, lists of processors, threads, interrupts. Whatever else stands there is none of these.
+/// Parsers for what the kernel prints about a board: whole numbers, lists of processors, scheduling of threads, /proc/interrupts. Text of another form
+/// gives no value.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,8 @@ struct Scheduling {
   int priority = 0;  ///< of these two, 1 to 99
 
   bool is_real_time() const { return policy == 1 || policy == 2; }
+  /// As chrt names it; of a real-time one.
+  std::string text() const { return (policy == 1 ? "SCHED_FIFO " : "SCHED_RR ") + std::to_string(priority); }
 };
 std::optional<Scheduling> scheduling(std::string_view stat);
 /// Its name, of the same file; empty: it is none.

@@ -51,7 +51,6 @@ struct Figures {
   std::array<link::Histogram, protocol::kMeasures> measures;
   std::vector<Moment> moments;
   std::vector<WorstTick> worst;  ///< the latest commands first
-  std::string worst_unknown;     ///< one sentence why there are none
   std::string cause_unknown;     ///< one sentence why causes are not known
 
   std::vector<Finding> practice;  ///< what the board does for or against ticks in time

@@ -53,12 +53,10 @@ Finding Ask::not_read(const Board& board, const std::string& path) const {
   return not_known("This user may not read " + path + ".", "Measure as a user who may, such as root: --to ssh://root@board");
 }
 
-Finding Ask::not_read(const Board& /*board*/, const std::string& path, const std::string& text) const {
-  return garbled(text, "See it with: cat " + path);
-}
+Finding Ask::garbled_file(const std::string& path, const std::string& text) const { return garbled(text, "See it with: cat " + path); }
 
 Finding Ask::garbled(const std::string& text, const std::string& remedy) const {
-  Finding finding = not_known("What stands there is no answer.", remedy);
+  Finding finding = not_known("The content is not of the expected form.", remedy);
   finding.read = shown(text);
   return finding;
 }

@@ -55,7 +55,7 @@ struct Ask {
   /// The file is not there, or may not be read.
   Finding not_read(const Board& board, const std::string& path) const;
   /// It holds something that is no answer.
-  Finding not_read(const Board& board, const std::string& path, const std::string& text) const;
+  Finding garbled_file(const std::string& path, const std::string& text) const;
   /// The same of something that is no file.
   Finding garbled(const std::string& text, const std::string& remedy) const;
   /// No thread of a controller is seen.

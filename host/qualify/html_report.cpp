@@ -45,8 +45,7 @@ std::string quantiles(const link::Histogram& histogram, double unit_ns, const ch
 }
 
 std::string worst_table(const Figures& figures) {
-  if (figures.worst.empty())
-    return "<p>" + escaped(figures.worst_unknown.empty() ? "There were no ticks." : figures.worst_unknown) + "</p>\n";
+  if (figures.worst.empty()) return "<p>" + std::string("There were no ticks.") + "</p>\n";
   std::string html = "<table><tr><th>tick</th><th>began late by</th><th>took</th><th>what ran on its processor</th></tr>\n";
   for (const WorstTick& worst : figures.worst) {
     html += "<tr><td class=\"n\">" + std::to_string(worst.tick.number) + "</td><td class=\"n\">" +
@@ -104,7 +103,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
   html += "<p>" + std::to_string(figures.ticks) + " ticks of " + short_number(figures.period_ns / 1000.0) + " us in " +
           short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
   html += "<h2>What was measured</h2>\n" + subject_table(figures.subject);
-  html += "<h2>What the board does for ticks in time</h2>\n" + practice_table(figures.practice);
+  html += "<h2>Settings that affect timing</h2>\n" + practice_table(figures.practice);
   html += "<h2>The board</h2>\n<table>";
   for (const auto& [name, value] : figures.board) html += row(name, value);
   html += "</table>\n";

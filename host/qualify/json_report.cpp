@@ -47,7 +47,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   json["host"] = or_null(subject.host);
   json["versions"] = {{"isotouch", subject.tool}, {"controller", subject.controller}, {"protocol", subject.protocol}};
   json["field"] = or_null(subject.field);
-  json["settings_checksum"] = or_null(subject.settings);
+  json["settings_checksum"] = subject.settings;
   json["device"] = or_null(subject.device);
   for (const auto& [name, value] : figures.board) json["board"][name] = value;
   json["practice"] = Json::array();
@@ -76,7 +76,6 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
                                    {"tick_us", worst.tick.tick_ns / 1000.0},
                                    {"cause", worst.cause.empty() ? Json() : Json(worst.cause)}});
   }
-  if (!figures.worst_unknown.empty()) json["worst_ticks_unknown"] = figures.worst_unknown;
   if (!figures.cause_unknown.empty()) json["causes_unknown"] = figures.cause_unknown;
   json["moments"] = Json::array();
   for (const Moment& m : figures.moments) {

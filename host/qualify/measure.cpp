@@ -130,6 +130,7 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
     const bool was_written = seconds_since(begun) >= 0.9 * seconds;  // a program that ended at once has written nothing
     if (was_written) figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
+    if (was_written && figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
     if (!was_written) figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
   } catch (const InputError& e) {  // the ticks are measured, and stay so
     figures.cold_unknown = e.what();
@@ -185,8 +186,8 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   causes.look(worst = controller.worst_ticks(false));
   figures.moments.push_back(look(controller, shell, begun, before.status.late));
 
-  figures.practice =
-      judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_limit_us(figures.period_ns));
+  figures.practice = judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text),
+                                    wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns));
   figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
   figures.subject.device = controller.device().serial.view();
   figures.subject.settings = trace::hash_text(controller.settings().checksum);

@@ -12,6 +12,7 @@ struct Wish {
   double seconds = 60;       ///< of the ticks, and of cyclictest after them
   double cold_seconds = 10;  ///< of the ticks while other programs write to memory, at most `seconds`; 0: not measured
   int priority = 80;         ///< of cyclictest, as isotouchd's tick unless its settings say otherwise; 0 = it is not run
+  double wakeup_us = 0;      ///< the largest wake-up delay that is good, as `Limits` has it; 0: a tenth of the period
   bool trace = true;         ///< ask the kernel's tracer for causes
 };
 

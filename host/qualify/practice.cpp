@@ -20,7 +20,7 @@ Finding kernel(const Board& board) {
   const std::string* version = board.text("/proc/version");
   const std::string* realtime = board.text("/sys/kernel/realtime");
   if (version == nullptr) return ask.not_read(board, "/proc/version");
-  if (!version->starts_with("Linux version ")) return ask.not_read(board, "/proc/version", *version);
+  if (!version->starts_with("Linux version ")) return ask.garbled_file("/proc/version", *version);
   const auto has = [&](const char* word) { return version->find(word) != std::string::npos; };
   const std::string begin = shown(version->substr(0, version->find(" (")));
   const std::string* machine = board.text("machine");
@@ -41,21 +41,18 @@ Finding tick_priority(const Board& board) {
   const Ask ask{"tick_priority", "priority of the tick"};
   const auto tick = board.thread("tick");
   if (!tick) return ask.no_controller();
-  if (tick->is_real_time())
-    return ask.good((tick->policy == 1 ? "SCHED_FIFO " : "SCHED_RR ") + std::to_string(tick->priority),
-                    "The tick runs before every ordinary program.");
+  if (tick->is_real_time()) return ask.good(tick->text(), "The tick runs before every ordinary program.");
   return ask.bad("ordinary scheduling", "Any program can hold the tick up.",
                  "Run the controller as a service (sudo systemctl enable --now isotouchd), or give its user the right: "
                  "echo \"$USER - rtprio 90\" | sudo tee /etc/security/limits.d/isotouch.conf");
 }
 
-/// The one that is best set aside: the last, because the first has most of the kernel's own work.
 Finding isolated_cores(const Board& board) {
   const Ask ask{"isolated_cores", "isolated cores"};
   const char* path = "/sys/devices/system/cpu/isolated";
   const std::string* text = board.text(path);
   const auto isolated = text == nullptr ? std::nullopt : processors(*text);
-  if (!isolated) return text == nullptr ? ask.not_read(board, path) : ask.not_read(board, path, *text);
+  if (!isolated) return text == nullptr ? ask.not_read(board, path) : ask.garbled_file(path, *text);
   const std::string read = isolated->empty() ? "none" : list_of(*isolated);
   const auto cores = board.cores("tick");
   if (!cores) return ask.no_controller(read);
@@ -82,17 +79,18 @@ Finding throttling(const Board& board) {
   const std::string* text = board.text(runtime_path);
   if (text == nullptr) return ask.not_read(board, runtime_path);
   const auto runtime = whole_number(*text);
-  if (!runtime || *runtime < -1) return ask.not_read(board, runtime_path, *text);
+  if (!runtime || *runtime < -1) return ask.garbled_file(runtime_path, *text);
   if (*runtime == -1) return ask.good("off", "The kernel never stops a real-time thread.");
   const std::string* period_text = board.text(period_path);
   if (period_text == nullptr) return ask.not_read(board, period_path);
   const auto period = whole_number(*period_text);
-  if (!period || *period <= 0) return ask.not_read(board, period_path, *period_text);
+  if (!period || *period <= 0) return ask.garbled_file(period_path, *period_text);
   const std::string read = std::to_string(*runtime) + " of " + std::to_string(*period) + " us";
   const std::string remedy = "Run: echo kernel.sched_rt_runtime_us=-1 | sudo tee /etc/sysctl.d/60-isotouch.conf && sudo sysctl --system";
   constexpr double kPlenty = 0.9;
   if (static_cast<double>(*runtime) < kPlenty * static_cast<double>(*period))
-    return ask.bad(read, "Real-time threads, the tick among them, stop when all of them together have run for so long.", remedy);
+    return ask.bad(read, "Real-time threads, the tick among them, stop when all of them together have run for this time in a period.",
+                   remedy);
   return ask.better(read, "If one real-time thread does not rest, the kernel stops all of them for the rest of the period, the tick too.",
                     remedy);
 }
@@ -105,7 +103,7 @@ Finding governor(const Board& board) {
   std::set<std::string> seen;
   bool scales_itself = false;
   for (const auto& [path, text] : board.under(begin, "/cpufreq/scaling_governor")) {
-    if (kKnown.count(text) == 0) return ask.not_read(board, path, text);
+    if (kKnown.count(text) == 0) return ask.garbled_file(path, text);
     seen.insert(text);
   }
   for (const auto& [path, text] : board.under(begin, "/cpufreq/scaling_driver"))
@@ -133,10 +131,10 @@ Finding idle_states(const Board& begin, const Board& board, double wakeup_us) {
     const auto core = whole_number(state.substr(begin_of.size(), at - begin_of.size()));
     if (!core || !board.may_run_threads(static_cast<int>(std::clamp<std::int64_t>(*core, -1, INT32_MAX)))) continue;
     const std::string *before = begin.text(state + "/time"), *after = board.text(state + "/time"), *label = board.text(state + "/name");
-    if (before == nullptr || after == nullptr) continue;
+    if (before == nullptr || after == nullptr) return ask.not_read(board, state + "/time");
     const auto slept_before = whole_number(*before), slept_after = whole_number(*after), latency = whole_number(text);
     if (!slept_before || !slept_after || *slept_before < 0 || *slept_after < *slept_before || !latency || *latency < 0)
-      return ask.not_read(board, state, *before + " " + *after + " " + text);
+      return ask.garbled_file(state + "/time", *before + " " + *after + " " + text);
     looked = true;
     if (*slept_after > *slept_before && *latency > deepest) deepest = *latency, name = label == nullptr ? "" : shown(*label, 20);
   }
@@ -150,9 +148,8 @@ Finding idle_states(const Board& begin, const Board& board, double wakeup_us) {
   const std::string read = deepest < 0 ? "none" : name + ", " + std::to_string(deepest) + " us to wake up";
   if (deepest <= kShallowUs) return ask.good(read, "No processor of the controller slept deeply while it was measured.");
   const std::string remedy =
-      "See below whether the controller could hold /dev/cpu_dma_latency, and measure with force: outside idle, ready, active and hold it "
-      "does "
-      "not hold it.";
+      "Check below whether /dev/cpu_dma_latency is held. The controller holds it only in the states idle, ready, active and hold, so "
+      "measure in one of these.";
   const std::string why = "A processor of the controller slept so deeply that a tick may begin late by this time.";
   return static_cast<double>(deepest) <= wakeup_us ? ask.better(read, why, remedy) : ask.bad(read, why, remedy);
 }
@@ -163,7 +160,7 @@ Finding latency_file(const Board& board) {
   const std::string* text = board.text(path);
   if (text == nullptr) return ask.not_read(board, path);
   const auto us = whole_number(*text);
-  if (!us || *us < 0) return ask.not_read(board, path, *text);
+  if (!us || *us < 0) return ask.garbled_file(path, *text);
   constexpr std::int64_t kAwakeUs = 10, kNobodyUs = 2'000'000'000;
   if (*us <= kAwakeUs)
     return ask.good("held at " + std::to_string(*us) + " us",
@@ -186,7 +183,7 @@ Finding autosuspend(const Board& board) {
     const std::string *control = board.text(control_path), *status = board.text(device + "/power/runtime_status");
     if (control == nullptr) return ask.not_read(board, control_path);
     if (*control == "on") return ask.good("on", "The kernel never puts the Falcon to sleep.");
-    if (*control != "auto") return ask.not_read(board, control_path, *control);
+    if (*control != "auto") return ask.garbled_file(control_path, *control);
     const std::string remedy = "Run: echo on | sudo tee " + shown(control_path) + "; to keep it so, install 60-isotouch-falcon.rules.";
     if (status != nullptr && *status == "suspended") return ask.bad("auto, suspended", "The Falcon is asleep, and cannot answer.", remedy);
     return ask.better("auto", "The kernel may put the Falcon to sleep while nobody uses it, and it then takes time to answer.", remedy);
@@ -205,7 +202,7 @@ Finding huge_pages(const Board& board) {
       open == std::string::npos || close == std::string::npos || close < open ? "" : text->substr(open + 1, close - open - 1);
   if (chosen == "never" || chosen == "madvise")
     return ask.good(chosen, "The kernel does not move the controller's memory to make huge pages.");
-  if (chosen != "always") return ask.not_read(board, path, *text);
+  if (chosen != "always") return ask.garbled_file(path, *text);
   return ask.better(
       "always", "The kernel may move memory of the controller to make huge pages, and a tick waits meanwhile.",
       std::string("Run: echo madvise | sudo tee ") + path + "; to keep it so, add transparent_hugepage=madvise to the boot options.");

@@ -1,6 +1,6 @@
-/// What a board's kernel and settings do for ticks that come in time, or against them. Pure: the texts of its files in, findings out.
+/// Judges the settings of a board's kernel that affect the timing of ticks. Pure: contents of files in, findings out.
 ///
-/// A finding explains what was measured; it makes no board fit or unfit. What cannot be read is said, and never good.
+/// A finding explains the measurement and does not decide whether the board is fit. A setting that could not be read is reported as such, never as good.
 #pragma once
 
 #include <map>

@@ -14,6 +14,12 @@ bool is_usb(const Interrupt& interrupt) {
   return std::regex_search(shown(interrupt.name), kUsb);
 }
 
+/// One that every processor has for itself, such as its timer: nobody can move it.
+bool is_of_a_processor(const Interrupt& interrupt) {
+  static const std::regex kOwn("(timer|pmu)", std::regex::icase);
+  return std::regex_search(shown(interrupt.name), kOwn);
+}
+
 /// A thread that serves an interrupt.
 struct Server {
   std::string pid, stat;
@@ -57,7 +63,7 @@ Finding xhci_priority(const Board& board) {
     if (server && !server->scheduling) return ask.garbled(server->stat, "See it with: ps -o pid,cls,rtprio,comm -p " + server->pid);
     read += (read.empty() ? "" : "; ") + std::to_string(one.number) + " " + shown(one.name, 40) + ": " +
             (!server                              ? "no thread"
-             : server->scheduling->is_real_time() ? "SCHED_FIFO " + std::to_string(server->priority())
+             : server->scheduling->is_real_time() ? server->scheduling->text()
                                                   : "ordinary scheduling");
     if (server && (!least || server->priority() < least->priority())) least = server;
   }
@@ -86,21 +92,23 @@ Finding irq_affinity(const Board& board) {
     return ask.better(
         "the tick may run on " + list_of(*tick), "The tick is not bound to a core, so interrupts cannot be kept off it.",
         "Set [loop] core = " + std::to_string(board.best_core()) + " in the settings, then: sudo systemctl restart isotouchd");
+  const std::vector<Interrupt> all = interrupts(*text);
+  if (all.empty()) return ask.garbled_file(kInterrupts, *text);
   std::string numbers, names;
-  bool looked = false;
-  for (const Interrupt& one : interrupts(*text)) {
+  bool unread = false;
+  for (const Interrupt& one : all) {
+    if (!one.has_come() || is_of_a_processor(one)) continue;
     const std::string folder = "/proc/irq/" + std::to_string(one.number);
     const std::string* effective = board.text(folder + "/effective_affinity_list");
     const std::string* list = effective != nullptr && !shown(*effective).empty() ? effective : board.text(folder + "/smp_affinity_list");
     const auto cores = list == nullptr ? std::nullopt : processors(*list);
-    if (!cores || !one.has_come()) continue;
-    looked = true;
-    if (cores->count(*tick->begin()) == 0) continue;
+    if (!cores || cores->empty()) unread = true;
+    if (!cores || cores->count(*tick->begin()) == 0) continue;
     numbers += (numbers.empty() ? "" : " ") + std::to_string(one.number);
     names += (names.empty() ? "" : ", ") + std::to_string(one.number) + " " + shown(one.name.substr(one.name.rfind(' ') + 1), 24);
   }
-  if (!looked) return ask.not_read(board, "/proc/irq");
   const std::string core = list_of(*tick);
+  if (numbers.empty() && unread) return ask.not_read(board, "/proc/irq");
   if (numbers.empty()) return ask.good("none on core " + core, "No device interrupts the tick.");
   std::set<int> others = online.value_or(std::set<int>{});
   others.erase(*tick->begin());

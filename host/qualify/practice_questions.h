@@ -7,7 +7,7 @@
 
 namespace isotouch::qualify {
 
-/// Reads what `judge_practice` looks at; some ten milliseconds of a board's time. ISOTOUCH_BOARD_ROOT names another folder than /.
+/// Reads what `judge_practice` looks at. ISOTOUCH_BOARD_ROOT names another folder than /.
 std::string practice_command();
 
 /// "path:line" lines → files; lines of one path are put together. Whatever else is printed is left out.

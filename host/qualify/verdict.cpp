@@ -46,13 +46,13 @@ std::optional<double> inactive(const std::vector<Moment>& moments) {
 
 }  // namespace
 
-double wakeup_limit_us(std::uint32_t period_ns) { return period_ns / 10'000.0; }
+double tenth_of_period_us(std::uint32_t period_ns) { return period_ns / 10'000.0; }
 
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   const double expected = figures.seconds * 1e9 / figures.period_ns;
   const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
-  const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : wakeup_limit_us(figures.period_ns);
-  const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : figures.period_ns / 10'000.0;
+  const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : tenth_of_period_us(figures.period_ns);
+  const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : tenth_of_period_us(figures.period_ns);
   const auto cold_ns = quantile_ns(figures.cold, 0.99);
   const double left_out = expected > 0 ? std::max(0.0, 100 * (expected - static_cast<double>(figures.ticks)) / expected) : 100;
   return {

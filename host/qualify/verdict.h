@@ -25,8 +25,10 @@ struct Limits {
   double inactive = 50;     ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
 };
 
-/// Unless it is set: a tenth of the period.
-double wakeup_limit_us(std::uint32_t period_ns);
+/// The limit of what is late, unless it is set.
+///
+/// returns   us
+double tenth_of_period_us(std::uint32_t period_ns);
 
 struct Judgement {
   enum class Outcome { kMet, kMissed, kNotMeasured };
