@@ -14,7 +14,7 @@ namespace isotouch::commands {
 
 namespace {
 
-constexpr int kLooks = 50;  ///< one every 20 ms: a tick takes at most 4
+constexpr int kLooks = 50;  ///< one every 20 ms, so 1 s; a tick takes at most 4 ms
 
 /// The state once it is as wanted, or after a second.
 template <class Wanted>
@@ -33,7 +33,10 @@ bool is_out_of_fault(const protocol::StatusReport& status) { return status.fault
 void stop(const std::string& to) {
   link::Controller controller(to);
   controller.stop();
+  const std::uint64_t ticks = controller.status().ticks;
   const protocol::StatusReport status = wait_for(controller, has_stopped);
+  if (!has_stopped(status) && status.ticks > ticks)
+    throw InputError(to + ": the stop was taken back at once, by a button or another client; the state is " + state_text(status));
   if (!has_stopped(status))
     throw InputError(to + ": the controller does not stop: its loop does not run; press the emergency stop, or switch the device off");
   std::printf("stopped: no force until a button of the grip is pressed or 'isotouch resume --to %s'\n", to.c_str());
