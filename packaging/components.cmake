@@ -5,7 +5,7 @@ find_package(PkgConfig REQUIRED)
 set(components)
 function(isotouch_component name version licence shared)
   if(NOT version)
-    return()   # this build has no use for it
+    message(FATAL_ERROR "No version of ${name} is known: install the file of pkg-config that comes with it")
   endif()
   string(CONFIGURE [[{
       "SPDXID": "SPDXRef-@name@",
@@ -28,8 +28,10 @@ endmacro()
 isotouch_component_of(CLI11 CLI11 BSD-3-Clause "")
 isotouch_component_of(libzstd zstd BSD-3-Clause libzstd.so)
 if(ISOTOUCH_DEVICE)
-  isotouch_component_of(libusb-1.0 libusb LGPL-2.1-or-later libusb-1.0.so)
-  isotouch_component_of(libgpiod libgpiod LGPL-2.1-or-later libgpiod.so)
+  isotouch_component(libusb "${libusb_VERSION}" LGPL-2.1-or-later libusb-1.0.so)
+  if(libgpiod_FOUND)
+    isotouch_component(libgpiod "${libgpiod_VERSION}" LGPL-2.1-or-later libgpiod.so)
+  endif()
   isotouch_component_of(tomlplusplus tomlplusplus MIT "")
 endif()
 if(ISOTOUCH_HOST)
@@ -57,11 +59,14 @@ foreach(id ${ids})
 endforeach()
 string(REPLACE "@" ",\n    " packages "${components}")
 execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} show -s --format=%ct HEAD OUTPUT_VARIABLE commit_time OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-if(commit_time)
+set(epoch "$ENV{SOURCE_DATE_EPOCH}")
+if(commit_time AND NOT epoch)
   set(ENV{SOURCE_DATE_EPOCH} ${commit_time})   # the same tree gives the same document
 endif()
 string(TIMESTAMP created "%Y-%m-%dT%H:%M:%SZ" UTC)
-unset(ENV{SOURCE_DATE_EPOCH})
+if(NOT epoch)
+  unset(ENV{SOURCE_DATE_EPOCH})
+endif()
 file(CONFIGURE OUTPUT isotouch.spdx.json @ONLY CONTENT [[{
   "spdxVersion": "SPDX-2.3",
   "dataLicense": "CC0-1.0",

@@ -165,7 +165,7 @@ struct Flip {
 
 /// What a run writes down for the process that began it.
 struct Seen {
-  bool over, differs;
+  bool over, hung, differs;
   int by, after;  ///< -1: not noticed
   int longest;
   double newton;
@@ -231,8 +231,10 @@ Seen run_apart(Pair& pair, const Flip& flip_of, Seen& shared) {
     shared.over = true;
     _exit(0);
   }
+  if (child < 0) std::abort();  // no process, no trial
   int status = 0;
   waitpid(child, &status, 0);
+  shared.hung = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
   if (!kept || pwrite(file, &memory, sizeof memory, 0) != static_cast<ssize_t>(sizeof memory)) std::abort();
   return shared;
 }
@@ -312,6 +314,7 @@ FlipRun bit_flips(int flips, std::uint64_t seed) {
   for (const Flip& one : all) {
     for (; t < one.moment; ++t) pair->tick();
     const Seen seen = run_apart(*pair, one, *static_cast<Seen*>(pages));
+    if (seen.hung && run.broken.empty()) run.broken = text_of("a run took more than %u s", kHangs);
     const FlipCell cell = cell_of(seen);
     FlipRow& row = run.rows[one.place];
     row.cells[static_cast<std::size_t>(one.state)].add(cell);

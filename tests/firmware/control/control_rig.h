@@ -62,12 +62,12 @@ class FakeTick {
       record.in.fresh = true;
       const loop::Asked asked = commands.take();
       record.in.requests = asked.bits;
-      if (asked.author != kNobody) author = asked.author;
       record.out.faults = faults;
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
       record.out.commands[0] = word.exchange(0);
       obeyed |= record.in.requests;
+      if (asked.author != kNobody) author = asked.author;
       if (field.generation != generation) felt = field.view->hash();
       generation = field.generation;
       stats.ticks.add();
