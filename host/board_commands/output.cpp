@@ -22,6 +22,11 @@ const Form* find(const Forms& forms, const std::string& ending) {
   return found == forms.end() ? nullptr : *found;
 }
 
+const Form* usual(const Forms& forms) {
+  const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form* form) { return form->is_usual || forms.size() == 1; });
+  return found == forms.end() ? nullptr : *found;
+}
+
 }  // namespace
 
 std::string list_of(const Forms& forms) {
@@ -33,10 +38,7 @@ std::string list_of(const Forms& forms) {
 const Form& form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named, const std::string& hint) {
   const std::string ending = in_lower_case(out.extension().string());
   const std::string rest = list_of(forms) + (hint.empty() ? "" : "; " + hint);
-  const Form* form = !ending.empty()     ? find(forms, ending)
-                     : !named.empty()    ? find(forms, '.' + named)
-                     : forms.size() == 1 ? forms.front()
-                                         : nullptr;
+  const Form* form = !ending.empty() ? find(forms, ending) : !named.empty() ? find(forms, '.' + named) : usual(forms);
   if (form == nullptr && ending.empty())
     throw InputError(out.string() + ": its name does not say what to write; say it with --format: " + rest);
   if (form == nullptr) throw InputError(out.string() + ": this command does not write " + ending + "; it writes " + rest);
@@ -54,8 +56,8 @@ CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::p
 }
 
 void require_folder(const std::filesystem::path& folder) {
-  const Forms all = {&forms::kField, &forms::kImage, &forms::kLevelSet, &forms::kPly,  &forms::kObj, &forms::kStl,
-                     &forms::kTrace, &forms::kTable, &forms::kPicture,  &forms::kPage, &forms::kJson};
+  const Forms all = {&forms::kField, &forms::kImage,   &forms::kLevelSet, &forms::kPly, &forms::kObj,  &forms::kStl, &forms::kTrace,
+                     &forms::kTable, &forms::kPicture, &forms::kSvg,      &forms::kPdf, &forms::kPage, &forms::kJson};
   if (is_standard(folder) || find(all, in_lower_case(folder.extension().string())) != nullptr)
     throw InputError(folder.string() + ": this command writes several files into a folder; name a folder");
 }

@@ -15,6 +15,7 @@ struct Form {
   std::string_view ending;  ///< of a file's name: ".itf"
   std::string_view what;    ///< in words
   bool is_text = false;     ///< a person can read it on a terminal
+  bool is_usual = false;    ///< what a name without an ending asks for, where there are others
 };
 
 namespace forms {
@@ -26,17 +27,21 @@ inline constexpr Form kObj{".obj", "Wavefront OBJ", true};
 inline constexpr Form kStl{".stl", "STL, binary"};
 inline constexpr Form kTrace{".trace", "a trace"};
 inline constexpr Form kTable{".csv", "a table", true};
-inline constexpr Form kPicture{".png", "a picture"};
+inline constexpr Form kPicture{".png", "a picture", false, true};
+inline constexpr Form kSvg{".svg", "a picture in lines", true};
+inline constexpr Form kPdf{".pdf", "a picture for print"};
 inline constexpr Form kPage{".html", "a page", true};
 inline constexpr Form kJson{".json", "a JSON object", true};
 }  // namespace forms
 
 using Forms = std::vector<const Form*>;
 
+inline const Forms kPictures = {&forms::kPicture, &forms::kSvg, &forms::kPdf};
+
 /// ".ply (PLY), .obj (Wavefront OBJ)": for help and refusals.
 std::string list_of(const Forms& forms);
 
-/// The form that a name asks for. Case does not matter; a name without an ending, and `-`, ask for the only form that there is.
+/// The form that a name asks for. Case does not matter; a name without an ending, and `-`, ask for the only form that there is, or the usual one.
 ///
 /// named     an ending without its dot, from an option, for names that say nothing; may be empty
 /// hint      what to do for another form, a clause; may be empty

@@ -16,6 +16,7 @@ void add_compare(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_render(CLI::App& app);
+void add_plot(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_qualify(CLI::App& app);

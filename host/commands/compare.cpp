@@ -25,7 +25,7 @@
 #include "host/field_file/open_field.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
-#include "host/view/png_file.h"
+#include "host/view/picture.h"
 #include "host/view/worst_picture.h"
 
 namespace isotouch::commands {
@@ -154,9 +154,9 @@ void run(const Options& options) {
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
     const evaluate::Farthest& worst = measured.whole.worst();
-    view::write_png(options.worst, view::worst_picture(field.view, measured.surface, mesh,
-                                                       {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
-                                                       {.title = options.field.stem().string()}));
+    view::write_picture(options.worst, view::worst_picture(field.view, measured.surface, mesh,
+                                                           {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
+                                                           {.title = options.field.stem().string()}));
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());
 }
@@ -166,8 +166,9 @@ void draw_felt(const Options& options, const FieldView& field, const field::Tria
   const cloud::TriangleMesh surface = evaluate::zero_surface(field);
   const double distance = field::TriangleTree(surface).nearest(worst.god).distance;
   const view::WorstTouch touch{worst.hip, worst.god, worst.proxy, words_of(worst)};
-  view::write_png(options.worst, view::worst_picture(field, surface, tree.mesh(), {worst.god, true, distance, to_double(field.edge), touch},
-                                                     {.title = options.field.stem().string()}));
+  view::write_picture(options.worst,
+                      view::worst_picture(field, surface, tree.mesh(), {worst.god, true, distance, to_double(field.edge), touch},
+                                          {.title = options.field.stem().string()}));
 }
 
 /// What hands feel of the field, beside the true surface.
@@ -224,7 +225,7 @@ void add_compare(CLI::App& app) {
       ->add_option("--beside", options->beside,
                    "also compare another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL")
       ->excludes(felt);
-  add_output(*command, "--worst", options->worst, {&forms::kPicture},
+  add_output(*command, "--worst", options->worst, kPictures,
              "draw the worst place of the field; with --felt, the touch whose direction is worst");
   command->add_option("--seed", options->seed, "with --felt: seed of the places and motions")->needs(felt)->capture_default_str();
   command

@@ -26,7 +26,7 @@
 #include "host/trace/hash_text.h"
 #include "host/trace/replay.h"
 #include "host/view/force_picture.h"
-#include "host/view/png_file.h"
+#include "host/view/picture.h"
 #include "host/view/points_picture.h"
 #include "host/view/slice_picture.h"
 #include "host/view/surface_picture.h"
@@ -52,7 +52,7 @@ struct Tour {
 
 struct SphereForce {
   evaluate::ForceError worst;  // of the speeds that are judged
-  view::ForceCurve curve;
+  view::ForceCurve felt{"as the core renders it", {}, {}}, exact{"exact", {}, {}};
 };
 
 /// For lines that tell what is going on: standard output belongs to the report.
@@ -106,9 +106,10 @@ SphereForce sphere_force() {
   motion.kind = "slide";
   motion::make_motion(&field.view, motion, [&](const Input& input) {
     const Eigen::Vector3d hip = to_double(input.hip);
-    result.curve.time_s.push_back(static_cast<double>(result.curve.time_s.size()) * slide.period_s);
-    result.curve.felt_n.push_back(tick(hip).norm());
-    result.curve.exact_n.push_back(slide.stiffness * std::max(0.0, slide.radius - (hip - slide.centre).norm()));
+    const double now = static_cast<double>(result.felt.time_s.size()) * slide.period_s;
+    for (view::ForceCurve* curve : {&result.felt, &result.exact}) curve->time_s.push_back(now);
+    result.felt.force_n.push_back(tick(hip).norm());
+    result.exact.force_n.push_back(slide.stiffness * std::max(0.0, slide.radius - (hip - slide.centre).norm()));
   });
   return result;
 }
@@ -117,15 +118,15 @@ std::vector<fs::path> draw(const DemoOptions& options, const std::string& title,
                            const SphereForce& force) {
   const std::vector<fs::path> files = {options.folder / "points.png", options.folder / "surface.png", options.folder / "slice.png",
                                        options.folder / "force.png"};
-  view::write_png(files[0], view::points_picture(built.points, {.direction = {.up = options.up},
-                                                                .title = title,
-                                                                .spacing = cloud::median_spacing(built.points.positions),
-                                                                .mm_per_unit = 1}));
-  view::write_png(
+  view::write_picture(files[0], view::points_picture(built.points, {.direction = {.up = options.up},
+                                                                    .title = title,
+                                                                    .spacing = cloud::median_spacing(built.points.positions),
+                                                                    .mm_per_unit = 1}));
+  view::write_picture(
       files[1],
       view::surface_picture(built.field.view, {.up = options.up, .touch = tour.shown, .title = title, .invented = built.field.invented}));
-  view::write_png(files[2], view::slice_picture(built.field.view, {.touch = tour.shown, .title = title}));
-  view::write_png(files[3], view::force_picture(force.curve, {.title = "sliding on a sphere", .exact_label = "exact"}));
+  view::write_picture(files[2], view::slice_picture(built.field.view, {.touch = tour.shown, .title = title}));
+  view::write_picture(files[3], view::force_picture(force.felt, &force.exact, {.title = "sliding on a sphere"}));
   return files;
 }
 

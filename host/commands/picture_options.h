@@ -20,7 +20,7 @@ struct PictureOptions {
   char up = 'y';
 
   void add_to(CLI::App& command) {
-    add_output(command, "-o,--out", out, {&forms::kPicture}, "the picture to write")->required();
+    add_output(command, "-o,--out", out, kPictures, "the picture to write")->required();
     command.add_option_function<std::string>(
         "--size", [this](const std::string& text) { size = parse_size(text); }, "WxH, pixels (960x720)");
   }

@@ -15,7 +15,7 @@
 #include "host/files/whole_file.h"
 #include "host/qualify/measure.h"
 #include "host/qualify/report.h"
-#include "host/qualify/svg.h"
+#include "host/view/caption.h"
 
 namespace isotouch::commands {
 
@@ -31,8 +31,8 @@ struct Options {
 void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qualify::Judgement>& judgements) {
   for (const qualify::Judgement& j : judgements) {
     const bool known = j.outcome != qualify::Judgement::Outcome::kNotMeasured;
-    std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? qualify::short_number(j.value).c_str() : "", j.unit.c_str(),
-                 qualify::short_number(j.limit).c_str(), qualify::name_of(j.outcome));
+    std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? view::significant(j.value, 3).c_str() : "", j.unit.c_str(),
+                 view::significant(j.limit, 3).c_str(), qualify::name_of(j.outcome));
   }
   std::fprintf(to, "settings of the board that affect timing (they explain the figures above; the verdict does not depend on them):\n");
   for (const qualify::Finding& f : figures.practice) {

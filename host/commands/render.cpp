@@ -1,4 +1,4 @@
-/// isotouch render: pictures of points, surfaces, slices and forces.
+/// isotouch render: pictures of points, surfaces and slices.
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -16,14 +16,10 @@
 #include "host/commands/progress_bar.h"
 #include "host/commands/recorded_ticks.h"
 #include "host/error.h"
-#include "host/evaluate/exact_sphere.h"
 #include "host/field/sound_scan.h"
 #include "host/field_file/open_field.h"
-#include "host/to_double.h"
 #include "host/trace/trace_file.h"
-#include "host/view/caption.h"
-#include "host/view/force_picture.h"
-#include "host/view/png_file.h"
+#include "host/view/picture.h"
 #include "host/view/points_picture.h"
 #include "host/view/slice_picture.h"
 #include "host/view/surface_picture.h"
@@ -55,14 +51,15 @@ struct PointsRun {
       sound.drop_invented();
       points = std::move(sound.points);
     }
-    view::write_png(picture.out, view::points_picture(points, {.width = picture.size[0],
-                                                               .height = picture.size[1],
-                                                               .direction = picture.direction().value_or(view::Direction{.up = picture.up}),
-                                                               .title = cloud.stem().string(),
-                                                               .spacing = cloud::median_spacing(points.positions),
-                                                               .mm_per_unit = 0,
-                                                               .rim_length = sound.rim.length,
-                                                               .rim = sound.rim.links}));
+    view::write_picture(picture.out,
+                        view::points_picture(points, {.width = picture.size[0],
+                                                      .height = picture.size[1],
+                                                      .direction = picture.direction().value_or(view::Direction{.up = picture.up}),
+                                                      .title = cloud.stem().string(),
+                                                      .spacing = cloud::median_spacing(points.positions),
+                                                      .mm_per_unit = 0,
+                                                      .rim_length = sound.rim.length,
+                                                      .rim = sound.rim.links}));
   }
 };
 
@@ -109,9 +106,9 @@ struct SurfaceRun {
                                        .invented = open.invented};
     ProgressBar bar({{"surface", 1e-6 * picture.size[0] * picture.size[1]}});
     bar.begin("surface");
-    const view::Image drawn = view::surface_picture(open.view, options);
+    const view::Picture drawn = view::surface_picture(open.view, options);
     bar.end();
-    view::write_png(picture.out, drawn);
+    view::write_picture(picture.out, drawn);
   }
 };
 
@@ -124,46 +121,12 @@ struct SliceRun {
 
   void operator()() const {
     const field_file::OpenField open = field_file::open_field(field);
-    view::write_png(picture.out, view::slice_picture(open.view, {.width = picture.size[0],
-                                                                 .height = picture.size[1],
-                                                                 .axis = axis,
-                                                                 .at_mm = at,
-                                                                 .touch = touch.touch(open.view, picture.up),
-                                                                 .title = field.stem().string()}));
-  }
-};
-
-struct ForceRun {
-  PictureOptions picture;
-  fs::path trace;
-  fs::path field;
-  double sphere_mm = 0;
-
-  void operator()() const {
-    const trace::Trace recorded = trace::read_trace(trace);
-    std::optional<field_file::OpenField> open;
-    if (!field.empty()) open.emplace(field_file::open_field(field));
-    const double limit = to_double(recorded.header().settings.force_limit);
-    const double stiffness = sphere_mm > 0 ? stiffness_of(recorded, open ? &open->view : nullptr) : 0;
-    view::ForceCurve curve;
-    for_each_tick(recorded, open ? &open->view : nullptr, [&](std::size_t tick, const TraceRecord& record) {
-      curve.time_s.push_back(static_cast<double>(tick) * recorded.header().period_ns * 1e-9);
-      curve.felt_n.push_back(to_double(record.output.force).norm());
-      if (sphere_mm <= 0) return;
-      curve.exact_n.push_back(evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, stiffness, limit));
-    });
-    view::write_png(picture.out, view::force_picture(curve, {.width = picture.size[0],
-                                                             .height = picture.size[1],
-                                                             .title = trace.stem().string(),
-                                                             .exact_label = "exact, sphere of " + view::number(sphere_mm, 3) + " mm"}));
-  }
-
-  double stiffness_of(const trace::Trace& recorded, const FieldView* touched) const {
-    const Stiffness set = recorded.header().settings.stiffness;
-    if (set.raw() != 0) return to_double(set);
-    if (touched == nullptr)
-      throw InputError(trace.string() + ": it states no stiffness, because that of the field was used; name the field with --field");
-    return to_double(touched->stiffness);
+    view::write_picture(picture.out, view::slice_picture(open.view, {.width = picture.size[0],
+                                                                     .height = picture.size[1],
+                                                                     .axis = axis,
+                                                                     .at_mm = at,
+                                                                     .touch = touch.touch(open.view, picture.up),
+                                                                     .title = field.stem().string()}));
   }
 };
 
@@ -180,7 +143,7 @@ std::pair<CLI::App*, Run*> add(CLI::App& parent, const char* name, const char* a
 }  // namespace
 
 void add_render(CLI::App& app) {
-  CLI::App* render = app.add_subcommand("render", "Write a picture (PNG) of points, a surface, a slice or a force");
+  CLI::App* render = app.add_subcommand("render", "Write a picture of points, a surface or a slice");
   render->require_subcommand(1);
 
   const auto [points, points_run] = add<PointsRun>(*render, "points", "Oriented points as small lit discs");
@@ -202,13 +165,6 @@ void add_render(CLI::App& app) {
       ->check(one_of({"x", "y", "z"}));
   CLI::Option* at = slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
   slice_run->touch.add_to(*slice)->excludes(at);
-
-  const auto [force, force_run] = add<ForceRun>(*render, "force", "Force over time of a recorded hand");
-  force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
-  force->add_option("--field,--blob", force_run->field,
-                    "the field; needed if the trace holds inputs only, or takes its stiffness from the field");
-  force->add_option("--exact-sphere", force_run->sphere_mm, "also draw the exact force of a sphere of this radius (mm) around the origin")
-      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace isotouch::commands

@@ -1,8 +1,14 @@
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "host/qualify/report.h"
-#include "host/qualify/svg.h"
+#include "host/view/caption.h"
+#include "host/view/histogram_plot.h"
+#include "host/view/palette.h"
+#include "host/view/plot.h"
 
 namespace isotouch::qualify {
 
@@ -14,9 +20,50 @@ constexpr const char* kStyle =
     "0;text-align:left;"
     "border-bottom:1px solid #ddd;vertical-align:top}td.n{text-align:right;font-variant-numeric:tabular-nums}"
     ".fit{color:#17692b}.unfit{color:#b00020}.missed{color:#b00020;font-weight:600}.unknown{color:#777}.better{color:#9a5b00}"
-    "svg{width:100%;max-width:46rem;font:11px system-ui,sans-serif;fill:#555}svg .grid{stroke:#eee}svg .bar{fill:#4878a8}"
-    "svg .limit{stroke:#b00020;stroke-width:1.5;stroke-dasharray:5 3}svg .beside{fill:none;stroke:#d08000;stroke-width:1.5}"
-    "svg .course{fill:none;stroke:#4878a8;stroke-width:1.5}";
+    "img{width:100%;max-width:46rem}";
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string short_number(double value) { return view::significant(value, 3); }
+
+/// A figure within the page. Each is a document of its own, so that the letters of one are not taken for those of another.
+///
+/// about     what it shows, for who does not see it
+std::string figure(const view::Picture& picture, const std::string& about) {
+  std::string address;
+  for (const std::uint8_t byte : view::encode(picture, ".svg")) {
+    const char c = static_cast<char>(byte);
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          std::string_view(" ,./:;=-_()").find(c) != std::string_view::npos;
+    char code[4];
+    std::snprintf(code, sizeof code, "%%%02X", byte);
+    address += is_plain ? std::string(1, c) : code;
+  }
+  return "<img alt=\"" + escaped(about) + "\" src=\"data:image/svg+xml," + address + "\">\n";
+}
+
+constexpr int kFigureWidth = 736, kFigureHeight = 250;
+
+std::vector<view::ValueClass> classes_of(const link::Histogram& histogram, double unit_ns) {
+  std::vector<view::ValueClass> classes;
+  for (const protocol::Bin& bin : histogram.bins) classes.push_back({bin.upper / unit_ns, static_cast<double>(bin.count)});
+  return classes;
+}
 
 std::string row(const std::string& name, const std::string& value) {
   return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
@@ -78,19 +125,32 @@ std::string practice_table(const std::vector<Finding>& practice) {
   return html + "</table>\n<p>The verdict follows from what was measured, not from this table, which says where time may be lost.</p>\n";
 }
 
+/// A value over time.
+std::string course_figure(view::Series series, const std::string& what, const std::string& unit) {
+  view::Picture picture(kFigureWidth, kFigureHeight);
+  view::Canvas canvas(picture);
+  view::Plot plot;
+  plot.x_label = "time (s)";
+  plot.y_label = unit;
+  plot.series.push_back(std::move(series));
+  plot.draw(canvas, {0, 0, kFigureWidth, kFigureHeight});
+  return figure(picture, what + " over time");
+}
+
 std::string course(const Figures& figures, const char* title, const char* unit, std::optional<double> Moment::*value) {
-  std::vector<Sample> samples;
+  view::Series series{"", {}, {}, view::kBlue};
   for (const Moment& m : figures.moments) {
-    if (m.*value) samples.push_back({m.second, *(m.*value)});
+    if (m.*value) series.x.push_back(m.second), series.y.push_back(*(m.*value));
   }
   const std::string heading = std::string("<h2>") + title + "</h2>\n";
-  return heading + (samples.empty() ? "<p>This board shows none.</p>\n" : course_svg(samples, unit));
+  return heading + (series.x.empty() ? "<p>This board shows none.</p>\n" : course_figure(std::move(series), title, unit));
 }
 
 std::string late_course(const Figures& figures) {
-  std::vector<Sample> samples;
-  for (const Moment& m : figures.moments) samples.push_back({m.second, static_cast<double>(m.late)});
-  return "<h2>Late ticks until then</h2>\n" + course_svg(samples, "ticks");
+  view::Series series{"", {}, {}, view::kBlue};
+  for (const Moment& m : figures.moments) series.x.push_back(m.second), series.y.push_back(static_cast<double>(m.late));
+  return "<h2>Late ticks until then</h2>\n" +
+         (series.x.empty() ? "<p>Nothing was measured.</p>\n" : course_figure(std::move(series), "Late ticks", "ticks"));
 }
 
 }  // namespace
@@ -129,10 +189,15 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
                                            quantiles(figures.cold, 1000, "us") + "</p>\n"
                                      : "<p>Cold ticks: " + escaped(figures.cold_unknown) + "</p>\n";
     }
-    html += histogram_svg(figures.measures[i], unit_ns, text.unit, limit,
-                          measure == protocol::Measure::kWakeup ? figures.timer
-                          : measure == protocol::Measure::kTick ? figures.cold
-                                                                : link::Histogram{});
+    const link::Histogram beside = measure == protocol::Measure::kWakeup ? figures.timer
+                                   : measure == protocol::Measure::kTick ? figures.cold
+                                                                         : link::Histogram{};
+    view::Picture picture(kFigureWidth, kFigureHeight);
+    view::Canvas canvas(picture);
+    view::HistogramPlot plot{"", text.unit, classes_of(figures.measures[i], unit_ns), classes_of(beside, unit_ns), "controller", "", limit};
+    plot.beside_label = measure == protocol::Measure::kWakeup ? "cyclictest" : "while others wrote to memory";
+    plot.draw(canvas, {0, 0, kFigureWidth, kFigureHeight});
+    html += figure(picture, std::string("Histogram: ") + text.title);
   }
   html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
   html += course(figures, "Temperature", "°C", &Moment::celsius) +

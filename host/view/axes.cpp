@@ -35,21 +35,21 @@ Point Axes::at(double x, double y) const {
 }
 
 std::vector<double> Axes::x_ticks(const Canvas& canvas) const {
-  return ticks(x_.low, x_.high, std::max(2, static_cast<int>(area_.width() / (80 * drawing_scale(canvas.image())))));
+  return ticks(x_.low, x_.high, std::max(2, static_cast<int>(area_.width() / (80 * drawing_scale(canvas.picture())))));
 }
 
 std::vector<double> Axes::y_ticks(const Canvas& canvas) const {
-  return ticks(y_.low, y_.high, std::max(2, static_cast<int>(area_.height() / (42 * drawing_scale(canvas.image())))));
+  return ticks(y_.low, y_.high, std::max(2, static_cast<int>(area_.height() / (42 * drawing_scale(canvas.picture())))));
 }
 
 void Axes::draw_grid(Canvas& canvas) const {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   for (const double x : x_ticks(canvas)) canvas.line({at(x, 0).x, area_.top}, {at(x, 0).x, area_.bottom}, scale, kGrid);
   for (const double y : y_ticks(canvas)) canvas.line({area_.left, at(0, y).y}, {area_.right, at(0, y).y}, scale, kGrid);
 }
 
 void Axes::draw_frame(Canvas& canvas) const {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const float tick = 5 * scale, capital = 8.5F * scale;
   canvas.frame(area_, 1.2F * scale, kPaleInk);
   const std::vector<double> along = x_ticks(canvas), across = y_ticks(canvas);

@@ -2,41 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <numbers>
 
 namespace isotouch::view {
 namespace {
 
-/// Pixels whose centres lie in an area, as half-open ranges.
-struct PixelBox {
-  int x0, y0, x1, y1;
+constexpr double kFarthest = 1e6;  // pixels: Cairo counts in 24 bits before the point
 
-  PixelBox(const Rect& area, const Rect& clip)
-      : x0(first(std::max(area.left, clip.left))),
-        y0(first(std::max(area.top, clip.top))),
-        x1(first(std::min(area.right, clip.right))),
-        y1(first(std::min(area.bottom, clip.bottom))) {}
-  bool empty() const { return x0 >= x1 || y0 >= y1; }
+double near(float value) { return std::clamp(static_cast<double>(value), -kFarthest, kFarthest); }
 
- private:
-  static int first(float edge) { return static_cast<int>(std::ceil(std::clamp(edge, -1e6F, 1e6F) - 0.5F)); }
-};
-
-/// How much of a pixel lies within `radius` of something whose distance from the pixel's centre is known.
-float coverage(float distance, float radius) { return std::clamp(radius - distance + 0.5F, 0.0F, 1.0F); }
-
-float distance_to_segment(Point p, Point a, Point b) {
-  const Point ab = b - a, ap = p - a;
-  const float length2 = ab.x * ab.x + ab.y * ab.y;
-  const float t = length2 > 0 ? std::clamp((ap.x * ab.x + ap.y * ab.y) / length2, 0.0F, 1.0F) : 0.0F;
-  return std::hypot(ap.x - t * ab.x, ap.y - t * ab.y);
-}
-
-Rect around(Point a, Point b, float margin) {
-  return {std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin, std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin};
-}
-
-Point pixel_centre(int x, int y) { return {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}; }
+std::uint32_t pixel_of(const Colour& c) { return std::uint32_t{to_byte(c.r)} << 16 | std::uint32_t{to_byte(c.g)} << 8 | to_byte(c.b); }
 
 }  // namespace
 
@@ -47,63 +25,67 @@ Canvas Canvas::within(Rect clip) const {
   return part;
 }
 
-void Canvas::fill(Rect area, Colour colour, float alpha) {
-  const Rect grown{area.left - 0.5F, area.top - 0.5F, area.right + 0.5F, area.bottom + 0.5F};
-  const PixelBox box(grown, clip_);
-  const auto overlap = [](int pixel, float low, float high) {
-    const auto p = static_cast<float>(pixel);
-    return std::clamp(std::min(p + 1, high) - std::max(p, low), 0.0F, 1.0F);
-  };
-  for (int y = box.y0; y < box.y1; ++y) {
-    const float rows = overlap(y, area.top, area.bottom);
-    for (int x = box.x0; x < box.x1; ++x) image_.blend(x, y, colour, alpha * rows * overlap(x, area.left, area.right));
+cairo_t* Canvas::begin(Colour colour, float alpha) {
+  cairo_t* pen = picture_.pen();
+  cairo_save(pen);
+  cairo_rectangle(pen, near(clip_.left), near(clip_.top), std::max(0.0, near(clip_.width())), std::max(0.0, near(clip_.height())));
+  cairo_clip(pen);
+  const std::uint32_t pixel = pixel_of(colour);
+  const auto share = [pixel](int shift) { return ((pixel >> shift) & 0xFFU) / 255.0; };
+  cairo_set_source_rgba(pen, share(16), share(8), share(0), static_cast<double>(alpha));
+  return pen;
+}
+
+void Canvas::end() { cairo_restore(picture_.pen()); }
+
+void Canvas::paint(const Image& image, int left, int top) {
+  const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width(), image.height()), cairo_surface_destroy);
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+  cairo_surface_flush(surface.get());
+  unsigned char* bytes = cairo_image_surface_get_data(surface.get());
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const std::uint32_t pixel = pixel_of(image.at(x, y));
+      std::memcpy(bytes + static_cast<std::size_t>(y) * stride + 4 * static_cast<std::size_t>(x), &pixel, sizeof pixel);
+    }
   }
+  cairo_surface_mark_dirty(surface.get());
+  with_pen({}, 1, [&](cairo_t* pen) {
+    cairo_set_source_surface(pen, surface.get(), left, top);
+    cairo_pattern_set_filter(cairo_get_source(pen), CAIRO_FILTER_NEAREST);
+    cairo_rectangle(pen, left, top, image.width(), image.height());
+    cairo_fill(pen);
+  });
+}
+
+void Canvas::fill(Rect area, Colour colour, float alpha) {
+  with_pen(colour, alpha, [&](cairo_t* pen) {
+    const double left = near(area.left), top = near(area.top);
+    cairo_rectangle(pen, left, top, std::max(0.0, near(area.right) - left), std::max(0.0, near(area.bottom) - top));
+    cairo_fill(pen);
+  });
 }
 
 void Canvas::disc(Point centre, float radius, Colour colour, float alpha) {
-  const PixelBox box(around(centre, centre, radius + 1), clip_);
-  for (int y = box.y0; y < box.y1; ++y) {
-    for (int x = box.x0; x < box.x1; ++x) {
-      const Point p = pixel_centre(x, y) - centre;
-      image_.blend(x, y, colour, alpha * coverage(std::hypot(p.x, p.y), radius));
-    }
-  }
+  with_pen(colour, alpha, [&](cairo_t* pen) {
+    cairo_arc(pen, near(centre.x), near(centre.y), static_cast<double>(radius), 0, 2 * std::numbers::pi);
+    cairo_fill(pen);
+  });
 }
 
 void Canvas::stroke(std::span<const Polyline> lines, float width, Colour colour, float alpha) {
-  const float reach = width / 2 + 1;
-  const float far = std::numeric_limits<float>::max();
-  Rect all{far, far, -far, -far};
-  for (const Polyline& line : lines) {
-    for (const Point& p : line) {
-      all = {std::min(all.left, p.x - reach), std::min(all.top, p.y - reach), std::max(all.right, p.x + reach),
-             std::max(all.bottom, p.y + reach)};
+  with_pen(colour, alpha, [&](cairo_t* pen) {
+    cairo_set_line_width(pen, static_cast<double>(width));
+    cairo_set_line_cap(pen, CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(pen, CAIRO_LINE_JOIN_ROUND);
+    for (const Polyline& line : lines) {
+      for (std::size_t i = 0; i < line.size(); ++i) (i == 0 ? cairo_move_to : cairo_line_to)(pen, near(line[i].x), near(line[i].y));
+      if (line.size() == 1) cairo_line_to(pen, near(line[0].x), near(line[0].y));
     }
-  }
-  const PixelBox box(all, clip_);
-  if (box.empty()) return;
-  const auto columns = static_cast<std::size_t>(box.x1 - box.x0);
-  std::vector<float> mask(columns * static_cast<std::size_t>(box.y1 - box.y0), 0.0F);  // the most that any segment covers of each pixel
-  const auto cover_segment = [&](Point a, Point b) {
-    const PixelBox part(around(a, b, reach), clip_);
-    for (int y = part.y0; y < part.y1; ++y) {
-      float* row = mask.data() + static_cast<std::size_t>(y - box.y0) * columns;
-      for (int x = part.x0; x < part.x1; ++x) {
-        float& covered = row[x - box.x0];
-        // A line thinner than a pixel covers no pixel wholly.
-        const float c = coverage(distance_to_segment(pixel_centre(x, y), a, b), std::max(width, 1.0F) / 2) * std::min(width, 1.0F);
-        covered = std::max(covered, c);
-      }
-    }
-  };
-  for (const Polyline& line : lines) {
-    if (line.size() == 1) cover_segment(line[0], line[0]);
-    for (std::size_t i = 1; i < line.size(); ++i) cover_segment(line[i - 1], line[i]);
-  }
-  for (int y = box.y0; y < box.y1; ++y) {
-    const float* row = mask.data() + static_cast<std::size_t>(y - box.y0) * columns;
-    for (int x = box.x0; x < box.x1; ++x) image_.blend(x, y, colour, alpha * row[x - box.x0]);
-  }
+    cairo_stroke(pen);
+  });
 }
 
 void Canvas::line(Point from, Point to, float width, Colour colour, float alpha) {

@@ -8,8 +8,8 @@
 
 namespace isotouch::view {
 
-float drawing_scale(const Image& image) {
-  return std::max(0.5F, std::min(static_cast<float>(image.width()) / 960, static_cast<float>(image.height()) / 720));
+float drawing_scale(const Picture& picture) {
+  return std::max(0.5F, std::min(static_cast<float>(picture.width()) / 960, static_cast<float>(picture.height()) / 720));
 }
 
 std::string number(double value, int decimals) {
@@ -39,17 +39,17 @@ double round_length(double value) {
 }
 
 void draw_caption(Canvas& canvas, const std::string& title, const std::vector<std::string>& lines) {
-  const float scale = drawing_scale(canvas.image());
-  float y = static_cast<float>(canvas.image().height()) - 22 * scale;
+  const float scale = drawing_scale(canvas.picture());
+  float y = static_cast<float>(canvas.picture().height()) - 22 * scale;
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
     draw_text(canvas, {24 * scale, y}, *line, {.capital = 8.5F * scale, .colour = kPaleInk});
     y -= 19 * scale;
   }
-  draw_text(canvas, {24 * scale, y - 2 * scale}, title, {.capital = 12 * scale, .colour = kInk, .weight = 1.25F});
+  draw_text(canvas, {24 * scale, y - 2 * scale}, title, {.capital = 12 * scale, .colour = kInk, .bold = true});
 }
 
 void draw_scale_bar(Canvas& canvas, Point end, double pixel_per_mm, double longest_pixels) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const double length = round_length(longest_pixels / pixel_per_mm);
   const Point begin{end.x - static_cast<float>(length * pixel_per_mm), end.y};
   const float tick = 4 * scale;

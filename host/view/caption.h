@@ -12,7 +12,7 @@ inline const Colour kInk = srgb(0x27303B);
 inline const Colour kPaleInk = srgb(0x66727F);
 
 /// How much larger than on a picture of 960 x 720 letters and strokes are drawn.
-float drawing_scale(const Image& image);
+float drawing_scale(const Picture& picture);
 
 /// "12.5", never with more digits than `decimals`, and none behind the point that are zero.
 std::string number(double value, int decimals);

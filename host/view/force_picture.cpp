@@ -1,39 +1,56 @@
 #include "host/view/force_picture.h"
 
+#include <algorithm>
+
 #include "host/view/caption.h"
 #include "host/view/palette.h"
 #include "host/view/plot.h"
 
 namespace isotouch::view {
 
-Image force_picture(const ForceCurve& curve, const ForceOptions& options) {
-  Image image(options.width, options.height, srgb(0xFBFCFD));
-  Canvas canvas(image);
+Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const ForceOptions& options) {
+  Picture picture(options.width, options.height, srgb(0xFBFCFD));
+  Canvas canvas(picture);
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
-  const float air = 8 * drawing_scale(image);
+  const float air = 8 * drawing_scale(picture);
 
   Plot force;
   force.title = options.title;
   force.x_label = "time (s)";
   force.y_label = "force (N)";
-  force.series.push_back({"as the core renders it", curve.time_s, curve.felt_n, kBlue, 2.4F});
-  if (curve.exact_n.empty()) {
-    force.draw(canvas, {0, air, width, height - air});
-    return image;
+  force.bands = options.contacts;
+  if (!options.contacts.empty()) force.band_label = "contact";
+  force.series.push_back({felt.label, felt.time_s, felt.force_n, kBlue, 2.4F});
+  if (beside != nullptr) force.series.push_back({beside->label, beside->time_s, beside->force_n, kForceColour, 1.3F, true});
+  if (options.limit_n) {
+    double most = 0, last = 0;
+    for (const Series& series : force.series) {
+      for (const double n : series.y) most = std::max(most, n);
+      if (!series.x.empty()) last = std::max(last, series.x.back());
+    }
+    if (most > 0.5 * *options.limit_n) {
+      force.series.push_back({"limit", {0, last}, {*options.limit_n, *options.limit_n}, kVermilion, 1.5F, true});
+    } else {
+      force.title += (force.title.empty() ? "limit " : "; limit ") + number(*options.limit_n, 3) + " N";
+    }
   }
-  force.series.push_back({options.exact_label, curve.time_s, curve.exact_n, kForceColour, 1.3F, true});
+  if (beside == nullptr) {
+    force.draw(canvas, {0, air, width, height - air});
+    return picture;
+  }
 
-  Series difference{"", curve.time_s, {}, kVermilion, 1.5F};
-  for (std::size_t i = 0; i < curve.felt_n.size(); ++i) difference.y.push_back(1000 * (curve.felt_n[i] - curve.exact_n[i]));
+  const std::size_t common = std::min(felt.force_n.size(), beside->force_n.size());
+  Series difference{"", {felt.time_s.begin(), felt.time_s.begin() + static_cast<std::ptrdiff_t>(common)}, {}, kVermilion, 1.5F};
+  for (std::size_t i = 0; i < common; ++i) difference.y.push_back(1000 * (felt.force_n[i] - beside->force_n[i]));
   Plot error;
-  error.title = "difference to the exact answer";
+  error.title = options.difference;
   error.x_label = "time (s)";
   error.y_label = "difference (mN)";
   error.series.push_back(std::move(difference));
   const float middle = height * 0.6F;
   force.draw(canvas, {0, air, width, middle});
   error.draw(canvas, {0, middle, width, height - air});
-  return image;
+  return picture;
 }
 
 }  // namespace isotouch::view

@@ -1,27 +1,32 @@
-/// Force over time, beside the exact answer where there is one: the paper's Fig. 9.
+/// Force over time, beside another run or the exact answer where there is one: the paper's Fig. 9.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "host/view/image.h"
+#include "host/view/picture.h"
 
 namespace isotouch::view {
 
-/// Magnitudes in newtons. Without an exact answer `exact_n` is empty.
+/// Magnitudes in newtons.
 struct ForceCurve {
-  std::vector<double> time_s;
-  std::vector<double> felt_n;
-  std::vector<double> exact_n;
+  std::string label;
+  std::vector<double> time_s, force_n;  ///< equally many, at equal steps from 0
 };
 
 struct ForceOptions {
   int width = 960, height = 720;
   std::string title = {};
-  std::string exact_label = "exact";
+  std::vector<std::pair<double, double>> contacts = {};  ///< from when to when, s; shaded
+  std::optional<double> limit_n = {};                    ///< a line where the force comes near it, else in words
+  std::string difference = "difference to the exact answer";
 };
 
-/// With an exact answer a second plot shows the difference in millinewtons.
-Image force_picture(const ForceCurve& curve, const ForceOptions& options);
+/// With another curve a second plot shows how far the first is above it, in millinewtons, as long as both last.
+///
+/// beside    of the same step; nullptr: there is none
+Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const ForceOptions& options);
 
 }  // namespace isotouch::view

@@ -51,14 +51,13 @@ float hatch(double x, double y, float scale) {
 }
 
 void draw_invented_legend(Canvas& canvas, Point at, double share) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const Rect box{std::round(at.x), std::round(at.y - 10 * scale), std::round(at.x + 26 * scale), std::round(at.y + 2 * scale)};
-  for (float y = box.top; y < box.bottom; ++y) {
-    for (float x = box.left; x < box.right; ++x) {
-      const float lines = hatch(static_cast<double>(x), static_cast<double>(y), scale);
-      canvas.fill({x, y, x + 1, y + 1}, mix(kPlainSurface, kInventedColour, lines));
-    }
+  Image lines(static_cast<int>(box.width()), static_cast<int>(box.height()));
+  for (int y = 0; y < lines.height(); ++y) {
+    for (int x = 0; x < lines.width(); ++x) lines.at(x, y) = mix(kPlainSurface, kInventedColour, hatch(x, y, scale));
   }
+  canvas.paint(lines, static_cast<int>(box.left), static_cast<int>(box.top));
   canvas.frame(box, scale, kPaleInk);
   std::string text = "invented: nobody scanned this, ";
   text += number(100 * share, share < 0.1 ? 1 : 0) + " % of the surface";

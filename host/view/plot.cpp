@@ -10,6 +10,8 @@
 namespace isotouch::view {
 namespace {
 
+const Colour kBand = srgb(0xE9F0E4);
+
 std::pair<double, double> extent(const std::vector<Series>& all, std::vector<double> Series::*values) {
   double low = 1e300, high = -1e300;
   for (const Series& series : all) {
@@ -57,10 +59,16 @@ std::vector<Polyline> pixel_lines(const Series& series, const Axes& axes) {
 }
 
 void draw_legend(Canvas& canvas, const Plot& plot, const Rect& area) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const TextStyle style{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd};
   float x = area.right;
   const float y = area.top - 12 * scale;
+  if (!plot.band_label.empty()) {
+    draw_text(canvas, {x, y}, plot.band_label, style);
+    x -= text_width(plot.band_label, style) + 8 * scale;
+    canvas.fill({x - 26 * scale, y - 9 * scale, x, y + scale}, kBand);
+    x -= 26 * scale + 22 * scale;
+  }
   for (auto series = plot.series.rbegin(); series != plot.series.rend(); ++series) {
     if (series->label.empty()) continue;
     draw_text(canvas, {x, y}, series->label, style);
@@ -90,12 +98,13 @@ Axes Plot::axes(const Rect& place, float scale) const {
 }
 
 void Plot::draw(Canvas& canvas, const Rect& place) const {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const Axes frame = axes(place, scale);
   const Rect& area = frame.area();
   canvas.fill(area, srgb(0xFFFFFF));
-  frame.draw_grid(canvas);
   Canvas inside = canvas.within(area);
+  for (const auto& [from, to] : bands) inside.fill({frame.at(from, 0).x, area.top, frame.at(to, 0).x, area.bottom}, kBand);
+  frame.draw_grid(canvas);
   for (const Series& line : series) {
     std::vector<Polyline> lines = pixel_lines(line, frame);
     if (line.broken) {
@@ -109,7 +118,7 @@ void Plot::draw(Canvas& canvas, const Rect& place) const {
     inside.stroke(lines, line.width * scale, line.colour);
   }
   frame.draw_frame(canvas);
-  draw_text(canvas, {area.left, area.top - 12 * scale}, title, {.capital = 10 * scale, .colour = kInk, .weight = 1.2F});
+  draw_text(canvas, {area.left, area.top - 12 * scale}, title, {.capital = 10 * scale, .colour = kInk, .bold = true});
   draw_legend(canvas, *this, area);
 }
 

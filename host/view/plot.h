@@ -23,6 +23,8 @@ struct Plot {
   std::string title;
   std::string x_label, y_label;
   std::vector<Series> series;                        ///< later ones lie on top
+  std::vector<std::pair<double, double>> bands;      ///< of x, shaded over the whole height
+  std::string band_label;                            ///< in the legend; empty: not named there
   std::optional<std::pair<double, double>> y_range;  ///< none: what the series need and a little more, with 0 when it is near
 
   /// The axes that `draw` uses for a plot that fills `place` with all its labels.

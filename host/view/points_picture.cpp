@@ -47,7 +47,8 @@ class Discs {
   }
 
   /// Averages the fine pixels, over the backdrop where no disc is.
-  void lay_on(Image& image) const {
+  Image image() const {
+    Image image(colours_.width() / kFine, colours_.height() / kFine);
     for (int y = 0; y < image.height(); ++y) {
       const Colour behind = backdrop(static_cast<float>(y) / static_cast<float>(image.height()));
       for (int x = 0; x < image.width(); ++x) {
@@ -61,6 +62,7 @@ class Discs {
         image.at(x, y) = sum * (1.0F / (kFine * kFine));
       }
     }
+    return image;
   }
 
   /// Is nothing before this place? `slack` nearer counts as there.
@@ -88,7 +90,7 @@ class Discs {
 
 /// The open rim over the discs, and what the line means.
 void draw_rim(Canvas& canvas, const Camera& camera, const Discs& discs, const PointsOptions& options, Point legend) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   std::vector<Polyline> seen, hidden;
   constexpr int kPieces = 4;
   for (const auto& link : options.rim) {
@@ -111,10 +113,10 @@ void draw_rim(Canvas& canvas, const Camera& camera, const Discs& discs, const Po
 
 }  // namespace
 
-Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& options) {
-  Image image(options.width, options.height);
-  Canvas canvas(image);
-  const float scale = drawing_scale(image);
+Picture points_picture(const cloud::OrientedPoints& points, const PointsOptions& options) {
+  Picture picture(options.width, options.height);
+  Canvas canvas(picture);
+  const float scale = drawing_scale(picture);
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
   const Camera camera(options.direction.towards_eye(), options.direction.up_axis(), points.positions,
                       {20 * scale, 20 * scale, width - 20 * scale, height - (options.rim.empty() ? 64 : 86) * scale});
@@ -122,7 +124,7 @@ Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& o
   const double radius = std::max(0.5 * options.spacing, 0.8 * pixel);  // below a pixel and a half a disc would flicker
   Discs discs(options.width, options.height, camera);
   for (std::size_t i = 0; i < points.size(); ++i) discs.draw(points.positions[i], points.normals[i], radius);
-  discs.lay_on(image);
+  canvas.paint(discs.image());
   if (!options.rim.empty()) draw_rim(canvas, camera, discs, options, {24 * scale, height - 70 * scale});
 
   const bool known = options.mm_per_unit > 0;
@@ -133,7 +135,7 @@ Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& o
   }
   draw_caption(canvas, options.title,
                {std::to_string(points.size()) + " oriented points, " + distance + " apart" + (known ? "" : " in the units of their file")});
-  return image;
+  return picture;
 }
 
 }  // namespace isotouch::view

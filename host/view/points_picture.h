@@ -8,7 +8,7 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/view/camera.h"
-#include "host/view/image.h"
+#include "host/view/picture.h"
 
 namespace isotouch::view {
 
@@ -25,6 +25,6 @@ struct PointsOptions {
 /// Discs that are seen from behind are pale: they lie on the far side of the object, or their normals are the wrong way round.
 ///
 /// points    at least one
-Image points_picture(const cloud::OrientedPoints& points, const PointsOptions& options);
+Picture points_picture(const cloud::OrientedPoints& points, const PointsOptions& options);
 
 }  // namespace isotouch::view

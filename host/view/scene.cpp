@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "host/view/caption.h"
 #include "host/view/light.h"
 #include "host/view/palette.h"
 #include "host/view/rows.h"
@@ -93,22 +92,23 @@ class Painter {
 
 }  // namespace
 
-void draw_scene(Image& image, const Rect& area, const Scene& scene) {
-  const Painter painter(scene, drawing_scale(image));
+Image scene_image(const Rect& area, const Scene& scene, float scale) {
+  const Painter painter(scene, scale);
   const int left = static_cast<int>(area.left), top = static_cast<int>(area.top);
-  const int right = std::min(static_cast<int>(area.right), image.width()), bottom = std::min(static_cast<int>(area.bottom), image.height());
+  Image image(static_cast<int>(area.right) - left, static_cast<int>(area.bottom) - top);
   const double pixel = scene.cut ? 1 / scene.camera.project(scene.cut->point).pixel_per_mm : 0;  // only the cut's lines need it
-  for_each_row(bottom - top, [&](int row) {
-    const float share = static_cast<float>(row) / static_cast<float>(bottom - top);
-    for (int x = left; x < right; ++x) {
+  for_each_row(image.height(), [&](int row) {
+    const float share = static_cast<float>(row) / static_cast<float>(image.height());
+    for (int column = 0; column < image.width(); ++column) {
       Colour sum{0, 0, 0};
       for (int part = 0; part < 4; ++part) {
-        const Ray ray = scene.camera.ray(x + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
+        const Ray ray = scene.camera.ray(left + column + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
         sum = sum + painter.colour(ray, part, pixel, share);
       }
-      image.at(x, top + row) = sum * 0.25F;
+      image.at(column, row) = sum * 0.25F;
     }
   });
+  return image;
 }
 
 }  // namespace isotouch::view

@@ -26,7 +26,9 @@ struct Scene {
   const Invented* invented = nullptr;  ///< of the field; hatched
 };
 
-/// Draws the scene into whole pixels of `area`.
-void draw_scene(Image& image, const Rect& area, const Scene& scene);
+/// What is seen in `area`, whose edges are whole pixels of the picture.
+///
+/// scale     `drawing_scale` of the picture
+Image scene_image(const Rect& area, const Scene& scene, float scale);
 
 }  // namespace isotouch::view

@@ -62,7 +62,7 @@ double widest_place(const std::vector<Eigen::Vector3d>& outline, int axis, doubl
 }
 
 void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_mm) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const float cap = 20 * scale, gap = 14 * scale;  // what is far outside and far inside, apart from the ramp
   const TextStyle label{.capital = 8.5F * scale, .colour = kInk, .across = Anchor::kMiddle};
   const Rect outside{bar.left, bar.top, bar.right, bar.top + cap}, inside{bar.left, bar.bottom - cap, bar.right, bar.bottom};
@@ -102,7 +102,7 @@ char axis_across(const Touch& touch) {
 
 /// The touch as it is seen along the slice's axis, and what its signs mean.
 void draw_touch(Canvas canvas, const Touch& touch, const Plane& plane, const Axes& axes) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const auto pixel = [&](const Eigen::Vector3d& p) { return axes.at(p[plane.right], p[plane.up]); };
   const Point proxy = pixel(touch.proxy), hip = pixel(touch.hip);
   Canvas inside = canvas.within(axes.area());
@@ -132,10 +132,10 @@ void draw_touch(Canvas canvas, const Touch& touch, const Plane& plane, const Axe
 
 }  // namespace
 
-Image slice_picture(const FieldView& field, const SliceOptions& options) {
-  Image image(options.width, options.height, srgb(0xFFFFFF));
-  Canvas canvas(image);
-  const float scale = drawing_scale(image);
+Picture slice_picture(const FieldView& field, const SliceOptions& options) {
+  Picture picture(options.width, options.height);
+  Canvas canvas(picture);
+  const float scale = drawing_scale(picture);
   const FieldRays rays(field);
   const Plane plane(options.axis ? *options.axis : options.touch ? axis_across(*options.touch) : 'z');
   const double band = static_cast<double>(field.band.raw()) / (1 << Distance::kFractionBits);
@@ -157,21 +157,22 @@ Image slice_picture(const FieldView& field, const SliceOptions& options) {
   const Axes axes(room, {std::string(Plane::name(plane.right)) + " (mm)", mid_x - half_x, mid_x + half_x},
                   {std::string(Plane::name(plane.up)) + " (mm)", mid_y - half_y, mid_y + half_y});
 
-  const int left = static_cast<int>(std::ceil(room.left)), right = static_cast<int>(room.right),
-            top = static_cast<int>(std::ceil(room.top));
-  for_each_row(static_cast<int>(room.bottom) - top, [&](int row) {
-    for (int x = left; x < right; ++x) {
+  const int left = static_cast<int>(std::ceil(room.left)), top = static_cast<int>(std::ceil(room.top));
+  Image image(static_cast<int>(room.right) - left, static_cast<int>(room.bottom) - top);
+  for_each_row(image.height(), [&](int row) {
+    for (int column = 0; column < image.width(); ++column) {
       Eigen::Vector3d point;
       point[plane.across] = at;
-      point[plane.right] = axes.x_of(x + 0.5);
+      point[plane.right] = axes.x_of(left + column + 0.5);
       point[plane.up] = axes.y_of(top + row + 0.5);
       const FieldRays::Value value = rays.value(point);
       const double slope = std::hypot(value.gradient[plane.right], value.gradient[plane.up]);
-      image.at(x, top + row) = value.outside_grid
-                                   ? kFarOutside
-                                   : pixel_colour(value.distance, slope, band, rays.edge() / mm, field.method != Method::kPublished);
+      image.at(column, row) = value.outside_grid
+                                  ? kFarOutside
+                                  : pixel_colour(value.distance, slope, band, rays.edge() / mm, field.method != Method::kPublished);
     }
   });
+  canvas.paint(image, left, top);
   if (options.touch) draw_touch(canvas, *options.touch, plane, axes);
   axes.draw_frame(canvas);
   draw_colour_bar(canvas, {room.right + 24 * scale, room.top + 22 * scale, room.right + 52 * scale, room.bottom}, band, rays.edge());
@@ -179,7 +180,7 @@ Image slice_picture(const FieldView& field, const SliceOptions& options) {
   caption += Plane::name(plane.across);
   caption += " = " + number(at, 3) + " mm; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm";
   draw_caption(canvas, options.title, {caption});
-  return image;
+  return picture;
 }
 
 }  // namespace isotouch::view

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "host/view/image.h"
 #include "host/view/markers.h"
+#include "host/view/picture.h"
 #include "shared/field_view.h"
 
 namespace isotouch::view {
@@ -19,6 +19,6 @@ struct SliceOptions {
   std::string title = {};
 };
 
-Image slice_picture(const FieldView& field, const SliceOptions& options);
+Picture slice_picture(const FieldView& field, const SliceOptions& options);
 
 }  // namespace isotouch::view

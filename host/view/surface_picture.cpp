@@ -22,10 +22,9 @@ const Colour kLens = srgb(0x4A5562);
 double close_up_half(const Touch& touch, const FieldRays& rays) { return std::max(1.2 * touch.depth_mm(), 6 * rays.edge()); }
 
 /// The close-up of a touch, cut open through proxy and HIP, and what it says.
-void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const Invented& invented, const Touch& touch,
+void draw_close_up(Canvas& canvas, const Rect& panel, const FieldRays& rays, const Invented& invented, const Touch& touch,
                    const Camera& camera) {
-  Canvas canvas(image);
-  const float scale = drawing_scale(image);
+  const float scale = drawing_scale(canvas.picture());
   const double half = close_up_half(touch, rays);
   const Eigen::Vector3d out = touch.out();
   Eigen::Vector3d eye = camera.back() - camera.back().dot(out) * out;  // across the line of penetration, from the viewer's side
@@ -39,7 +38,8 @@ void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const
   }
   const Camera close((eye + 0.25 * out).normalized(), camera.up(), shown, panel);
   const double ball = std::clamp(touch.depth_mm() / 5, 0.05 * half, 0.10 * half);
-  draw_scene(image, panel, {rays, close, Markers(touch, ball, 0.55 * half), CutPlane{centre, eye}, &invented});
+  const Scene scene{rays, close, Markers(touch, ball, 0.55 * half), CutPlane{centre, eye}, &invented};
+  canvas.paint(scene_image(panel, scene, scale), static_cast<int>(panel.left), static_cast<int>(panel.top));
   canvas.frame(panel, 1.2F * scale, kFrame);
   draw_scale_bar(canvas, {panel.right - 12 * scale, panel.bottom - 14 * scale}, close.project(centre).pixel_per_mm,
                  static_cast<double>(panel.width()) / 4);
@@ -71,7 +71,7 @@ void draw_close_up(Image& image, const Rect& panel, const FieldRays& rays, const
 
 /// What the close-up shows, framed where it is, and lines from there to the panel.
 void draw_lens(Canvas& canvas, const Rect& panel, const FieldRays& rays, const Touch& touch, const Camera& camera) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const Camera::Projected seen = camera.project((touch.proxy + touch.hip) / 2);
   const float half = std::max(static_cast<float>(close_up_half(touch, rays) * seen.pixel_per_mm), 9 * scale);
   const Point at{static_cast<float>(seen.x), static_cast<float>(seen.y)};
@@ -83,10 +83,10 @@ void draw_lens(Canvas& canvas, const Rect& panel, const FieldRays& rays, const T
 
 }  // namespace
 
-Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
-  Image image(options.width, options.height);
-  Canvas canvas(image);
-  const float scale = drawing_scale(image);
+Picture surface_picture(const FieldView& field, const SurfaceOptions& options) {
+  Picture picture(options.width, options.height);
+  Canvas canvas(picture);
+  const float scale = drawing_scale(picture);
   const FieldRays rays(field);
   const Invented invented(field, options.invented);
   const Direction direction = options.direction ? *options.direction
@@ -106,7 +106,7 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
                                    8.0 * std::max(static_cast<double>(scale), 1.0));  // pixels
     markers.emplace(*options.touch, ball / pixel_per_mm, 6 * ball / pixel_per_mm);
   }
-  draw_scene(image, {0, 0, width, height}, {rays, camera, markers, std::nullopt, &invented});
+  canvas.paint(scene_image({0, 0, width, height}, {rays, camera, markers, std::nullopt, &invented}, scale));
 
   const auto& size = field.size;
   draw_caption(canvas, options.title,
@@ -120,9 +120,9 @@ Image surface_picture(const FieldView& field, const SurfaceOptions& options) {
     const float side = column - 24 * scale;
     const Rect panel{std::floor(width - column), std::floor(24 * scale), std::floor(width - column + side), std::floor(24 * scale + side)};
     draw_lens(canvas, panel, rays, *options.touch, camera);
-    draw_close_up(image, panel, rays, invented, *options.touch, camera);
+    draw_close_up(canvas, panel, rays, invented, *options.touch, camera);
   }
-  return image;
+  return picture;
 }
 
 }  // namespace isotouch::view

@@ -8,8 +8,8 @@
 
 #include "host/field_file/marks.h"
 #include "host/view/camera.h"
-#include "host/view/image.h"
 #include "host/view/markers.h"
+#include "host/view/picture.h"
 #include "shared/field_view.h"
 
 namespace isotouch::view {
@@ -23,6 +23,6 @@ struct SurfaceOptions {
   field_file::Marks invented = {};  ///< bricks whose surface nobody scanned: hatched, with a legend
 };
 
-Image surface_picture(const FieldView& field, const SurfaceOptions& options);
+Picture surface_picture(const FieldView& field, const SurfaceOptions& options);
 
 }  // namespace isotouch::view

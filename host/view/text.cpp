@@ -1,47 +1,67 @@
 #include "host/view/text.h"
 
-#include <algorithm>
-#include <string>
-#include <vector>
+#include <cairo.h>
 
-#include "host/view/font.h"
+#include <numbers>
+#include <string>
+
+#include "shared/printable.h"
 
 namespace isotouch::view {
 namespace {
 
-float lattice_width(const std::u32string& letters) {
-  float width = 0;
-  for (const char32_t letter : letters) width += glyph(letter).width + kLetterGap;
-  return letters.empty() ? 0 : width - kLetterGap;
+/// Cairo takes no text that is not UTF-8.
+std::string in_utf8(std::string_view text) {
+  std::string good;
+  while (!text.empty()) {
+    const std::size_t size = printable_size(text);
+    good.append(size == 0 ? "\uFFFD" : text.substr(0, size));
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return good;
 }
 
-float shift(Anchor anchor, float length) { return anchor == Anchor::kStart ? 0 : anchor == Anchor::kMiddle ? -length / 2 : -length; }
+/// The pen with the font of a style; nothing is fitted to pixels, so that a picture is the same at every scale.
+void choose_font(cairo_t* pen, const TextStyle& style) {
+  cairo_select_font_face(pen, "sans-serif", CAIRO_FONT_SLANT_NORMAL, style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(pen, options);
+  cairo_font_options_destroy(options);
+  constexpr double kTrial = 100;
+  cairo_set_font_size(pen, kTrial);
+  cairo_text_extents_t capital;
+  cairo_text_extents(pen, "H", &capital);
+  if (capital.height > 0) cairo_set_font_size(pen, kTrial * static_cast<double>(style.capital) / capital.height);
+}
+
+double width_of(cairo_t* pen, const std::string& text) {
+  cairo_text_extents_t extents;
+  cairo_text_extents(pen, text.c_str(), &extents);
+  return extents.x_advance;
+}
+
+double shift(Anchor anchor, double length) { return anchor == Anchor::kStart ? 0 : anchor == Anchor::kMiddle ? -length / 2 : -length; }
 
 }  // namespace
 
 void draw_text(Canvas& canvas, Point at, std::string_view text, const TextStyle& style) {
-  const std::u32string letters = decode_utf8(text);
-  const float scale = style.capital / kCapitalHeight;
-  float x = shift(style.along, lattice_width(letters));
-  const float y = shift(style.across, kCapitalHeight);
-  std::vector<Polyline> strokes;
-  for (const char32_t letter : letters) {
-    const Glyph& drawing = glyph(letter);
-    for (const Polyline& stroke : drawing.strokes) {
-      Polyline& placed = strokes.emplace_back();
-      for (const Point& p : stroke) {
-        const Point q = Point{p.x + x, p.y + y} * scale;
-        placed.push_back(style.upward ? Point{at.x - q.y, at.y - q.x} : Point{at.x + q.x, at.y - q.y});
-      }
-    }
-    x += drawing.width + kLetterGap;
-  }
-  // Dark strokes on light ground look thinner than they are: never below 1.4 pixels.
-  canvas.stroke(strokes, std::max(1.4F, 0.9F * scale) * style.weight, style.colour);
+  const std::string letters = in_utf8(text);
+  canvas.with_pen(style.colour, 1, [&](cairo_t* pen) {
+    choose_font(pen, style);
+    cairo_translate(pen, static_cast<double>(at.x), static_cast<double>(at.y));
+    if (style.upward) cairo_rotate(pen, -std::numbers::pi / 2);
+    cairo_move_to(pen, shift(style.along, width_of(pen, letters)), -shift(style.across, static_cast<double>(style.capital)));
+    cairo_show_text(pen, letters.c_str());
+  });
 }
 
 float text_width(std::string_view text, const TextStyle& style) {
-  return lattice_width(decode_utf8(text)) * style.capital / kCapitalHeight;
+  Picture scratch(1, 1);
+  choose_font(scratch.pen(), style);
+  return static_cast<float>(width_of(scratch.pen(), in_utf8(text)));
 }
 
 }  // namespace isotouch::view

@@ -1,4 +1,4 @@
-/// Words on a picture.
+/// Words on a picture, in the sans-serif font of the system.
 #pragma once
 
 #include <string_view>
@@ -15,10 +15,10 @@ struct TextStyle {
   Anchor along = Anchor::kStart;   ///< which part of the line stands at the given point
   Anchor across = Anchor::kStart;  ///< start: the base line; middle: half the capitals' height; end: the capitals' top
   bool upward = false;             ///< turned by 90°, read from bottom to top
-  float weight = 1;                ///< stroke width, 1 is regular
+  bool bold = false;
 };
 
-/// Draws one line of UTF-8 text.
+/// Draws one line of UTF-8 text; in the place of a byte that is none stands U+FFFD.
 void draw_text(Canvas& canvas, Point at, std::string_view text, const TextStyle& style);
 
 /// Its length in pixels.

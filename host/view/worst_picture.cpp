@@ -58,17 +58,17 @@ struct Shot {
   double full_mm;               ///< error of full colour; 0: no colours
 };
 
-void draw_body(Image& image, const Rect& panel, const Body& body, const Shot& shot) {
+void draw_body(Canvas& canvas, const Rect& panel, const Body& body, const Shot& shot) {
   const Light light(shot.camera);
   const int left = static_cast<int>(panel.left), top = static_cast<int>(panel.top);
-  const int right = static_cast<int>(panel.right), bottom = static_cast<int>(panel.bottom);
-  for_each_row(bottom - top, [&](int row) {
-    const Colour behind = backdrop(static_cast<float>(row) / static_cast<float>(bottom - top));
-    for (int x = left; x < right; ++x) {
+  Image image(static_cast<int>(panel.right) - left, static_cast<int>(panel.bottom) - top);
+  for_each_row(image.height(), [&](int row) {
+    const Colour behind = backdrop(static_cast<float>(row) / static_cast<float>(image.height()));
+    for (int column = 0; column < image.width(); ++column) {
       Colour sum{0, 0, 0};
       std::optional<Colour> albedo;  // one question a pixel
       for (int part = 0; part < 4; ++part) {
-        const Ray ray = shot.camera.ray(x + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
+        const Ray ray = shot.camera.ray(left + column + 0.25 + 0.5 * (part & 1), top + row + 0.25 + 0.5 * (part >> 1));
         const double begin = shot.begin ? *shot.begin / -ray.direction.dot(shot.camera.back()) : 0;
         const auto hit = field::first_hit(body.own, ray.from, ray.direction, begin);
         if (!hit) {
@@ -80,9 +80,10 @@ void draw_body(Image& image, const Rect& panel, const Body& body, const Shot& sh
           sum = sum + light.shade(*albedo, body.normal(ray.at(hit->t), *hit), -ray.direction);
         }
       }
-      image.at(x, top + row) = sum * 0.25F;
+      image.at(column, row) = sum * 0.25F;
     }
   });
+  canvas.paint(image, left, top);
 }
 
 /// From where the place is seen: 35 degrees beside its normal, upright, and free if that can be.
@@ -124,7 +125,7 @@ Point pixel(const Camera& camera, const Vector3d& place) {
 
 /// A ring at `from`, and a line from it to a dot.
 void draw_sign(Canvas canvas, Point from, Point to, float radius) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   Polyline ring;
   for (int i = 0; i <= 48; ++i) {
     const auto angle = static_cast<float>(i * 2 * std::numbers::pi / 48);
@@ -138,11 +139,11 @@ void draw_sign(Canvas canvas, Point from, Point to, float radius) {
 
 /// A ring on the worst place, and a line from it to where the other surface is nearest.
 void draw_place(const Canvas& canvas, const Camera& camera, const Vector3d& place, const Vector3d& foot) {
-  draw_sign(canvas, pixel(camera, place), pixel(camera, foot), 9 * drawing_scale(canvas.image()));
+  draw_sign(canvas, pixel(camera, place), pixel(camera, foot), 9 * drawing_scale(canvas.picture()));
 }
 
 void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double voxel_mm, bool wider) {
-  const float scale = drawing_scale(canvas.image());
+  const float scale = drawing_scale(canvas.picture());
   const TextStyle label{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd, .across = Anchor::kMiddle};
   TextStyle pale = label;
   pale.colour = kPaleInk;
@@ -169,11 +170,11 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
 
 }  // namespace
 
-Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
-                    const WorstOptions& options) {
-  Image image(options.width, options.height);
-  Canvas canvas(image);
-  const float scale = drawing_scale(image);
+Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+                      const WorstOptions& options) {
+  Picture picture(options.width, options.height);
+  Canvas canvas(picture);
+  const float scale = drawing_scale(picture);
   const auto width = static_cast<float>(options.width), height = static_cast<float>(options.height);
   for (int y = 0; y < options.height; ++y) {
     canvas.fill({0, static_cast<float>(y), width, static_cast<float>(y + 1)}, backdrop(static_cast<float>(y) / height));
@@ -208,7 +209,7 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
     const Camera camera = looking(reach, centre, panels[i]);
     const std::optional<double> begin =
         eye.free ? std::nullopt : std::optional(camera.project(worst.place).distance - 0.1 * worst.voxel_mm);
-    draw_body(image, panels[i], *bodies[i], {camera, begin, full});
+    draw_body(canvas, panels[i], *bodies[i], {camera, begin, full});
     if (worst.touch) {
       draw_place(canvas.within(panels[i]), camera, i == 0 ? worst.touch->proxy : worst.touch->god, worst.touch->hip);
     } else {
@@ -223,7 +224,7 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   Eigen::AlignedBox3d box;
   for (const Vector3d& vertex : truth.vertices) box.extend(vertex);
   const Camera whole(eye.direction, Vector3d::UnitY(), truth.vertices, overview);
-  draw_body(image, overview, mesh, {whole, std::nullopt, 0});
+  draw_body(canvas, overview, mesh, {whole, std::nullopt, 0});
   draw_place(canvas.within(overview), whole, worst.place, worst.place);
   canvas.frame(overview, 1.2F * scale, srgb(0xAEB8C2));
   draw_text(canvas, {overview.left + 2 * scale, top - 12 * scale}, "where it is", {.capital = 9.5F * scale, .colour = kInk});
@@ -242,12 +243,12 @@ Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, 
   const std::string figure = number(worst.distance_mm / worst.voxel_mm, 2) + " voxels = " + number(worst.distance_mm, 3) + " mm";
   if (worst.touch) {
     draw_caption(canvas, options.title + ": felt worst", {worst.touch->words + ", at " + where + (eye.free ? "" : "; cut open there")});
-    return image;
+    return picture;
   }
   draw_caption(canvas, options.title + ": worst place",
                {figure + (worst.on_truth ? " from the true surface to the field's" : " from the field's surface to the true one") +
                 ", at " + where + (eye.free ? "" : "; cut open there")});
-  return image;
+  return picture;
 }
 
 }  // namespace isotouch::view

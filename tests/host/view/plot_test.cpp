@@ -36,9 +36,10 @@ TEST(Plot, LineRunsThroughItsValues) {
     series.y.push_back(std::sin(i * 0.1));
   }
   const Plot plot = plot_of(series);
-  Image image(960, 720);
-  Canvas canvas(image);
+  Picture picture(960, 720);
+  Canvas canvas(picture);
   plot.draw(canvas, kPlace);
+  const Image image = picture.pixels();
   const Axes axes = plot.axes(kPlace, 1);
   for (std::size_t i = 3; i < 98; ++i) EXPECT_TRUE(red_near(image, axes.at(series.x[i], series.y[i]))) << i;
   EXPECT_FALSE(red_near(image, axes.at(50, 0.5)));
@@ -51,18 +52,20 @@ TEST(Plot, OneHighValueAmongManyInAColumnIsStillSeen) {
     series.y.push_back(i == 123'457 ? 1.0 : 0.0);
   }
   const Plot plot = plot_of(series);
-  Image image(960, 720);
-  Canvas canvas(image);
+  Picture picture(960, 720);
+  Canvas canvas(picture);
   plot.draw(canvas, kPlace);
+  const Image image = picture.pixels();
   EXPECT_TRUE(red_near(image, plot.axes(kPlace, 1).at(123'457, 0.9)));
 }
 
 TEST(Plot, MissingValuesInterruptTheLine) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const Plot plot = plot_of({"", {0, 1, 2, 3, 4, 5}, {1, 1, none, none, 1, 2}, kRed, 2});
-  Image image(960, 720);
-  Canvas canvas(image);
+  Picture picture(960, 720);
+  Canvas canvas(picture);
   plot.draw(canvas, kPlace);
+  const Image image = picture.pixels();
   const Axes axes = plot.axes(kPlace, 1);
   EXPECT_TRUE(red_near(image, axes.at(0.5, 1)));
   EXPECT_FALSE(red_near(image, axes.at(2.5, 1)));
@@ -72,9 +75,10 @@ TEST(Plot, MissingValuesInterruptTheLine) {
 TEST(Plot, StaysWithinItsFrameWhateverTheRange) {
   Plot plot = plot_of({"", {0, 1, 2}, {-50, 0.5, 50}, kRed, 4});
   plot.y_range = {0.0, 1.0};
-  Image image(960, 720);
-  Canvas canvas(image);
+  Picture picture(960, 720);
+  Canvas canvas(picture);
   plot.draw(canvas, kPlace);
+  const Image image = picture.pixels();
   const Rect area = plot.axes(kPlace, 1).area();
   for (int x = 0; x < 960; ++x) {
     for (const float y : {area.top - 6, area.bottom + 3}) {
@@ -85,11 +89,12 @@ TEST(Plot, StaysWithinItsFrameWhateverTheRange) {
 }
 
 TEST(Plot, EmptyAndConstantSeriesAreDrawnToo) {
-  Image image(960, 720);
-  Canvas canvas(image);
+  Picture picture(960, 720);
+  Canvas canvas(picture);
   plot_of({"", {}, {}, kRed}).draw(canvas, kPlace);
   const Plot constant = plot_of({"", {0, 1}, {3, 3}, kRed, 2});
   constant.draw(canvas, kPlace);
+  const Image image = picture.pixels();
   EXPECT_TRUE(red_near(image, constant.axes(kPlace, 1).at(0.5, 3)));
 }
 

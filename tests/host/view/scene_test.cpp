@@ -22,7 +22,7 @@ struct SphereScene {
 
   static std::vector<Eigen::Vector3d> corners() { return {Eigen::Vector3d::Constant(-12), Eigen::Vector3d::Constant(12)}; }
   void draw(std::optional<Markers> markers = {}, std::optional<CutPlane> cut = {}) {
-    draw_scene(image, {0, 0, kWidth, kHeight}, {rays, camera, markers, cut});
+    image = scene_image({0, 0, kWidth, kHeight}, {rays, camera, markers, cut}, 0.5F);
   }
   const Colour& at(const Eigen::Vector3d& point) const {
     const auto seen = camera.project(point);

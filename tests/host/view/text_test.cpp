@@ -22,10 +22,10 @@ Rect inked(const Image& image) {
 }
 
 Rect drawn(std::string_view text, const TextStyle& style) {
-  Image image(200, 200);
-  Canvas canvas(image);
+  Picture picture(200, 200);
+  Canvas canvas(picture);
   draw_text(canvas, {100, 100}, text, style);
-  return inked(image);
+  return inked(picture.pixels());
 }
 
 TEST(Text, CapitalsHaveTheAskedHeightAboveTheBaseLine) {
@@ -56,16 +56,19 @@ TEST(Text, UpwardTextIsTheSameTurnedByAQuarter) {
   EXPECT_NEAR(turned.bottom, 100, 2);
 }
 
-TEST(Text, LettersAreToldApart) {
-  Image l(60, 60), i(60, 60);
-  Canvas on_l(l), on_i(i);
-  draw_text(on_l, {10, 40}, "l1I", {.capital = 20});
-  draw_text(on_i, {10, 40}, "1lI", {.capital = 20});
-  bool differ = false;
-  for (int y = 0; y < 60; ++y) {
-    for (int x = 0; x < 60; ++x) differ |= l.at(x, y).r != i.at(x, y).r;
-  }
-  EXPECT_TRUE(differ);
+TEST(Text, WhatIsNoUtf8IsDrawnAsASignAndSpoilsNothing) {
+  const TextStyle style{.capital = 14};
+  Picture picture(200, 200);
+  Canvas canvas(picture);
+  draw_text(canvas, {10, 50}, "a\xFF\xC3z", style);
+  draw_text(canvas, {100, 100}, "HEMH", style);
+  EXPECT_NEAR(inked(picture.pixels()).bottom, 100, 2);
+  EXPECT_EQ(text_width("a\xFFz", style), text_width("a\uFFFDz", style));
+  EXPECT_FALSE(encode(picture, ".svg").empty());
+}
+
+TEST(Text, DigitsAreEquallyWideSoThatNumbersAlign) {
+  for (const char* digit : {"1", "4", "7", "8"}) EXPECT_FLOAT_EQ(text_width(digit, {}), text_width("0", {})) << digit;
 }
 
 }  // namespace

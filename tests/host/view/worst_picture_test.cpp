@@ -62,7 +62,7 @@ Colours colours_of(const Image& image) {
 
 Image picture(const cloud::TriangleMesh& truth, const WorstPlace& worst) {
   const SphereField field;
-  return worst_picture(field.view, ball(kTestRadius), truth, worst, {.width = 480, .height = 320, .title = "ball"});
+  return worst_picture(field.view, ball(kTestRadius), truth, worst, {.width = 480, .height = 320, .title = "ball"}).pixels();
 }
 
 TEST(WorstPicture, WhatStandsOutIsBlueAndWhatIsMissingIsRedOnBothSurfaces) {
