@@ -85,9 +85,8 @@ void draw_colour_bar(Canvas& canvas, const Rect& bar, double band, double edge_m
     draw_text(canvas, {bar.right + 90 * scale, y}, number(voxels * edge_mm, 2), end);
   }
   for (const Rect& part : {outside, ramp, inside}) canvas.frame(part, 1.2F * scale, kPaleInk);
-  TextStyle head{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kStart};
-  draw_text(canvas, {bar.left, bar.top - 12 * scale}, "distance, voxels", head);
-  head.along = Anchor::kEnd;
+  TextStyle head{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd};
+  draw_text(canvas, {bar.right + 26 * scale, bar.top - 12 * scale}, "voxels", head);
   head.colour = kPaleInk;
   draw_text(canvas, {bar.right + 90 * scale, bar.top - 12 * scale}, "mm", head);
 }
@@ -178,7 +177,7 @@ Picture slice_picture(const FieldView& field, const SliceOptions& options) {
   draw_colour_bar(canvas, {room.right + 24 * scale, room.top + 22 * scale, room.right + 52 * scale, room.bottom}, band, rays.edge());
   std::string caption = "the field as the core samples it at ";
   caption += Plane::name(plane.across);
-  caption += " = " + number(at, 3) + " mm; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm";
+  caption += " = " + number(at, 3) + " mm; colours: distance; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm";
   draw_caption(canvas, options.title, {caption});
   return picture;
 }
