@@ -127,6 +127,9 @@ struct ControlRig {
   std::unique_ptr<ControlServer> server;
 };
 
+/// Patience with a client that does not read, on a machine so busy that ticks take their time, too.
+inline constexpr std::int64_t kLong = 600'000'000'000;
+
 struct Heard {
   protocol::Kind kind{};
   std::vector<std::uint8_t> body;
@@ -171,7 +174,7 @@ class Speaker {
     protocol::seal_frame(kind, 0, frame);
     return send(frame);
   }
-  /// The next frame; kind 0 when the other side has closed, or says nothing for five seconds.
+  /// The next frame; kind 0 when the other side has closed, or says nothing for a minute.
   Heard hear() {
     for (;;) {
       const auto frame = protocol::read_frame(bytes_);
@@ -183,7 +186,7 @@ class Speaker {
       }
       pollfd one{socket_, POLLIN, 0};
       std::vector<std::uint8_t> more(1 << 16);
-      const ssize_t got = ::poll(&one, 1, 5000) > 0 ? ::recv(socket_, more.data(), more.size(), 0) : 0;
+      const ssize_t got = ::poll(&one, 1, 60'000) > 0 ? ::recv(socket_, more.data(), more.size(), 0) : 0;
       if (got <= 0) return {};
       bytes_.insert(bytes_.end(), more.begin(), more.begin() + got);
     }

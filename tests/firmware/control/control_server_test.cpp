@@ -58,7 +58,7 @@ TEST(ControlServer, TheWorstTicksAreThoseSinceTheyWereForgotten) {
     EXPECT_EQ(report->ticks.size(), std::min<std::uint64_t>(report->seen, 10) * protocol::kWorstTickBytes);
     return report->seen;
   };
-  for (int i = 0; i < 100 && ask(0) < 20; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int i = 0; i < 6000 && ask(0) < 20; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   const std::uint64_t before = ask(1);
   EXPECT_GE(before, 20U);
   EXPECT_LT(ask(0), before) << "they were not forgotten";
@@ -196,7 +196,7 @@ TEST(ControlServer, StopAndResumeReachTheTick) {
   Speaker speaker(rig.settings.path);
   speaker.greet();
   const auto obeyed_in_time = [&](std::uint8_t bit) {
-    for (int tries = 0; tries < 5000 && (rig.tick.obeyed & bit) == 0; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int tries = 0; tries < 60'000 && (rig.tick.obeyed & bit) == 0; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return rig.tick.obeyed.load();
   };
   speaker.say(Kind::kStop);
@@ -287,7 +287,7 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
       EXPECT_EQ(said->first_tick % every, 0U);
       seen += records_of(heard).size();
     }
-    EXPECT_GT(seen, 20U);
+    EXPECT_GE(seen, 20U) << "a frame has a tick at least";
   }
   speaker.say(Kind::kSubscribe, protocol::Subscribe{0});
   Heard heard = speaker.hear();
@@ -296,7 +296,7 @@ TEST(ControlServer, TicksAreWatchedAtAnyRate) {
 }
 
 TEST(ControlServer, WhoDoesNotTakeTheTicksIsToldSoAfterThoseThatWereSent) {
-  ControlRig rig;
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = kLong; });
   Speaker speaker(rig.settings.path);
   speaker.greet();
   speaker.say(Kind::kRecord);
