@@ -64,6 +64,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/motion",
      {{"host/trace", "host/cloud", "host/field/angle.h", "host/files", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},
+    {"host/bag", {{"host/motion", "host/error.h", "host/files", "host/to_double.h", "shared"}}},
     {"host/view", {{"host", "firmware/core", "shared"}}},
     {"host/commands", {{"host", "firmware/core", "shared"}}},
     {"host/to_double.h", {{"shared"}}},

@@ -56,8 +56,8 @@ CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::p
 }
 
 void require_folder(const std::filesystem::path& folder) {
-  const Forms all = {&forms::kField, &forms::kImage,   &forms::kLevelSet, &forms::kPly, &forms::kObj,  &forms::kStl, &forms::kTrace,
-                     &forms::kTable, &forms::kPicture, &forms::kSvg,      &forms::kPdf, &forms::kPage, &forms::kJson};
+  const Forms all = {&forms::kField, &forms::kImage, &forms::kLevelSet, &forms::kPly, &forms::kObj, &forms::kStl,  &forms::kTrace,
+                     &forms::kMcap,  &forms::kTable, &forms::kPicture,  &forms::kSvg, &forms::kPdf, &forms::kPage, &forms::kJson};
   if (is_standard(folder) || find(all, in_lower_case(folder.extension().string())) != nullptr)
     throw InputError(folder.string() + ": this command writes several files into a folder; name a folder");
 }

@@ -26,6 +26,7 @@ inline constexpr Form kPly{".ply", "PLY"};
 inline constexpr Form kObj{".obj", "Wavefront OBJ", true};
 inline constexpr Form kStl{".stl", "STL, binary"};
 inline constexpr Form kTrace{".trace", "a trace"};
+inline constexpr Form kMcap{".mcap", "MCAP, for Foxglove"};
 inline constexpr Form kTable{".csv", "a table", true};
 inline constexpr Form kPicture{".png", "a picture", false, true};
 inline constexpr Form kSvg{".svg", "a picture in lines", true};

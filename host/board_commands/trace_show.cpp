@@ -188,6 +188,13 @@ void run(const Options& options) {
 
 }  // namespace
 
+Json tick_json(const files::TraceFile& trace, std::size_t tick) {
+  const Row row = row_of(trace, tick);
+  Json object = Json::object();
+  for (std::size_t i = 0; i < kStandardColumns; ++i) object[kColumns[i].name] = kColumns[i].value(row);
+  return object;
+}
+
 void add_show(CLI::App& trace) {
   auto options = std::make_shared<Options>();
   CLI::App* command =

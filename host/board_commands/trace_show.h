@@ -2,9 +2,18 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+
+#include "shared/files/trace_file.h"
 
 namespace isotouch::commands {
 
 void add_show(CLI::App& trace);
+
+/// A tick as an object: the columns that are shown where none are named.
+///
+/// tick      0 to size() - 1
+nlohmann::ordered_json tick_json(const files::TraceFile& trace, std::size_t tick);
 
 }  // namespace isotouch::commands

@@ -1,4 +1,4 @@
-/// A folder for a measurement, gone with its owner.
+/// A folder for what is made on the way, gone with its owner.
 #pragma once
 
 #include <unistd.h>
@@ -12,7 +12,7 @@
 namespace isotouch::commands {
 
 struct TemporaryFolder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("isotouch-bench-" + std::to_string(::getpid()));
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("isotouch-" + std::to_string(::getpid()));
 
   /// fails     InputError when it cannot be made
   TemporaryFolder() {

@@ -10,15 +10,19 @@
 #include <string>
 #include <vector>
 
+#include "host/bag/bag_motion.h"
+#include "host/bag/trace_to_mcap.h"
 #include "host/board_commands/choice.h"
 #include "host/board_commands/output.h"
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
 #include "host/commands/commands.h"
 #include "host/commands/quantities.h"
+#include "host/commands/temporary_folder.h"
 #include "host/commands/trace_mutate.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
 #include "host/motion/device_in_hand.h"
 #include "host/motion/felt_surface.h"
 #include "host/motion/motion.h"
@@ -29,6 +33,7 @@
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
 #include "shared/device_model.h"
+#include "shared/files/version_text.h"
 #include "shared/trace.h"
 
 namespace isotouch::commands {
@@ -128,7 +133,8 @@ void make_trace(const MakeOptions& options) {
 
 struct ImportOptions {
   NewTrace trace;
-  fs::path csv;
+  fs::path source;
+  std::string topic, force_topic;
   std::string columns;
   std::string time_unit;
   std::string length_unit;
@@ -153,7 +159,7 @@ void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
     const field_file::OpenField field = field_file::open_field(options.into);
     const motion::FeltSurface object(field.view);
     const double widest = (high - low).maxCoeff();
-    if (!(widest > 0)) throw InputError(options.csv.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
+    if (!(widest > 0)) throw InputError(options.source.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
     options.scale = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1) / widest;
     offset = object.centre();
   }
@@ -171,12 +177,35 @@ Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) 
   return output;
 }
 
+/// A trace that was exported comes back as it was; what else the recording holds is left out.
+bool bring_back(const ImportOptions& options) {
+  if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
+  const std::optional<bag::Bytes> whole = bag::attached_trace(options.source);
+  if (!whole) return false;
+  const TemporaryFolder folder;
+  const fs::path looked_at = folder.path / "attached.trace";
+  write_file(looked_at, whole->data(), whole->size());
+  try {
+    (void)trace::read_trace(looked_at);
+  } catch (const InputError& error) {
+    throw InputError(options.source.string() + ": the trace that it holds cannot be read (" + error.what() +
+                     "); choose a topic with --topic");
+  }
+  write_file(options.trace.out, whole->data(), whole->size());
+  std::fprintf(stderr, "%s: the trace that %s holds, to the bit; options of a new trace do not change it\n",
+               options.trace.out.string().c_str(), options.source.string().c_str());
+  return true;
+}
+
 void import_table(const ImportOptions& options) {
+  if (bring_back(options)) return;
   motion::MotionColumns columns = motion::parse_columns(options.columns);
   columns.time_unit = options.time_unit;
   columns.length_unit = options.length_unit;
   columns.with_forces = options.forces;
-  std::vector<motion::TimedPoint> points = motion::read_motion_csv(options.csv, columns);
+  std::vector<motion::TimedPoint> points = bag::is_bag(options.source)
+                                               ? bag::read_bag_motion(options.source, {options.topic, options.force_topic, options.forces})
+                                               : motion::read_motion_csv(options.source, columns);
   place(points, options);
   TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0;
@@ -189,10 +218,22 @@ void import_table(const ImportOptions& options) {
       }
     });
   } catch (const InputError& e) {
-    throw InputError(options.csv.string() + ": " + e.what());
+    throw InputError(options.source.string() + ": " + e.what());
   }
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
+}
+
+struct ExportOptions {
+  fs::path trace, out;
+};
+
+void export_trace(const ExportOptions& options) {
+  const std::vector<std::uint8_t> whole = read_file(options.trace);
+  const trace::Trace trace = trace::read_trace(options.trace);
+  const bag::Bytes bytes = bag::trace_to_mcap(trace, options.trace.filename().string(), whole, files::short_version_text("isotouch"),
+                                              [&](std::size_t tick) { return tick_json(trace, tick); });
+  write_file(options.out, bytes.data(), bytes.size());
 }
 
 struct ToPacketsOptions {
@@ -268,7 +309,12 @@ void add_import(CLI::App& trace) {
   CLI::App* command = trace.add_subcommand(
       "import",
       "Turn a table of times and positions (with --forces: and forces) into a trace, resampled to the tick period by monotone cubics");
-  command->add_option("CSV", options->csv, "the table; its first line names the columns")->required();
+  command
+      ->add_option("SOURCE", options->source,
+                   "the table, whose first line names the columns; or a recording of ROS 2 or Foxglove (.mcap, .db3)")
+      ->required();
+  command->add_option("--topic", options->topic, "of a recording: the positions; default: the only ones");
+  command->add_option("--force-topic", options->force_topic, "of a recording, with --forces: the forces; default: the only ones");
   command->add_option("--columns", options->columns,
                       "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
   command->add_flag("--forces", options->forces,
@@ -287,6 +333,15 @@ void add_import(CLI::App& trace) {
       ->excludes("--offset");
   options->trace.add_to(*command);
   command->callback([options] { import_table(*options); });
+}
+
+void add_export_of_trace(CLI::App& trace) {
+  auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      trace.add_subcommand("export", "Write a trace for Foxglove and ROS 2; isotouch trace import brings it back to the bit");
+  command->add_option("TRACE", options->trace, "the trace (.trace)")->required();
+  add_output(*command, "-o,--out", options->out, {&forms::kMcap}, "the file to write")->required();
+  command->callback([options] { export_trace(*options); });
 }
 
 void add_to_packets(CLI::App& trace) {
@@ -320,6 +375,7 @@ void add_trace(CLI::App& app) {
   trace->require_subcommand(1);
   add_make(*trace);
   add_import(*trace);
+  add_export_of_trace(*trace);
   add_show(*trace);
   add_to_packets(*trace);
   add_mutate(*trace);

@@ -1,0 +1,156 @@
+#include "host/bag/bag_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <set>
+
+#include "host/bag/mcap_reader.h"
+#include "host/bag/ros2_bag.h"
+#include "host/bag/ros_message.h"
+#include "host/error.h"
+#include "host/files/whole_file.h"
+
+namespace isotouch::bag {
+
+namespace {
+
+constexpr double kMmPerMetre = 1000;
+
+using Use = std::function<void(const Channel&, std::uint64_t, std::span<const std::uint8_t>)>;
+
+bool begins_as_sqlite(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 16> begin{};
+  in.read(begin.data(), begin.size());
+  std::array<std::uint8_t, 16> bytes{};
+  std::copy(begin.begin(), begin.end(), bytes.begin());
+  return in.good() && is_sqlite(bytes);
+}
+
+void each_message(const std::filesystem::path& file, const Use& use) {
+  if (begins_as_sqlite(file)) return read_ros2_bag(file, use);
+  if (!read_mcap(read_file(file), file.string(), {use, {}}))
+    std::fprintf(stderr, "isotouch: %s: its end is missing; what is whole was read\n", file.string().c_str());
+}
+
+/// What one topic says.
+struct Series {
+  std::vector<double> stamps_s, recorded_s;
+  std::vector<Eigen::Vector3d> values;
+};
+
+class Collector {
+ public:
+  Collector(const std::string& file, const BagTopics& topics) : file_(file), topics_(topics) {}
+
+  void operator()(const Channel& channel, std::uint64_t time_ns, std::span<const std::uint8_t> data) {
+    if (!is_known(channel)) return;
+    const std::string topic(channel.topic);
+    const bool is_force = channel.schema.find("Wrench") != std::string_view::npos;
+    const std::string& wanted = is_force ? topics_.forces : topics_.positions;
+    if (is_force && !topics_.with_forces) return;
+    (is_force ? force_topics_ : position_topics_).insert(topic);
+    if (!wanted.empty() && wanted != topic) return;
+    const std::optional<Measured> measured = read_message(channel, data);
+    Series& series = is_force ? forces_ : positions_;
+    if (!measured) {
+      throw InputError(file_ + ": message " + std::to_string(series.values.size()) + " of " + topic + " cannot be read as " +
+                       std::string(channel.schema) + "; record the topic again, or choose another one with --topic");
+    }
+    if (measured->stamp_s) series.stamps_s.push_back(*measured->stamp_s);
+    series.recorded_s.push_back(static_cast<double>(static_cast<std::int64_t>(time_ns - first_ns(time_ns))) * 1e-9);
+    series.values.push_back(measured->value);
+  }
+
+  std::vector<motion::TimedPoint> points() const {
+    require_one(position_topics_, topics_.positions, "a position", "--topic");
+    if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
+    const bool stamped = positions_.stamps_s.size() == positions_.values.size() &&
+                         (!topics_.with_forces || forces_.stamps_s.size() == forces_.values.size());
+    const std::vector<double> times = times_of(positions_, stamped), force_times = times_of(forces_, stamped);
+    if (times.size() < 2)
+      throw InputError(file_ + ": the topic has fewer than two positions; record for longer, or choose another with --topic");
+    std::vector<motion::TimedPoint> points;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      motion::TimedPoint point{times[i], kMmPerMetre * positions_.values[i]};
+      if (topics_.with_forces) point.force = force_at(times[i], force_times);
+      points.push_back(point);
+    }
+    return points;
+  }
+
+ private:
+  /// Nanoseconds since 1970 need 61 bits: a double tells them apart only from the first one on.
+  std::uint64_t first_ns(std::uint64_t time_ns) {
+    if (!first_ns_) first_ns_ = time_ns;
+    return *first_ns_;
+  }
+
+  void require_one(const std::set<std::string>& topics, const std::string& wanted, const char* what, const char* option) const {
+    std::string all;
+    for (const std::string& topic : topics) all += (all.empty() ? "" : ", ") + topic;
+    if (topics.empty())
+      throw InputError(file_ + ": no topic of it holds " + what + "; messages of these types are read: " + std::string(known_types()));
+    if (!wanted.empty() && topics.count(wanted) == 0)
+      throw InputError(file_ + ": the topic " + wanted + " does not hold " + what + "; choose one of " + all);
+    if (wanted.empty() && topics.size() > 1)
+      throw InputError(file_ + ": several topics hold " + what + "; choose one with " + option + ": " + all);
+  }
+
+  std::vector<double> times_of(const Series& series, bool stamped) const {
+    std::vector<double> times = stamped ? series.stamps_s : series.recorded_s;
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (!(times[i] > times[i - 1]))
+        throw InputError(file_ + ": message " + std::to_string(i) + " of the topic is not later than the one before; record it again");
+    }
+    return times;
+  }
+
+  Eigen::Vector3d force_at(double time, const std::vector<double>& times) const {
+    const auto after = std::lower_bound(times.begin(), times.end(), time);
+    if (after == times.begin()) return forces_.values.front();
+    if (after == times.end()) return forces_.values.back();
+    const auto i = static_cast<std::size_t>(after - times.begin());
+    const double t = (time - times[i - 1]) / (times[i] - times[i - 1]);
+    return (1 - t) * forces_.values[i - 1] + t * forces_.values[i];
+  }
+
+  const std::string& file_;
+  const BagTopics& topics_;
+  std::set<std::string> position_topics_, force_topics_;
+  Series positions_, forces_;
+  std::optional<std::uint64_t> first_ns_;
+};
+
+}  // namespace
+
+bool is_bag(const std::filesystem::path& file) {
+  if (is_standard(file)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 8> begin{};
+  in.read(begin.data(), begin.size());
+  std::array<std::uint8_t, 8> bytes{};
+  std::copy(begin.begin(), begin.end(), bytes.begin());
+  return in.good() && (is_mcap(bytes) || begins_as_sqlite(file));
+}
+
+std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& file, const BagTopics& topics) {
+  const std::string name = file.string();
+  Collector collector(name, topics);
+  each_message(file, std::ref(collector));
+  return collector.points();
+}
+
+std::optional<Bytes> attached_trace(const std::filesystem::path& file) {
+  if (begins_as_sqlite(file)) return std::nullopt;
+  std::optional<Bytes> found;
+  read_mcap(read_file(file), file.string(), {{}, [&](std::string_view, std::string_view media_type, std::span<const std::uint8_t> data) {
+                                               if (media_type == kTraceMediaType) found.emplace(data.begin(), data.end());
+                                             }});
+  return found;
+}
+
+}  // namespace isotouch::bag

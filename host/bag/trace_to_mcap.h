@@ -1,0 +1,22 @@
+/// A trace as an MCAP file, which Foxglove and the tools of ROS 2 open.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "host/bag/mcap_writer.h"
+#include "shared/files/trace_file.h"
+
+namespace isotouch::bag {
+
+/// Topics: `/isotouch/tick`, one JSON object a tick, and `/isotouch/hip`, `/isotouch/proxy`, places for three-dimensional views, in metres. The trace itself
+/// is attached, so that it comes back to the bit.
+///
+/// whole       the bytes of the trace's file
+/// row         the object of a tick; its members are numbers, strings or null
+Bytes trace_to_mcap(const files::TraceFile& trace, const std::string& name, std::span<const std::uint8_t> whole, const std::string& library,
+                    const std::function<nlohmann::ordered_json(std::size_t tick)>& row);
+
+}  // namespace isotouch::bag

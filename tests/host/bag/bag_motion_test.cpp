@@ -1,0 +1,248 @@
+/// reference.mcap was written by @mcap/core 2 and @foxglove/rosmsg2-serialization: five PoseStamped on /hand and five WrenchStamped on /force, 10 ms apart,
+/// recorded 3 ms after their stamps; x = i mm, y = -2i mm, z = 10 mm, force (0, i, -i/2) N.
+#include "host/bag/bag_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include "host/bag/mcap_reader.h"
+#include "host/bag/mcap_writer.h"
+#include "host/bag/ros_message.h"
+#include "host/error.h"
+#include "host/files/whole_file.h"
+
+namespace isotouch::bag {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const fs::path kReference = ISOTOUCH_BAGS "/reference.mcap";
+
+fs::path in_temp(const std::string& name) { return fs::path(testing::TempDir()) / name; }
+
+fs::path written(const std::string& name, const Bytes& bytes) {
+  write_file(in_temp(name), bytes.data(), bytes.size());
+  return in_temp(name);
+}
+
+std::string refusal_of(const fs::path& file, const BagTopics& topics = {}) {
+  try {
+    (void)read_bag_motion(file, topics);
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr(file.string()));
+    EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+    return e.what();
+  }
+  return "nothing was refused";
+}
+
+TEST(Bag, PositionsAndForcesOfTheReferenceAreRead) {
+  ASSERT_TRUE(is_bag(kReference));
+  const auto points = read_bag_motion(kReference, {.with_forces = true});
+  ASSERT_EQ(points.size(), 5U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    EXPECT_NEAR(points[i].time - points[0].time, 0.01 * n, 1e-6) << "the stamps of the messages";
+    EXPECT_LT((points[i].position - Eigen::Vector3d(n, -2 * n, 10)).norm(), 1e-9);
+    EXPECT_LT((points[i].force - Eigen::Vector3d(0, n, -n / 2)).norm(), 1e-6);
+  }
+}
+
+TEST(Bag, WithoutForcesTheyAreNotAskedFor) {
+  EXPECT_EQ(read_bag_motion(kReference, {})[3].force, Eigen::Vector3d::Zero());
+  EXPECT_THAT(refusal_of(kReference, {.positions = "/hnad"}), HasSubstr("the topic /hnad does not hold a position; choose one of /hand"));
+}
+
+/// A position as JSON on each topic, each at its own times.
+Bytes with_topics(const std::vector<std::string>& topics, const std::string& text = R"({"point":{"x":1,"y":2,"z":3}})") {
+  McapWriter writer("test");
+  const auto schema = writer.schema("geometry_msgs/msg/PointStamped", "jsonschema", "{}");
+  std::vector<std::uint16_t> channels;
+  for (const std::string& topic : topics) channels.push_back(writer.channel(schema, topic, "json"));
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    for (const std::uint16_t channel : channels) writer.message(channel, i * 1'000'000, Bytes(text.begin(), text.end()));
+  }
+  return writer.finish();
+}
+
+TEST(Bag, WhatMayBeMeantIsAskedFor) {
+  const fs::path two = written("two.mcap", with_topics({"/a", "/b"}));
+  EXPECT_THAT(refusal_of(two), HasSubstr("several topics hold a position; choose one with --topic: /a, /b"));
+  EXPECT_EQ(read_bag_motion(two, {.positions = "/b"}).size(), 3U);
+  EXPECT_THAT(refusal_of(two, {.positions = "/a", .with_forces = true}), HasSubstr("no topic of it holds a force"));
+  EXPECT_THAT(refusal_of(written("none.mcap", with_topics({}))),
+              HasSubstr("no topic of it holds a position; messages of these types are read"));
+}
+
+TEST(Bag, AMessageThatIsNoPositionIsRefused) {
+  for (const char* text : {"", "{", "[]", R"({"point":3})", R"({"point":{"x":1,"y":2}})", R"({"point":{"x":1,"y":2,"z":"3"}})",
+                           R"({"point":{"x":1,"y":2,"z":1e999}})"})
+    EXPECT_THAT(refusal_of(written("bad.mcap", with_topics({"/a"}, text))), HasSubstr("message 0 of /a cannot be read")) << text;
+}
+
+TEST(Bag, TimeMustRise) {
+  McapWriter writer("test");
+  const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
+  const std::string text = R"({"x":1,"y":2,"z":3})";
+  for (const std::uint64_t time : {5U, 5U}) writer.message(channel, time, Bytes(text.begin(), text.end()));
+  EXPECT_THAT(refusal_of(written("late.mcap", writer.finish())), HasSubstr("message 1 of the topic is not later"));
+}
+
+TEST(Bag, ATraceComesBackToTheBit) {
+  McapWriter writer("test");
+  const Bytes trace = {1, 2, 3, 0, 255};
+  writer.attach("felt.trace", kTraceMediaType, trace);
+  EXPECT_EQ(attached_trace(written("attached.mcap", writer.finish())), trace);
+  EXPECT_EQ(attached_trace(kReference), std::nullopt);
+}
+
+TEST(Bag, ManyMessagesFillManyChunks) {
+  McapWriter writer("test");
+  const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
+  for (std::uint64_t i = 0; i < 60'000; ++i) {
+    const std::string text = R"({"x":)" + std::to_string(i) + R"(,"y":0,"z":0})";
+    writer.message(channel, i * 1000, Bytes(text.begin(), text.end()));
+  }
+  const auto points = read_bag_motion(written("many.mcap", writer.finish()), {});
+  ASSERT_EQ(points.size(), 60'000U);
+  EXPECT_EQ(points.back().position.x(), 59'999'000);
+}
+
+TEST(Bag, WhateverIsDamagedIsRefusedOrReadWhole) {
+  const Bytes good = read_file(kReference);
+  std::uint32_t state = 1;
+  const auto next = [&] { return state = state * 1664525 + 1013904223, state >> 8; };
+  for (int round = 0; round < 2000; ++round) {
+    Bytes bad = good;
+    for (int i = 0; i < 1 + static_cast<int>(next() % 3); ++i) bad[next() % bad.size()] = static_cast<std::uint8_t>(next());
+    if (round % 3 == 0) bad.resize(next() % bad.size());
+    try {
+      for (const motion::TimedPoint& point : read_bag_motion(written("damaged.mcap", bad), {})) EXPECT_TRUE(point.position.allFinite());
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("damaged.mcap"));
+    }
+  }
+}
+
+TEST(Bag, WithoutItsEndItIsReadAsFarAsItIsWhole) {
+  Bytes cut = with_topics({"/a"});
+  cut.resize(cut.size() - 20);
+  EXPECT_EQ(read_bag_motion(written("cut.mcap", cut), {}).size(), 3U);
+}
+
+/// A recording of rosbag2: its tables, and messages of PointStamped in CDR.
+class Db3 {
+ public:
+  explicit Db3(const fs::path& file) : file_(file) {
+    fs::remove(file);
+    EXPECT_EQ(sqlite3_open(file.c_str(), &database_), SQLITE_OK);
+    run("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL, serialization_format TEXT NOT NULL, "
+        "offered_qos_profiles TEXT NOT NULL)");
+    run("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL, data BLOB NOT NULL)");
+    run("INSERT INTO topics VALUES (1, '/probe', 'geometry_msgs/msg/PointStamped', 'cdr', '')");
+  }
+  ~Db3() { sqlite3_close(database_); }
+  Db3(const Db3&) = delete;
+  Db3& operator=(const Db3&) = delete;
+
+  void run(const std::string& sql) { EXPECT_EQ(sqlite3_exec(database_, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sql; }
+  void add(std::int64_t time_ns, const Bytes& data) {
+    std::string hex;
+    for (const std::uint8_t byte : data) {
+      constexpr const char* kDigits = "0123456789abcdef";
+      hex += kDigits[byte >> 4];
+      hex += kDigits[byte & 15];
+    }
+    run("INSERT INTO messages(topic_id, timestamp, data) VALUES (1, " + std::to_string(time_ns) + ", x'" + hex + "')");
+  }
+
+ private:
+  fs::path file_;
+  sqlite3* database_ = nullptr;
+};
+
+/// source    the classic representation: numbers at multiples of their size behind the first four bytes
+Bytes point_in_cdr(std::uint32_t seconds, double x, bool little) {
+  Bytes bytes = {0, static_cast<std::uint8_t>(little ? 1 : 0), 0, 0};
+  const auto add = [&](std::uint64_t value, std::size_t size) {
+    while ((bytes.size() - 4) % size != 0) bytes.push_back(0);
+    for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * (little ? i : size - 1 - i))));
+  };
+  add(seconds, 4), add(0, 4);
+  add(3, 4);
+  for (const char c : {'m', 'm', '\0'}) bytes.push_back(static_cast<std::uint8_t>(c));
+  for (const double value : {x, 0.5, -0.25}) add(std::bit_cast<std::uint64_t>(value), 8);
+  return bytes;
+}
+
+TEST(Db3, PositionsAreReadInBothOrdersOfBytes) {
+  const fs::path file = in_temp("run.db3");
+  {
+    Db3 made(file);
+    made.add(2000, point_in_cdr(0, 0.002, false));
+    made.add(1000, point_in_cdr(0, 0.001, true));
+    made.add(3000, point_in_cdr(0, 0.003, true));
+  }
+  ASSERT_TRUE(is_bag(file));
+  const auto points = read_bag_motion(file, {});
+  ASSERT_EQ(points.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(points[i].position.x(), static_cast<double>(i + 1), 1e-12) << "by rising time";
+    EXPECT_EQ(points[i].position.z(), -250);
+    EXPECT_NEAR(points[i].time, 1e-6 * static_cast<double>(i), 1e-15) << "without a stamp the recording's time counts";
+  }
+}
+
+TEST(Db3, ShortMessagesAndOtherDatabasesAreRefused) {
+  const fs::path file = in_temp("short.db3");
+  {
+    Db3 made(file);
+    Bytes cut = point_in_cdr(1, 1, true);
+    cut.pop_back();
+    made.add(1, cut);
+  }
+  EXPECT_THAT(refusal_of(file), HasSubstr("message 0 of /probe cannot be read as geometry_msgs/msg/PointStamped"));
+  const fs::path other = in_temp("other.db3");
+  {
+    Db3 made(other);
+    made.run("DROP TABLE messages");
+  }
+  EXPECT_THAT(refusal_of(other), HasSubstr("it cannot be read as a recording of ROS 2"));
+}
+
+TEST(Db3, DamageIsRefusedOrReadWhole) {
+  const fs::path file = in_temp("whole.db3");
+  {
+    Db3 made(file);
+    for (std::uint32_t i = 0; i < 200; ++i) made.add(i, point_in_cdr(i + 1, i, true));
+  }
+  const Bytes good = read_file(file);
+  std::uint32_t state = 7;
+  const auto next = [&] { return state = state * 1664525 + 1013904223, state >> 8; };
+  for (int round = 0; round < 300; ++round) {
+    Bytes bad = good;
+    for (int i = 0; i < 4; ++i) bad[16 + next() % (bad.size() - 16)] = static_cast<std::uint8_t>(next());
+    if (round % 4 == 0) bad.resize(std::max<std::size_t>(16, next() % bad.size()));
+    try {
+      (void)read_bag_motion(written("damaged.db3", bad), {});
+    } catch (const InputError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("damaged.db3"));
+    }
+  }
+}
+
+TEST(Bag, WhatIsNeitherIsNoBag) {
+  EXPECT_FALSE(is_bag(written("table.csv", {'t', ',', 'x'})));
+  EXPECT_FALSE(is_bag(in_temp("missing.mcap")));
+  EXPECT_FALSE(is_bag("-"));
+}
+
+}  // namespace
+}  // namespace isotouch::bag
