@@ -124,7 +124,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("root", type=Path, metavar="ROOT", help="the folder that holds README.md and docs/")
     parser.add_argument("--page", action="append", default=[], metavar="NAME", help="only this page, such as safety.md; may be given several times")
     parser.add_argument("--jobs", type=int, default=2, help="pages that run at once, 2 unless given")
-    parser.add_argument("--seconds", type=float, default=180, help="how long a page may take, 180 unless given")
+    parser.add_argument("--seconds", type=float, default=600, help="how long a page may take, 600 unless given")
     options = parser.parse_args(arguments)
 
     pages = pages_of(options.root, options.page)
