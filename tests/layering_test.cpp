@@ -66,7 +66,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},
     {"host/view", {{"host", "firmware/core", "shared"}}},
     {"tests/host/touch", {{"host/touch", "hil/plain_replay.h", "shared", "tests/support"}}},
-    {"host/touch", {{"firmware/core", "shared"}}},  // it runs in a page: no library of the host is there
+    {"host/touch", {{"firmware/core", "hil/plain_replay.h", "shared"}}},  // it runs in a page: no library of the host is there
     {"host/commands", {{"host", "firmware/core", "shared"}}},
     {"host/to_double.h", {{"shared"}}},
     {"host/control_main.cpp", {{"host/board_commands"}}},

@@ -1,4 +1,5 @@
-"""How a program of each preset is started on this machine; a preset that is not listed builds for this machine itself."""
+"""How a program of each preset is started on this machine; a preset that is not listed builds for this machine itself. `chromium` stands for the preset wasm32
+in a browser."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ _EMULATORS: dict[str, tuple[str, list[str], str | None]] = {
     "arm64": ("aarch64", ["qemu-aarch64", "-L"], None),
     "armhf": ("armhf", ["qemu-arm", "-L"], None),
     "riscv64": ("riscv64", ["qemu-riscv64", "-L"], "/usr/riscv64-linux-gnu"),
+    "chromium": ("wasm32", [str(ROOT / "hil/webassembly/replay_in_browser")], ""),
     "wasm32": ("wasm32", [str(ROOT / "hil/webassembly/run_in_node")], ""),
 }
 
@@ -35,5 +37,7 @@ def emulator_of(preset: str) -> list[str]:
 
 
 def program_of(preset: str, name: str) -> str:
-    """Where the preset's build leaves a program, from the repository's root."""
+    """Where the preset's build leaves a program, from the repository's root. In the browser there is one, the page's module, and it replays."""
+    if preset == "chromium":
+        return "build/wasm32/bin/touch.wasm"
     return f"build/{preset}/bin/{name}{'.wasm' if preset == 'wasm32' else ''}"

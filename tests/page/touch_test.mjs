@@ -248,6 +248,22 @@ test("distances are those of the tool", async () => {
   assert.equal(rows.length, 2500);
 });
 
+test("recordings of positions and of packets are computed again as by the tool", async () => {
+  const touch = await touching();
+  for (const name of ["positions_settings", "packets", "packets_unwatched_heat"]) {
+    const trace = readFileSync(`tests/golden/${name}.trace`);
+    const told = JSON.parse(isotouch(["replay", "--check", "--json", FIELD, `tests/golden/${name}.trace`]));
+    assert.deepEqual(touch.replay(trace), { ticks: told.ticks, hash: told.hash, firstDifference: null });
+    trace[HEADER + RECORD * 70 + 44] ^= 1; // a proxy
+    assert.equal(touch.replay(trace).firstDifference, 70);
+    trace[HEADER + RECORD * 5] = 9; // no kind
+    assert.match(sentence(() => touch.replay(trace, "file")), /^file: a record holds an undefined value/);
+    for (const size of [0, 10, 256, trace.length - 1]) assert.match(sentence(() => touch.replay(trace.subarray(0, size))), /ends before|contradict|not a file/);
+  }
+  assert.match(sentence(() => touch.replay(readFileSync("tests/golden/packets_faults.trace"))), /another field/);
+  assert.match(sentence(() => touch.replay(readFileSync("tests/golden/field_1_1.itf"))), /not a file of this kind/);
+});
+
 test("a pace catches up with what is late, and leaves out what is too late", () => {
   const pace = new Pace(1000);
   assert.deepEqual([pace.due(1000), pace.due(1000.5), pace.due(1001), pace.due(1005.2), pace.skipped], [1, 0, 1, 4, 0]);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hil/plain_replay.h"
 #include "host/touch/module/memory.h"
 #include "host/touch/session.h"
 
@@ -30,6 +31,8 @@ struct Module {
   touch::Session session;
   std::size_t image_bytes = 0;
   std::uint64_t most_trace_bytes = 0;
+  std::size_t replayed_bytes = 0;
+  std::uint64_t replay_hash = 0;
   std::array<double, 3 * kBatch> places{};
   std::array<double, kNumbersOfATick * kBatch> numbers{};
   std::array<std::uint8_t, kDeviceModelBytes> device{};
@@ -193,3 +196,35 @@ TOUCH_EXPORT(waits) bool waits() { return module().session.waits(); }
 TOUCH_EXPORT(trace_bytes) std::size_t trace_bytes() { return module().session.trace().size(); }
 /// Where the trace begins.
 TOUCH_EXPORT(trace_address) const std::uint8_t* trace_address() { return module().session.trace().data(); }
+
+// ---- a recording ------------------------------------------------------------------------------------------------------------------
+
+/// Ends the trace that is kept. returns the address of room for a recording of that many bytes; 0 when there is not enough memory
+TOUCH_EXPORT(replay_room) std::uint8_t* replay_room(double bytes) {
+  Module& m = module();
+  m.most_trace_bytes = 0;
+  m.replayed_bytes = 0;
+  begin_trace();
+  if (!(bytes >= 0 && bytes < 4294967296.0)) return nullptr;
+  const auto size = static_cast<std::uint64_t>(bytes);
+  const std::span<std::uint8_t> block = touch::block_of(trace_begin() + std::max(size, std::uint64_t{1}));
+  if (block.empty()) return nullptr;
+  m.replayed_bytes = static_cast<std::size_t>(size);
+  return block.data() + trace_begin();
+}
+
+/// Replays the recording that was written into its room, of positions or of a device's packets, on the loaded field. Three numbers come out: ticks, 1 if
+/// every bit is that of the recording, else 0 and, third, the first tick that is not. The hash is that of `isotouch replay`.
+TOUCH_EXPORT(replay) Refused replay_recording() {
+  Module& m = module();
+  const std::optional<FieldView>& field = m.session.field();
+  if (!field) return "there is no field; load one first";
+  const Result<replay::Report> report = replay::run(*field, {touch::block_begin() + trace_begin(), m.replayed_bytes});
+  if (!report) return describe(report.error());
+  m.numbers[0] = static_cast<double>(report->ticks);
+  m.numbers[1] = report->equal ? 1 : 0;
+  m.numbers[2] = static_cast<double>(report->first_difference);
+  m.replay_hash = report->hash;
+  return nullptr;
+}
+TOUCH_EXPORT(replay_hash) std::uint64_t replay_hash() { return module().replay_hash; }

@@ -65,6 +65,15 @@ export interface Field {
   readonly stiffness: number;
 }
 
+/** What came out of a recording that was computed again. */
+export interface Replayed {
+  readonly ticks: number;
+  /** as `isotouch replay` prints it */
+  readonly hash: string;
+  /** the first tick that is not answered as recorded; null when every bit is equal */
+  readonly firstDifference: number | null;
+}
+
 /** Exports of touch.wasm (host/touch/module/exports.cpp). Addresses are numbers; those of sentences are 0 when nothing was refused. */
 interface Exports {
   readonly memory: WebAssembly.Memory;
@@ -96,6 +105,9 @@ interface Exports {
   waits(): number;
   trace_bytes(): number;
   trace_address(): number;
+  replay_room(bytes: number): number;
+  replay(): number;
+  replay_hash(): bigint;
 }
 
 const DEVICE_BYTES = 128;
@@ -151,8 +163,7 @@ export class Touch {
     const [x, y, z, edge, nx, ny, nz, band, stiffness] = this.#numbers(9) as unknown as [
       number, number, number, number, number, number, number, number, number,
     ];
-    const hash = BigInt.asUintN(64, this.#exports.field_hash()).toString(16).padStart(16, "0");
-    this.#field = { hash, origin: [x, y, z], edge, size: [nx, ny, nz], band, stiffness };
+    this.#field = { hash: hashText(this.#exports.field_hash()), origin: [x, y, z], edge, size: [nx, ny, nz], band, stiffness };
     return this.#field;
   }
 
@@ -244,6 +255,21 @@ export class Touch {
     return new Uint8Array(this.#exports.memory.buffer).slice(this.#exports.trace_address(), this.#exports.trace_address() + bytes);
   }
 
+  /**
+   * Computes a recording again, of positions or of a device's packets, as `isotouch replay --check` does. The trace in memory ends; touching goes on as it was.
+   *
+   * @param trace the file's bytes, with outputs; recorded on the loaded field
+   * @param name stands for the file in the sentence of a refusal
+   */
+  replay(trace: Uint8Array, name = "the recording"): Replayed {
+    const room = this.#exports.replay_room(trace.byteLength);
+    if (room === 0) throw new TouchError(`${name}: there is not enough memory for its ${trace.byteLength} bytes`);
+    new Uint8Array(this.#exports.memory.buffer).set(trace, room);
+    this.#check(this.#exports.replay(), `${name}: `);
+    const [ticks = 0, equal = 0, first = 0] = this.#numbers(3);
+    return { ticks, hash: hashText(this.#exports.replay_hash()), firstDifference: equal === 1 ? null : first };
+  }
+
   #number(name: string): number {
     const number = this.#numberOf.get(name);
     if (number === undefined) throw new TouchError(`no setting is called '${name}'; there are: ${this.settings.map((row) => row.name).join(", ")}`);
@@ -273,6 +299,10 @@ export class Touch {
       use(count, done);
     }
   }
+}
+
+function hashText(hash: bigint): string {
+  return BigInt.asUintN(64, hash).toString(16).padStart(16, "0");
 }
 
 function countOf(places: ArrayLike<number>): number {
