@@ -66,6 +66,8 @@ const std::map<std::string, Rule> kRules = {
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},
     {"host/bag", {{"host/motion", "host/error.h", "host/files", "host/to_double.h", "shared"}}},
     {"host/view", {{"host", "firmware/core", "shared"}}},
+    {"tests/host/touch", {{"host/touch", "hil/plain_replay.h", "shared", "tests/support"}}},
+    {"host/touch", {{"firmware/core", "hil/plain_replay.h", "shared"}}},  // it runs in a page: no library of the host is there
     {"host/commands", {{"host", "firmware/core", "shared"}}},
     {"host/to_double.h", {{"shared"}}},
     {"host/control_main.cpp", {{"host/board_commands"}}},
