@@ -51,7 +51,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/trace",
      {{"host/field_file", "host/files", "host/angle.h", "host/error.h", "host/quantiles.h", "host/to_double.h", "firmware/core",
        "shared"}}},
-    {"host/link", {{"host/error.h", "shared"}}},
+    {"host/link", {{"host/trace/hash_text.h", "host/error.h", "shared"}}},
     {"host/board_commands",
      {{"host/trace", "host/field_file", "host/files", "host/link", "host/error.h", "host/quantiles.h", "host/to_double.h", "firmware/core",
        "shared"}}},
