@@ -51,7 +51,10 @@ const std::map<std::string, Rule> kRules = {
     {"host/trace",
      {{"host/field_file", "host/files", "host/angle.h", "host/error.h", "host/quantiles.h", "host/to_double.h", "firmware/core",
        "shared"}}},
-    {"host/link", {{"host/error.h", "shared"}}},
+    {"host/link", {{"host/trace/hash_text.h", "host/error.h", "shared"}}},
+    {"host/library", {{"host/trace", "host/link", "host/field_file", "host/files", "host/error.h", "host/to_double.h", "shared"}}},
+    {"host/build_library",
+     {{"host/encoding", "host/field", "host/cloud", "host/field_file", "host/library/call.h", "host/error.h", "shared"}}},
     {"host/board_commands",
      {{"host/trace", "host/field_file", "host/files", "host/link", "host/error.h", "host/quantiles.h", "host/to_double.h", "firmware/core",
        "shared"}}},
@@ -167,6 +170,7 @@ std::vector<fs::path> sources() {
   for (const char* top : {"shared", "firmware", "host", "tests", "hil"}) {
     if (!fs::exists(kRoot / top)) continue;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / top)) {
+      if (entry.path().string().find("/library/examples/") != std::string::npos) continue;  // they stand for programs of others
       if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") files.push_back(entry.path());
     }
   }

@@ -1,18 +1,14 @@
 /// isotouch status: how a running controller is.
-#include <algorithm>
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/print_field.h"
-#include "host/error.h"
 #include "host/link/controller.h"
+#include "host/link/status.h"
 #include "host/trace/hash_text.h"
 #include "shared/fault_names.h"
 
@@ -26,55 +22,7 @@ struct Options {
   bool json = false;
 };
 
-constexpr std::array<const char*, 3> kAnglesFrom = {"geometry", "settings", "measured"};  ///< protocol::AnglesFrom in words
-
-std::string angles_from(const protocol::DeviceReport& device) {
-  return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
-}
-
-/// All that a controller says of itself.
-struct Seen {
-  protocol::Welcome welcome;
-  protocol::StatusReport status;
-  protocol::DeviceReport device;
-  link::Controller::Settings settings;
-
-  std::string_view role() const { return protocol::name_of(static_cast<protocol::Role>(welcome.role)); }
-  GuardVerdict verdict() const { return guard_verdict(status.lines); }
-};
-
-nlohmann::ordered_json to_json(const Seen& seen) {
-  const protocol::StatusReport& status = seen.status;
-  nlohmann::ordered_json json{{"program", seen.welcome.program.view()},
-                              {"role", seen.role()},
-                              {"state", state_name(status.state)},
-                              {"sentence", state_text(status)},
-                              {"ticks", status.ticks},
-                              {"late", status.late},
-                              {"faults", fault_names(status.faults)},
-                              {"guard", name_of(seen.verdict())},
-                              {"field_hash", nullptr},
-                              {"field_name", status.field_name.view()}};
-  if (status.field_hash != 0) json["field_hash"] = trace::hash_text(status.field_hash);
-  for (std::size_t i = 0; i < protocol::kMeasures; ++i) {
-    const auto in = [&](std::uint32_t ns) { return in_unit(kMeasureNames[i], ns, seen.welcome.period_ns); };
-    const protocol::Quantiles& q = status.measures[i];
-    json[kMeasureNames[i].key] = {{"p50", in(q.p50)}, {"p999", in(q.p999)}, {"max", in(q.max)}};
-  }
-  json["allocations"] = status.allocations;
-  json["page_faults"] = status.page_faults;
-  const protocol::DeviceReport& device = seen.device;
-  json["device"] = {{"serial", device.serial.view()},
-                    {"angles_from", angles_from(device)},
-                    {"angle_at_zero_deg", {degrees_of(device.at_zero[0]), degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2])}},
-                    {"other_angles_wait", device.waits != 0}};
-  json["settings_checksum"] = trace::hash_text(seen.settings.checksum);
-  json["settings_different"] = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : seen.settings.different) json["settings_different"][name] = value;
-  return json;
-}
-
-void print_text(const Seen& seen) {
+void print_text(const link::ControllerStatus& seen) {
   const protocol::StatusReport& status = seen.status;
   std::printf("%-17s%s\n", "state", state_text(status).c_str());
   if (seen.verdict() != GuardVerdict::kNone)
@@ -94,7 +42,7 @@ void print_text(const Seen& seen) {
   const protocol::DeviceReport& device = seen.device;
   std::printf("%-17s%s, arms at count 0 at %.3f, %.3f, %.3f degrees (%s)%s\n", "device",
               device.serial.size == 0 ? "none" : std::string(device.serial.view()).c_str(), degrees_of(device.at_zero[0]),
-              degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), angles_from(device).c_str(),
+              degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), link::angles_from(device).c_str(),
               device.waits != 0 ? "; other angles are stored and take effect at the next start" : "");
   std::printf("%-17s%s\n", "your role", std::string(seen.role()).c_str());
   std::printf("%-17schecksum %s; %s\n", "settings", trace::hash_text(seen.settings.checksum).c_str(),
@@ -104,10 +52,10 @@ void print_text(const Seen& seen) {
 
 void run(const Options& options) {
   link::Controller controller(options.to);
-  const Seen seen{controller.welcome(), controller.status(), controller.device(), controller.settings()};
-  if (!options.field.empty()) return print_field(to_json(seen), options.field);
+  const link::ControllerStatus seen = link::whole_status(controller);
+  if (!options.field.empty()) return print_field(link::to_json(seen), options.field);
   if (!options.json) return print_text(seen);
-  std::printf("%s\n", to_json(seen).dump(2).c_str());
+  std::printf("%s\n", link::to_json(seen).dump(2).c_str());
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 
-#include "shared/files/trace_file.h"
+#include "host/trace/trace_file.h"
 
 namespace isotouch::commands {
 
@@ -14,6 +14,6 @@ void add_show(CLI::App& trace);
 /// A tick as an object: the columns that are shown where none are named.
 ///
 /// tick      0 to size() - 1
-nlohmann::ordered_json tick_json(const files::TraceFile& trace, std::size_t tick);
+nlohmann::ordered_json tick_json(const trace::Trace& trace, std::size_t tick);
 
 }  // namespace isotouch::commands

@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/core/field_sampler.h"
-#include "firmware/core/stiffness_at.h"
 #include "host/board_commands/output.h"
 #include "host/cloud/file_kind.h"
 #include "host/cloud/source_file.h"
@@ -22,15 +20,13 @@
 #include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
-#include "host/to_double.h"
+#include "host/trace/place_sample.h"
 
 namespace isotouch::commands {
 
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kFarthest = 8191;  // voxels from the grid's origin: see core::sample_field
 
 /// Lines of three numbers or more, of which the first three count; a line of names may come first.
 std::vector<Vector3d> places_of_text(const std::string& name, const std::vector<std::uint8_t>& bytes) {
@@ -61,18 +57,13 @@ std::string text(double value) { return nlohmann::json(value == 0.0 ? 0.0 : valu
 
 /// One line of the answer.
 std::string row(const FieldView& field, const Vector3d& place) {
-  const Vector3d index = (place - to_double(field.origin)) / to_double(field.edge);
-  const Vec3<Voxel> at = to_fixed<Voxel>(index.cwiseMax(-kFarthest).cwiseMin(kFarthest));
-  const core::FieldSample sample = core::sample_field(field, at);
-  const double voxels = to_double(sample.distance);
-  const bool in_band = !sample.outside_grid && std::abs(voxels) < to_double(field.band);
-  const Vector3d gradient = to_double(sample.gradient);
+  const trace::PlaceSample sample = trace::sample_place(field, place);
   std::string line;
-  for (const double value : {place.x(), place.y(), place.z(), voxels * to_double(field.edge), gradient.x(), gradient.y(), gradient.z(),
-                             to_double(core::stiffness_at(at, field, field.stiffness))}) {
+  for (const double value : {place.x(), place.y(), place.z(), sample.distance_mm, sample.gradient.x(), sample.gradient.y(),
+                             sample.gradient.z(), sample.stiffness_n_mm}) {
     line += text(value) + ',';
   }
-  return line + (in_band ? "1" : "0") + '\n';
+  return line + (sample.in_band ? "1" : "0") + '\n';
 }
 
 struct SampleRun {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -19,7 +20,13 @@ namespace isotouch::link {
 
 namespace {
 
-int connect_to(const Address& address) {
+/// Sends, and a connection that must be waited for, fail after that time.
+void limit_sending(int socket, int patience_ms) {
+  const timeval longest{patience_ms / 1000, patience_ms % 1000 * 1000};
+  if (patience_ms > 0) (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
+}
+
+int connect_to(const Address& address, int patience_ms) {
   sockaddr_un name{};
   name.sun_family = AF_UNIX;
   if (address.socket.size() >= sizeof name.sun_path) {
@@ -27,6 +34,7 @@ int connect_to(const Address& address) {
   }
   std::copy(address.socket.begin(), address.socket.end(), name.sun_path);
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  if (socket >= 0) limit_sending(socket, patience_ms);
   if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0) return socket;
   const std::string why = std::strerror(errno);
   if (socket >= 0) ::close(socket);
@@ -35,9 +43,11 @@ int connect_to(const Address& address) {
 
 }  // namespace
 
-Connection::Connection(const Address& address) : address_(address), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
+Connection::Connection(const Address& address, int patience_ms)
+    : address_(address), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
   stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
-                                : connect_to(address);
+                                : connect_to(address, patience_ms);
+  if (address.is_remote()) limit_sending(stream_, patience_ms);
 }
 
 Connection::~Connection() {

@@ -18,8 +18,9 @@ class Connection {
  public:
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
-  /// fails     InputError: what is not there and what to do
-  explicit Connection(const Address& address);
+  /// patience_ms   longest time to wait until the controller takes what is sent; 0 = for ever
+  /// fails         InputError: what is not there and what to do
+  explicit Connection(const Address& address, int patience_ms = 0);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;

@@ -1,6 +1,7 @@
 #include "host/link/controller.h"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 #include "host/error.h"
@@ -27,7 +28,8 @@ std::string for_people(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Controller::Controller(const std::string& address) : connection_(read_address(address)) {
+Controller::Controller(const std::string& address, std::optional<int> longest_ms)
+    : longest_ms_(longest_ms.value_or(std::numeric_limits<int>::max())), connection_(read_address(address), longest_ms.value_or(0)) {
   connection_.send(Kind::kHello, protocol::Hello{});
   welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreeting));
 }
@@ -168,7 +170,7 @@ std::string Controller::record(std::uint64_t ticks, const std::function<void(std
   std::string ended;
   std::uint64_t next = 0;
   for (std::uint64_t taken = 0; taken < ticks;) {
-    const auto more = more_records(taken, kAnswer, enough, ended);
+    const auto more = more_records(taken, patient(kAnswer), enough, ended);
     if (!more) return ended;
     if (taken > 0 && more->first_tick != next) return connection_.address().text + ": the recording has a gap; record again";
     for (std::size_t at = 0; at < more->bytes.size() && taken < ticks; at += more->record_bytes, ++taken) {
@@ -184,7 +186,7 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
                                       const std::function<bool()>& enough) {
   connection_.send(Kind::kSubscribe, protocol::Subscribe{every});
   (void)expect(Kind::kDone, kAnswer);
-  const int patience_ms = kAnswer + static_cast<int>(std::min(1e8, every * (welcome_.period_ns / 1e6)));  // they may be far apart
+  const int patience_ms = patient(kAnswer) + static_cast<int>(std::min(1e8, every * (welcome_.period_ns / 1e6)));  // they may be far apart
   Watched watched;
   for (std::uint64_t taken = 0; taken < records;) {
     const auto more = more_records(taken, patience_ms, enough, watched.ended);
@@ -200,7 +202,7 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
 
 /// The answer of that kind. Whatever else comes ends the conversation.
 protocol::Frame Controller::expect(Kind kind, int patience_ms) {
-  const protocol::Frame frame = connection_.receive(patience_ms);
+  const protocol::Frame frame = connection_.receive(patient(patience_ms));
   if (frame.kind == kind) return frame;
   if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));
   complain("the controller's answer does not fit the request; install the same release on both sides");

@@ -3,6 +3,7 @@
 /// fails     every function: InputError with the address and one sentence, the controller's own where it refuses
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -26,7 +27,9 @@ struct Histogram {
 class Controller {
  public:
   /// Connects and greets.
-  explicit Controller(const std::string& address);
+  ///
+  /// longest_ms  to wait for any answer; without it each request has its own patience, from seconds to minutes
+  explicit Controller(const std::string& address, std::optional<int> longest_ms = {});
 
   const protocol::Welcome& welcome() const { return welcome_; }
 
@@ -96,6 +99,9 @@ class Controller {
   Message read(const protocol::Frame& frame);
   [[noreturn]] void complain(const std::string& sentence);
 
+  int patient(int patience_ms) const { return std::min(patience_ms, longest_ms_); }
+
+  int longest_ms_;
   Connection connection_;
   protocol::Welcome welcome_;
 };

@@ -1,0 +1,14 @@
+/// How a field feels, as C sets it, and as the header of a trace has it.
+#pragma once
+
+#include "host/library/isotouch.h"
+#include "shared/trace.h"
+
+namespace isotouch::library {
+
+isotouch_settings default_settings();
+
+/// fails     CallError naming the setting and its range
+TraceHeader header_of(const isotouch_settings& settings);
+
+}  // namespace isotouch::library

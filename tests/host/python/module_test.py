@@ -1,0 +1,267 @@
+#!/usr/bin/env python3
+"""The Python module, on the library that ISOTOUCH_LIBRARY names: module_test.py FOLDER_OF_GOLDEN_FILES"""
+
+from __future__ import annotations
+
+import gc
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import isotouch
+
+Numbers = npt.NDArray[np.float64]
+GOLDEN = Path(sys.argv.pop()) if len(sys.argv) > 1 else Path()
+FIELD = GOLDEN / "field_1_1.itf"
+
+
+def ball(count: int = 2000, radius: float = 25.0) -> Numbers:
+    """Points of a sphere, evenly spread; divided by the radius they are its normals."""
+    number = np.arange(count) + 0.5
+    height, turn = 1 - 2 * number / count, np.pi * (1 + 5**0.5) * number
+    around = np.sqrt(1 - height**2)
+    points: Numbers = radius * np.stack([around * np.cos(turn), height, around * np.sin(turn)], axis=1)
+    return points
+
+
+def way_in(field: isotouch.Field, ticks: int = 500) -> Numbers:
+    low, high = np.array(field.facts.low_mm), np.array(field.facts.high_mm)
+    middle = (low + high) / 2
+    path: Numbers = np.linspace([middle[0], high[1], middle[2]], middle, ticks)
+    return path
+
+
+class FieldTest(unittest.TestCase):
+    def test_points_become_the_ball_that_they_came_from(self) -> None:
+        points = ball()
+        field = isotouch.Field.build(points, points / 25, mm_per_unit=1, grid=48)
+        self.assertEqual(field.facts.scale, 1.0)
+        places = np.array([[0.0, 25.5, 0.0], [0.0, 24.0, 0.0], [0.0, 0.0, 25.0], [25.2, 0.0, 0.0]]) + field.facts.offset_mm
+        samples = field.sample(places)
+        np.testing.assert_allclose(samples.distance_mm, [0.5, -1.0, 0.0, 0.2], atol=0.05)
+        np.testing.assert_allclose(samples.gradient[0], [0, 1, 0], atol=0.05)
+        np.testing.assert_allclose(samples.stiffness_n_mm, 0.8, atol=1e-4)
+        self.assertTrue(samples.in_band.all())
+
+    def test_a_built_field_is_saved_loaded_and_the_same_again(self) -> None:
+        points = ball(1000)
+        first, second = (isotouch.Field.build(points, points / 25, grid=32, threads=threads) for threads in (1, 2))
+        self.assertEqual(first.facts.hash, second.facts.hash)
+        with tempfile.TemporaryDirectory() as folder:
+            first.save(Path(folder) / "ball.itf")
+            self.assertEqual(isotouch.Field.load(Path(folder) / "ball.itf").facts, first.facts)
+            self.assertEqual(isotouch.Field.read((Path(folder) / "ball.itf").read_bytes()).facts, first.facts)
+
+    def test_normals_that_are_missing_are_estimated_and_that_is_said(self) -> None:
+        field = isotouch.Field.build(ball(1000), grid=32)
+        self.assertIn("normals were estimated from the points", field.warnings)
+
+    def test_a_scan_of_nothing_is_refused_with_its_reasons(self) -> None:
+        random = np.random.default_rng(1)
+        points, normals = random.uniform(-30, 30, (500, 3)), random.normal(size=(500, 3))
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        with self.assertRaisesRegex(isotouch.DataError, "points: "):
+            isotouch.Field.build(points, normals, grid=32)
+
+    def test_wrong_sizes_types_and_numbers_are_errors(self) -> None:
+        points = ball(100)
+        wrong: dict[str, dict[str, Any]] = {
+            "shape": {"points": points.ravel()},
+            r"shape \(n, 3\)": {"points": points[:, :2]},
+            "there are 100 points and 99 normals": {"normals": points[:99]},
+            "there are 100 points and 3 stiffness": {"stiffness": [1.0, 1.0, 1.0]},
+            "complex128": {"points": points.astype(complex)},
+            "bool": {"points": points > 0},
+            "object": {"points": points.astype(object)},
+            "different lengths": {"points": [[0, 0, 0], [1, 1]]},
+            "not finite": {"points": np.where(points > 24, np.nan, points)},
+            "normals: number 0": {"normals": np.full((100, 3), np.inf)},
+            "band": {"band": 9},
+            "voxel_mm": {"voxel_mm": np.nan},
+            "grid is 3.5": {"grid": 3.5},
+            "grid": {"grid": 4},
+            "grid is -1": {"grid": -1},
+            "interpolation": {"interpolation": "cubic"},
+            "viewpoint has 2 numbers": {"viewpoint": [0, 0]},
+        }
+        for words, change in wrong.items():
+            with self.subTest(words), self.assertRaisesRegex(isotouch.ArgumentError, words):
+                arguments: dict[str, Any] = {"points": points, "normals": points / 25, **change}
+                isotouch.Field.build(**arguments)
+        with self.assertRaises(isotouch.DataError):
+            isotouch.Field.build(points[:3], points[:3] / 25)
+        with self.assertRaises(isotouch.DataError):
+            isotouch.Field.build(points, points / 2500)
+
+    def test_samples_of_single_precision_and_whole_numbers_are_those_of_doubles(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        whole = np.array([[0, 20, 0], [3, 10, -4]])
+        for kind in (np.int32, np.float32, np.uint8):
+            np.testing.assert_array_equal(field.sample(np.abs(whole).astype(kind)).distance_mm, field.sample(np.abs(whole).astype(float)).distance_mm)
+        turned = np.asfortranarray(way_in(field))
+        np.testing.assert_array_equal(field.sample(turned).distance_mm, field.sample(way_in(field)).distance_mm)
+        self.assertEqual(field.sample([]).distance_mm.shape, (0,))
+        self.assertEqual(field.sample(np.zeros((0, 3))).gradient.shape, (0, 3))
+
+    def test_files_that_are_no_fields_are_refused(self) -> None:
+        for path in ("/nowhere.itf", str(GOLDEN / "positions.trace"), ""):
+            with self.assertRaises((isotouch.DataError, isotouch.ArgumentError)):
+                isotouch.Field.load(path)
+        with self.assertRaisesRegex(isotouch.ArgumentError, "holds a zero"):
+            isotouch.Field.load("a\0b")
+        with self.assertRaises(isotouch.DataError):
+            isotouch.Field.read(b"")
+
+
+class TouchTest(unittest.TestCase):
+    def test_a_path_is_felt_and_its_trace_is_the_same(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        with tempfile.TemporaryDirectory() as folder:
+            felt = field.touch(way_in(field), isotouch.Settings(friction=0.3), save=Path(folder) / "felt.trace")
+            trace, facts = isotouch.load_trace(Path(folder) / "felt.trace"), isotouch.describe_trace(Path(folder) / "felt.trace")
+        self.assertEqual(felt["contact"][0], 0)
+        self.assertEqual(felt["contact"][-1], 1)
+        self.assertGreater(felt["force_n"][-1, 1], 0)
+        self.assertEqual(facts.ticks, 500)
+        self.assertEqual(facts.field_hash, field.facts.hash)
+        for axis, name in enumerate("xyz"):
+            np.testing.assert_array_equal(felt["force_n"][:, axis], trace[f"force_{name}_n"])
+            np.testing.assert_array_equal(felt["proxy_mm"][:, axis], trace[f"proxy_{name}_mm"])
+
+    def test_tick_by_tick_is_the_same_to_the_bit(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        whole = field.touch(way_in(field))
+        with field.begin() as touch:
+            for tick, hip in enumerate(way_in(field)):
+                self.assertEqual(touch.position(hip), whole[tick])
+
+    def test_a_device_becomes_active_stops_and_resumes(self) -> None:
+        with isotouch.Field.load(FIELD).begin(isotouch.Settings(device="martin-hillier", record_ticks=100)) as touch:
+            states = [isotouch.state_name(touch.counts([0, 0, 0], homed=homed)["state"]) for homed in [0] * 2 + [7] * 30]
+            self.assertEqual((states[0], states[-1]), ("homing", "active"))
+            touch.stop()
+            self.assertEqual(isotouch.state_name(touch.counts([0, 0, 0])["state"]), "fault")
+            touch.resume()
+            self.assertNotEqual(isotouch.state_name(touch.counts((0, 0, 0))["state"]), "fault")
+            self.assertEqual(touch.missed()["tick"], 34)
+            with tempfile.TemporaryDirectory() as folder:
+                self.assertEqual(touch.save(Path(folder) / "a.trace"), 35)
+                self.assertIn("command_1", isotouch.load_trace(Path(folder) / "a.trace").dtype.names or ())
+
+    def test_wrong_arguments_are_errors(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        for settings, words in (
+            (isotouch.Settings(friction=2), "friction is 2"),
+            (isotouch.Settings(friction=float("nan")), "friction"),
+            (isotouch.Settings(device="phantom"), "device"),
+            (isotouch.Settings(period_ns=-1), "period_ns is -1"),
+            (isotouch.Settings(ramp_ticks=2.5), "a whole number"),  # type: ignore[arg-type]
+            (isotouch.Settings(stiffness="hard"), "must be a number"),  # type: ignore[arg-type]
+        ):
+            with self.subTest(words), self.assertRaisesRegex(isotouch.ArgumentError, words):
+                field.begin(settings)
+        with self.assertRaisesRegex(isotouch.DataError, "too stiff"):
+            field.begin(isotouch.Settings(stiffness=50, damping_n_s_mm=0.003))
+        touch = field.begin()
+        hips: list[Any] = [[0, 0], [0, 0, np.nan], [[0, 0, 0]], "abc", [0, 0, 1j]]
+        for hip in hips:
+            with self.assertRaises(isotouch.ArgumentError):
+                touch.position(hip)
+        legs: list[Any] = [[0, 0], [0, 0, 0.5], [0, 0, 40000], [0, 0, 2**40]]
+        for counts in legs:
+            with self.assertRaises(isotouch.ArgumentError):
+                touch.counts(counts)
+        with self.assertRaises(isotouch.ArgumentError):
+            touch.path(np.array([[0, 0, 0], [0, 0, np.inf]]))
+        self.assertEqual(touch.position([0, 60, 0])["tick"], 0)
+        with self.assertRaisesRegex(isotouch.ArgumentError, "begun with positions"):
+            touch.counts([0, 0, 0])
+        with self.assertRaisesRegex(isotouch.MissingError, "record_ticks"):
+            touch.save("/tmp/never.trace")
+
+
+class TraceTest(unittest.TestCase):
+    def test_columns_are_those_that_the_trace_has(self) -> None:
+        positions, packets = (isotouch.load_trace(GOLDEN / name) for name in ("positions.trace", "packets.trace"))
+        self.assertNotIn("state", positions.dtype.names or ())
+        self.assertEqual(packets["chain"].dtype, np.uint64)
+        self.assertEqual(packets["command_1"].dtype, np.int64)
+        self.assertEqual(packets["force_x_n"].dtype, np.float64)
+        np.testing.assert_array_equal(packets["tick"], np.arange(len(packets)))
+        some = isotouch.load_trace(GOLDEN / "packets.trace", columns=["force_y_n", "tick"])
+        self.assertEqual(some.dtype.names, ("force_y_n", "tick"))
+        np.testing.assert_array_equal(some["force_y_n"], packets["force_y_n"])
+        self.assertEqual(f"{packets['chain'][-1]:016x}", isotouch.describe_trace(GOLDEN / "packets.trace").replay_hash)
+
+    def test_what_is_not_there_is_said(self) -> None:
+        with self.assertRaisesRegex(isotouch.MissingError, "positions of a hand"):
+            isotouch.load_trace(GOLDEN / "positions.trace", columns=["state"])
+        with self.assertRaisesRegex(isotouch.ArgumentError, "choose among tick"):
+            isotouch.load_trace(GOLDEN / "positions.trace", columns=["colour"])
+        for path in ("/nowhere.trace", str(FIELD)):
+            with self.assertRaises(isotouch.DataError):
+                isotouch.load_trace(path)
+
+
+class HandleTest(unittest.TestCase):
+    def test_what_is_closed_is_an_error_and_closing_twice_is_none(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        touch = field.begin()
+        field.close()
+        field.close()
+        with self.assertRaises(isotouch.ClosedError):
+            field.sample([[0, 0, 0]])
+        with self.assertRaises(isotouch.ClosedError):
+            field.begin()
+        self.assertEqual(touch.position([0, 60, 0])["tick"], 0)   # it keeps what it needs
+        with touch:
+            pass
+        uses: list[Callable[[], object]] = [touch.missed, lambda: touch.position([0, 0, 0]), lambda: touch.path([[0, 0, 0]]), touch.stop, lambda: touch.save("/tmp/never.trace")]
+        for use in uses:
+            with self.assertRaises(isotouch.ClosedError):
+                use()
+
+    def test_forgotten_things_free_themselves(self) -> None:
+        for _ in range(5000):   # more than there are handles
+            isotouch.Field.load(FIELD).begin() if _ % 10 == 0 else None
+        gc.collect()
+        isotouch.Field.load(FIELD)
+
+    def test_threads_may_sample_one_field(self) -> None:
+        field, right = isotouch.Field.load(FIELD), []
+        path = way_in(field, 2000)
+        wanted = field.sample(path).distance_mm
+
+        def sample() -> None:
+            right.append(all(np.array_equal(field.sample(path).distance_mm, wanted) for _ in range(20)))
+
+        threads = [threading.Thread(target=sample) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(right, [True] * 4)
+
+    def test_a_library_that_is_not_there_is_a_sentence(self) -> None:
+        said = subprocess.run([sys.executable, "-c", "import isotouch; isotouch.version()"], env={"ISOTOUCH_LIBRARY": "/nowhere/libisotouch.so.0", "PYTHONPATH": ":".join(sys.path)},
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(said.returncode, 1)
+        self.assertIn("set ISOTOUCH_LIBRARY", said.stderr.splitlines()[-1])
+
+    def test_wrong_addresses_are_sentences(self) -> None:
+        with self.assertRaisesRegex(isotouch.ControllerError, "start isotouchd"):
+            isotouch.Controller("unix:/nowhere/control")
+        with self.assertRaisesRegex(isotouch.ArgumentError, "timeout"):
+            isotouch.Controller("unix:/nowhere/control", timeout=0)
+
+
+if __name__ == "__main__":
+    unittest.main()
