@@ -137,6 +137,21 @@ class CasesTest(fakes.Tree):
         self.script("build/release/bin/replay_plain", f"echo '{{\"hash\": \"{self.row('ball')[6]}\"}}'\nexit 3\n")   # its exit code counts too
         self.assertEqual(self.cases("--processor", "release", "ball")[0], 3)
 
+    def test_a_browser_that_answers_wrongly_or_too_little_fails(self) -> None:
+        self.accept()
+        right = self.row("ball")[6]
+        for answer, end, code, sentence in (
+            (f'{{"hash": "{right}", "first_difference": null}}', 0, 0, ""),
+            (f'{{"hash": "{right}", "first_difference": 5}}', 3, 3, ""),
+            ('{"hash": "0000000000000001", "first_difference": null}', 0, 3, "hash 0000000000000001 instead of"),
+            ("", 0, 3, "ball on chromium: the browser ended with 1"),
+            ("", 1, 3, "ball on chromium: the browser ended with 1"),
+        ):
+            self.script("hil/webassembly/replay_in_browser", f"echo '{answer}'\nexit {end}\n")
+            found = self.cases("--processor", "chromium", "ball")
+            self.assertEqual(found[0], code, answer)
+            self.assertIn(sentence, found[2])
+
     def test_the_worst_tick_lies_within_its_limits(self) -> None:
         self.accept()
         self.assertIn("ball has no limits", self.cases("--instructions", "ball")[2])
