@@ -87,6 +87,14 @@ class Rig:
         Path("falcon").unlink(missing_ok=True)
 
 
+def value_in(status: dict[str, Any], name: str) -> Any:
+    """Of an object within objects by its path, as "field.hash"; None where there is none."""
+    found: Any = status
+    for part in name.split("."):
+        found = found.get(part) if isinstance(found, dict) else None
+    return found
+
+
 class Controller:
     """isotouchd with its socket, and the tool that talks to it, where a script wants one."""
 
@@ -121,14 +129,18 @@ class Controller:
         return dict(json.loads(answer.stdout)) if answer.returncode == 0 else {}
 
     def value(self, name: str) -> Any:
-        found: Any = self.status()
-        for part in name.split("."):
-            found = found.get(part) if isinstance(found, dict) else None
-        return found
+        return value_in(self.status(), name)
 
     def wait_for(self, name: str, value: object) -> None:
-        """Until the status has this value."""
-        check(within(PATIENCE, lambda: self.value(name) == value), f"{name} is not {value} but {self.value(name)}")
+        """Until the status has this value. A fault that only says that the machine was busy is resumed meanwhile."""
+        def has_come() -> bool:
+            status = self.status()
+            if value_in(status, name) == value:
+                return True
+            if status.get("faults") == ["late"]:
+                self.tool("resume")
+            return False
+        check(within(PATIENCE, has_come), f"{name} is not {value} but {self.value(name)}")
 
     def refuses(self, words: str, *command: Word, to: str | None = None) -> None:
         """A command that must end with exit code 1 and one sentence that holds these words."""
