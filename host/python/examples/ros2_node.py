@@ -10,11 +10,13 @@
 
 from __future__ import annotations
 
+# ROS 2 need not be installed to check this file.
+# mypy: disable-error-code=import
 import isotouch
 import numpy as np
-import rclpy  # type: ignore[import]   # ROS 2 need not be installed to check this file
-from geometry_msgs.msg import PointStamped, WrenchStamped  # type: ignore[import]
-from rclpy.node import Node  # type: ignore[import]
+import rclpy
+from geometry_msgs.msg import PointStamped, WrenchStamped
+from rclpy.node import Node
 
 
 class FieldNode(Node):  # type: ignore[misc]   # rclpy has no types
