@@ -41,7 +41,7 @@ Slot& slot_of(std::uint64_t handle) {
   const std::uint64_t place = handle & kPlaceMask;
   if (handle == 0) refuse(ISOTOUCH_BAD_HANDLE, "the handle is 0, which is none; pass one that a function of this library has given out");
   if (place == 0 || place > kPlaces) refuse(ISOTOUCH_BAD_HANDLE, "this is no handle that this library has given out");
-  return table().slots[place - 1];
+  return table().slots[static_cast<std::size_t>(place - 1)];
 }
 
 /// returns   false: somebody else is in the way
@@ -84,7 +84,9 @@ std::uint64_t add(std::unique_ptr<Thing> thing) {
     leave(slot, Use::kAlone);
     return id;
   }
-  refuse(ISOTOUCH_NO_MEMORY, "there are " + std::to_string(kPlaces) + " handles already; free those that are not needed");
+  std::string sentence = "there are ";  // in pieces: gcc 12 sees an overlap in a sum of them (its bug 105651)
+  sentence.append(std::to_string(kPlaces)).append(" handles already; free those that are not needed");
+  refuse(ISOTOUCH_NO_MEMORY, sentence);
 }
 
 void remove(std::uint64_t handle) {

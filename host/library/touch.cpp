@@ -52,7 +52,7 @@ isotouch_felt step(TouchThing& touch, Input input) {
   if (input.kind == InputKind::kPacket) input.requests = requests;
   TraceRecord record = touch.run.step(input);
   record.arrival_ns = touch.ticks * touch.run.header().period_ns;
-  if (touch.ticks < touch.kept.size()) touch.kept[touch.ticks] = record;
+  if (touch.ticks < touch.kept.size()) touch.kept[static_cast<std::size_t>(touch.ticks)] = record;
   return felt_of(touch.ticks++, record.output);
 }
 
@@ -195,7 +195,7 @@ isotouch_status isotouch_touch_save(isotouch_touch touch, const char* path, uint
     const auto& on = held.as<TouchThing>();
     if (on.recorded() == 0) refuse(ISOTOUCH_MISSING, "no tick of this touch was kept; set record_ticks before it begins, and touch");
     trace::TraceWriter writer(name, on.run.header());
-    for (std::uint64_t tick = 0; tick < on.recorded(); ++tick) writer.append(on.kept[tick]);
+    for (std::uint64_t tick = 0; tick < on.recorded(); ++tick) writer.append(on.kept[static_cast<std::size_t>(tick)]);
     writer.finish();
     if (ticks != nullptr) *ticks = on.recorded();
   });

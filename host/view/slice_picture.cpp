@@ -177,7 +177,8 @@ Picture slice_picture(const FieldView& field, const SliceOptions& options) {
   draw_colour_bar(canvas, {room.right + 24 * scale, room.top + 22 * scale, room.right + 52 * scale, room.bottom}, band, rays.edge());
   std::string caption = "the field as the core samples it at ";
   caption += Plane::name(plane.across);
-  caption += " = " + number(at, 3) + " mm; colours: distance; dark line: the surface; thin lines: one voxel apart, " + number(rays.edge(), 3) + " mm";
+  caption += " = " + number(at, 3) + " mm; colours: distance; dark line: the surface; thin lines: one voxel apart, " +
+             number(rays.edge(), 3) + " mm";
   draw_caption(canvas, options.title, {caption});
   return picture;
 }
