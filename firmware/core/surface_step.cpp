@@ -169,7 +169,7 @@ inline Raw3 without_turning_back(const Raw3& way, StepMemory& memory) {
   const bool turns_back = dot(way, raw(memory.last)) < 0 && size_of(way) > kStill;
   const int halved = turns_back ? 1 : 0;
   const Raw3 taken = {way.x >> halved, way.y >> halved, way.z >> halved};
-  const Narrow radius = turns_back ? size_of(taken) : std::min<Narrow>((memory.trust_radius.raw() * 17 + 15) >> 4, kMaxTangentStep);
+  const Narrow radius = turns_back ? size_of(taken) : std::min<Narrow>((memory.trust_radius.raw() * 17 + 15) >> 4, memory.ceiling.raw());
   memory.trust_radius = Voxel::from_raw(static_cast<std::int32_t>(radius));
   memory.last = to_voxel(taken);
   return taken;
@@ -186,8 +186,19 @@ void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const 
 void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory) {
   const Narrow moved = size_of(raw(motion));
   if (moved > kStill) memory.last = {};  // turning with the hand is no cycle
-  const Narrow radius = std::clamp<Narrow>(2 * std::min(moved, kMaxTangentStep), memory.trust_radius.raw(), kMaxTangentStep);
+  const Narrow radius =
+      std::min<Narrow>(std::max<Narrow>(2 * std::min(moved, kMaxTangentStep), memory.trust_radius.raw()), memory.ceiling.raw());
   memory.trust_radius = Voxel::from_raw(static_cast<std::int32_t>(radius));
+}
+
+void lower_trust(StepMemory& memory) {
+  memory.ceiling = Voxel::from_raw(memory.ceiling.raw() >> 1);
+  memory.trust_radius = memory.ceiling;
+  memory.last = {};
+}
+
+void raise_trust(StepMemory& memory) {
+  memory.ceiling = Voxel::from_raw(static_cast<std::int32_t>(std::min<Narrow>(2 * memory.ceiling.raw() + 1, kMaxTangentStep)));
 }
 
 void step_towards(const Vec3<Voxel>& hip, const FieldSample& sample, Ratio inverse_slope, StepMemory& memory, Vec3<Voxel>& point) {

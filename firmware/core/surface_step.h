@@ -22,10 +22,16 @@ void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const 
 struct StepMemory {
   Vec3<Voxel> last;                      ///< the last step, without its part straight onto the surface
   Voxel trust_radius = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted
+  Voxel ceiling = Voxel::of(1.25);       ///< the largest trust radius
 };
 
 /// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.
 void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory);
+
+/// After a tick whose steps have not come to the surface: the next ones are half as long.
+void lower_trust(StepMemory& memory);
+/// After one whose steps have: the next ones may be twice as long.
+void raise_trust(StepMemory& memory);
 
 /// Moves `point`, where the sample was taken, one step towards the point of the surface, or of free space, closest to the HIP.
 ///

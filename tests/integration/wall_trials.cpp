@@ -203,7 +203,8 @@ void run_body(const Body& body, const WallOptions& options, Random& random, Wall
   Wanderer hand(start, random);
   core::render_position(position_input(to_mm(start)), field, model, state);
   ++run.bodies;
-  Point before = start;
+  Point before = start, last = start;
+  bool touched = false;
   for (std::uint64_t tick = 0; tick < kTicksOfAWall; ++tick) {
     const Point hip = hand.next();
     const Output out = core::render_position(position_input(to_mm(hip)), field, model, state);
@@ -211,10 +212,14 @@ void run_body(const Body& body, const WallOptions& options, Random& random, Wall
     ++run.ticks;
     run.jumps += length(hip - before) > kSpeed + 1e-9 ? 1U : 0U;
     before = hip;
-    if ((out.status & kContact) != 0) {
+    const bool touching = (out.status & kContact) != 0;
+    if (touching) {
       ++run.touching;
       run.deepest_voxel = std::max(run.deepest_voxel, -body.distance(proxy));
+      if (touched) run.longest_voxel = std::max(run.longest_voxel, length(proxy - last));
     }
+    touched = touching;
+    last = proxy;
     for (std::size_t i = 0; i < body.sides.size(); ++i) {
       if ((body.sides[i](proxy) > 0) == side[i]) continue;
       if (run.passed++ == 0) {
@@ -246,10 +251,11 @@ std::string describe(const WallRun& run) {
   std::snprintf(
       text, sizeof text,
       "%llu ticks on %llu bodies, %llu of them in contact, %llu jumps; walls passed on %llu bodies; deepest proxy %.3f voxel below the "
-      "true surface%s%s",
+      "true surface, longest way in a tick of contact %.2f voxels%s%s",
       static_cast<unsigned long long>(run.ticks), static_cast<unsigned long long>(run.bodies),
       static_cast<unsigned long long>(run.touching), static_cast<unsigned long long>(run.jumps),
-      static_cast<unsigned long long>(run.passed), run.deepest_voxel, run.first.empty() ? "" : "; first: ", run.first.c_str());
+      static_cast<unsigned long long>(run.passed), run.deepest_voxel, run.longest_voxel,
+      run.first.empty() ? "" : "; first: ", run.first.c_str());
   return text;
 }
 

@@ -24,6 +24,7 @@ struct WallRun {
   std::uint64_t passed = 0;  ///< bodies in which the proxy came to another side; such a body's run ends there
   std::uint64_t jumps = 0;   ///< ticks in which the hand moved by more than 1 mm
   double deepest_voxel = 0;  ///< that a proxy in contact was below the true surface
+  double longest_voxel = 0;  ///< way of a proxy from one tick in contact to the next
   std::string first;         ///< the first wall that was passed, for people; empty where none was
 };
 

@@ -16,6 +16,8 @@ TEST_P(WallsHeavy, NoneIsPassedInAMillionTicks) {
   EXPECT_GT(run.deepest_voxel, 0.2) << describe(run);
   EXPECT_LT(run.deepest_voxel, 0.5) << describe(run);
   EXPECT_GT(run.jumps, run.ticks / 500) << describe(run);
+  EXPECT_GT(run.longest_voxel, 3.75) << describe(run);
+  EXPECT_LT(run.longest_voxel, 6.0) << describe(run) << "; three steps of 1.25 along the surface, and onto it";
 }
 
 TEST_P(WallsHeavy, WallsTooThinForTheGridAreFoundToBePassed) {
