@@ -117,7 +117,9 @@ void add_build(CLI::App& app) {
   CLI::Option* voxel = command->add_option("--voxel", options->voxel_mm, "edge of a voxel, such as 0.34mm");
   voxel->transform(quantity(kLength, 1.0 / 64, 16));
   CLI::Option* grid = command->add_option(
-      "--grid", options->grid, "voxels along the longest side of the input's bounding box; by default 186, or a level set's own voxels");
+      "--grid", options->grid,
+      "voxels along the longest side of the input's bounding box; by default up to 372 for a mesh, 186 to 372 for points, by how "
+      "close together they are, or a level set's own voxels");
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   CLI::Option* band =
       command->add_option("--band", options->band, "half width of the band around the surface that is stored, in voxels; by default 3");

@@ -20,6 +20,7 @@
 #include "host/error.h"
 #include "host/field/brick_stiffness.h"
 #include "host/field/closed_mesh.h"
+#include "host/field/default_grid.h"
 #include "host/field/make_grid.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/mesh_field.h"
@@ -72,15 +73,14 @@ Eigen::AlignedBox3d box_of(std::span<const Eigen::Vector3d> positions) {
   return box;
 }
 
-double longest_side(std::span<const Eigen::Vector3d> positions) { return box_of(positions).sizes().maxCoeff(); }
-
 /// The grid round placed positions.
 field::Grid grid_round(double edge, std::span<const Eigen::Vector3d> positions, double margin) {
   const Eigen::AlignedBox3d box = box_of(positions);
   return field::make_grid(box.min(), box.max(), edge, margin);
 }
 field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vector3d> positions, double margin) {
-  return grid_round(options.voxel_mm.value_or(longest_side(positions) / options.grid_voxels()), positions, margin);
+  const Eigen::Vector3d sides = box_of(positions).sizes();
+  return grid_round(options.voxel_mm.value_or(sides.maxCoeff() / options.grid.value_or(field::default_grid(sides, 0))), positions, margin);
 }
 
 /// fails     InputError when the published method was asked for something else than points
@@ -96,6 +96,25 @@ std::string sensor_sentence(const Eigen::Vector3d& place) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
   return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
+}
+
+/// The edge of a voxel for a scan, mm; as asked for, or as fine as the scan supports. Noise hides what a finer grid would show.
+///
+/// sound     not placed yet
+double scan_voxel(const field::SoundScan& sound, const Eigen::Vector3d& sides, const BuildOptions& options, BuildReport& report) {
+  const bool as_fine = options.method == Method::kDefault && !sound.smoothed && sound.spacing > 0;
+  const int usual = as_fine ? field::default_grid(sides, sound.spacing) : field::kCoarseGrid;
+  const double side = sides.maxCoeff(), scale = report.placement.scale;
+  const double edge = options.voxel_mm.value_or(side * scale / options.grid.value_or(usual));
+  if ((options.voxel_mm || options.grid) && sound.spacing * scale > field::kUselessVoxels * edge) {
+    std::array<char, 200> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        "the grid is finer than the scan supports: neighbouring points are %.3g mm apart, a voxel is %.3g mm; --grid %d shows as much",
+        sound.spacing * scale, edge, field::finest_grid(side, sound.spacing));
+    report.warnings.emplace_back(text.data());
+  }
+  return edge;
 }
 
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -116,7 +135,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
   if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint));
-  const double edge = options.voxel_mm.value_or(longest_side(measured) * report.placement.scale / options.grid_voxels());
+  const double edge = scan_voxel(sound, box_of(measured).sizes(), options, report);
   sound.place(report.placement);
   for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
 

@@ -30,7 +30,7 @@ struct BuildOptions {
   Method method = Method::kDefault;
   Interpolation interpolation = Interpolation::kSpline;
   std::optional<double> voxel_mm = {};
-  std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; 186 unless given: the paper's owl
+  std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; by default host/field/default_grid.h
   std::optional<double> band = {};
   std::optional<double> stiffness = {};       ///< the largest, N/mm; 0.8 unless the points have one of their own
   std::string units = {};                     ///< empty = fit
@@ -42,7 +42,6 @@ struct BuildOptions {
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone
 
   double band_voxels() const { return band.value_or(field::kBand); }
-  int grid_voxels() const { return grid.value_or(186); }
 };
 
 struct BuildReport {

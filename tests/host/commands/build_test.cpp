@@ -118,6 +118,31 @@ TEST_F(Build, SizeIsTrueWithUnitsAndMadeToFitWithout) {
   EXPECT_LT(fitted["grid"][0], 40 + 30);
 }
 
+TEST_F(Build, AMeshGetsTheFineGridAndASparseScanTheCoarseOne) {
+  std::ofstream(file("cube.obj")) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  const auto grid_of = [this](const std::string& input) {
+    run("build " + file(input) + " -o " + file("g.itf"));
+    run("export " + file("g.itf") + " -o " + file("g.itfi"));
+    return nlohmann::json::parse(run("info " + file("g.itf") + " --json"))["grid"][0].get<int>();
+  };
+  EXPECT_GT(grid_of("cube.obj"), 290);
+  EXPECT_LT(std::filesystem::file_size(file("g.itfi")), 16U << 20);
+  EXPECT_GT(grid_of("torus.ply"), 186);
+  EXPECT_LT(grid_of("torus.ply"), 186 + 30);
+}
+
+TEST_F(Build, AGridFinerThanTheScanSupportsIsToldWithTheOneThatShowsAsMuch) {
+  const auto warnings_of = [this](const std::string& options) {
+    const auto json = nlohmann::json::parse(run("build " + file("torus.ply") + options + " --json -o " + file("g.itf")));
+    return json["warnings"].get<std::vector<std::string>>();
+  };
+  EXPECT_THAT(warnings_of(" --grid 200"), ::testing::Contains(HasSubstr("finer than the scan supports")));
+  EXPECT_THAT(warnings_of(" --voxel 0.4mm"), ::testing::Contains(HasSubstr("--grid ")));
+  EXPECT_THAT(warnings_of(" --grid 40"), ::testing::Not(::testing::Contains(HasSubstr("supports"))));
+  EXPECT_THAT(warnings_of(""), ::testing::Not(::testing::Contains(HasSubstr("supports"))));
+}
+
 TEST_F(Build, WrongUsageIsToldBeforeAnythingIsRead) {
   const std::string start = "build " + file("missing.ply") + " -o " + file("x.itf");
   for (const char* wrong : {"--voxel 0.5kg", "--voxel 0.5mm --grid 20", "--grid 12.5", "--band 9", "--stiffness nan", "--units mm --fit 70",
