@@ -18,6 +18,7 @@ import { TouchHand, type Felt } from './touch_hand';
 import { TouchSound } from './touch_sound';
 
 const kPieces = 1500; // of the curves of a recording
+const kWordsMs = 200; // between two sentences while a recording plays
 const kPlotsMs = 66; // between two pictures of the curves
 
 class Page {
@@ -42,6 +43,7 @@ class Page {
   private summary: SceneSummary | null = null;
   private plottedAt = 0;
   private askedWords = -1;
+  private askedWordsAt = 0;
   private pictures = { shown: 0, since: performance.now(), drawn: 0, fresh: false };
 
   constructor() {
@@ -150,10 +152,8 @@ class Page {
     try {
       const summary = await this.server.scene();
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
-      say(
-        element('object'),
-        `${summary.name}: ${summary.samples.join(' × ')} samples, voxel ${summary.voxel_mm.toFixed(3)} mm, ${summary.stiffness_n_per_mm.toFixed(2)} N/mm${invented}`,
-      );
+      say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
+      this.facts(summary);
       if (!this.view) return;
       const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.bytes(name)));
       if (surface) this.view.object.setSurface(surface);
@@ -168,6 +168,24 @@ class Page {
     } catch (error) {
       this.notice(error instanceof Refused ? error.message : 'The object could not be loaded; load the page again.');
     }
+  }
+
+  private facts(summary: SceneSummary): void {
+    const size = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)).toFixed(0)).join(' × ');
+    const facts: [string, string][] = [
+      ['Grid', `${summary.samples.join(' × ')} samples`],
+      ['Its size', `${size} mm`],
+      ['Voxel', `${summary.voxel_mm.toFixed(3)} mm`],
+      ['Stiffness', `${summary.stiffness_n_per_mm.toFixed(2)} N/mm`],
+      ['Memory', `${(summary.bytes / 1024).toFixed(0)} KiB`],
+      ['Surface invented', `${(100 * summary.invented_share).toFixed(1)} %`],
+      ['Drawn with a step of', `${summary.step_voxels} ${summary.step_voxels === 1 ? 'voxel' : 'voxels'}`],
+      ...(summary.points > 0 ? [['Points', summary.points_drawn < summary.points ? `${summary.points}, ${summary.points_drawn} drawn` : `${summary.points}`] as [string, string]] : []),
+      ['Hash', summary.hash],
+    ];
+    const table = element<HTMLTableElement>('facts');
+    table.tBodies[0]?.replaceChildren(...facts.map(([label, text]) => make('tr', {}, make('th', { scope: 'row', textContent: label }), make('td', { textContent: text }))));
+    table.hidden = false;
   }
 
   /** Live, or recording. */
@@ -296,11 +314,13 @@ class Page {
   private async recordedWords(): Promise<void> {
     const tick = this.player.tick;
     const first = this.recordings[0];
-    if (!first || tick === this.askedWords || this.player.playing) return;
+    const now = performance.now();
+    if (!first || tick === this.askedWords || (this.player.playing && now - this.askedWordsAt < kWordsMs)) return;
     this.askedWords = tick;
+    this.askedWordsAt = now;
     try {
       const words = await first.words(tick);
-      if (this.askedWords === tick && this.source === 'recording') this.words(words);
+      if (this.source === 'recording') this.words(words); // answers come in the order of the questions
     } catch {
       this.askedWords = -1; // the server is gone; the page says so
     }

@@ -2,14 +2,14 @@
 import { element, make } from './dom';
 import { length, type Tick } from './rows';
 
-const triple = (v: { x: number; y: number; z: number }, digits: number): string => [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join(' · ');
+const triple = (v: { x: number; y: number; z: number }, digits: number): string => [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join('  ');
 
 const kRows: [string, (tick: Tick) => string][] = [
   ['Force', (tick): string => `${length(tick.force).toFixed(2)} N`],
   ['Penetration', (tick): string => `${tick.penetration.toFixed(2)} mm`],
   ['Energy given to the hand', (tick): string => `${tick.energy.toFixed(2)} mJ`],
-  ['Hand x · y · z', (tick): string => `${triple(tick.hip, 1)} mm`],
-  ['Proxy x · y · z', (tick): string => `${triple(tick.proxy, 1)} mm`],
+  ['Hand x, y, z (mm)', (tick): string => triple(tick.hip, 1)],
+  ['Proxy x, y, z (mm)', (tick): string => triple(tick.proxy, 1)],
   ['Contact', (tick): string => (tick.contact ? 'yes' : 'no')],
   ['Tick', (tick): string => String(tick.tick)],
 ];

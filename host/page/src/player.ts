@@ -76,6 +76,7 @@ export class Player {
   stop(): void {
     this.playing = false;
     this.play.textContent = 'Play';
+    this.shown();
   }
 
   show(tick: number): void {

@@ -29,6 +29,7 @@ mkdirSync(out, { recursive: true });
 const folder = mkdtempSync(join(tmpdir(), 'page-'));
 const golden = join(root, 'tests/golden');
 const kPictures = 30; // a second, at least
+const kArguments = ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 
 class Wrong extends Error {}
 const check = (holds, sentence) => {
@@ -68,7 +69,7 @@ async function open(options = {}, ...files) {
   await within(30, () => server.said.includes('\n'), () => `no address: ${server.said}`);
   const browser = await chromium.launch({
     executablePath: program,
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', ...(options.arguments ?? [])],
+    args: [...kArguments, ...(options.arguments ?? [])],
   });
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, ...(options.context ?? {}) });
   const page = await context.newPage();
@@ -100,6 +101,36 @@ async function accessible(page, state) {
   check(found.length === 0, `axe finds in the state '${state}': ${found.join('; ')}`);
 }
 
+/** Presses the pointer into the object until there is a force. */
+async function feel(page) {
+  await page.locator('#touch').waitFor();
+  const box = await page.locator('#canvas').boundingBox();
+  const middle = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(...middle);
+  await within(60, async () => Number(await number(page, 'Ticks in the trace')) > 0, 'the core computes no tick');
+  const force = async () => Number((await number(page, 'Force')).split(' ')[0]);
+  for (let turn = 0; turn < 80 && (await force()) < 0.5; ++turn) {
+    await page.mouse.wheel(0, 100);
+    await sleep(100);
+  }
+  await within(10, async () => (await force()) > 0.3, async () => `the wheel presses with ${await number(page, 'Force')}`);
+  await page.mouse.move(middle[0] + 20, middle[1] + 10, { steps: 8 });
+}
+
+/** What a row of the table of numbers says. */
+const number = async (page, label) => (await page.locator(`#numbers tr:has(th:text-is("${label}")) td`).first().textContent()) ?? '';
+
+/** The trace of the page is computed again on the desk, to the bit, and there is contact in it. */
+async function checkSaved(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save as trace' }).click()]);
+  const file = join(folder, 'saved.trace');
+  await download.saveAs(file);
+  const said = await run('isotouch', 'replay', 'owl.itf', file, '--check');
+  check(/every bit/.test(said), `the saved trace replays otherwise: ${said}`);
+  const rows = (await run('isotouch', 'trace', 'show', file)).split('\n');
+  check(rows.length > 100, `the saved trace has ${rows.length} rows`);
+}
+
 // What the tests look at: an owl, and two runs of a hand on it that differ in one setting.
 async function make() {
   await run('isotouch', 'shape', 'owl', '-o', 'owl.ply');
@@ -113,7 +144,7 @@ const tests = {
     const opened = await open({}, 'owl.itf');
     const { page } = opened;
     await shown(page);
-    check((await page.locator('#object').textContent()).startsWith('owl: '), 'the object has no name');
+    check((await page.locator('#object').textContent()).startsWith('owl, '), 'the object has no name');
     await picture(page, 'object');
     await accessible(page, 'object');
     const first = await drawn(page);
@@ -222,8 +253,7 @@ const tests = {
     check((await page.locator('#marks .difference').count()) === 1, 'the first difference is not marked');
     check((await page.locator('#numbers thead th').count()) === 2, 'there are no two columns');
     await page.getByRole('button', { name: 'Next contact' }).click();
-    await sleep(700);
-    check((await page.locator('#state').textContent()).length > 5, 'the state has no words');
+    await within(20, async () => /^active/.test(await page.locator('#state').textContent()), async () => `in contact the state is ${await page.locator('#state').textContent()}`);
     await picture(page, 'two_recordings');
     await accessible(page, 'two recordings');
     await close(opened);
@@ -260,6 +290,45 @@ const tests = {
     await stop(daemon);
     await stop(falcon);
     await close(opened);
+  },
+
+  async 'touch with the mouse'() {
+    const opened = await open({}, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await feel(page);
+    await picture(page, 'touch');
+    await accessible(page, 'touch');
+    const busy = /(\d+\.\d) %/.exec(await page.locator('#numbers').textContent());
+    console.log(`  the core computes ${busy?.[1]} % of the time`);
+    await page.locator('#canvas').focus();
+    const before = await page.locator('#numbers').textContent();
+    for (const key of ['ArrowLeft', 'ArrowUp', 'PageDown']) await page.keyboard.press(key);
+    await within(10, async () => (await page.locator('#numbers').textContent()) !== before, 'the keys do not move the hand');
+    await checkSaved(page);
+    await close(opened);
+  },
+
+  async 'a page in a file'() {
+    const said = await run('isotouch', 'view', 'owl.itf', '--export', 'owl.html');
+    check(/owl\.html/.test(said), `the export says: ${said}`);
+    const browser = await chromium.launch({ executablePath: program, args: kArguments });
+    const page = await (await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, offline: true })).newPage();
+    page.setDefaultTimeout(120000);
+    const errors = [];
+    page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+    page.on('pageerror', (error) => errors.push(String(error)));
+    await page.goto(`file://${folder}/owl.html`, { timeout: 120000 });
+    await shown(page);
+    await feel(page);
+    await page.keyboard.press('s');
+    await sleep(1500);
+    await picture(page, 'exported');
+    await accessible(page, 'exported');
+    await checkSaved(page);
+    await browser.close();
+    check(errors.length === 0, `the console of the file says: ${errors.join(' | ')}`);
   },
 
   async 'the server goes and comes'() {
