@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -118,6 +119,8 @@ void run(const Options& options) {
   std::optional<OpenedPage> opened;
   if (!options.no_browser) opened.emplace(server.address());
   server.run();
+  opened.reset();
+  if (!site.end()) std::_Exit(0);
 }
 
 }  // namespace

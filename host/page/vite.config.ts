@@ -24,7 +24,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [{ ...policyOfFile, enforce: 'post' }],
-  worker: { format: 'es', rollupOptions: { output: { entryFileNames: 'touch_worker.js' } } },
+  worker: { format: 'iife', rollupOptions: { output: { entryFileNames: 'touch_worker.js' } } },
   build: {
     target: 'es2022',
     modulePreload: false,

@@ -12,6 +12,7 @@
 #include "host/server/put_bytes.h"
 #include "host/server/tick_rows.h"
 #include "host/server/tick_words.h"
+#include "host/trace/hash_text.h"
 #include "host/trace/replay.h"
 #include "shared/files/state_text.h"
 #include "shared/tick_settings.h"
@@ -70,6 +71,7 @@ void EventFinder::look_at(std::uint64_t tick, const TraceRecord& record) {
 
 Recording::Recording(const trace::Trace& trace, const FieldView* field)
     : name_(std::filesystem::path(trace.path()).filename().string()),
+      field_(trace.header().field_hash == 0 ? "" : trace::hash_text(trace.header().field_hash)),
       period_ns_(trace.header().period_ns),
       of_device_(trace.kind() == InputKind::kPacket) {
   if (trace.size() == 0) throw InputError(trace.path() + ": it holds no tick; record again");
@@ -96,7 +98,12 @@ std::size_t Recording::ticks() const { return rows_.size() / kRowBytes; }
 nlohmann::ordered_json Recording::summary() const {
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
   for (const Event& event : events_) events.push_back({{"tick", event.tick}, {"kind", event.kind}, {"text", event.text}});
-  return {{"name", name_}, {"ticks", ticks()}, {"period_ns", period_ns_}, {"events", std::move(events)}, {"more_events", more_events_}};
+  return {{"name", name_},
+          {"ticks", ticks()},
+          {"period_ns", period_ns_},
+          {"field", field_},
+          {"events", std::move(events)},
+          {"more_events", more_events_}};
 }
 
 std::string Recording::rows(std::size_t from, std::size_t count) const {

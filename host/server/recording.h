@@ -27,7 +27,7 @@ class Recording {
   Recording(const trace::Trace& trace, const FieldView* field);
 
   std::size_t ticks() const;
-  /// Name, ticks, period and events.
+  /// Name, ticks, period, the hash of the field (empty: none, or any), and events.
   nlohmann::ordered_json summary() const;
   /// Rows of `tick_rows.h`; fewer where the recording ends.
   std::string rows(std::size_t from, std::size_t count) const;
@@ -39,6 +39,7 @@ class Recording {
 
  private:
   std::string name_;
+  std::string field_;
   std::uint32_t period_ns_ = 0;
   bool of_device_ = false;
   std::string rows_;

@@ -93,9 +93,16 @@ std::string without(std::string text, const std::string& folder) {
 
 }  // namespace
 
-ViewSite::~ViewSite() {
+bool ViewSite::end() {
   live_.reset();
+  {
+    const std::scoped_lock held(lock_);
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+    if (builds_) return false;
+  }
   if (builder_.joinable()) builder_.join();
+  return true;
 }
 
 void ViewSite::show(const std::vector<trace::Trace>& traces) {
@@ -196,6 +203,10 @@ Reply ViewSite::start_build(Request request) {
   if (builder_.joinable()) builder_.join();  // it is done
   try {
     const std::filesystem::path folder = temporary_folder(), file = folder / safe_name(text_of(request.query, "name").value_or(""));
+    {
+      const std::scoped_lock held(lock_);
+      folder_ = folder;
+    }
     write_file(file, request.body.data(), request.body.size());
     builder_ = std::jthread([this, file, folder] { build_now(file, file.filename().string(), folder); });
   } catch (...) {
@@ -222,6 +233,7 @@ void ViewSite::build_now(const std::filesystem::path& file, const std::string& n
   } catch (const InputError& error) {
     end["result"] = "failed";
     end["sentence"] = without(error.what(), folder.string());
+    if (folder.empty()) std::fprintf(stderr, "isotouch: %s\n", error.what());  // it was named on the command line
   } catch (const std::exception&) {
     end["result"] = "failed";
     end["sentence"] = name + ": not enough memory to build this; thin the scan";

@@ -38,7 +38,7 @@ using Build = std::function<Built(const std::filesystem::path& file, const std::
 class ViewSite final : public Site {
  public:
   explicit ViewSite(Build build) : build_(std::move(build)) {}
-  ~ViewSite() override;
+  ~ViewSite() override { (void)end(); }
 
   /// Before the server runs.
   void show(std::unique_ptr<Scene> scene) { scene_ = std::move(scene); }
@@ -53,6 +53,10 @@ class ViewSite final : public Site {
   /// cloud       to be built at once; empty: none
   void begin(HttpServer& server, const std::string& controller, const Live::Describe& describe, const std::filesystem::path& cloud);
 
+  /// Once the server has run, and while it is still there. What nobody needs any more is gone then.
+  ///
+  /// returns   false: a build goes on that cannot be interrupted; the program may end at once, for nothing is half written
+  bool end();
   /// The page with the object in one file. Before the server runs.
   ///
   /// fails     InputError: there is no object
@@ -76,6 +80,7 @@ class ViewSite final : public Site {
   mutable std::mutex lock_;  ///< of the scene, and of what is told
   Shared told_build_;
   bool builds_ = false;
+  std::filesystem::path folder_;  ///< of a scan that was sent
   std::unique_ptr<Live> live_;
   std::jthread builder_;
 };

@@ -42,6 +42,7 @@ class Page {
   private shownLive: Tick | null = null;
   private summary: SceneSummary | null = null;
   private plottedAt = 0;
+  private liveField: string | null = null;
   private askedWords = -1;
   private askedWordsAt = 0;
   private pictures = { shown: 0, since: performance.now(), drawn: 0, fresh: false };
@@ -93,6 +94,8 @@ class Page {
         if (this.source === 'live') this.words(message);
         break;
       case 'status':
+        this.liveField = message.status.field_hash;
+        this.warnOfField();
         this.plots.setHistograms(message.histograms_us.wakeup, message.histograms_us.tick);
         break;
     }
@@ -170,6 +173,14 @@ class Page {
     }
   }
 
+  /** Whether what is drawn is what was, or is, felt. */
+  private warnOfField(): void {
+    const drawn = this.summary?.hash;
+    const felt = this.source === 'live' ? [this.liveField ?? ''] : this.source === 'recording' ? this.recordings.map((recording) => recording.summary.field) : [];
+    const other = drawn !== undefined && felt.some((hash) => hash !== '' && hash !== drawn);
+    say(element('field-warning'), other ? `The hand ${this.source === 'live' ? 'feels' : 'felt'} another field than the one that is drawn.` : '');
+  }
+
   private facts(summary: SceneSummary): void {
     const size = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)).toFixed(0)).join(' × ');
     const facts: [string, string][] = [
@@ -204,6 +215,7 @@ class Page {
     this.plots.now = null;
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
     this.words(null);
+    this.warnOfField();
     if (source === 'recording') void this.plotRecordings();
     this.changed();
   }

@@ -104,6 +104,7 @@ export interface TraceSummary {
   name: string;
   ticks: number;
   period_ns: number;
+  field: string; // hash; empty: none, or any
   events: TraceEvent[];
   more_events: boolean;
 }

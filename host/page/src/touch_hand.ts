@@ -133,7 +133,8 @@ export class TouchHand {
 
   private async start(): Promise<Worker> {
     const script = exportedBytes('touch_worker.js');
-    const worker = new Worker(script ? URL.createObjectURL(new Blob([script], { type: 'text/javascript' })) : workerUrl, { type: 'module' });
+    const worker = new Worker(script ? URL.createObjectURL(new Blob([script], { type: 'text/javascript' })) : workerUrl);
+    worker.onerror = (): void => this.take({ kind: 'refused', of: 'begin', sentence: 'The core could not be started in this browser; try another one.' });
     worker.onmessage = ({ data }: MessageEvent<FromWorker>): void => this.take(data);
     this.worker = worker;
     const bytes = exportedBytes('touch.wasm');
