@@ -411,6 +411,7 @@ class Page {
       [', and .', 'one tick back and on'],
       ['c, f, g', 'next contact, fault, setting'],
       ['Mouse', 'drag turns, right button moves, wheel zooms; the slice follows the mouse'],
+      ['Gamepad, to touch', 'the left stick moves the hand across the picture, the right one towards the object and away'],
       ['Mouse, to touch', 'the pointer is the hand, the wheel moves it towards the object, the right button turns'],
     ];
     help.append(make('h2', { textContent: 'Keys' }), make('dl', {}, ...keys.flatMap(([key, text]) => [make('dt', { textContent: key }), make('dd', { textContent: text })])));

@@ -10,6 +10,8 @@ import type { SceneView } from './scene_view';
 const kMostTicks = 600_000; // of a trace: ten minutes
 const kStep = 0.5; // mm a key
 const kWheel = 0.012; // mm a wheel's pixel
+const kPadSpeed = 60; // mm/s of a gamepad's stick
+const kPadRest = 0.12; // of its way: a stick that is let go
 
 export interface Felt {
   ticks: Tick[];
@@ -72,6 +74,7 @@ export class TouchHand {
     const box = this.canvas.getBoundingClientRect();
     this.pointer = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 };
     this.move();
+    requestAnimationFrame((now) => this.pad(now, now));
   }
 
   end(): void {
@@ -103,11 +106,34 @@ export class TouchHand {
     };
     const move = moves[key];
     if (!move) return false;
+    this.shift(move());
+    return true;
+  }
+
+  /** A gamepad moves the hand, too: the left stick across the picture, the right one towards the object and away. */
+  private pad(before: number, now: number): void {
+    if (!this.on) return;
+    const axes = navigator.getGamepads().find((pad) => pad?.connected)?.axes ?? [];
+    const axis = (number: number): number => (Math.abs(axes[number] ?? 0) > kPadRest ? (axes[number] ?? 0) : 0);
+    const [right, down, away] = [axis(0), axis(1), axis(3)];
+    if (right !== 0 || down !== 0 || away !== 0) {
+      const mm = (kPadSpeed * (now - before)) / 1000;
+      const eye = this.view.orbit.camera;
+      this.shift(
+        new Vector3()
+          .addScaledVector(new Vector3().setFromMatrixColumn(eye.matrix, 0), right * mm)
+          .addScaledVector(new Vector3().setFromMatrixColumn(eye.matrix, 1), -down * mm)
+          .addScaledVector(this.view.orbit.towardsEye(), away * mm),
+      );
+    }
+    requestAnimationFrame((next) => this.pad(now, next));
+  }
+
+  private shift(by: Vector3): void {
     this.place ??= this.view.orbit.middle.clone().addScaledVector(this.view.orbit.towardsEye(), this.depth);
-    this.place.add(move());
+    this.place.add(by);
     this.depth = this.place.clone().sub(this.view.orbit.middle).dot(this.view.orbit.towardsEye());
     this.send();
-    return true;
   }
 
   /** The trace so far, as a file. */
