@@ -22,7 +22,7 @@ const policyOfFile = {
 
 export default defineConfig({
   base: './',
-  publicDir: false,
+  publicDir: false, // the program carries public/touch.wasm as it lies there
   plugins: [{ ...policyOfFile, enforce: 'post' }],
   worker: { format: 'iife', rollupOptions: { output: { entryFileNames: 'touch_worker.js' } } },
   build: {

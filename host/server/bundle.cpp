@@ -20,7 +20,7 @@ ISOTOUCH_EMBED(script, "page.js");
 ISOTOUCH_EMBED(style, "page.css");
 ISOTOUCH_EMBED(worker, "touch_worker.js");
 ISOTOUCH_EMBED(policy, "policy.txt");
-ISOTOUCH_EMBED(core, "../wasm/touch.wasm");
+ISOTOUCH_EMBED(core, "../public/touch.wasm");
 
 namespace isotouch::server {
 
