@@ -28,12 +28,12 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
-    {"build", commands::add_build},    {"info", commands::add_info},       {"export", commands::add_export},
-    {"sample", commands::add_sample},  {"shape", commands::add_shape},     {"scan", commands::add_scan},
-    {"trace", commands::add_trace},    {"compare", commands::add_compare}, {"evaluate", commands::add_evaluate},
-    {"bench", commands::add_bench},    {"render", commands::add_render},   {"plot", commands::add_plot},
-    {"demo", commands::add_demo},      {nullptr, commands::add_on_desk},   {"calibrate", commands::add_calibrate},
-    {"qualify", commands::add_qualify}};
+    {"build", commands::add_build},     {"info", commands::add_info},       {"export", commands::add_export},
+    {"sample", commands::add_sample},   {"shape", commands::add_shape},     {"scan", commands::add_scan},
+    {"trace", commands::add_trace},     {"compare", commands::add_compare}, {"evaluate", commands::add_evaluate},
+    {"bench", commands::add_bench},     {"render", commands::add_render},   {"plot", commands::add_plot},
+    {"demo", commands::add_demo},       {nullptr, commands::add_on_desk},   {"calibrate", commands::add_calibrate},
+    {"qualify", commands::add_qualify}, {"view", commands::add_view}};
 
 void add_all(CLI::App& app) {
   for (const Command& command : kCommands) command.add(app);

@@ -33,7 +33,7 @@ struct Task {
 
 const std::vector<Task>& tasks() {
   static const std::vector<Task> all = {
-      {"Build and judge a field", {"demo", "shape", "build", "info", "sample", "export", "render", "evaluate", "compare", "bench"}},
+      {"Build and judge a field", {"demo", "shape", "build", "info", "sample", "export", "render", "view", "evaluate", "compare", "bench"}},
       {"Run a controller", {"upload", "fields", "status", "latency", "watch", "set", "stop", "resume", "calibrate", "qualify"}},
       {"Record and replay", {"record", "replay", "trace", "scan"}}};
   return all;

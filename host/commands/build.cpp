@@ -11,6 +11,7 @@
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/output.h"
+#include "host/commands/build_json.h"
 #include "host/commands/built_field.h"
 #include "host/commands/camera_options.h"
 #include "host/commands/commands.h"
@@ -22,47 +23,6 @@
 namespace isotouch::commands {
 
 namespace {
-
-struct KindNames {
-  const char* kind;
-  const char* items;
-};
-
-KindNames names_of(InputKind kind) {
-  switch (kind) {
-    case InputKind::kCloud: return {"cloud", "points"};
-    case InputKind::kMesh: return {"mesh", "vertices"};
-    case InputKind::kLevelSet: break;
-  }
-  return {"level_set", "voxels"};
-}
-
-/// What is known of a field that was refused.
-void print_refused(const BuildReport& report) {
-  const nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
-                                       {"points", report.points},
-                                       {"inside_nodes", report.inside_nodes},
-                                       {"warnings", report.warnings},
-                                       {"verdict", to_json(*report.verdict)}};
-  std::printf("%s\n", json.dump(2).c_str());
-}
-
-void print_json(const BuildReport& report, const FieldView& view) {
-  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
-  for (const auto& [stage, seconds] : report.stages) stages[stage] = seconds;
-  nlohmann::ordered_json json = {{"input", names_of(report.kind).kind},
-                                 {"points", report.points},
-                                 {"inside_nodes", report.inside_nodes},
-                                 {"seconds", report.seconds},
-                                 {"stages", stages},
-                                 {"bytes", view.image.size()},
-                                 {"wire_bytes", report.packed_bytes},
-                                 {"dense_float_bytes", encoding::dense_float_bytes(view)},
-                                 {"hash", trace::hash_text(view.hash())},
-                                 {"warnings", report.warnings}};
-  if (report.verdict) json["verdict"] = to_json(*report.verdict);
-  std::printf("%s\n", json.dump(2).c_str());
-}
 
 void print_text(const BuildReport& report, const FieldView& view, const std::filesystem::path& out) {
   std::FILE* to = text_stream(out);
@@ -167,12 +127,12 @@ void add_build(CLI::App& app) {
       try {
         return built_field(*options);
       } catch (const Implausible& refused) {
-        if (*json) print_refused(refused.report);
+        if (*json) std::printf("%s\n", refused_json(refused.report).dump(2).c_str());
         throw;
       }
     }();
     if (*json) {
-      print_json(built.report, built.field.view);
+      std::printf("%s\n", to_json(built.report, built.field.view).dump(2).c_str());
     } else {
       print_text(built.report, built.field.view, options->out);
     }

@@ -290,7 +290,10 @@ BuiltField built_field(const BuildOptions& options) {
   const field::ThreadLimit limit(options.threads);
   BuildReport report;
   ProgressBar bar(plan_for(InputKind::kCloud, options.method), options.quiet ? ProgressBar::Drawn::kNever : ProgressBar::Drawn::kAlways);
-  field::Progress progress(bar.show());
+  field::Progress progress([&](const std::string& stage, double fraction) {
+    bar.show()(stage, fraction);
+    if (options.on_progress && fraction < 1) options.on_progress(stage, bar.done_now());
+  });
   Made made = make_field(options, report, bar, progress);
   if (!options.quiet) {
     for (const std::string& warning : report.warnings)
@@ -325,7 +328,7 @@ BuiltField built_field(const BuildOptions& options) {
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view, field.invented);
   progress.begin("write");
-  write_file(options.out, packed.data(), packed.size());
+  if (!options.out.empty()) write_file(options.out, packed.data(), packed.size());
   progress.end();
   warn_of_limits(field.view, options, report);
   const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;
@@ -339,12 +342,13 @@ BuiltField built_field(const BuildOptions& options) {
   report.packed_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
-  cloud::OrientedPoints points;
+  BuiltField done{{}, {}, std::move(field), std::move(report)};
   if (made.scan) {
     made.scan->drop_invented();
-    points = std::move(made.scan->points);
+    done.points = std::move(made.scan->points);
+    done.rim = std::move(made.scan->rim.links);
   }
-  return {std::move(points), std::move(field), std::move(report)};
+  return done;
 }
 
 }  // namespace isotouch::commands

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -26,7 +28,7 @@ struct BuildOptions {
   std::filesystem::path input;
   std::optional<InputKind> as = {};  ///< not given: as the file looks
   std::string grid_name = {};        ///< of a level set's file; empty = the first
-  std::filesystem::path out;
+  std::filesystem::path out;         ///< empty: no file is written
   Method method = Method::kDefault;
   Interpolation interpolation = Interpolation::kSpline;
   std::optional<double> voxel_mm = {};
@@ -40,6 +42,7 @@ struct BuildOptions {
   double fit_mm = 70.0;
   unsigned threads = 0;  ///< 0 = as many as there are processors
   bool quiet = false;    ///< nothing on standard error; what is doubtful stands in the report alone
+  std::function<void(const std::string& stage, double done)> on_progress = {};  ///< at each step: the share of the whole that is done
 
   double band_voxels() const { return band.value_or(field::kBand); }
 };
@@ -65,7 +68,8 @@ struct Implausible : InputError {
 };
 
 struct BuiltField {
-  cloud::OrientedPoints points;  ///< of a cloud; workspace, mm
+  cloud::OrientedPoints points;                          ///< of a cloud; workspace, mm
+  std::vector<std::array<Eigen::Vector3d, 2>> rim = {};  ///< of a cloud: where it ends in the open; workspace, mm
   field_file::OpenField field;
   BuildReport report;
 };

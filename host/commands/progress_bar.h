@@ -50,7 +50,12 @@ class ProgressBar {
   /// For `field::Progress`; lives no longer than the bar.
   field::Progress::Show show();
 
-  /// The share of the whole that is done: for tests.
+  /// The share of the whole that is done.
+  double done_now() const {
+    const std::scoped_lock held(lock_);
+    return done(now());
+  }
+  /// The same: for tests.
   ///
   /// now       seconds since the bar was made
   double done(double now) const;

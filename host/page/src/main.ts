@@ -1,0 +1,464 @@
+// The page: what comes from the server, what is seen of it, and what a person may do.
+import './style.css';
+import { BuildPanel } from './build_panel';
+import { Choice, element, make, say, toggle } from './dom';
+import { isExported } from './exported';
+import { Live } from './live';
+import { localSlice } from './local_slice';
+import type { Hello, Message, SceneSummary, Words } from './messages';
+import { Numbers } from './numbers';
+import { Player } from './player';
+import { Plots, type Data } from './plots';
+import { Recording } from './recording';
+import { RowReader, type Tick } from './rows';
+import { SceneView } from './scene_view';
+import { Refused, Server } from './server';
+import { SliceControl } from './slice_control';
+import { TouchHand, type Felt } from './touch_hand';
+import { TouchSound } from './touch_sound';
+
+const kPieces = 1500; // of the curves of a recording
+const kWordsMs = 200; // between two sentences while a recording plays
+const kPlotsMs = 66; // between two pictures of the curves
+
+class Page {
+  private readonly server = new Server();
+  private readonly canvas = element<HTMLCanvasElement>('canvas');
+  private readonly plots = new Plots(element('plots'));
+  private readonly live = new Live();
+  private readonly player = new Player(() => this.changed());
+  private readonly numbers = new Numbers(() => this.extraNumbers());
+  private readonly sources = new Choice(element('sources'), (name) => this.use(name));
+  private reader: RowReader | null = null;
+  private view: SceneView | null = null;
+  private slice: SliceControl | null = null;
+  private recordings: Recording[] = [];
+  private source = '';
+  private build: BuildPanel | null = null;
+  private hand: TouchHand | null = null;
+  private readonly touched = new Live();
+  private readonly sound = new TouchSound();
+  private felt: Felt | null = null;
+  private shownLive: Tick | null = null;
+  private summary: SceneSummary | null = null;
+  private plottedAt = 0;
+  private liveField: string | null = null;
+  private askedWords = -1;
+  private askedWordsAt = 0;
+  private pictures = { shown: 0, since: performance.now(), drawn: 0, fresh: false };
+
+  constructor() {
+    this.plots.onPick = (time): void => {
+      if (this.source === 'recording') {
+        this.player.stop();
+        this.player.show(time / this.player.period);
+      }
+    };
+    this.keys();
+    const save = make('button', { type: 'button', textContent: 'Save as trace' });
+    save.addEventListener('click', () => void this.saveTrace());
+    element('touch').append(
+      make('p', { textContent: 'The pointer is your hand. Turn the wheel, or press Page down, to press it into the object.' }),
+      save,
+      toggle('Sound', 'o', false, (on) => this.sound.turn(on)),
+    );
+    this.server.listen({
+      message: (message) => this.message(message),
+      ticks: (first, every, rows) => {
+        if (!this.reader) return;
+        this.live.take(first, every, rows, this.reader);
+        if (this.source === 'live') this.changed();
+      },
+      connection: (sentence) => this.notice(sentence),
+    });
+  }
+
+  private message(message: Message): void {
+    switch (message.topic) {
+      case 'hello':
+        void this.hello(message);
+        break;
+      case 'scene':
+        void this.openScene();
+        break;
+      case 'build':
+        this.build?.show(message);
+        break;
+      case 'link':
+        this.live.period = (message.period_ns ?? 1e6) * 1e-9;
+        if (message.there) this.live.clear();
+        element('link').classList.toggle('bad', !message.there);
+        say(element('link'), message.sentence);
+        break;
+      case 'state':
+        if (this.source === 'live') this.words(message);
+        break;
+      case 'status':
+        this.liveField = message.status.field_hash;
+        this.warnOfField();
+        this.plots.setHistograms(message.histograms_us.wakeup, message.histograms_us.tick);
+        break;
+    }
+  }
+
+  private async hello(hello: Hello): Promise<void> {
+    if (this.reader) return this.openScene(); // the connection was lost for a moment
+    this.reader = new RowReader(hello.columns, hello.status_bits);
+    if (!isExported()) this.build = new BuildPanel(this.server);
+    this.legend(hello);
+    this.makeView(hello);
+    if (hello.scene) await this.openScene();
+    if (hello.live) this.sources.add('live', 'Live');
+    if (hello.recordings > 0) {
+      const reader = this.reader;
+      const open = (number: number): Promise<Recording> => Recording.open(number, this.server, reader, () => this.changed());
+      this.recordings = await Promise.all(Array.from({ length: hello.recordings }, (_, number) => open(number)));
+      this.player.open(this.recordings, await this.server.difference());
+      this.sources.add('recording', this.recordings.length > 1 ? 'Recordings' : 'Recording');
+    }
+    this.numbers.columns([]);
+    this.sources.choose(hello.live ? 'live' : isExported() ? 'touch' : 'recording');
+    document.body.dataset['ready'] = 'yes';
+  }
+
+  private makeView(hello: Hello): void {
+    try {
+      this.view = new SceneView(this.canvas, hello.colours);
+    } catch {
+      this.canvas.hidden = true;
+      element('legend').hidden = true;
+      const where = element('scene');
+      where.append(make('p', { className: 'no-webgl', textContent: 'This browser draws no WebGL, so the object cannot be shown. The numbers and curves work. Turn on hardware acceleration, or use another browser.' }));
+      return;
+    }
+    const view = this.view;
+    view.beforePicture = (): void => this.place();
+    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence));
+    const hand = this.hand;
+    view.orbit.listen(this.canvas, () => hand.on);
+    this.slice = new SliceControl(view, (axis, at, samples) => this.distances(axis, at, samples));
+    const slice = this.slice;
+    this.canvas.addEventListener('pointermove', (event) => slice.follow(event));
+    const layers = { surface: true, points: false };
+    const show = (): void => {
+      view.object.show(layers.surface, layers.points);
+      view.change();
+    };
+    element('layers').prepend(
+      toggle('Surface', 'u', true, (on) => ((layers.surface = on), show())),
+      toggle('Points', 'p', false, (on) => ((layers.points = on), show())),
+      toggle('Slice', 's', false, (on) => slice.show(on)),
+    );
+  }
+
+  private async openScene(): Promise<void> {
+    try {
+      const summary = await this.server.scene();
+      const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
+      say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
+      this.facts(summary);
+      if (!this.view) return;
+      const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.bytes(name)));
+      if (surface) this.view.object.setSurface(surface);
+      if (points) this.view.object.setPoints(points);
+      if (rim) this.view.object.setRim(rim);
+      this.view.setScene(summary);
+      this.slice?.setScene(summary);
+      this.summary = summary;
+      this.sources.add('touch', 'Touch');
+      if (this.source === 'touch') this.sources.choose('touch');
+      document.body.dataset['scene'] = summary.hash;
+    } catch (error) {
+      this.notice(error instanceof Refused ? error.message : 'The object could not be loaded; load the page again.');
+    }
+  }
+
+  /** Whether what is drawn is what was, or is, felt. */
+  private warnOfField(): void {
+    const drawn = this.summary?.hash;
+    const felt = this.source === 'live' ? [this.liveField ?? ''] : this.source === 'recording' ? this.recordings.map((recording) => recording.summary.field) : [];
+    const other = drawn !== undefined && felt.some((hash) => hash !== '' && hash !== drawn);
+    say(element('field-warning'), other ? `The hand ${this.source === 'live' ? 'feels' : 'felt'} another field than the one that is drawn.` : '');
+  }
+
+  private facts(summary: SceneSummary): void {
+    const size = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)).toFixed(0)).join(' × ');
+    const facts: [string, string][] = [
+      ['Grid', `${summary.samples.join(' × ')} samples`],
+      ['Its size', `${size} mm`],
+      ['Voxel', `${summary.voxel_mm.toFixed(3)} mm`],
+      ['Stiffness', `${summary.stiffness_n_per_mm.toFixed(2)} N/mm`],
+      ['Memory', `${(summary.bytes / 1024).toFixed(0)} KiB`],
+      ['Surface invented', `${(100 * summary.invented_share).toFixed(1)} %`],
+      ['Drawn with a step of', `${summary.step_voxels} ${summary.step_voxels === 1 ? 'voxel' : 'voxels'}`],
+      ...(summary.points > 0 ? [['Points', summary.points_drawn < summary.points ? `${summary.points}, ${summary.points_drawn} drawn` : `${summary.points}`] as [string, string]] : []),
+      ['Hash', summary.hash],
+    ];
+    const table = element<HTMLTableElement>('facts');
+    table.tBodies[0]?.replaceChildren(...facts.map(([label, text]) => make('tr', {}, make('th', { scope: 'row', textContent: label }), make('td', { textContent: text }))));
+    table.hidden = false;
+  }
+
+  /** Live, or recording. */
+  private use(source: string): void {
+    this.source = source;
+    const names = source === 'live' ? ['live'] : source === 'touch' ? ['your hand'] : this.recordings.map((recording) => recording.summary.name);
+    element('touch').hidden = source !== 'touch';
+    if (source === 'touch') void this.beginTouch();
+    else this.hand?.end();
+    element('player').hidden = source !== 'recording';
+    if (source !== 'recording') this.player.stop();
+    this.view?.setPanes(Math.max(1, names.length));
+    element('scene').dataset['panes'] = String(Math.max(1, names.length));
+    this.numbers.columns(names);
+    this.plots.make(names);
+    this.plots.now = null;
+    this.plots.marks = source === 'recording' ? this.player.marks() : [];
+    this.words(null);
+    this.warnOfField();
+    if (source === 'recording') void this.plotRecordings();
+    this.changed();
+  }
+
+  private async plotRecordings(): Promise<void> {
+    const all = await Promise.all(this.recordings.map((recording) => recording.curves(kPieces)));
+    const longest = all.reduce((a, b) => (b.ticks.length > a.ticks.length ? b : a));
+    const times = longest.ticks.map((tick) => tick * this.player.period);
+    const column = (name: 'force' | 'penetration' | 'energy'): Data => [
+      times,
+      ...all.map((curves) => (curves === longest ? curves[name] : longest.ticks.map((tick) => at(curves.ticks, curves[name], tick)))),
+    ];
+    this.plots.set([column('force'), column('penetration'), column('energy')]);
+  }
+
+  private async beginTouch(): Promise<void> {
+    const summary = this.summary;
+    if (!this.hand || !summary) return;
+    this.touched.clear();
+    try {
+      await this.hand.load((await this.server.bytes('field')).buffer as ArrayBuffer, summary.name);
+      if (this.source !== 'touch') return;
+      const half = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)) / 2);
+      this.hand.begin(0.8 * Math.hypot(...half));
+      this.canvas.focus();
+    } catch (error) {
+      this.notice(error instanceof Error ? error.message : 'The core could not be started; load the page again.');
+    }
+  }
+
+  /** Of a slice: from the server, or where there is none from the core in this page. */
+  private async distances(axis: string, at: number, samples: number): Promise<DataView> {
+    if (!isExported()) return this.server.slice(axis, at, samples);
+    const { hand, summary } = this;
+    if (!hand || !summary) throw new Error('there is no object');
+    if (!hand.loaded) await hand.load((await this.server.bytes('field')).buffer as ArrayBuffer, summary.name);
+    return localSlice(summary, axis, at, samples, (places) => hand.sample(places));
+  }
+
+  private feel(felt: Felt): void {
+    const before = this.touched.newest;
+    for (const tick of felt.ticks) this.touched.add(tick, 1);
+    const last = felt.ticks[felt.ticks.length - 1];
+    if (last) this.sound.follow(before, last, (last.tick - (before?.tick ?? last.tick)) * this.touched.period);
+    this.felt = felt;
+    if (this.source !== 'touch') return;
+    this.pictures.fresh = true;
+    this.changed();
+  }
+
+  private async saveTrace(): Promise<void> {
+    const { bytes, ticks } = (await this.hand?.save()) ?? { bytes: new Uint8Array(), ticks: 0 };
+    if (ticks === 0) {
+      this.notice('There is no tick to save yet; move the hand over the picture first.');
+      return;
+    }
+    this.notice('');
+    const link = make('a', { href: URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>])), download: `${this.summary?.name ?? 'touch'}.trace` });
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+
+  /** Another tick is to be seen. */
+  private changed(): void {
+    if (this.view) this.view.change();
+    else requestAnimationFrame(() => this.place());
+  }
+
+  /** Puts the shown ticks into the picture, the table and the curves. */
+  private place(): void {
+    const now = performance.now();
+    const ticks = this.shownTicks();
+    const first = ticks[0] ?? null;
+    if (this.source === 'live' && first && first !== this.shownLive) {
+      this.shownLive = first;
+      this.pictures.fresh = true;
+      requestAnimationFrame(() => this.changed()); // the next tick is already there
+    }
+    ticks.forEach((tick, pane) => {
+      const marks = this.view?.panes[pane];
+      if (!marks || !tick) return;
+      const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touched : null;
+      marks.setTrail(running ? running.trail(tick.tick) : (this.recordings[pane]?.trail(tick.tick) ?? []));
+      marks.push(tick.hip);
+      marks.show(tick);
+    });
+    this.countPictures(now);
+    if (now - this.plottedAt < kPlotsMs && this.source !== 'recording') return;
+    this.plottedAt = now;
+    this.numbers.show(ticks);
+    if (this.source === 'live') {
+      this.plots.set(this.live.curves());
+    } else if (this.source === 'touch') {
+      this.plots.set(this.touched.curves());
+    } else if (this.source === 'recording') {
+      this.plots.now = this.player.tick * this.player.period;
+      this.plots.redraw();
+      void this.recordedWords();
+    }
+  }
+
+  private shownTicks(): (Tick | null)[] {
+    if (this.source === 'live') return [this.live.shown()];
+    if (this.source === 'touch') return [this.touched.newest];
+    return this.recordings.map((recording) => recording.tick(Math.min(this.player.tick, recording.summary.ticks - 1)));
+  }
+
+  private async recordedWords(): Promise<void> {
+    const tick = this.player.tick;
+    const first = this.recordings[0];
+    const now = performance.now();
+    if (!first || tick === this.askedWords || (this.player.playing && now - this.askedWordsAt < kWordsMs)) return;
+    this.askedWords = tick;
+    this.askedWordsAt = now;
+    try {
+      const words = await first.words(tick);
+      if (this.source === 'recording') this.words(words); // answers come in the order of the questions
+    } catch {
+      this.askedWords = -1; // the server is gone; the page says so
+    }
+  }
+
+  private words(words: Words | null): void {
+    const state = element('state');
+    state.classList.toggle('bad', words?.fault ?? false);
+    say(state, words?.sentence ?? '');
+    const limits = element('limits');
+    limits.replaceChildren(...(words?.limits ?? []).map((limit) => make('li', { textContent: limit })));
+    limits.hidden = (words?.limits.length ?? 0) === 0;
+  }
+
+  private notice(sentence: string): void {
+    say(element('notice'), sentence);
+  }
+
+  /** Pictures in which something had moved, a second. */
+  private countPictures(now: number): void {
+    if (this.pictures.fresh) this.pictures.drawn += 1;
+    this.pictures.fresh = false;
+    if (now - this.pictures.since < 1000) return;
+    this.pictures.shown = (1000 * this.pictures.drawn) / (now - this.pictures.since);
+    this.pictures.drawn = 0;
+    this.pictures.since = now;
+    document.body.dataset['pictures'] = this.pictures.shown.toFixed(1);
+  }
+
+  private extraNumbers(): [string, string][] {
+    if (this.source === 'touch') {
+      const felt = this.felt;
+      return [
+        ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
+        ['Ticks in the trace', `${felt?.recorded ?? 0}`],
+        ['Time that the core computes', `${(100 * (felt?.busy ?? 0)).toFixed(1)} %`],
+      ];
+    }
+    if (this.source !== 'live') return [];
+    return [
+      ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
+      ['Ticks not shown', `${Math.round(this.live.lost)}`],
+    ];
+  }
+
+  private legend(hello: Hello): void {
+    const sign = (shape: string, colour: string, text: string): HTMLLIElement => {
+      const key = make('span', { className: `sign ${shape}` });
+      key.style.setProperty('--colour', colour);
+      key.setAttribute('aria-hidden', 'true');
+      return make('li', {}, key, text);
+    };
+    element('legend').replaceChildren(
+      sign('cube', hello.colours.hip, 'hand (HIP)'),
+      sign('ball', hello.colours.proxy, 'proxy'),
+      sign('arrow', 'currentColor', 'force, 6 mm a newton'),
+      sign('hatch', hello.colours.invented, 'invented: nobody scanned this'),
+    );
+  }
+
+  private keys(): void {
+    const help = element('help');
+    const button = element('help-button');
+    const show = (shown: boolean): void => {
+      help.hidden = !shown;
+      button.setAttribute('aria-expanded', String(shown));
+    };
+    button.addEventListener('click', () => show(help.hidden));
+    const keys: [string, string][] = [
+      ['Arrow keys', 'turn the object (on the picture); while you touch, they move the hand, and with Shift they turn'],
+      ['Page up and down', 'while you touch: the hand towards you and away'],
+      ['+ and −', 'nearer and further; Home: as at first'],
+      ['u, p, s', 'surface, points, slice'],
+      ['x, y, z and [ ]', 'axis of the slice, and one voxel along it'],
+      ['Space', 'play and pause'],
+      [', and .', 'one tick back and on'],
+      ['c, f, g', 'next contact, fault, setting'],
+      ['Mouse', 'drag turns, right button moves, wheel zooms; the slice follows the mouse'],
+      ['Gamepad, to touch', 'the left stick moves the hand across the picture, the right one towards the object and away'],
+      ['Mouse, to touch', 'the pointer is the hand, the wheel moves it towards the object, the right button turns'],
+    ];
+    help.append(make('h2', { textContent: 'Keys' }), make('dl', {}, ...keys.flatMap(([key, text]) => [make('dt', { textContent: key }), make('dd', { textContent: text })])));
+    const press = (label: string): void => {
+      const found = [...document.querySelectorAll<HTMLButtonElement>('#layers button')].find((one) => one.textContent === label);
+      found?.click();
+    };
+    addEventListener('keydown', (event) => {
+      const target = event.target as HTMLElement;
+      if (event.ctrlKey || event.metaKey || event.altKey || target.matches('select, input')) return;
+      const turns = event.shiftKey || !this.hand?.on;
+      if (target === this.canvas && ((!turns && this.hand?.key(event.key)) || this.view?.orbit.key(event.key))) {
+        event.preventDefault();
+        return;
+      }
+      const uses: Record<string, () => void> = {
+        u: () => press('Surface'),
+        p: () => press('Points'),
+        s: () => press('Slice'),
+        x: () => this.slice?.choose('x'),
+        y: () => this.slice?.choose('y'),
+        z: () => this.slice?.choose('z'),
+        '[': () => this.slice?.step(-1),
+        ']': () => this.slice?.step(1),
+        ',': () => this.player.step(-1),
+        '.': () => this.player.step(1),
+        c: () => this.player.jump('contact'),
+        f: () => this.player.jump('fault'),
+        g: () => this.player.jump('setting'),
+        Escape: () => show(false),
+        '?': () => show(help.hidden),
+      };
+      if (event.key === ' ' && !target.matches('button') && this.source === 'recording') {
+        event.preventDefault();
+        this.player.toggle();
+      } else {
+        uses[event.key]?.();
+      }
+    });
+  }
+}
+
+/** The value at a tick of a curve that has other pieces; null behind its end. */
+function at(ticks: number[], values: number[], tick: number): number | null {
+  const step = (ticks[1] ?? 1) - (ticks[0] ?? 0);
+  const piece = Math.floor((tick - (ticks[0] ?? 0)) / Math.max(1, step));
+  return values[piece] ?? null;
+}
+
+new Page();

@@ -1,0 +1,133 @@
+// Plays one or two recordings: the time line, its marks, and its buttons.
+import { element, make, say } from './dom';
+import type { Difference } from './messages';
+import type { Recording } from './recording';
+
+const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 5];
+
+export class Player {
+  tick = 0;
+  playing = false;
+  private recordings: Recording[] = [];
+  private speed = 1;
+  private last = 0;
+  private exact = 0;
+  private difference: number | null = null;
+  private readonly scrub = element<HTMLInputElement>('scrub');
+  private readonly play = element<HTMLButtonElement>('play');
+  private readonly speeds = element<HTMLSelectElement>('speed');
+
+  /** `shown` is called whenever another tick is shown. */
+  constructor(private readonly shown: () => void) {
+    for (const speed of kSpeeds) this.speeds.append(make('option', { value: String(speed), textContent: `${speed} ×`, selected: speed === 1 }));
+    this.speeds.addEventListener('change', () => (this.speed = Number(this.speeds.value)));
+    this.play.addEventListener('click', () => this.toggle());
+    this.scrub.addEventListener('input', () => {
+      this.stop();
+      this.show(Number(this.scrub.value));
+    });
+    for (const button of document.querySelectorAll<HTMLButtonElement>('[data-jump]'))
+      button.addEventListener('click', () => this.jump(button.dataset['jump'] ?? ''));
+    element('jump-difference').addEventListener('click', () => {
+      this.stop();
+      this.show(this.difference ?? 0);
+    });
+  }
+
+  get ticks(): number {
+    return Math.max(1, ...this.recordings.map((recording) => recording.summary.ticks));
+  }
+  get period(): number {
+    return this.recordings[0]?.period ?? 1e-3;
+  }
+
+  open(recordings: Recording[], difference: Difference | null): void {
+    this.recordings = recordings;
+    this.scrub.max = String(this.ticks - 1);
+    this.difference = difference && !difference.equal ? (difference.tick ?? 0) : null;
+    const text = element('difference');
+    const names = recordings.map((recording) => recording.summary.name);
+    if (!difference) say(text, '');
+    else if (difference.equal) say(text, `${names[0]} and ${names[1]} are equal, every bit.`);
+    else say(text, `They differ first at tick ${difference.tick} (${this.seconds(difference.tick ?? 0)} s), in ${difference.field}.`);
+    element('jump-difference').hidden = this.difference === null;
+    this.drawMarks();
+    for (const button of document.querySelectorAll<HTMLButtonElement>('[data-jump]'))
+      button.disabled = !recordings.some((recording) => recording.nextEvent(button.dataset['jump'] ?? '', -1));
+    this.show(0);
+  }
+
+  marks(): { time: number; kind: string }[] {
+    const marks = this.recordings.flatMap((recording) => recording.summary.events.map(({ tick, kind }) => ({ time: tick * recording.period, kind: kind as string })));
+    if (this.difference !== null) marks.push({ time: this.difference * this.period, kind: 'difference' });
+    return marks;
+  }
+
+  toggle(): void {
+    if (this.playing) this.stop();
+    else this.start();
+  }
+
+  step(ticks: number): void {
+    this.stop();
+    this.show(this.tick + ticks);
+  }
+
+  stop(): void {
+    this.playing = false;
+    this.play.textContent = 'Play';
+    this.shown();
+  }
+
+  show(tick: number): void {
+    this.tick = Math.max(0, Math.min(this.ticks - 1, Math.round(tick)));
+    this.exact = this.tick;
+    this.scrub.value = String(this.tick);
+    this.scrub.setAttribute('aria-valuetext', `tick ${this.tick}, ${this.seconds(this.tick)} seconds`);
+    element('when').textContent = `${this.seconds(this.tick)} s · tick ${this.tick} of ${this.ticks - 1}`;
+    const event = this.recordings.map((recording) => recording.lastEvent(this.tick)).find((last) => last !== null);
+    say(element('event'), event ? `${this.seconds(event.tick)} s: ${event.text}.` : '');
+    this.shown();
+  }
+
+  jump(kind: string): void {
+    const events = this.recordings.map((recording) => recording.nextEvent(kind, this.tick)).filter((event) => event !== null);
+    const behind = events.filter((event) => event.tick > this.tick);
+    const next = (behind.length > 0 ? behind : events).sort((a, b) => a.tick - b.tick)[0];
+    if (!next) return;
+    this.stop();
+    this.show(next.tick);
+  }
+
+  private seconds(tick: number): string {
+    return (tick * this.period).toFixed(3);
+  }
+
+  private start(): void {
+    if (this.recordings.length === 0) return;
+    if (this.tick >= this.ticks - 1) this.show(0);
+    this.playing = true;
+    this.play.textContent = 'Pause';
+    this.last = performance.now();
+    const advance = (now: number): void => {
+      if (!this.playing) return;
+      const exact = this.exact + ((now - this.last) / 1000 / this.period) * this.speed;
+      this.last = now;
+      this.show(exact);
+      this.exact = Math.min(exact, this.ticks - 1);
+      if (this.tick >= this.ticks - 1) this.stop();
+      else requestAnimationFrame(advance);
+    };
+    requestAnimationFrame(advance);
+  }
+
+  private drawMarks(): void {
+    const where = element('marks');
+    where.replaceChildren();
+    for (const { time, kind } of this.marks()) {
+      const mark = make('span', { className: `mark ${kind}` });
+      mark.style.left = `${(100 * time) / this.period / Math.max(1, this.ticks - 1)}%`;
+      where.append(mark);
+    }
+  }
+}

@@ -1,0 +1,45 @@
+/// The ticks as the page draws them: a row of 32-bit numbers for each, whatever the trace or the controller.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "shared/tick_io.h"
+#include "shared/trace.h"
+
+namespace isotouch::server {
+
+/// The columns of a row, in their order: floats, then whole numbers. The page finds them by these names.
+inline constexpr std::array<std::string_view, 11> kFloatColumns = {"hip_x_mm",   "hip_y_mm",       "hip_z_mm",  "proxy_x_mm",
+                                                                   "proxy_y_mm", "proxy_z_mm",     "force_x_n", "force_y_n",
+                                                                   "force_z_n",  "penetration_mm", "energy_mj"};
+inline constexpr std::array<std::string_view, 3> kWholeColumns = {"status", "state_faults", "field_generation"};
+inline constexpr std::size_t kRowBytes = 4 * (kFloatColumns.size() + kWholeColumns.size());
+
+/// Both lists, for the page.
+nlohmann::ordered_json column_names();
+
+/// Adds up what needs the ticks before.
+class RowWriter {
+ public:
+  /// Appends the row of the next tick, little-endian.
+  ///
+  /// penetration_mm  length of the deflection in contact, else 0
+  /// energy_mj       work that the force has done on the hand since the first row: sum of force times way of the hand, N·mm. A passive object never gives
+  ///                 more than it got, so it stays at or below 0 but for what delay and sampling add
+  /// state_faults    SupervisorState in the lower half, Faults in the upper one
+  void append(const TraceRecord& record, std::string& rows);
+
+  double energy_mj() const { return energy_mj_; }
+
+ private:
+  double energy_mj_ = 0;
+  bool began_ = false;
+  std::array<double, 3> hip_{};
+};
+
+}  // namespace isotouch::server

@@ -1,0 +1,88 @@
+/// All that the page can ask for, and what it is told by itself: `host/page/src/server.ts` is the other side.
+///
+/// GET of the page's own files; `scene` (JSON), `surface`, `points`, `rim`, `slice?axis=z&at=MM&samples=N`, `field`; `trace/N` (JSON), `trace/N/rows?from=T&count=N`,
+/// `trace/N/curves?from=T&to=T&pieces=N`, `trace/N/words?tick=T`, `difference`; POST `build?name=FILE`.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/link/controller.h"
+#include "host/server/http_server.h"
+#include "host/server/live.h"
+#include "host/server/recording.h"
+#include "host/server/scene.h"
+
+namespace isotouch::server {
+
+/// What a build gave.
+struct Built {
+  std::unique_ptr<Scene> scene;    ///< nullptr: the field was refused
+  nlohmann::ordered_json figures;  ///< of its report
+};
+
+/// Builds a field from a file.
+///
+/// name      what the object is called for people
+/// step      called with each stage and the share of the whole that is done
+/// fails     InputError
+using Build = std::function<Built(const std::filesystem::path& file, const std::string& name,
+                                  const std::function<void(const std::string& stage, double done)>& step)>;
+
+class ViewSite final : public Site {
+ public:
+  explicit ViewSite(Build build) : build_(std::move(build)) {}
+  ~ViewSite() override { (void)end(); }
+
+  /// Before the server runs.
+  void show(std::unique_ptr<Scene> scene) { scene_ = std::move(scene); }
+  /// Before the server runs; the field that they touch before them. Of two, where they part is found.
+  ///
+  /// fails     InputError: as `Recording`, and where two cannot be compared
+  void show(const std::vector<trace::Trace>& traces);
+  /// Before the server runs: what goes to all viewers goes through it. Then the controller is followed, where there is one, and what is to be built is
+  /// built.
+  ///
+  /// controller  its address; empty: none
+  /// cloud       to be built at once; empty: none
+  void begin(HttpServer& server, const std::string& controller, const Live::Describe& describe, const std::filesystem::path& cloud);
+
+  /// Once the server has run, and while it is still there. What nobody needs any more is gone then.
+  ///
+  /// returns   false: a build goes on that cannot be interrupted; the program may end at once, for nothing is half written
+  bool end();
+  /// The page with the object in one file. Before the server runs.
+  ///
+  /// fails     InputError: there is no object
+  std::string exported() const;
+
+  Reply reply(Request request) override;
+  std::vector<Shared> greeting() override;
+
+ private:
+  Reply recording(std::string_view path, std::string_view query) const;
+  Reply start_build(Request request);
+  void build_now(const std::filesystem::path& file, const std::string& name, const std::filesystem::path& folder);
+  void tell(Topic topic, const nlohmann::ordered_json& json);
+  nlohmann::ordered_json hello() const;
+
+  Build build_;
+  std::shared_ptr<const Scene> scene_;
+  std::vector<Recording> recordings_;
+  nlohmann::ordered_json difference_;
+  HttpServer* server_ = nullptr;
+  mutable std::mutex lock_;  ///< of the scene, and of what is told
+  Shared told_build_;
+  bool builds_ = false;
+  std::filesystem::path folder_;  ///< of a scan that was sent
+  std::unique_ptr<Live> live_;
+  std::jthread builder_;
+};
+
+}  // namespace isotouch::server

@@ -1,0 +1,131 @@
+#include "host/server/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "host/error.h"
+#include "host/server/tick_rows.h"
+#include "shared/bytes.h"
+
+namespace isotouch::server {
+namespace {
+
+/// A hand that presses along z: the proxy stays at 0, the force is a newton a millimetre.
+TraceRecord pressed(double depth_mm) {
+  TraceRecord record;
+  record.input = position_input({});
+  record.output.hip.z = Mm::from_raw(static_cast<std::int32_t>(std::lround(-depth_mm * (1 << Mm::kFractionBits))));
+  if (depth_mm <= 0) {
+    record.output.proxy = record.output.hip;
+    return record;
+  }
+  record.output.force.z = Newton::from_raw(static_cast<std::int32_t>(std::lround(depth_mm * (1 << Newton::kFractionBits))));
+  record.output.status = kContact;
+  return record;
+}
+
+trace::Trace trace_of(const std::vector<TraceRecord>& records) {
+  TraceHeader header;
+  header.has_outputs = true;
+  return {"felt.trace", header, records};
+}
+
+/// In and out again, twice, with a pause between.
+std::vector<TraceRecord> two_presses() {
+  std::vector<TraceRecord> records;
+  for (int press = 0; press < 2; ++press) {
+    for (int i = 0; i < 100; ++i) records.push_back(pressed(-1));
+    for (int i = 0; i <= 100; ++i) records.push_back(pressed(2 * std::sin(i * M_PI / 100)));
+  }
+  return records;
+}
+
+float float_at(const std::string& bytes, std::size_t at) {
+  return std::bit_cast<float>(load_le<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(bytes.data()) + at));
+}
+
+TEST(Recording, ARowHoldsWhatTheTickHeld) {
+  const Recording recording(trace_of({pressed(0.5), pressed(1.5)}), nullptr);
+  const std::string rows = recording.rows(0, 10);
+  ASSERT_EQ(rows.size(), 2 * kRowBytes);
+  EXPECT_FLOAT_EQ(float_at(rows, kRowBytes + 8), -1.5F);
+  EXPECT_FLOAT_EQ(float_at(rows, kRowBytes + 32), 1.5F);
+  EXPECT_FLOAT_EQ(float_at(rows, kRowBytes + 36), 1.5F);
+  EXPECT_EQ(recording.rows(1, 10), rows.substr(kRowBytes));
+  EXPECT_EQ(recording.rows(2, 10), "");
+  EXPECT_EQ(recording.rows(~std::size_t{0}, 10), "");
+}
+
+TEST(Recording, AHandThatPressesGivesEnergyAndGetsItBack) {
+  const Recording recording(trace_of(two_presses()), nullptr);
+  const std::string rows = recording.rows(0, recording.ticks());
+  const auto energy = [&](std::size_t tick) { return float_at(rows, tick * kRowBytes + 40); };
+  EXPECT_NEAR(energy(150), -2.0F, 0.1F);  // half of k x², x = 2 mm
+  EXPECT_NEAR(energy(recording.ticks() - 1), 0.0F, 0.2F);
+}
+
+TEST(Recording, EachContactIsOneEvent) {
+  const nlohmann::ordered_json summary = Recording(trace_of(two_presses()), nullptr).summary();
+  ASSERT_EQ(summary["events"].size(), 2U);
+  EXPECT_EQ(summary["events"][0]["kind"], "contact");
+  EXPECT_EQ(summary["events"][0]["tick"], 101);
+  EXPECT_EQ(summary["events"][1]["tick"], 302);
+}
+
+TEST(Recording, SettingsFaultsAndStopsAreEvents) {
+  std::vector<TraceRecord> records(10);
+  for (TraceRecord& record : records) {
+    record.input.field_generation = 1;
+    record.output.state = static_cast<std::uint16_t>(SupervisorState::kActive);
+  }
+  records[3].input.change = {TickSetting::kFriction, Ratio::of(0.5).raw()};
+  records[5].input.requests = kRequestStop;
+  for (std::size_t i = 5; i < 10; ++i) {
+    records[i].output.state = static_cast<std::uint16_t>(SupervisorState::kFault);
+    records[i].output.faults = kFaultStopped;
+  }
+  const Recording recording(trace_of(records), nullptr);
+  const nlohmann::ordered_json events = recording.summary()["events"];
+  ASSERT_EQ(events.size(), 4U) << events;
+  EXPECT_EQ(events[0]["kind"], "state");
+  EXPECT_EQ(events[1]["text"], "friction = 0.5 ");
+  EXPECT_EQ(events[2]["kind"], "stop");
+  EXPECT_EQ(events[3]["kind"], "fault");
+  EXPECT_EQ(recording.words(9)["fault"], true);
+  EXPECT_NE(recording.words(9)["sentence"].get<std::string>().find("isotouch resume"), std::string::npos);
+  EXPECT_EQ(recording.words(0)["state"], "active");
+}
+
+TEST(Recording, CurvesKeepTheLargest) {
+  const Recording recording(trace_of(two_presses()), nullptr);
+  for (const std::size_t pieces : {std::size_t{1}, std::size_t{7}, std::size_t{402}, std::size_t{5000}}) {
+    const std::string curves = recording.curves(0, ~std::size_t{0}, pieces);
+    const auto whole = [&](std::size_t at) { return load_le<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(curves.data()) + at); };
+    const std::size_t length = whole(4), count = whole(8);
+    EXPECT_LE(count, pieces);
+    EXPECT_GE(length * count, recording.ticks());
+    ASSERT_EQ(curves.size(), 12 + 16 * count);
+    float largest = 0;
+    for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, float_at(curves, 12 + 16 * i));
+    EXPECT_FLOAT_EQ(largest, 2.0F);
+  }
+  EXPECT_EQ(recording.curves(50, 50, 10).size(), 12U);
+}
+
+TEST(Recording, InputsAloneNeedTheirField) {
+  TraceHeader header;
+  const std::vector<TraceRecord> records(3, [] {
+    TraceRecord record;
+    record.input = position_input({});
+    return record;
+  }());
+  EXPECT_THROW(Recording(trace::Trace("hand.trace", header, records), nullptr), InputError);
+  EXPECT_THROW(Recording(trace_of({}), nullptr), InputError);
+}
+
+}  // namespace
+}  // namespace isotouch::server
