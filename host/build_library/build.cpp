@@ -33,7 +33,6 @@ isotouch_build_options default_options() {
   isotouch_build_options options{};
   options.band = field::kBand;
   options.fit_mm = cloud::PlacementOptions{}.fit_mm;
-  options.grid = 186;
   return options;
 }
 
@@ -50,7 +49,7 @@ void require_valid(const isotouch_build_options& options) {
   if (options.stiffness_n_mm != 0) require_range(options.stiffness_n_mm, 0.001, 100, "stiffness_n_mm");
   require_range(options.fit_mm, 1, 1000, "fit_mm");
   if (options.mm_per_unit != 0) require_range(options.mm_per_unit, 1e-6, 1e6, "mm_per_unit");
-  require_range(options.grid, 8, 4000, "grid");
+  if (options.grid != 0) require_range(options.grid, 8, 4000, "grid");
   require_range(options.threads, 0, 1024, "threads");
   require_range(options.interpolation, ISOTOUCH_SPLINE, ISOTOUCH_TRILINEAR, "interpolation");
   require_range(options.has_viewpoint, 0, 1, "has_viewpoint");
@@ -104,7 +103,8 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   cloud::PlacementOptions size{{}, options.fit_mm};
   if (options.mm_per_unit != 0) size.mm_per_unit = options.mm_per_unit;
   const cloud::Placement placement = cloud::place(std::span(scan.points.positions.data(), scan.measured), size);
-  const double edge = options.voxel_mm != 0 ? options.voxel_mm : box.sizes().maxCoeff() * placement.scale / options.grid;
+  const int grid = options.grid != 0 ? static_cast<int>(options.grid) : scan.usual_grid(box.sizes());
+  const double edge = options.voxel_mm != 0 ? options.voxel_mm : box.sizes().maxCoeff() * placement.scale / grid;
   scan.place(placement);
 
   Built done;

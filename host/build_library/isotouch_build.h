@@ -23,7 +23,7 @@ typedef struct isotouch_build_options {
   double mm_per_unit;          /**< instead: the true size, 1 for points in mm, 1000 for metres; 0: fit_mm */
   double viewpoint[3];         /**< the sensor's place in the points' frame: every normal is turned towards it */
   uint32_t has_viewpoint;      /**< 1: viewpoint is set */
-  uint32_t grid;               /**< voxels along the longest side: 8 to 4000; 186 unless set */
+  uint32_t grid;               /**< voxels along the longest side: 8 to 4000; 0: as fine as the scan supports */
   uint32_t interpolation;      /**< #isotouch_interpolation */
   uint32_t threads;            /**< at most 1024; 0: one for each processor. The field does not depend on it */
   uint32_t accept_implausible; /**< 1: a field that is judged to be probably wrong is made all the same */

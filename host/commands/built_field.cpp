@@ -98,12 +98,11 @@ std::string sensor_sentence(const Eigen::Vector3d& place) {
   return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
 }
 
-/// The edge of a voxel for a scan, mm; as asked for, or as fine as the scan supports. Noise hides what a finer grid would show.
+/// The edge of a voxel for a scan, mm; as asked for, or as fine as the scan supports.
 ///
 /// sound     not placed yet
 double scan_voxel(const field::SoundScan& sound, const Eigen::Vector3d& sides, const BuildOptions& options, BuildReport& report) {
-  const bool as_fine = options.method == Method::kDefault && !sound.smoothed && sound.spacing > 0;
-  const int usual = as_fine ? field::default_grid(sides, sound.spacing) : field::kCoarseGrid;
+  const int usual = options.method == Method::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
   const double side = sides.maxCoeff(), scale = report.placement.scale;
   const double edge = options.voxel_mm.value_or(side * scale / options.grid.value_or(usual));
   if ((options.voxel_mm || options.grid) && sound.spacing * scale > field::kUselessVoxels * edge) {

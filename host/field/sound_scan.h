@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/cloud/oriented_points.h"
+#include "host/field/default_grid.h"
 #include "host/field/open_rim.h"
 
 namespace isotouch::field {
@@ -40,6 +41,12 @@ struct SoundScan {
   void place(const cloud::Placement& placement);
   /// Leaves the measured points alone.
   void drop_invented();
+
+  /// The grid where nobody says how fine: as fine as the points support. Noise hides what a finer one would show.
+  ///
+  /// sides     of the box round the measured points, in the points' present unit
+  /// returns   voxels along the longest side
+  int usual_grid(const Eigen::Vector3d& sides) const { return !smoothed && spacing > 0 ? default_grid(sides, spacing) : kCoarseGrid; }
 
   /// One sentence for each thing that was put right or looks doubtful; in the workspace.
   std::vector<std::string> warnings() const;

@@ -93,7 +93,7 @@ class Field(Handle):
         stiffness: npt.ArrayLike | None = None,
         stiffness_n_mm: float = 0.0,
         voxel_mm: float = 0.0,
-        grid: int = 186,
+        grid: int = 0,
         band: float = 3.0,
         fit_mm: float = 70.0,
         mm_per_unit: float = 0.0,
@@ -109,6 +109,7 @@ class Field(Handle):
         stiffness           (n,), N/mm, where the points have their own
         stiffness_n_mm      of the surface, or the largest; 0: theirs, or 0.8
         voxel_mm            edge of a voxel; 0: `grid` voxels along the longest side
+        grid                0: as fine as the scan supports
         band                half width of the stored layer, voxels
         fit_mm              the longest side is scaled to this length
         mm_per_unit         instead: the true size, 1 for points in mm
