@@ -64,7 +64,9 @@ TEST(SurfaceMesh, MarksWhatWasInvented) {
   const SurfaceMesh mesh = surface_mesh(field.view, marks, 1'000'000);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const double x = static_cast<double>(mesh.positions[i].x());
-    if (std::abs(x) > kTestEdge) ASSERT_EQ(mesh.invented[i], x < 0 ? 1 : 0) << x;
+    if (std::abs(x) > kTestEdge) {
+      ASSERT_EQ(mesh.invented[i], x < 0 ? 1 : 0) << x;
+    }
   }
 }
 
