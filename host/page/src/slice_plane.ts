@@ -12,6 +12,7 @@ const kShader = /* glsl */ `
   void main() {
     vec2 p = at * (samples - 1.0), low = floor(p), t = p - low;
     float d = mix(mix(texel(low), texel(low + vec2(1, 0)), t.x), mix(texel(low + vec2(0, 1)), texel(low + vec2(1, 1)), t.x), t.y);
+    if (d > 0.98 * band) discard; // far outside: the object behind is to be seen
     float place = clamp((d / band + 1.0) / 2.0, 0.0, 1.0) * 6.0;
     int first = min(int(place), 5);
     vec3 colour = mix(steps[first], steps[first + 1], place - float(first));
