@@ -111,6 +111,7 @@ void run(const Options& options) {
   site.show(traces);
   server::Limits limits;
   limits.viewers = options.viewers;
+  limits.connections += 6 * options.viewers;  // a browser opens as many for one page
   server::HttpServer server(site, options.port, limits);
   site.begin(
       server, options.to, [](link::Controller& controller) { return link::to_json(link::whole_status(controller)); }, named.cloud);

@@ -1,6 +1,6 @@
 /// Who may read the page: whoever knows the address with its token, in a browser that came to this address itself.
 ///
-/// Another program on this machine does not know the token. A foreign page in the same browser does not know it either, and is known by its Origin; one
+/// Another user of this machine does not know the token. A foreign page in the same browser does not know it either, and is known by its Origin; one
 /// that has its own name point to this machine is known by its Host.
 #pragma once
 

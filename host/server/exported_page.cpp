@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/server/bundle.h"
+#include "host/server/json_text.h"
 
 namespace isotouch::server {
 
@@ -46,8 +47,8 @@ std::string exported_page(const Scene& scene, const nlohmann::ordered_json& hell
                       "\" />\n    <script type=\"module\">" + script_text(content("page.js")) + "</script>");
   replace_element(page, "<link rel=\"stylesheet\"", ">", "<style>" + std::string(content("page.css")) + "</style>");
   std::string data;
-  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("hello", hello.dump()),
-                                    {"scene", scene.summary().dump()},
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>("hello", text_of(hello)),
+                                    {"scene", text_of(scene.summary())},
                                     {"surface", scene.surface()},
                                     {"points", scene.points()},
                                     {"rim", scene.rim()},

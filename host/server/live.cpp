@@ -6,11 +6,13 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdint>
+#include <exception>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "host/error.h"
+#include "host/server/json_text.h"
 #include "host/server/put_bytes.h"
 #include "host/server/tick_rows.h"
 #include "host/server/tick_words.h"
@@ -77,9 +79,10 @@ std::vector<Shared> Live::newest() const {
 }
 
 void Live::tell(Topic topic, const nlohmann::ordered_json& json) {
-  auto message = std::make_shared<const Message>(Message{topic, false, json.dump()});
+  auto message = std::make_shared<const Message>(Message{topic, false, text_of(json)});
   {
     const std::scoped_lock held(lock_);
+    if (topic == Topic::kLink && json["there"] == false) newest_ = {};  // what a controller said that is gone
     newest_[static_cast<std::size_t>(topic)] = message;
   }
   send_(std::move(message));
@@ -99,7 +102,7 @@ void Live::follow(const std::stop_token& stop) {
     std::string why;
     try {
       follow_once(stop);
-    } catch (const InputError& error) {
+    } catch (const std::exception& error) {
       why = error.what();
     }
     if (stop.stop_requested()) return;
@@ -157,7 +160,7 @@ void Live::measure(const std::stop_token& stop) {
         }
         tell(Topic::kStatus, json);
       } while (wait(stop, kMeasures_ms));
-    } catch (const InputError&) {  // `follow` says so
+    } catch (const std::exception&) {  // `follow` says so
     }
   }
 }

@@ -40,7 +40,7 @@ std::string text_of(const SettingChange& change) {
 }  // namespace
 
 void EventFinder::add(std::uint64_t tick, std::string_view kind, std::string text) {
-  if (events_.size() == kMost) {
+  if (++counts_[kind] > kMaxOfAKind) {
     more_ = true;
     return;
   }
@@ -79,6 +79,7 @@ Recording::Recording(const trace::Trace& trace, const FieldView* field)
   if (!trace.header().has_outputs) {
     if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only; name the field that they touch before it");
     run.emplace(*field, trace.header());
+    field_ = trace::hash_text(field->hash());
   }
   rows_.reserve(trace.size() * kRowBytes);
   RowWriter writer;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -50,7 +51,7 @@ class Recording {
 /// The events of a run, tick by tick.
 class EventFinder {
  public:
-  static constexpr std::size_t kMost = 2000;  ///< that are kept
+  static constexpr std::size_t kMaxOfAKind = 2000;  ///< that are kept: many contacts hide no fault
 
   void look_at(std::uint64_t tick, const TraceRecord& record);
   std::vector<Event> take() { return std::move(events_); }
@@ -60,6 +61,7 @@ class EventFinder {
   void add(std::uint64_t tick, std::string_view kind, std::string text);
 
   std::vector<Event> events_;
+  std::map<std::string_view, std::size_t> counts_;  ///< by kind
   bool more_ = false, began_ = false;
   std::uint64_t last_contact_ = 0;
   bool touched_ = false;

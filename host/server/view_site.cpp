@@ -13,6 +13,7 @@
 #include "host/files/whole_file.h"
 #include "host/server/bundle.h"
 #include "host/server/exported_page.h"
+#include "host/server/json_text.h"
 #include "host/server/tick_rows.h"
 #include "host/trace/trace_diff.h"
 #include "host/view/colour_map.h"
@@ -27,7 +28,7 @@ constexpr std::string_view kBinary = "application/octet-stream";
 constexpr std::size_t kMaxRows = 65536, kMaxPieces = 20000;
 
 Reply reply_with(std::string_view type, std::string body) { return {200, type, std::make_shared<const std::string>(std::move(body))}; }
-Reply reply_with(const nlohmann::ordered_json& json) { return reply_with(kJson, json.dump()); }
+Reply reply_with(const nlohmann::ordered_json& json) { return reply_with(kJson, server::text_of(json)); }
 Reply no_such_thing() { return sentence(404, "There is nothing at this address; load the page again."); }
 
 /// The value of a name in a query, as it was sent.
@@ -97,6 +98,7 @@ bool ViewSite::end() {
   live_.reset();
   {
     const std::scoped_lock held(lock_);
+    ended_ = true;
     std::error_code ignored;
     if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
     if (builds_) return false;
@@ -125,7 +127,7 @@ void ViewSite::begin(HttpServer& server, const std::string& controller, const Li
 }
 
 std::vector<Shared> ViewSite::greeting() {
-  std::vector<Shared> all{std::make_shared<const Message>(Message{Topic::kHello, false, hello().dump()})};
+  std::vector<Shared> all{std::make_shared<const Message>(Message{Topic::kHello, false, server::text_of(hello())})};
   if (live_) std::ranges::copy(live_->newest(), std::back_inserter(all));
   const std::scoped_lock held(lock_);
   if (told_build_) all.push_back(told_build_);
@@ -147,7 +149,7 @@ std::string ViewSite::exported() const {
 }
 
 void ViewSite::tell(Topic topic, const nlohmann::ordered_json& json) {
-  auto message = std::make_shared<const Message>(Message{topic, false, json.dump()});
+  auto message = std::make_shared<const Message>(Message{topic, false, server::text_of(json)});
   if (topic == Topic::kBuild) {
     const std::scoped_lock held(lock_);
     told_build_ = message;
@@ -198,6 +200,7 @@ Reply ViewSite::recording(std::string_view path, std::string_view query) const {
 Reply ViewSite::start_build(Request request) {
   {
     const std::scoped_lock held(lock_);
+    if (ended_) return sentence(503, "The program is ending; start it again.");
     if (std::exchange(builds_, true)) return sentence(409, "Another scan is being built; drop this one again when it is done.");
   }
   if (builder_.joinable()) builder_.join();  // it is done

@@ -79,7 +79,7 @@ class ViewSite final : public Site {
   HttpServer* server_ = nullptr;
   mutable std::mutex lock_;  ///< of the scene, and of what is told
   Shared told_build_;
-  bool builds_ = false;
+  bool builds_ = false, ended_ = false;
   std::filesystem::path folder_;  ///< of a scan that was sent
   std::unique_ptr<Live> live_;
   std::jthread builder_;

@@ -25,9 +25,12 @@ export function say(where: HTMLElement, text: string): void {
 
 /** A button that stays pressed. */
 export function toggle(label: string, key: string, pressed: boolean, use: (pressed: boolean) => void): HTMLButtonElement {
-  const button = make('button', { type: 'button', textContent: label, title: `key ${key}` });
+  const button = make('button', { type: 'button', textContent: label });
   const show = (on: boolean): void => button.setAttribute('aria-pressed', String(on));
-  button.setAttribute('aria-keyshortcuts', key);
+  if (key !== '') {
+    button.title = `key ${key}`;
+    button.setAttribute('aria-keyshortcuts', key);
+  }
   button.addEventListener('click', () => {
     const on = button.getAttribute('aria-pressed') !== 'true';
     show(on);

@@ -43,6 +43,7 @@ class Page {
   private summary: SceneSummary | null = null;
   private plottedAt = 0;
   private liveField: string | null = null;
+  private opening = 0;
   private askedWords = -1;
   private askedWordsAt = 0;
   private pictures = { shown: 0, since: performance.now(), drawn: 0, fresh: false };
@@ -60,7 +61,7 @@ class Page {
     element('touch').append(
       make('p', { textContent: 'The pointer is your hand. Turn the wheel, or press Page down, to press it into the object.' }),
       save,
-      toggle('Sound', 'o', false, (on) => this.sound.turn(on)),
+      toggle('Sound', '', false, (on) => this.sound.turn(on)),
     );
     this.server.listen({
       message: (message) => this.message(message),
@@ -85,8 +86,9 @@ class Page {
         this.build?.show(message);
         break;
       case 'link':
-        this.live.period = (message.period_ns ?? 1e6) * 1e-9;
-        if (message.there) this.live.clear();
+        if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
+        this.live.clear(); // nothing of a controller that is gone looks as if it were now
+        if (!message.there && this.source === 'live') this.words(null);
         element('link').classList.toggle('bad', !message.there);
         say(element('link'), message.sentence);
         break;
@@ -133,7 +135,7 @@ class Page {
     }
     const view = this.view;
     view.beforePicture = (): void => this.place();
-    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence));
+    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence), () => this.sound.rest());
     const hand = this.hand;
     view.orbit.listen(this.canvas, () => hand.on);
     this.slice = new SliceControl(view, (axis, at, samples) => this.distances(axis, at, samples));
@@ -152,6 +154,7 @@ class Page {
   }
 
   private async openScene(): Promise<void> {
+    const opening = ++this.opening;
     try {
       const summary = await this.server.scene();
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
@@ -159,12 +162,14 @@ class Page {
       this.facts(summary);
       if (!this.view) return;
       const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.bytes(name)));
+      if (this.opening !== opening) return; // another object has come meanwhile
       if (surface) this.view.object.setSurface(surface);
       if (points) this.view.object.setPoints(points);
       if (rim) this.view.object.setRim(rim);
       this.view.setScene(summary);
       this.slice?.setScene(summary);
       this.summary = summary;
+      this.warnOfField();
       this.sources.add('touch', 'Touch');
       if (this.source === 'touch') this.sources.choose('touch');
       document.body.dataset['scene'] = summary.hash;

@@ -50,6 +50,7 @@ export class Player {
     if (!difference) say(text, '');
     else if (difference.equal) say(text, `${names[0]} and ${names[1]} are equal, every bit.`);
     else say(text, `They differ first at tick ${difference.tick} (${this.seconds(difference.tick ?? 0)} s), in ${difference.field}.`);
+    if (recordings.some((recording) => recording.summary.more_events)) say(text, `${text.textContent} Of each kind of event, the first 2000 are marked.`.trim());
     element('jump-difference').hidden = this.difference === null;
     this.drawMarks();
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-jump]'))

@@ -7,7 +7,7 @@ import { exportedBytes } from './exported';
 import type { Tick } from './rows';
 import type { SceneView } from './scene_view';
 
-const kMostTicks = 600_000; // of a trace: ten minutes
+const kMaxTicks = 600_000; // of a trace: ten minutes
 const kStep = 0.5; // mm a key
 const kWheel = 0.012; // mm a wheel's pixel
 const kPadSpeed = 60; // mm/s of a gamepad's stick
@@ -40,6 +40,7 @@ export class TouchHand {
     private readonly canvas: HTMLCanvasElement,
     private readonly felt: (felt: Felt) => void,
     private readonly refused: (sentence: string) => void,
+    private readonly left: () => void,
   ) {
     canvas.addEventListener('pointermove', (event) => this.point(event));
     canvas.addEventListener('pointerdown', (event) => this.point(event));
@@ -64,17 +65,18 @@ export class TouchHand {
     this.post({ kind: 'load', image: new Uint8Array(image), name });
     await loaded;
     this.loaded = true;
-    this.post({ kind: 'record', mostTicks: kMostTicks });
+    this.post({ kind: 'record', mostTicks: kMaxTicks });
   }
 
   /** The hand begins in front of the object, in the middle of the picture. */
   begin(radius: number): void {
+    const pads = this.on; // else each time another loop would begin
     this.on = true;
     this.depth = radius;
     const box = this.canvas.getBoundingClientRect();
     this.pointer = { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 };
     this.move();
-    requestAnimationFrame((now) => this.pad(now, now));
+    if (!pads) requestAnimationFrame((now) => this.pad(now, now));
   }
 
   end(): void {
@@ -84,6 +86,8 @@ export class TouchHand {
 
   lift(): void {
     this.place = null;
+    this.last = null; // what lies between leaving and coming back is no way against a force
+    this.left();
     if (this.worker) this.post({ kind: 'lift' });
   }
 

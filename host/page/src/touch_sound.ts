@@ -1,7 +1,7 @@
 // A quiet sound that follows force and slip, for whoever turns it on.
 import { length, type Tick } from './rows';
 
-const kMostGain = 0.15;
+const kMaxGain = 0.15;
 
 export class TouchSound {
   private context: AudioContext | null = null;
@@ -27,11 +27,16 @@ export class TouchSound {
     this.context = context;
   }
 
+  /** The hand has left. */
+  rest(): void {
+    if (this.context) this.gain?.gain.setTargetAtTime(0, this.context.currentTime, 0.02);
+  }
+
   /** Louder with the force, higher with the speed of the proxy. */
   follow(before: Tick | null, now: Tick, seconds: number): void {
     if (!this.context || !this.gain || !this.filter || !before || seconds <= 0) return;
     const slip = Math.hypot(now.proxy.x - before.proxy.x, now.proxy.y - before.proxy.y, now.proxy.z - before.proxy.z) / seconds; // mm/s
-    const loud = now.contact ? kMostGain * Math.min(1, length(now.force) / 3) * Math.min(1, slip / 40) : 0;
+    const loud = now.contact ? kMaxGain * Math.min(1, length(now.force) / 3) * Math.min(1, slip / 40) : 0;
     this.gain.gain.setTargetAtTime(loud, this.context.currentTime, 0.02);
     this.filter.frequency.setTargetAtTime(150 + 8 * Math.min(slip, 300), this.context.currentTime, 0.02);
   }
