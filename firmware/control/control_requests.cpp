@@ -29,13 +29,14 @@ void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
 
 }  // namespace
 
-ControlRequests::ControlRequests(const TraceHeader& recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients)
+ControlRequests::ControlRequests(const TraceHeader& recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients,
+                                 std::int64_t patience_ns)
     : recordings_(recordings),
       neighbours_(neighbours),
       clients_(clients),
       feed_(neighbours.ring, recordings_, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
-      upload_(neighbours.fields),
+      upload_(neighbours.fields, patience_ns),
       scratch_(std::max(kHistogramScratch, protocol::kMaxBody)) {}
 
 bool ControlRequests::go_on() {
@@ -74,7 +75,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
     }
     case Kind::kChunk: {
       const auto piece = protocol::decode<protocol::Chunk>(frame.body);
-      return piece ? done_or_refused(client, frame.kind, upload_.add(client, *piece)) : malformed();
+      return piece ? done_or_refused(client, frame.kind, upload_.add(client, *piece, neighbours_.clock.now_ns())) : malformed();
     }
     case Kind::kCommit: return commit(client);
     case Kind::kAbort: upload_.drop(client); return client.say(Kind::kDone);

@@ -49,7 +49,9 @@ class ControlRequests {
  public:
   /// recordings  device, settings and period of every recording
   /// clients     all places for one; live longer
-  ControlRequests(const TraceHeader& recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients);
+  /// patience_ns   with an upload that does not get on
+  ControlRequests(const TraceHeader& recordings, const ControlNeighbours& neighbours, std::span<ControlClient> clients,
+                  std::int64_t patience_ns);
 
   /// Does what is asked, and answers or promises to: a client that waits for the field worker is marked so. The client has room for an answer.
   void answer(ControlClient& client, const protocol::Frame& frame);
@@ -66,9 +68,7 @@ class ControlRequests {
   void forget(const ControlClient& client);
 
   bool is_sending(const ControlClient& client) const { return upload_.is_from(client); }
-  bool sends_too_slowly(const ControlClient& client, std::int64_t patience_ns) const {
-    return upload_.is_too_slow(client, neighbours_.clock.now_ns(), patience_ns);
-  }
+  bool sends_too_slowly(const ControlClient& client) const { return upload_.is_too_slow(client, neighbours_.clock.now_ns()); }
   bool is_working() const { return !worker_.is_idle(); }
   /// Readable when `go_on` has something to answer; for poll.
   int bell() const { return worker_.bell(); }

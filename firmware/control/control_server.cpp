@@ -28,7 +28,7 @@ ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& 
     : settings_(std::move(settings)),
       neighbours_(neighbours),
       clients_(settings_.clients + 1),
-      requests_(settings_.recordings, neighbours_, clients_),
+      requests_(settings_.recordings, neighbours_, clients_, settings_.patience_ns),
       bell_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
 ControlServer::~ControlServer() {
@@ -188,7 +188,7 @@ void ControlServer::dismiss_the_idle() {
     const bool may_stay = client.greeted && !is_for_stop(client);
     const bool in_the_middle = client.leaving || client.has_unsent() || client.has_unread() || requests_.is_sending(client);
     const bool is_late = (in_the_middle && !requests_.is_working() && client.moved_ns < since) || (!may_stay && client.opened_ns < since) ||
-                         requests_.sends_too_slowly(client, settings_.patience_ns);
+                         requests_.sends_too_slowly(client);
     if (client.is_open() && is_late) forget(client);
   }
 }

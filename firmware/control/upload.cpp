@@ -11,8 +11,9 @@ constexpr const char* kNoneHere = "no upload is under way on this connection; be
 }
 
 Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns) {
+  if (is_under_way() && !is_from(client)) return std::string(kSomebodySends);
+  if (!is_from(client)) due_ns_ = now_ns + patience_ns_;  // to begin again is no progress
   drop(client);
-  if (is_under_way()) return std::string(kSomebodySends);
   if (promised.image_bytes > fields_.image_limit()) return store::too_large(promised.image_bytes, fields_.image_limit());
   if (promised.packed_bytes > fields_.upload().size()) {
     return "the packed field takes " + std::to_string(promised.packed_bytes) + " bytes, more than the " +
@@ -21,16 +22,12 @@ Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promis
   sender_ = &client;
   promised_ = promised;
   received_ = 0;
-  begun_ns_ = now_ns;
   return {};
 }
 
-bool Upload::is_too_slow(const ControlClient& client, std::int64_t now_ns, std::int64_t patience_ns) const {
-  constexpr std::int64_t kNsPerByte = 100'000;
-  return is_from(client) && now_ns - begun_ns_ > patience_ns + static_cast<std::int64_t>(received_) * kNsPerByte;
-}
+bool Upload::is_too_slow(const ControlClient& client, std::int64_t now_ns) const { return is_from(client) && now_ns > due_ns_; }
 
-Refusal Upload::add(const ControlClient& client, const protocol::Chunk& piece) {
+Refusal Upload::add(const ControlClient& client, const protocol::Chunk& piece, std::int64_t now_ns) {
   if (!is_from(client)) return kNoneHere;
   if (piece.offset != received_ || piece.bytes.size() > promised_.packed_bytes - received_) {
     drop(client);
@@ -38,6 +35,8 @@ Refusal Upload::add(const ControlClient& client, const protocol::Chunk& piece) {
   }
   std::copy(piece.bytes.begin(), piece.bytes.end(), fields_.upload().begin() + static_cast<std::ptrdiff_t>(received_));
   received_ += piece.bytes.size();
+  constexpr std::int64_t kNsPerByte = 100'000;
+  due_ns_ = std::min(due_ns_ + static_cast<std::int64_t>(piece.bytes.size()) * kNsPerByte, now_ns + patience_ns_);
   return {};
 }
 

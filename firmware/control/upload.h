@@ -18,7 +18,8 @@ inline constexpr std::string_view kSomebodySends = "another client is sending a 
 class Upload {
  public:
   /// fields    where an upload is put together; lives longer
-  explicit Upload(store::FieldIntake& fields) : fields_(fields) {}
+  /// patience_ns   with a client that does not get on
+  Upload(store::FieldIntake& fields, std::int64_t patience_ns) : fields_(fields), patience_ns_(patience_ns) {}
 
   bool is_under_way() const { return sender_ != nullptr; }
   bool is_from(const ControlClient& client) const { return sender_ == &client; }
@@ -29,11 +30,11 @@ class Upload {
   /// returns   why not: another client sends, or there is no room for it
   Refusal begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns);
 
-  /// Whether this client's upload has got on by less than 10,000 bytes a second, after `patience_ns`: it would keep everybody else from sending one.
-  bool is_too_slow(const ControlClient& client, std::int64_t now_ns, std::int64_t patience_ns) const;
+  /// Whether this client's upload gets on by less than 10,000 bytes a second, and its patience is used up: it would keep everybody else from sending one.
+  bool is_too_slow(const ControlClient& client, std::int64_t now_ns) const;
 
   /// Takes the next piece. One that does not follow the piece before ends the upload.
-  Refusal add(const ControlClient& client, const protocol::Chunk& piece);
+  Refusal add(const ControlClient& client, const protocol::Chunk& piece, std::int64_t now_ns);
 
   /// Ends it, as complete: `promised` is then all there.
   ///
@@ -48,7 +49,8 @@ class Upload {
   const ControlClient* sender_ = nullptr;
   protocol::Begin promised_;
   std::uint64_t received_ = 0;
-  std::int64_t begun_ns_ = 0;
+  std::int64_t patience_ns_;
+  std::int64_t due_ns_ = 0;  ///< when the upload is too slow; each byte puts it off, but never beyond the patience
 };
 
 }  // namespace isotouch::control

@@ -61,17 +61,16 @@ Refusal refusal_of_angles(const Settings& settings) {
            "; correct it, or leave it out and measure it with isotouch calibrate";
   };
   const DeviceModel geometry = geometry_of(settings);
-  for (const DeviceLeg& leg : geometry.legs) {
-    if (settings.angle_at_zero_deg && !stands_near(angle(*settings.angle_at_zero_deg), leg.at_zero))
+  for (std::size_t i = 0; i < geometry.legs.size(); ++i) {
+    const Angle usual = geometry.legs[i].at_zero;
+    if (settings.angle_at_zero_deg && !stands_near(angle(*settings.angle_at_zero_deg), usual))
       return too_far("device.angle_at_zero_deg", *settings.angle_at_zero_deg, "where the geometry has it");
-    const Angle expected = settings.angle_at_zero_deg ? angle(*settings.angle_at_zero_deg) : leg.at_zero;
+    const Angle expected = settings.angle_at_zero_deg ? angle(*settings.angle_at_zero_deg) : usual;
     for (const auto& [serial, calibration] : settings.calibrations) {
-      for (const double degrees : calibration.angle_at_zero_deg) {
-        if (!stands_near(angle(degrees), expected)) {
-          return too_far("calibration." + serial + ".angle_at_zero_deg", degrees,
-                         settings.angle_at_zero_deg ? "device.angle_at_zero_deg" : "where the geometry has it");
-        }
-      }
+      const double degrees = calibration.angle_at_zero_deg[i];
+      if (stands_near(angle(degrees), expected)) continue;
+      return too_far("calibration." + serial + ".angle_at_zero_deg", degrees,
+                     settings.angle_at_zero_deg ? "device.angle_at_zero_deg" : "where the geometry has it");
     }
   }
   return {};

@@ -36,10 +36,11 @@ void each_message(const std::filesystem::path& file, const Use& use) {
     std::fprintf(stderr, "isotouch: %s: its end is missing; what is whole was read\n", file.string().c_str());
 }
 
-/// What one topic says.
+/// What one topic says. Nanoseconds since 1970 need 61 bits, more than a double has.
 struct Series {
-  std::vector<double> stamps_s, recorded_s;
+  std::vector<std::int64_t> stamps_ns, recorded_ns;
   std::vector<Eigen::Vector3d> values;
+  std::set<std::string> frames;
 };
 
 class Collector {
@@ -47,9 +48,10 @@ class Collector {
   Collector(const std::string& file, const BagTopics& topics) : file_(file), topics_(topics) {}
 
   void operator()(const Channel& channel, std::uint64_t time_ns, std::span<const std::uint8_t> data) {
-    if (!is_known(channel)) return;
+    const Says what = says(channel);
     const std::string topic(channel.topic);
-    const bool is_force = channel.schema.find("Wrench") != std::string_view::npos;
+    if (what == Says::kNothing || (what == Says::kAnyVector && topic != topics_.positions)) return;  // a vector may be a velocity as well
+    const bool is_force = what == Says::kForce;
     const std::string& wanted = is_force ? topics_.forces : topics_.positions;
     if (is_force && !topics_.with_forces) return;
     (is_force ? force_topics_ : position_topics_).insert(topic);
@@ -60,17 +62,23 @@ class Collector {
       throw InputError(file_ + ": message " + std::to_string(series.values.size()) + " of " + topic + " cannot be read as " +
                        std::string(channel.schema) + "; record the topic again, or choose another one with --topic");
     }
-    if (measured->stamp_s) series.stamps_s.push_back(*measured->stamp_s);
-    series.recorded_s.push_back(static_cast<double>(static_cast<std::int64_t>(time_ns - first_ns(time_ns))) * 1e-9);
+    if (series.frames.insert(measured->frame).second && series.frames.size() > 1) {
+      throw InputError(file_ + ": " + topic + " tells of several bodies, '" + *series.frames.begin() + "' and '" + *series.frames.rbegin() +
+                       "'; record the one of the hand on a topic of its own");
+    }
+    if (measured->stamp_ns) series.stamps_ns.push_back(*measured->stamp_ns);
+    series.recorded_ns.push_back(static_cast<std::int64_t>(time_ns));
     series.values.push_back(measured->value);
   }
 
   std::vector<motion::TimedPoint> points() const {
     require_one(position_topics_, topics_.positions, "a position", "--topic");
     if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
-    const bool stamped = positions_.stamps_s.size() == positions_.values.size() &&
-                         (!topics_.with_forces || forces_.stamps_s.size() == forces_.values.size());
-    const std::vector<double> times = times_of(positions_, stamped), force_times = times_of(forces_, stamped);
+    const bool stamped = positions_.stamps_ns.size() == positions_.values.size() &&
+                         (!topics_.with_forces || forces_.stamps_ns.size() == forces_.values.size());
+    const std::vector<std::int64_t>& all = stamped ? positions_.stamps_ns : positions_.recorded_ns;
+    const std::int64_t first = all.empty() ? 0 : all.front();
+    const std::vector<double> times = times_of(positions_, stamped, first), force_times = times_of(forces_, stamped, first);
     if (times.size() < 2)
       throw InputError(file_ + ": the topic has fewer than two positions; record for longer, or choose another with --topic");
     std::vector<motion::TimedPoint> points;
@@ -83,12 +91,6 @@ class Collector {
   }
 
  private:
-  /// Nanoseconds since 1970 need 61 bits: a double tells them apart only from the first one on.
-  std::uint64_t first_ns(std::uint64_t time_ns) {
-    if (!first_ns_) first_ns_ = time_ns;
-    return *first_ns_;
-  }
-
   void require_one(const std::set<std::string>& topics, const std::string& wanted, const char* what, const char* option) const {
     std::string all;
     for (const std::string& topic : topics) all += (all.empty() ? "" : ", ") + topic;
@@ -100,8 +102,12 @@ class Collector {
       throw InputError(file_ + ": several topics hold " + what + "; choose one with " + option + ": " + all);
   }
 
-  std::vector<double> times_of(const Series& series, bool stamped) const {
-    std::vector<double> times = stamped ? series.stamps_s : series.recorded_s;
+  /// Seconds since the first position.
+  std::vector<double> times_of(const Series& series, bool stamped, std::int64_t first_ns) const {
+    std::vector<double> times;
+    for (const std::int64_t ns : stamped ? series.stamps_ns : series.recorded_ns)
+      times.push_back(
+          1e-9 * static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(ns) - static_cast<std::uint64_t>(first_ns))));
     for (std::size_t i = 1; i < times.size(); ++i) {
       if (!(times[i] > times[i - 1]))
         throw InputError(file_ + ": message " + std::to_string(i) + " of the topic is not later than the one before; record it again");
@@ -122,7 +128,6 @@ class Collector {
   const BagTopics& topics_;
   std::set<std::string> position_topics_, force_topics_;
   Series positions_, forces_;
-  std::optional<std::uint64_t> first_ns_;
 };
 
 }  // namespace

@@ -42,7 +42,13 @@ void read_ros2_bag(const std::filesystem::path& file,
   };
   if (outcome != SQLITE_OK) refuse();
   sqlite3_exec(opened, "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
+  // A view would be a program of a stranger.
+  constexpr const char* kTables = "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name IN ('topics', 'messages')";
   sqlite3_stmt* prepared = nullptr;
+  if (sqlite3_prepare_v2(opened, kTables, -1, &prepared, nullptr) != SQLITE_OK) refuse();
+  const std::unique_ptr<sqlite3_stmt, Close> tables(prepared);
+  if (sqlite3_step(prepared) != SQLITE_ROW || sqlite3_column_int(prepared, 0) != 2) refuse();
+  prepared = nullptr;
   constexpr const char* kQuery =
       "SELECT topics.name, topics.type, topics.serialization_format, messages.timestamp, messages.data "
       "FROM messages JOIN topics ON messages.topic_id = topics.id ORDER BY messages.timestamp, messages.id";

@@ -13,30 +13,32 @@ namespace {
 
 using Span = std::span<const std::uint8_t>;
 
+constexpr std::int64_t kNsPerS = 1'000'000'000;
+
 /// A type of message: what stands before its three numbers, and where they are in JSON.
 struct Type {
   std::string_view name;  ///< without "/msg/"
   bool has_header;        ///< time and frame come first
   bool has_child_frame;   ///< then another frame
-  bool is_force;
+  Says says;
   std::array<const char*, 3> path;  ///< of x, y, z in JSON, from the outside in; nullptr: no more
 };
 
 constexpr std::array kTypes = {
-    Type{"geometry_msgs/Point", false, false, false, {nullptr, nullptr, nullptr}},
-    Type{"geometry_msgs/PointStamped", true, false, false, {"point", nullptr, nullptr}},
-    Type{"geometry_msgs/Vector3", false, false, false, {nullptr, nullptr, nullptr}},
-    Type{"geometry_msgs/Vector3Stamped", true, false, false, {"vector", nullptr, nullptr}},
-    Type{"geometry_msgs/Pose", false, false, false, {"position", nullptr, nullptr}},
-    Type{"geometry_msgs/PoseStamped", true, false, false, {"pose", "position", nullptr}},
-    Type{"geometry_msgs/PoseWithCovarianceStamped", true, false, false, {"pose", "pose", "position"}},
-    Type{"geometry_msgs/Transform", false, false, false, {"translation", nullptr, nullptr}},
-    Type{"geometry_msgs/TransformStamped", true, true, false, {"transform", "translation", nullptr}},
-    Type{"geometry_msgs/Wrench", false, false, true, {"force", nullptr, nullptr}},
-    Type{"geometry_msgs/WrenchStamped", true, false, true, {"wrench", "force", nullptr}},
-    Type{"foxglove.PoseInFrame", true, false, false, {"pose", "position", nullptr}},
-    Type{"foxglove.Point3", false, false, false, {nullptr, nullptr, nullptr}},
-    Type{"foxglove.Vector3", false, false, false, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/Point", false, false, Says::kPosition, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/PointStamped", true, false, Says::kPosition, {"point", nullptr, nullptr}},
+    Type{"geometry_msgs/Vector3", false, false, Says::kAnyVector, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/Vector3Stamped", true, false, Says::kAnyVector, {"vector", nullptr, nullptr}},
+    Type{"geometry_msgs/Pose", false, false, Says::kPosition, {"position", nullptr, nullptr}},
+    Type{"geometry_msgs/PoseStamped", true, false, Says::kPosition, {"pose", "position", nullptr}},
+    Type{"geometry_msgs/PoseWithCovarianceStamped", true, false, Says::kPosition, {"pose", "pose", "position"}},
+    Type{"geometry_msgs/Transform", false, false, Says::kPosition, {"translation", nullptr, nullptr}},
+    Type{"geometry_msgs/TransformStamped", true, true, Says::kPosition, {"transform", "translation", nullptr}},
+    Type{"geometry_msgs/Wrench", false, false, Says::kForce, {"force", nullptr, nullptr}},
+    Type{"geometry_msgs/WrenchStamped", true, false, Says::kForce, {"wrench", "force", nullptr}},
+    Type{"foxglove.PoseInFrame", true, false, Says::kPosition, {"pose", "position", nullptr}},
+    Type{"foxglove.Point3", false, false, Says::kPosition, {nullptr, nullptr, nullptr}},
+    Type{"foxglove.Vector3", false, false, Says::kAnyVector, {nullptr, nullptr, nullptr}},
 };
 
 const Type* type_of(const Channel& channel) {
@@ -67,13 +69,15 @@ class Cdr {
     return value;
   }
   double real() { return std::bit_cast<double>(number<std::uint64_t>()); }
-  void skip_text() {
+  std::string text() {
     const auto size = number<std::uint32_t>();
-    if (size > bytes_.size() - std::min(at_, bytes_.size())) {
+    if (!good_ || size > bytes_.size() - at_) {
       good_ = false;
-    } else {
-      at_ += size;
+      return {};
     }
+    std::string text(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.begin() + static_cast<std::ptrdiff_t>(at_ + size));
+    at_ += size;
+    return text.substr(0, text.find('\0'));
   }
   bool is_good() const { return good_; }
 
@@ -86,13 +90,12 @@ class Cdr {
 std::optional<Measured> from_cdr(const Type& type, Span data) {
   Cdr from(data);
   Measured measured;
-  measured.is_force = type.is_force;
   if (type.has_header) {
     const auto seconds = static_cast<std::int32_t>(from.number<std::uint32_t>());
     const auto nanoseconds = from.number<std::uint32_t>();
-    if (seconds != 0 || nanoseconds != 0) measured.stamp_s = seconds + 1e-9 * nanoseconds;
-    from.skip_text();
-    if (type.has_child_frame) from.skip_text();
+    if (seconds != 0 || nanoseconds != 0) measured.stamp_ns = seconds * kNsPerS + nanoseconds;
+    (void)from.text();
+    if (type.has_child_frame) measured.frame = from.text();
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis) measured.value[axis] = from.real();
   if (!from.is_good()) return std::nullopt;
@@ -101,6 +104,19 @@ std::optional<Measured> from_cdr(const Type& type, Span data) {
 
 double number_in(const nlohmann::json& object, const char* name) {
   return object.is_object() && object.contains(name) && object[name].is_number() ? object[name].get<double>() : std::nan("");
+}
+
+/// Seconds and nanoseconds under the names that ROS 2 or Foxglove has for them.
+std::optional<std::int64_t> stamp_in(const nlohmann::json& whole) {
+  const auto of = [](const nlohmann::json& stamp, const char* nanoseconds) -> std::optional<std::int64_t> {
+    const double s = number_in(stamp, "sec"), ns = number_in(stamp, nanoseconds);
+    if (!(std::fabs(s) < 4e9) || !(ns >= 0 && ns < 1e9) || (s == 0 && ns == 0)) return std::nullopt;
+    return static_cast<std::int64_t>(s) * kNsPerS + static_cast<std::int64_t>(ns);
+  };
+  if (!whole.is_object()) return std::nullopt;
+  if (whole.contains("timestamp")) return of(whole["timestamp"], "nsec");
+  if (!whole.contains("header") || !whole["header"].is_object() || !whole["header"].contains("stamp")) return std::nullopt;
+  return of(whole["header"]["stamp"], "nanosec");
 }
 
 std::optional<Measured> from_json(const Type& type, Span data) {
@@ -112,14 +128,19 @@ std::optional<Measured> from_json(const Type& type, Span data) {
     place = &(*place)[step];
   }
   Measured measured;
-  measured.is_force = type.is_force;
+  measured.stamp_ns = stamp_in(whole);
+  if (type.has_child_frame && whole.contains("child_frame_id") && whole["child_frame_id"].is_string())
+    measured.frame = whole["child_frame_id"].get<std::string>();
   measured.value = {number_in(*place, "x"), number_in(*place, "y"), number_in(*place, "z")};
   return measured;
 }
 
 }  // namespace
 
-bool is_known(const Channel& channel) { return type_of(channel) != nullptr && (channel.encoding == "cdr" || channel.encoding == "json"); }
+Says says(const Channel& channel) {
+  const Type* type = type_of(channel);
+  return type != nullptr && (channel.encoding == "cdr" || channel.encoding == "json") ? type->says : Says::kNothing;
+}
 
 std::string_view known_types() {
   static const std::string all = [] {

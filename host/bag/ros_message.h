@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "host/bag/mcap_reader.h"
@@ -12,13 +13,15 @@
 namespace isotouch::bag {
 
 struct Measured {
-  std::optional<double> stamp_s;  ///< of the message's own header; nothing: it has none, or it is 0
-  Eigen::Vector3d value;          ///< m, or N
-  bool is_force = false;
+  std::optional<std::int64_t> stamp_ns;  ///< of the message itself; nothing: it has none, or it is 0
+  Eigen::Vector3d value;                 ///< m, or N
+  std::string frame;                     ///< of a transform: the body that is moved
 };
 
-/// Can messages of this channel hold a position or a force?
-bool is_known(const Channel& channel);
+/// What messages of a channel say.
+enum class Says : std::uint8_t { kNothing, kPosition, kForce, kAnyVector };  ///< any vector may be a velocity, too
+
+Says says(const Channel& channel);
 
 /// The types that are read, for sentences.
 std::string_view known_types();

@@ -166,7 +166,7 @@ isotouch_status isotouch_build(size_t count, const double* points, const double*
     isotouch_field handle = 0;
     if (const isotouch_status status = isotouch_field_read(made.packed.data(), made.packed.size(), &handle); status != ISOTOUCH_OK)
       refuse(status, isotouch_last_error());
-    *field = handle;
     copy_lines(made.warnings, warnings, room);
+    *field = handle;
   });
 }

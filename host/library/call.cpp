@@ -34,7 +34,9 @@ const char* isotouch_version(void) {
 
 isotouch_status isotouch_fail(isotouch_status status, const char* sentence) {
   std::size_t size = sentence == nullptr ? 0 : std::min(std::strlen(sentence), kRoom - 1);
-  while (size > 0 && size == kRoom - 1 && (static_cast<unsigned char>(sentence[size]) & 0xC0U) == 0x80U) --size;  // no half of a character
+  if (size == kRoom - 1) {
+    while (size > 0 && (static_cast<unsigned char>(sentence[size]) & 0xC0U) == 0x80U) --size;  // no part of a character
+  }
   if (size > 0) std::memmove(last_error.data(), sentence, size);
   last_error[size] = 0;
   return status;

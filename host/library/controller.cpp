@@ -89,8 +89,6 @@ TraceRecord record_of(std::span<const std::uint8_t> bytes) {
   return *record;
 }
 
-const auto kNeverEnough = [] { return false; };
-
 }  // namespace
 
 isotouch_status isotouch_controller_connect(const char* address, uint32_t timeout_ms, isotouch_controller* controller) {
@@ -160,6 +158,7 @@ isotouch_status isotouch_controller_watch(isotouch_controller controller, uint32
 isotouch_status isotouch_controller_record(isotouch_controller controller, uint64_t ticks, const char* path, uint64_t* recorded) {
   return guarded(ISOTOUCH_CONTROLLER, [&] {
     const std::string name = file_name(path);
+    if (recorded != nullptr) *recorded = 0;
     if (ticks == 0) refuse(ISOTOUCH_BAD_ARGUMENT, "ticks is 0, and must be 1 or more; a second has 1e9 / period_ns of them");
     link::Controller with = another(controller);
     std::optional<trace::TraceWriter> writer;
@@ -168,7 +167,11 @@ isotouch_status isotouch_controller_record(isotouch_controller controller, uint6
         [&](std::span<const std::uint8_t> bytes) {
           const Result<TraceHeader> header = decode_header(bytes, bytes.size());
           if (!header) throw InputError("the recording's header cannot be read; install the same release on both sides");
-          writer.emplace(name, *header);
+          try {
+            writer.emplace(name, *header);
+          } catch (const InputError& error) {
+            refuse(ISOTOUCH_BAD_DATA, error.what());
+          }
         },
         [&](std::span<const std::uint8_t> bytes) { writer->append(record_of(bytes)); }, [&] { return writer && writer->is_full(); });
     const std::uint64_t kept = writer->finish_with_what_fits().records;

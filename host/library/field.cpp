@@ -67,6 +67,7 @@ isotouch_status isotouch_field_read(const void* bytes, size_t size, isotouch_fie
   return guarded(ISOTOUCH_BAD_DATA, [&] {
     const auto* const first = static_cast<const std::uint8_t*>(required(bytes, "bytes"));
     required(field, "field");
+    require_count(size, 1, "bytes");
     const std::string name = "these bytes";
     *field = taken(field_file::read_field(std::vector<std::uint8_t>(first, first + size), name), name);
   });

@@ -63,7 +63,7 @@ typedef uint64_t isotouch_controller; /**< a running `isotouchd` */
  */
 ISOTOUCH_API const char* isotouch_last_error(void);
 
-/** Program, version and commit, as "isotouch 0.1.0 (…)". Real time: yes. */
+/** Program, version and commit, as "isotouch 0.1.0 (…)". */
 ISOTOUCH_API const char* isotouch_version(void);
 
 /**
@@ -161,7 +161,7 @@ typedef struct isotouch_settings {
   double passivity_damping; /**< N s/mm, the largest that may be added against trembling: 0 to 0.1 */
   double weight_n;          /**< of the handle, held up by the motors: -5 to 5; only with encoder counts */
   double ramp_ticks;        /**< from no force to full force if contact did not begin at rest: 0 to 100,000; 50 unless set */
-  double damping_n_s_mm;    /**< of the device itself: 0.0001 to 0.1, or 0: not known, and no stiffness is refused */
+  double device_damping;    /**< of the device itself: 0.0001 to 0.1, or 0: not known, and no stiffness is refused */
   double delay_ticks;       /**< from a sample to its force being felt: 0 to 7 */
 } isotouch_settings;
 
@@ -248,6 +248,8 @@ ISOTOUCH_API isotouch_status isotouch_touch_missed(isotouch_touch touch, isotouc
 
 /**
  * What a person asks of the next tick of a device; with positions it has no effect.
+ *
+ * Requests before the same tick add up, and a stop counts more than a resume.
  *
  * @param requests  ISOTOUCH_STOP: no force until it is resumed; ISOTOUCH_RESUME: leave a fault; or both
  *
@@ -353,7 +355,8 @@ ISOTOUCH_API isotouch_status isotouch_controller_status(isotouch_controller cont
 ISOTOUCH_API isotouch_status isotouch_controller_set(isotouch_controller controller, const char* name, const char* value);
 
 /**
- * Sends a field; it is felt when this returns. When it fails, the field before stays.
+ * Sends a field; it is felt when this returns. When it is refused, the field before stays. When it fails because no answer came in time, the controller may
+ * still take it: isotouch_controller_status() says which field is felt.
  *
  * @param name  under which the controller stores it, at most 63 bytes
  */

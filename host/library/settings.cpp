@@ -19,7 +19,7 @@ constexpr std::array<double isotouch_settings::*, kTickSettings> kMembers = {
     &isotouch_settings::stiffness,         &isotouch_settings::damping,          &isotouch_settings::force_limit_n,
     &isotouch_settings::friction,          &isotouch_settings::friction_damping, &isotouch_settings::hand_damping,
     &isotouch_settings::passivity_damping, &isotouch_settings::weight_n,         &isotouch_settings::ramp_ticks,
-    &isotouch_settings::damping_n_s_mm,    &isotouch_settings::delay_ticks};
+    &isotouch_settings::device_damping,    &isotouch_settings::delay_ticks};
 
 /// fails     CallError: outside the row's range, or a part of a tick
 std::int32_t raw_of(const SettingRow& row, double value) {

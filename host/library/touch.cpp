@@ -170,7 +170,8 @@ isotouch_status isotouch_touch_request(isotouch_touch touch, uint32_t requests) 
     static_assert(std::uint32_t{ISOTOUCH_STOP} == kRequestStop && std::uint32_t{ISOTOUCH_RESUME} == kRequestResume);
     require_bits(requests, kRequestStop | kRequestResume, "requests");
     const Held held(touch, Kind::kTouch, Use::kAlone);
-    held.as<TouchThing>().requests = static_cast<std::uint8_t>(requests);
+    std::uint8_t& asked = held.as<TouchThing>().requests;
+    asked = static_cast<std::uint8_t>(asked | requests);  // what was asked for before still holds
   });
 }
 

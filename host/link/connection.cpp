@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 
 #include "host/error.h"
@@ -67,6 +69,8 @@ void Connection::send_frame(std::size_t bytes) {
 }
 
 protocol::Frame Connection::receive(int patience_ms) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::milliseconds(patience_ms);  // signals and single bytes do not move it
   for (;;) {
     const auto frame = protocol::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
     if (!frame) {
@@ -77,7 +81,9 @@ protocol::Frame Connection::receive(int patience_ms) {
       used_ += frame->size;
       return *frame;
     }
-    if (!read_more(patience_ms)) throw InputError(address_.text + ": the controller does not answer; check whether it runs");
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
+    if (!read_more(static_cast<int>(std::max<std::int64_t>(left, 0))))
+      throw InputError(address_.text + ": the controller does not answer; check whether it runs");
   }
 }
 

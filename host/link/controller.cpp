@@ -1,6 +1,7 @@
 #include "host/link/controller.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <sstream>
 
@@ -148,8 +149,10 @@ void Controller::resume() {
 std::optional<protocol::Records> Controller::more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
                                                           std::string& ended) {
   try {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point end = Clock::now() + std::chrono::milliseconds(patience_ms);
     bool there = false;
-    for (int waited = 0; !there && waited < patience_ms && !enough(); waited += kAsksEnough) there = connection_.has_input(kAsksEnough);
+    while (!there && Clock::now() < end && !enough()) there = connection_.has_input(kAsksEnough);
     if (enough()) return std::nullopt;
     const auto records = read<protocol::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
     if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0)

@@ -38,7 +38,8 @@ class LogAxes {
 };
 
 LogAxes axes_for(const Rect& area, const std::vector<ValueClass>& bars, const std::vector<ValueClass>& line, std::optional<double> limit) {
-  double least = begin_of(bars.front()), most = bars.back().up_to, highest = 1;
+  const ValueClass& first = bars.empty() ? line.front() : bars.front();
+  double least = begin_of(first), most = first.up_to, highest = 1;
   for (const auto* all : {&bars, &line}) {
     for (const ValueClass& c : *all) {
       least = std::min(least, begin_of(c));
@@ -109,7 +110,7 @@ void HistogramPlot::draw(Canvas& canvas, const Rect& place) const {
   draw_text(canvas, {area.left, area.top - 12 * scale}, title, {.capital = 10 * scale, .colour = kInk, .bold = true});
   canvas.fill(area, srgb(0xFFFFFF));
   const std::vector<ValueClass> bars = by_quarter_octaves(classes), line = by_quarter_octaves(beside);
-  if (bars.empty()) {
+  if (bars.empty() && line.empty()) {
     draw_text(canvas, {area.left + 12 * scale, area.top + 26 * scale}, "nothing was measured",
               {.capital = 8.5F * scale, .colour = kPaleInk});
     canvas.frame(area, 1.2F * scale, kPaleInk);

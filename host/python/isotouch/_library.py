@@ -80,7 +80,7 @@ class CSettings(ctypes.Structure):
             (name, ctypes.c_double)
             for name in (
                 "play_mm", "stiffness", "damping", "force_limit_n", "friction", "friction_damping", "hand_damping", "passivity_damping", "weight_n", "ramp_ticks",
-                "damping_n_s_mm", "delay_ticks",
+                "device_damping", "delay_ticks",
             )
         ],
     ]

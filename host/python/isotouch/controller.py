@@ -67,7 +67,8 @@ class Controller(Handle):
         """Follows the ticks: an array of type FELT, and how many ticks were lost because this program read too slowly.
 
         every     one tick of every so many
-        on_tick   is called with each of them as it comes; what returns True ends the watching. What it raises ends it, too, and is raised here
+        on_tick   is called with each of them as it comes, and the array stays empty; what returns True ends the watching. What it raises ends it, too, and
+                  is raised here
         """
         seen: list[np.void] = []
         raised: list[BaseException] = []
@@ -75,8 +76,10 @@ class Controller(Handle):
         def take(_: int | None, felt: int | None) -> int:
             try:
                 one = np.frombuffer(ctypes.string_at(felt or 0, FELT.itemsize), FELT)[0]
+                if on_tick is not None:
+                    return 1 if on_tick(one) else 0
                 seen.append(one)
-                return 1 if on_tick is not None and on_tick(one) else 0
+                return 0
             except BaseException as error:   # no exception passes through C
                 raised.append(error)
                 return 1

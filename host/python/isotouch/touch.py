@@ -56,7 +56,7 @@ class Settings:
     """of the handle; only with encoder counts"""
     ramp_ticks: int = 50
     """from no force to full force if contact did not begin at rest"""
-    damping_n_s_mm: float = 0.0
+    device_damping: float = 0.0
     """of the device; 0: not known, and no stiffness is refused"""
     delay_ticks: int = 0
     """from a sample to its force being felt"""

@@ -157,6 +157,33 @@ TEST(ControlServer, AnUploadThatHardlyGetsOnGivesItsPlaceUp) {
   EXPECT_EQ(upload(next, ball).kind, Kind::kAccepted);
 }
 
+TEST(ControlServer, ToBeginAgainAndAgainOrAfterAFastStartKeepsNoPlace) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = 200'000'000; });
+  const store::PackedField ball = store::packed_ball(1);
+  for (const bool anew : {true, false}) {
+    Speaker slow(rig.settings.path);
+    slow.greet();
+    slow.say(Kind::kBegin, ball.promise);
+    ASSERT_EQ(slow.hear().kind, Kind::kDone);
+    std::size_t at = anew ? 0 : ball.bytes.size() / 2;
+    if (!anew) {
+      slow.say(Kind::kChunk, protocol::Chunk{0, std::span(ball.bytes).first(at)});
+      ASSERT_EQ(slow.hear().kind, Kind::kDone);
+    }
+    int times = 0;
+    for (; times < 100; ++times, ++at) {
+      if (anew) {
+        slow.say(Kind::kBegin, ball.promise);
+      } else {
+        slow.say(Kind::kChunk, protocol::Chunk{at, std::span(ball.bytes).subspan(at, 1)});
+      }
+      if (slow.hear().kind != Kind::kDone) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    EXPECT_LT(times, 100) << (anew ? "begun anew" : "after a fast half");
+  }
+}
+
 /// Processor time of this process, seconds.
 double used_s() {
   rusage usage{};

@@ -87,6 +87,36 @@ TEST(Bag, AMessageThatIsNoPositionIsRefused) {
     EXPECT_THAT(refusal_of(written("bad.mcap", with_topics({"/a"}, text))), HasSubstr("message 0 of /a cannot be read")) << text;
 }
 
+TEST(Bag, TheStampOfAJsonMessageCounts) {
+  McapWriter writer("test");
+  const auto channel = writer.channel(writer.schema("geometry_msgs/PointStamped", "jsonschema", "{}"), "/a", "json");
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    const std::string text =
+        R"({"header":{"stamp":{"sec":1700000000,"nanosec":)" + std::to_string(i * 10'000'000) + R"(}},"point":{"x":1,"y":2,"z":3}})";
+    writer.message(channel, i * 100'000, Bytes(text.begin(), text.end()));
+  }
+  const auto points = read_bag_motion(written("stamped.mcap", writer.finish()), {});
+  EXPECT_NEAR(points[2].time, 0.02, 1e-12);
+}
+
+TEST(Bag, OtherVectorsAndOtherBodiesAreNoHand) {
+  const auto with = [](const char* type, const std::vector<std::string>& texts) {
+    McapWriter writer("test");
+    const auto channel = writer.channel(writer.schema(type, "jsonschema", "{}"), "/a", "json");
+    for (std::size_t i = 0; i < texts.size(); ++i) writer.message(channel, i, Bytes(texts[i].begin(), texts[i].end()));
+    return written("others.mcap", writer.finish());
+  };
+  const std::string vector = R"({"vector":{"x":0,"y":0,"z":9.81}})";
+  const fs::path speeds = with("geometry_msgs/Vector3Stamped", {vector, vector});
+  EXPECT_THAT(refusal_of(speeds), HasSubstr("no topic of it holds a position"));
+  EXPECT_EQ(read_bag_motion(speeds, {.positions = "/a"}).size(), 2U) << "when it is named";
+  const auto transform = [](const std::string& child) {
+    return R"({"child_frame_id":")" + child + R"(","transform":{"translation":{"x":1,"y":2,"z":3}}})";
+  };
+  EXPECT_THAT(refusal_of(with("geometry_msgs/TransformStamped", {transform("hand"), transform("head")})),
+              HasSubstr("/a tells of several bodies, 'hand' and 'head'"));
+}
+
 TEST(Bag, TimeMustRise) {
   McapWriter writer("test");
   const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
@@ -215,6 +245,18 @@ TEST(Db3, ShortMessagesAndOtherDatabasesAreRefused) {
     made.run("DROP TABLE messages");
   }
   EXPECT_THAT(refusal_of(other), HasSubstr("it cannot be read as a recording of ROS 2"));
+}
+
+TEST(Db3, AViewIsNoTable) {
+  const fs::path file = in_temp("view.db3");
+  {
+    Db3 made(file);
+    made.run("DROP TABLE messages");
+    made.run(
+        "CREATE VIEW messages AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) "
+        "SELECT i AS id, 1 AS topic_id, i AS timestamp, x'00' AS data FROM n");
+  }
+  EXPECT_THAT(refusal_of(file), HasSubstr("it cannot be read as a recording of ROS 2"));
 }
 
 TEST(Db3, DamageIsRefusedOrReadWhole) {

@@ -190,7 +190,7 @@ TEST(LibraryTouch, SettingsHaveTheRangesOfTheController) {
 TEST(LibraryTouch, AStiffnessThatADeviceCannotRenderIsRefused) {
   const Field field;
   isotouch_settings settings = defaults();
-  settings.damping_n_s_mm = 0.003;
+  settings.device_damping = 0.003;
   settings.stiffness = 10;
   isotouch_touch touch = 0;
   EXPECT_REFUSED(isotouch_touch_new(field.handle, &settings, sizeof settings, &touch), ISOTOUCH_BAD_DATA,

@@ -169,7 +169,7 @@ class TouchTest(unittest.TestCase):
             with self.subTest(words), self.assertRaisesRegex(isotouch.ArgumentError, words):
                 field.begin(settings)
         with self.assertRaisesRegex(isotouch.DataError, "too stiff"):
-            field.begin(isotouch.Settings(stiffness=50, damping_n_s_mm=0.003))
+            field.begin(isotouch.Settings(stiffness=50, device_damping=0.003))
         touch = field.begin()
         hips: list[Any] = [[0, 0], [0, 0, np.nan], [[0, 0, 0]], "abc", [0, 0, 1j]]
         for hip in hips:
