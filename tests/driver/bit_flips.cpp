@@ -314,9 +314,11 @@ FlipRun bit_flips(int flips, std::uint64_t seed) {
   for (const Flip& one : all) {
     for (; t < one.moment; ++t) pair->tick();
     const Seen seen = run_apart(*pair, one, *static_cast<Seen*>(pages));
-    if (seen.hung && run.broken.empty()) run.broken = text_of("a run took more than %u s", kHangs);
     const FlipCell cell = cell_of(seen);
     FlipRow& row = run.rows[one.place];
+    if (seen.hung)
+      run.hung.push_back(text_of("%s, %s: hung, bit %llu, tick %d", row.place.c_str(), kStateNames[static_cast<std::size_t>(one.state)],
+                                 static_cast<unsigned long long>(one.bit), one.moment));
     row.cells[static_cast<std::size_t>(one.state)].add(cell);
     run.all.add(cell);
     if (cell.escaped != 0) {
@@ -349,6 +351,7 @@ std::string describe(const FlipRun& run) {
   for (std::size_t s = 0; s < kFlipStates; ++s) line("all places", kStateNames[s], of_state[s]);
   line("all places", "all", run.all);
   for (const std::string& flip : run.worst) text += "escaped: " + flip + "\n";
+  for (const std::string& flip : run.hung) text += flip + "\n";
   text += text_of("%d flips, %d escaped: %.2f %%\n", run.all.flips, run.all.escaped, 100.0 * run.all.escaped / std::max(run.all.flips, 1));
   return text + (run.broken.empty() ? "" : "BROKEN: " + run.broken + "\n");
 }

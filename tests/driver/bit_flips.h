@@ -44,6 +44,7 @@ struct FlipRun {
   std::vector<FlipRow> rows;
   FlipCell all;
   std::vector<std::string> worst;  ///< a line for each flip that escaped
+  std::vector<std::string> hung;   ///< a line for each run whose tick did not end: on a board the exchange thread then ends the force
   std::string broken;              ///< why the runs prove nothing; empty: they do
 };
 
