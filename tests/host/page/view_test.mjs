@@ -334,7 +334,7 @@ const tests = {
     const busy = /(\d+\.\d) %/.exec(await page.locator('#numbers').textContent());
     console.log(`  the core computes ${busy?.[1]} % of the time`);
     await page.locator('#canvas').focus();
-    const hand = page.locator('#numbers tr', { hasText: 'Hand' });
+    const hand = page.locator('#numbers tr', { hasText: 'Hand x' });
     const before = await hand.textContent();
     for (const key of ['ArrowLeft', 'ArrowUp', 'PageDown']) await page.keyboard.press(key);
     await within(10, async () => (await hand.textContent()) !== before, 'the keys do not move the hand');
