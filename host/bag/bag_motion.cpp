@@ -21,17 +21,18 @@ constexpr double kMmPerMetre = 1000;
 
 using Use = std::function<void(const Channel&, std::uint64_t, std::span<const std::uint8_t>)>;
 
-bool begins_as_sqlite(const std::filesystem::path& file) {
+/// The first bytes of a file; zero where there are none.
+std::array<std::uint8_t, 16> begin_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, 16> begin{};
   in.read(begin.data(), begin.size());
   std::array<std::uint8_t, 16> bytes{};
   std::copy(begin.begin(), begin.end(), bytes.begin());
-  return in.good() && is_sqlite(bytes);
+  return bytes;
 }
 
 void each_message(const std::filesystem::path& file, const Use& use) {
-  if (begins_as_sqlite(file)) return read_ros2_bag(file, use);
+  if (is_sqlite(begin_of(file))) return read_ros2_bag(file, use);
   if (!read_mcap(read_file(file), file.string(), {use, {}}))
     std::fprintf(stderr, "isotouch: %s: its end is missing; what is whole was read\n", file.string().c_str());
 }
@@ -134,12 +135,8 @@ class Collector {
 
 bool is_bag(const std::filesystem::path& file) {
   if (is_standard(file)) return false;
-  std::ifstream in(file, std::ios::binary);
-  std::array<char, 8> begin{};
-  in.read(begin.data(), begin.size());
-  std::array<std::uint8_t, 8> bytes{};
-  std::copy(begin.begin(), begin.end(), bytes.begin());
-  return in.good() && (is_mcap(bytes) || begins_as_sqlite(file));
+  const auto begin = begin_of(file);
+  return is_mcap(begin) || is_sqlite(begin);
 }
 
 std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& file, const BagTopics& topics) {
@@ -150,7 +147,7 @@ std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& fil
 }
 
 std::optional<Bytes> attached_trace(const std::filesystem::path& file) {
-  if (begins_as_sqlite(file)) return std::nullopt;
+  if (!is_mcap(begin_of(file))) return std::nullopt;
   std::optional<Bytes> found;
   read_mcap(read_file(file), file.string(), {{}, [&](std::string_view, std::string_view media_type, std::span<const std::uint8_t> data) {
                                                if (media_type == kTraceMediaType) found.emplace(data.begin(), data.end());

@@ -16,6 +16,7 @@
 #include "host/encoding/write_image.h"
 #include "host/field/parallel.h"
 #include "host/field/scan_field.h"
+#include "host/field/scan_voxel.h"
 #include "host/field/sound_scan.h"
 #include "host/field_file/packed.h"
 #include "host/library/call.h"
@@ -103,14 +104,17 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   cloud::PlacementOptions size{{}, options.fit_mm};
   if (options.mm_per_unit != 0) size.mm_per_unit = options.mm_per_unit;
   const cloud::Placement placement = cloud::place(std::span(scan.points.positions.data(), scan.measured), size);
-  const int grid = options.grid != 0 ? static_cast<int>(options.grid) : scan.usual_grid(box.sizes());
-  const double edge = options.voxel_mm != 0 ? options.voxel_mm : box.sizes().maxCoeff() * placement.scale / grid;
+  field::GridWish wish{.grid_name = "grid"};
+  if (options.voxel_mm != 0) wish.voxel_mm = options.voxel_mm;
+  if (options.grid != 0) wish.grid = static_cast<int>(options.grid);
+  const auto [edge, too_fine] = field::scan_voxel(scan, box.sizes(), placement.scale, wish, scan.usual_grid(box.sizes()));
   scan.place(placement);
 
   Built done;
   done.warnings = read.warnings();
   if (estimate) done.warnings.emplace_back("normals were estimated from the points");
   for (const std::string& warning : scan.warnings()) done.warnings.push_back(warning);
+  if (!too_fine.empty()) done.warnings.push_back(too_fine);
   field::Progress progress;
   field::ScanField made = field::scan_field(scan, edge, options.band, progress);
   for (const std::string& warning : made.repair.warnings()) done.warnings.push_back(warning);

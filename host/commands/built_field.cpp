@@ -27,6 +27,7 @@
 #include "host/field/nearest.h"
 #include "host/field/parallel.h"
 #include "host/field/scan_field.h"
+#include "host/field/scan_voxel.h"
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/published/build.h"
@@ -98,24 +99,6 @@ std::string sensor_sentence(const Eigen::Vector3d& place) {
   return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
 }
 
-/// The edge of a voxel for a scan, mm; as asked for, or as fine as the scan supports.
-///
-/// sound     not placed yet
-double scan_voxel(const field::SoundScan& sound, const Eigen::Vector3d& sides, const BuildOptions& options, BuildReport& report) {
-  const int usual = options.method == Method::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
-  const double side = sides.maxCoeff(), scale = report.placement.scale;
-  const double edge = options.voxel_mm.value_or(side * scale / options.grid.value_or(usual));
-  if ((options.voxel_mm || options.grid) && sound.spacing * scale > field::kUselessVoxels * edge) {
-    std::array<char, 200> text{};
-    std::snprintf(
-        text.data(), text.size(),
-        "the grid is finer than the scan supports: neighbouring points are %.3g mm apart, a voxel is %.3g mm; --grid %d shows as much",
-        sound.spacing * scale, edge, field::finest_grid(side, sound.spacing));
-    report.warnings.emplace_back(text.data());
-  }
-  return edge;
-}
-
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::read_cloud(source, read);
@@ -134,7 +117,10 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
   if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint));
-  const double edge = scan_voxel(sound, box_of(measured).sizes(), options, report);
+  const Eigen::Vector3d sides = box_of(measured).sizes();
+  const int usual = options.method == Method::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
+  const auto [edge, too_fine] = field::scan_voxel(sound, sides, report.placement.scale, {options.voxel_mm, options.grid}, usual);
+  if (!too_fine.empty()) report.warnings.push_back(too_fine);
   sound.place(report.placement);
   for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
 

@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/board_commands/output.h"
@@ -46,5 +48,17 @@ struct PictureOptions {
     return parsed;
   }
 };
+
+/// A sub-command that draws: its options live as long as the parser.
+///
+/// Run       has `PictureOptions picture`, and draws when it is called
+template <class Run>
+std::pair<CLI::App*, Run*> add_picture(CLI::App& parent, const char* name, const char* about) {
+  auto run = std::make_shared<Run>();
+  CLI::App* command = parent.add_subcommand(name, about);
+  run->picture.add_to(*command);
+  command->callback([run] { (*run)(); });
+  return {command, run.get()};
+}
 
 }  // namespace isotouch::commands

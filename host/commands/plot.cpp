@@ -161,15 +161,6 @@ struct LatencyRun {
   }
 };
 
-template <class Run>
-std::pair<CLI::App*, Run*> add(CLI::App& parent, const char* name, const char* about) {
-  auto run = std::make_shared<Run>();
-  CLI::App* command = parent.add_subcommand(name, about);
-  run->picture.add_to(*command);
-  command->callback([run] { (*run)(); });
-  return {command, run.get()};
-}
-
 }  // namespace
 
 void add_plot(CLI::App& app) {
@@ -177,7 +168,7 @@ void add_plot(CLI::App& app) {
   plot->require_subcommand(1);
 
   const auto [force, force_run] =
-      add<ForceRun>(*plot, "force", "The force of a recorded hand over time, with the times of contact and the force limit");
+      add_picture<ForceRun>(*plot, "force", "The force of a recorded hand over time, with the times of contact and the force limit");
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
   CLI::Option* other = force->add_option("OTHER", force_run->other, "another one, drawn over it, and the difference below");
   force->add_option("--field,--blob", force_run->field,
@@ -186,7 +177,7 @@ void add_plot(CLI::App& app) {
       ->check(CLI::PositiveNumber)
       ->excludes(other);
 
-  const auto [latency, latency_run] = add<LatencyRun>(*plot, "latency", "The histograms that isotouch latency --json prints");
+  const auto [latency, latency_run] = add_picture<LatencyRun>(*plot, "latency", "The histograms that isotouch latency --json prints");
   latency->add_option("FIGURES", latency_run->figures, "what isotouch latency --json printed; - is standard input")->required();
   latency->add_option("OTHER", latency_run->other, "those of another run, drawn over them as a line");
 }

@@ -130,33 +130,23 @@ struct SliceRun {
   }
 };
 
-/// A sub-command whose options live as long as the parser.
-template <class Run>
-std::pair<CLI::App*, Run*> add(CLI::App& parent, const char* name, const char* about) {
-  auto run = std::make_shared<Run>();
-  CLI::App* command = parent.add_subcommand(name, about);
-  run->picture.add_to(*command);
-  command->callback([run] { (*run)(); });
-  return {command, run.get()};
-}
-
 }  // namespace
 
 void add_render(CLI::App& app) {
   CLI::App* render = app.add_subcommand("render", "Write a picture of points, a surface or a slice");
   render->require_subcommand(1);
 
-  const auto [points, points_run] = add<PointsRun>(*render, "points", "Oriented points as small lit discs");
+  const auto [points, points_run] = add_picture<PointsRun>(*render, "points", "Oriented points as small lit discs");
   points->add_option("CLOUD", points_run->cloud, "PLY, OBJ, PCD, text, or a depth image (16-bit PNG)")->required();
   points_run->picture.add_view_to(*points);
   points_run->camera.add_to(*points);
 
-  const auto [surface, surface_run] = add<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
+  const auto [surface, surface_run] = add_picture<SurfaceRun>(*render, "surface", "The lit zero surface as the core samples it");
   surface->add_option("FIELD", surface_run->field, "the field (.itf)")->required();
   surface_run->touch.add_to(*surface);
   surface_run->picture.add_view_to(*surface);
 
-  const auto [slice, slice_run] = add<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
+  const auto [slice, slice_run] = add_picture<SliceRun>(*render, "slice", "A cross-section of the field in colours, with its contours");
   slice->add_option("FIELD", slice_run->field, "the field (.itf)")->required();
   slice
       ->add_option_function<std::string>(

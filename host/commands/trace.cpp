@@ -135,6 +135,7 @@ struct ImportOptions {
   NewTrace trace;
   fs::path source;
   std::string topic, force_topic;
+  std::string given;  ///< an option that changes what is imported; empty: there is none
   std::string columns;
   std::string time_unit;
   std::string length_unit;
@@ -182,6 +183,10 @@ bool bring_back(const ImportOptions& options) {
   if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
   const std::optional<bag::Bytes> whole = bag::attached_trace(options.source);
   if (!whole) return false;
+  if (!options.given.empty()) {
+    throw InputError(options.source.string() + ": it holds a whole trace, which comes back as it was; leave " + options.given +
+                     " out, or name the positions to import anew with --topic");
+  }
   const TemporaryFolder folder;
   const fs::path looked_at = folder.path / "attached.trace";
   write_file(looked_at, whole->data(), whole->size());
@@ -192,8 +197,7 @@ bool bring_back(const ImportOptions& options) {
                      "); choose a topic with --topic");
   }
   write_file(options.trace.out, whole->data(), whole->size());
-  std::fprintf(stderr, "%s: the trace that %s holds, to the bit; options of a new trace do not change it\n",
-               options.trace.out.string().c_str(), options.source.string().c_str());
+  std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;
 }
 
@@ -332,7 +336,12 @@ void add_import(CLI::App& trace) {
       ->excludes("--scale")
       ->excludes("--offset");
   options->trace.add_to(*command);
-  command->callback([options] { import_table(*options); });
+  command->callback([options, command] {
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->count() > 0 && !option->get_positional() && !option->check_lname("out")) options->given = option->get_name();
+    }
+    import_table(*options);
+  });
 }
 
 void add_export_of_trace(CLI::App& trace) {

@@ -9,11 +9,13 @@
 namespace isotouch::view {
 namespace {
 
-const Colour kGrid = srgb(0xE3E7EC);
-
 double step_of(const std::vector<double>& values) { return values.size() > 1 ? values[1] - values[0] : 1; }
 
 }  // namespace
+
+Rect frame_in(const Rect& place, float scale) {
+  return {place.left + 78 * scale, place.top + 34 * scale, place.right - 24 * scale, place.bottom - 48 * scale};
+}
 
 std::vector<double> ticks(double low, double high, int most) {
   const double least = (high - low) / std::max(1, most - 1);

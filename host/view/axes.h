@@ -13,6 +13,13 @@ struct Axis {
   double low = 0, high = 1;  ///< low < high
 };
 
+inline const Colour kGrid = srgb(0xE3E7EC);
+
+/// The inside of the frame of a plot that fills `place` with its title, legend and labels.
+///
+/// scale     `drawing_scale` of the picture
+Rect frame_in(const Rect& place, float scale);
+
 /// Round values within [low, high], at most `most` of them, ascending, a multiple of 1, 2 or 5 times a power of ten apart.
 std::vector<double> ticks(double low, double high, int most);
 

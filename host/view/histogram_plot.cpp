@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/view/axes.h"
 #include "host/view/caption.h"
+#include "host/view/legend.h"
 #include "host/view/palette.h"
 #include "host/view/text.h"
 
@@ -11,7 +13,6 @@ namespace isotouch::view {
 namespace {
 
 constexpr double kColumnsAnOctave = 4;
-const Colour kGrid = srgb(0xE3E7EC);
 
 double begin_of(const ValueClass& column) { return column.up_to / std::exp2(1 / kColumnsAnOctave); }
 
@@ -106,7 +107,7 @@ std::vector<ValueClass> by_quarter_octaves(const std::vector<ValueClass>& classe
 
 void HistogramPlot::draw(Canvas& canvas, const Rect& place) const {
   const float scale = drawing_scale(canvas.picture());
-  const Rect area{place.left + 78 * scale, place.top + 34 * scale, place.right - 24 * scale, place.bottom - 48 * scale};
+  const Rect area = frame_in(place, scale);
   draw_text(canvas, {area.left, area.top - 12 * scale}, title, {.capital = 10 * scale, .colour = kInk, .bold = true});
   canvas.fill(area, srgb(0xFFFFFF));
   const std::vector<ValueClass> bars = by_quarter_octaves(classes), line = by_quarter_octaves(beside);
@@ -129,20 +130,10 @@ void HistogramPlot::draw(Canvas& canvas, const Rect& place) const {
   }
   canvas.frame(area, 1.2F * scale, kPaleInk);
 
-  const TextStyle style{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd};
-  float right = area.right;
-  const float y = area.top - 12 * scale;
-  const auto name = [&](const std::string& text, const auto& sign) {
-    if (text.empty()) return;
-    draw_text(canvas, {right, y}, text, style);
-    right -= text_width(text, style) + 8 * scale;
-    sign();
-    right -= 48 * scale;
-  };
-  const auto sample = [&] { return Polyline{{right - 26 * scale, y - 4 * scale}, {right, y - 4 * scale}}; };
-  name(limit ? "limit" : "", [&] { canvas.stroke(dashed(sample(), 7 * scale, 5 * scale), 1.8F * scale, kVermilion); });
-  name(line.empty() ? "" : beside_label, [&] { canvas.line(sample()[0], sample()[1], 1.8F * scale, kOrange); });
-  name(label, [&] { canvas.fill({right - 26 * scale, y - 8 * scale, right, y}, kBlue); });
+  Legend legend(canvas, area);
+  if (limit) legend.add_line("limit", kVermilion, 1.8F, true);
+  if (!line.empty()) legend.add_line(beside_label, kOrange, 1.8F, false);
+  legend.add_area(label, kBlue);
 }
 
 }  // namespace isotouch::view

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "host/view/caption.h"
+#include "host/view/legend.h"
 #include "host/view/text.h"
 
 namespace isotouch::view {
@@ -59,25 +60,10 @@ std::vector<Polyline> pixel_lines(const Series& series, const Axes& axes) {
 }
 
 void draw_legend(Canvas& canvas, const Plot& plot, const Rect& area) {
-  const float scale = drawing_scale(canvas.picture());
-  const TextStyle style{.capital = 8.5F * scale, .colour = kInk, .along = Anchor::kEnd};
-  float x = area.right;
-  const float y = area.top - 12 * scale;
-  if (!plot.band_label.empty()) {
-    draw_text(canvas, {x, y}, plot.band_label, style);
-    x -= text_width(plot.band_label, style) + 8 * scale;
-    canvas.fill({x - 26 * scale, y - 9 * scale, x, y + scale}, kBand);
-    x -= 26 * scale + 22 * scale;
-  }
-  for (auto series = plot.series.rbegin(); series != plot.series.rend(); ++series) {
-    if (series->label.empty()) continue;
-    draw_text(canvas, {x, y}, series->label, style);
-    x -= text_width(series->label, style) + 8 * scale;
-    const Polyline sample = {{x - 26 * scale, y - 4 * scale}, {x, y - 4 * scale}};
-    const float width = std::max(series->width, 1.8F) * scale;
-    canvas.stroke(series->broken ? dashed(sample, 7 * scale, 5 * scale) : std::vector<Polyline>{sample}, width, series->colour);
-    x -= 26 * scale + 22 * scale;
-  }
+  Legend legend(canvas, area);
+  legend.add_area(plot.band_label, kBand);
+  for (auto series = plot.series.rbegin(); series != plot.series.rend(); ++series)
+    legend.add_line(series->label, series->colour, std::max(series->width, 1.8F), series->broken);
 }
 
 }  // namespace
@@ -93,8 +79,7 @@ Axes Plot::axes(const Rect& place, float scale) const {
     if (low != 0) low -= air;
     high += air;
   }
-  return Axes({place.left + 78 * scale, place.top + 34 * scale, place.right - 24 * scale, place.bottom - 48 * scale},
-              {x_label, first, last}, {y_label, low, high});
+  return Axes(frame_in(place, scale), {x_label, first, last}, {y_label, low, high});
 }
 
 void Plot::draw(Canvas& canvas, const Rect& place) const {

@@ -1,8 +1,10 @@
 // The page: what comes from the server, what is seen of it, and what a person may do.
 import './style.css';
 import { BuildPanel } from './build_panel';
+import { showFacts, showLegend } from './captions';
 import { Choice, element, make, say, toggle } from './dom';
 import { isExported } from './exported';
+import { bindKeys } from './keys';
 import { Live } from './live';
 import { localSlice } from './local_slice';
 import type { Hello, Message, SceneSummary, Words } from './messages';
@@ -107,7 +109,7 @@ class Page {
     if (this.reader) return this.openScene(); // the connection was lost for a moment
     this.reader = new RowReader(hello.columns, hello.status_bits);
     if (!isExported()) this.build = new BuildPanel(this.server);
-    this.legend(hello);
+    showLegend(hello);
     this.makeView(hello);
     if (hello.scene) await this.openScene();
     if (hello.live) this.sources.add('live', 'Live');
@@ -159,7 +161,7 @@ class Page {
       const summary = await this.server.scene();
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
-      this.facts(summary);
+      showFacts(summary);
       if (!this.view) return;
       const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.bytes(name)));
       if (this.opening !== opening) return; // another object has come meanwhile
@@ -184,24 +186,6 @@ class Page {
     const felt = this.source === 'live' ? [this.liveField ?? ''] : this.source === 'recording' ? this.recordings.map((recording) => recording.summary.field) : [];
     const other = drawn !== undefined && felt.some((hash) => hash !== '' && hash !== drawn);
     say(element('field-warning'), other ? `The hand ${this.source === 'live' ? 'feels' : 'felt'} another field than the one that is drawn.` : '');
-  }
-
-  private facts(summary: SceneSummary): void {
-    const size = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)).toFixed(0)).join(' × ');
-    const facts: [string, string][] = [
-      ['Grid', `${summary.samples.join(' × ')} samples`],
-      ['Its size', `${size} mm`],
-      ['Voxel', `${summary.voxel_mm.toFixed(3)} mm`],
-      ['Stiffness', `${summary.stiffness_n_per_mm.toFixed(2)} N/mm`],
-      ['Memory', `${(summary.bytes / 1024).toFixed(0)} KiB`],
-      ['Surface invented', `${(100 * summary.invented_share).toFixed(1)} %`],
-      ['Drawn with a step of', `${summary.step_voxels} ${summary.step_voxels === 1 ? 'voxel' : 'voxels'}`],
-      ...(summary.points > 0 ? [['Points', summary.points_drawn < summary.points ? `${summary.points}, ${summary.points_drawn} drawn` : `${summary.points}`] as [string, string]] : []),
-      ['Hash', summary.hash],
-    ];
-    const table = element<HTMLTableElement>('facts');
-    table.tBodies[0]?.replaceChildren(...facts.map(([label, text]) => make('tr', {}, make('th', { scope: 'row', textContent: label }), make('td', { textContent: text }))));
-    table.hidden = false;
   }
 
   /** Live, or recording. */
@@ -383,56 +367,18 @@ class Page {
     ];
   }
 
-  private legend(hello: Hello): void {
-    const sign = (shape: string, colour: string, text: string): HTMLLIElement => {
-      const key = make('span', { className: `sign ${shape}` });
-      key.style.setProperty('--colour', colour);
-      key.setAttribute('aria-hidden', 'true');
-      return make('li', {}, key, text);
-    };
-    element('legend').replaceChildren(
-      sign('cube', hello.colours.hip, 'hand (HIP)'),
-      sign('ball', hello.colours.proxy, 'proxy'),
-      sign('arrow', 'currentColor', 'force, 6 mm a newton'),
-      sign('hatch', hello.colours.invented, 'invented: nobody scanned this'),
-    );
-  }
-
   private keys(): void {
-    const help = element('help');
-    const button = element('help-button');
-    const show = (shown: boolean): void => {
-      help.hidden = !shown;
-      button.setAttribute('aria-expanded', String(shown));
-    };
-    button.addEventListener('click', () => show(help.hidden));
-    const keys: [string, string][] = [
-      ['Arrow keys', 'turn the object (on the picture); while you touch, they move the hand, and with Shift they turn'],
-      ['Page up and down', 'while you touch: the hand towards you and away'],
-      ['+ and −', 'nearer and further; Home: as at first'],
-      ['u, p, s', 'surface, points, slice'],
-      ['x, y, z and [ ]', 'axis of the slice, and one voxel along it'],
-      ['Space', 'play and pause'],
-      [', and .', 'one tick back and on'],
-      ['c, f, g', 'next contact, fault, setting'],
-      ['Mouse', 'drag turns, right button moves, wheel zooms; the slice follows the mouse'],
-      ['Gamepad, to touch', 'the left stick moves the hand across the picture, the right one towards the object and away'],
-      ['Mouse, to touch', 'the pointer is the hand, the wheel moves it towards the object, the right button turns'],
-    ];
-    help.append(make('h2', { textContent: 'Keys' }), make('dl', {}, ...keys.flatMap(([key, text]) => [make('dt', { textContent: key }), make('dd', { textContent: text })])));
     const press = (label: string): void => {
       const found = [...document.querySelectorAll<HTMLButtonElement>('#layers button')].find((one) => one.textContent === label);
       found?.click();
     };
-    addEventListener('keydown', (event) => {
-      const target = event.target as HTMLElement;
-      if (event.ctrlKey || event.metaKey || event.altKey || target.matches('select, input')) return;
-      const turns = event.shiftKey || !this.hand?.on;
-      if (target === this.canvas && ((!turns && this.hand?.key(event.key)) || this.view?.orbit.key(event.key))) {
-        event.preventDefault();
-        return;
-      }
-      const uses: Record<string, () => void> = {
+    bindKeys(
+      this.canvas,
+      (event) => {
+        const turns = event.shiftKey || !this.hand?.on;
+        return (!turns && this.hand?.key(event.key)) || this.view?.orbit.key(event.key) || false;
+      },
+      {
         u: () => press('Surface'),
         p: () => press('Points'),
         s: () => press('Slice'),
@@ -443,19 +389,12 @@ class Page {
         ']': () => this.slice?.step(1),
         ',': () => this.player.step(-1),
         '.': () => this.player.step(1),
+        ' ': () => this.source === 'recording' && (this.player.toggle(), true),
         c: () => this.player.jump('contact'),
         f: () => this.player.jump('fault'),
         g: () => this.player.jump('setting'),
-        Escape: () => show(false),
-        '?': () => show(help.hidden),
-      };
-      if (event.key === ' ' && !target.matches('button') && this.source === 'recording') {
-        event.preventDefault();
-        this.player.toggle();
-      } else {
-        uses[event.key]?.();
-      }
-    });
+      },
+    );
   }
 }
 

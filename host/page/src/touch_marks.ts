@@ -19,7 +19,7 @@ import type { Colours } from './messages';
 import { length, type Tick, type Vector } from './rows';
 
 const kTrail = 400; // places
-const kArrowMmPerN = 6;
+export const kArrowMmPerN = 6;
 const kUp = new Vector3(0, 1, 0);
 
 const vector = (v: Vector): Vector3 => new Vector3(v.x, v.y, v.z);

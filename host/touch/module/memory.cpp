@@ -7,7 +7,7 @@ namespace isotouch::touch {
 namespace {
 
 constexpr std::uint64_t kPage = 65536;
-constexpr std::uint64_t kMost = std::uint64_t{1} << 32;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ std::uint8_t* block_begin() {
 
 std::span<std::uint8_t> block_of(std::uint64_t bytes) {
   const std::uint64_t begin = reinterpret_cast<std::uintptr_t>(block_begin());
-  if (bytes > kMost - begin - kPage) return {};
+  if (bytes > kMaxBytes - begin - kPage) return {};
   const std::uint64_t pages = __builtin_wasm_memory_size(0), wanted = (begin + bytes + kPage - 1) / kPage;
   if (wanted > pages && __builtin_wasm_memory_grow(0, static_cast<std::size_t>(wanted - pages)) == SIZE_MAX) return {};
   return {block_begin(), static_cast<std::size_t>(bytes)};
