@@ -1,7 +1,7 @@
 /// The sub-commands that `isotouchctl` has, and `isotouch`, too, one file each. A command adds itself to the parser; its callback does the work.
 ///
 /// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
-/// as EndedEarly (exit 4); wrong usage is the parser's (exit 2).
+/// as EndedEarly (exit 4), what nobody can judge as CannotBeJudged (exit 125); wrong usage is the parser's (exit 2).
 /// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
 #pragma once
 
@@ -22,6 +22,12 @@ class ComparisonFailed : public std::runtime_error {
 };
 
 class EndedEarly : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Of what `git bisect run` tries: skip this one.
+class CannotBeJudged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -18,7 +18,7 @@ namespace isotouch::commands {
 
 namespace {
 
-enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4 };
+enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4, kCannotBeJudged = 125 };
 
 int complain(const char* program, ExitCode code, const char* sentence) {
   std::fprintf(stderr, "%s: %s\n", program, sentence);
@@ -35,7 +35,7 @@ const std::vector<Task>& tasks() {
   static const std::vector<Task> all = {
       {"Build and judge a field", {"demo", "shape", "build", "info", "sample", "export", "render", "view", "evaluate", "compare", "bench"}},
       {"Run a controller", {"upload", "fields", "status", "latency", "watch", "set", "stop", "resume", "calibrate", "qualify"}},
-      {"Record and replay", {"record", "replay", "trace", "scan"}}};
+      {"Record and replay", {"record", "replay", "trace", "scan", "farm"}}};
   return all;
 }
 
@@ -109,6 +109,8 @@ int run(const char* program, const char* about, void (*add)(CLI::App& app), int 
     return complain(program, kComparisonFailed, e.what());
   } catch (const EndedEarly& e) {
     return complain(program, kEndedEarly, e.what());
+  } catch (const CannotBeJudged& e) {
+    return complain(program, kCannotBeJudged, e.what());
   } catch (const InputError& e) {
     return complain(program, kBadInput, e.what());
   } catch (const std::bad_alloc&) {

@@ -1,0 +1,188 @@
+/// isotouch farm: recordings replayed by many programs, in shards that any engine runs, and what differs since when.
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/board_commands/interruption.h"
+#include "host/board_commands/output.h"
+#include "host/commands/commands.h"
+#include "host/error.h"
+#include "host/farm/answer.h"
+#include "host/farm/ended_program.h"
+#include "host/farm/report.h"
+#include "host/farm/run.h"
+#include "host/files/whole_file.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Addition {
+  fs::path table;
+  farm::Recording recording;
+
+  void operator()() const {
+    farm::Recording named = recording;
+    if (named.name.empty()) named.name = named.trace.stem().string();
+    farm::add_recording(table, named);
+    std::fprintf(stderr, "%s: %s added\n", table.string().c_str(), named.name.c_str());
+  }
+};
+
+/// The tables and the folder that `run` and `merge` work on.
+struct Farm {
+  fs::path recordings, programs, answers;
+
+  void add_to(CLI::App& command) {
+    command.add_option("RECORDINGS", recordings, "the table of recordings, as `isotouch farm add` makes it")->required();
+    command.add_option("PROGRAMS", programs, "the table of programs: processor, commit, compiler, rung, command")->required();
+    command.add_option("ANSWERS", answers, "the folder of answers, shared by all machines; made where there is none")->required();
+  }
+};
+
+struct ShareOptions {
+  Farm farm;
+  farm::Share share;
+
+  void operator()() const {
+    if (share.shard >= share.shards)
+      throw CLI::ValidationError("--shard", "there is no shard " + std::to_string(share.shard) + " of " + std::to_string(share.shards) + "; the first is 0");
+    const auto recordings = farm::read_recordings(farm.recordings);
+    const auto programs = farm::read_programs(farm.programs);
+    const Interruption interruption;
+    const farm::Run run = farm::run(recordings, programs, farm.answers, share, [&] { return !interruption.has_come(); });
+    std::printf("%zu tasks: %zu with an answer from before, %zu asked, of these %zu without an answer\n", run.tasks, run.kept, run.asked,
+                run.failed);
+    if (interruption.has_come()) throw EndedEarly("interrupted; the same command goes on from here");
+    if (run.failed > 0)
+      throw InputError(std::to_string(run.failed) + " tasks have no answer; isotouch farm merge says why, and the same command asks again");
+  }
+};
+
+struct Merge {
+  Farm farm;
+  fs::path table, page;
+
+  void operator()() const {
+    const auto recordings = farm::read_recordings(farm.recordings);
+    const auto programs = farm::read_programs(farm.programs);
+    const std::vector<farm::Row> rows = farm::merge(recordings, programs, farm.answers);
+    write(table, farm::to_csv(rows));
+    write(page, farm::to_html(rows));
+    const farm::Counts counts = farm::count(rows);
+    std::FILE* to = text_stream(table == "-" ? table : page);
+    std::fprintf(to, "%zu recordings by %zu programs: %zu equal, %zu different, %zu failed, %zu missing\n", recordings.size(),
+                 programs.size(), counts.equal, counts.differs, counts.failed, counts.missing);
+    for (const farm::Change& change : farm::changes(rows)) {
+      std::fprintf(to, "%s differs since %s on %s (%s, rung %s)%s\n", change.recording->name.c_str(), change.since->commit.c_str(),
+                   change.since->processor.c_str(), change.since->compiler.c_str(), change.since->rung.c_str(),
+                   change.tick ? (", first in tick " + std::to_string(*change.tick)).c_str() : "");
+    }
+    print_failures(to, rows);
+    if (counts.differs > 0) throw ComparisonFailed(std::to_string(counts.differs) + " answers differ");
+    if (counts.failed + counts.missing > 0)
+      throw EndedEarly(std::to_string(counts.failed + counts.missing) + " answers are missing; isotouch farm run asks for them");
+  }
+
+ private:
+  static void write(const fs::path& file, const std::string& text) {
+    if (!file.empty()) write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  }
+  static void print_failures(std::FILE* to, const std::vector<farm::Row>& rows) {
+    constexpr int kMost = 10;
+    int told = 0;
+    for (const farm::Row& row : rows) {
+      if (!row.answer || row.answer->outcome != farm::Answer::Outcome::kFailed || ++told > kMost) continue;
+      std::fprintf(to, "%s failed on %s at %s: %s\n", row.recording->name.c_str(), row.program->processor.c_str(),
+                   row.program->commit.c_str(), row.answer->said.c_str());
+    }
+    if (told > kMost) std::fprintf(to, "and %d more; the page lists all\n", told - kMost);
+  }
+};
+
+struct Bisect {
+  farm::Recording recording;
+  std::string build;
+  std::vector<std::string> command;
+
+  void operator()() const {
+    try {
+      if (!build.empty()) {
+        const farm::EndedProgram built = farm::run_program({"sh", "-c", build});
+        if (built.code != 0) throw CannotBeJudged("the build ended with " + std::to_string(built.code) + ": " + built.complained);
+      }
+      farm::Recording named = recording;
+      named.field_hash = farm::hash_of_file(named.field);
+      named.trace_hash = farm::hash_of_file(named.trace);
+      const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}});
+      if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
+      if (answer.first_different) throw ComparisonFailed("tick " + std::to_string(*answer.first_different) + " differs");
+      std::printf("equal, hash %s\n", answer.hash.c_str());
+    } catch (const InputError& error) {
+      throw CannotBeJudged(error.what());
+    }
+  }
+};
+
+template <class Options>
+CLI::App* add_command(CLI::App& farm, const char* name, const char* about, const std::shared_ptr<Options>& options) {
+  CLI::App* command = farm.add_subcommand(name, about);
+  command->callback([options] { (*options)(); });
+  return command;
+}
+
+void add_addition(CLI::App& farm) {
+  auto options = std::make_shared<Addition>();
+  CLI::App* command = add_command(farm, "add", "Add a recording, which must answer as recorded, to a table", options);
+  command->add_option("RECORDINGS", options->table, "the table; made where there is none")->required();
+  command->add_option("FIELD", options->recording.field, "the field (.itfi where a program reads nothing else)")->required();
+  command->add_option("TRACE", options->recording.trace, "the recorded run (.trace)")->required();
+  command->add_option("--name", options->recording.name, "its name in the table; by default the file's");
+  command->add_option("--origin", options->recording.origin, "who or what moved the hand")->required();
+}
+
+void add_run(CLI::App& farm) {
+  auto options = std::make_shared<ShareOptions>();
+  CLI::App* command = add_command(farm, "run", "Ask for the answers that are not there yet", options);
+  options->farm.add_to(*command);
+  command->add_option("--shard", options->share.shard, "only this share of the tasks, counted from 0")->capture_default_str();
+  command->add_option("--of", options->share.shards, "number of shares")->check(CLI::PositiveNumber)->capture_default_str();
+  options->share.jobs = std::max(1U, std::thread::hardware_concurrency());
+  command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")->check(CLI::Range(1U, 4096U));
+}
+
+void add_merge(CLI::App& farm) {
+  auto options = std::make_shared<Merge>();
+  CLI::App* command = add_command(farm, "merge", "Put all answers together: what differs, since which commit, on which processor", options);
+  options->farm.add_to(*command);
+  add_output(*command, "-o,--out", options->table, {&forms::kTable}, "also write a row for each answer");
+  add_output(*command, "--html", options->page, {&forms::kPage}, "also write a page for a browser");
+}
+
+void add_bisect(CLI::App& farm) {
+  auto options = std::make_shared<Bisect>();
+  CLI::App* command = add_command(farm, "bisect", "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged", options);
+  command->add_option("FIELD", options->recording.field, "the field")->required();
+  command->add_option("TRACE", options->recording.trace, "the recorded run")->required();
+  command->add_option("PROGRAM", options->command, "the program that replays, and words before the names of field and trace")->required();
+  command->add_option("--build", options->build, "the shell's command that builds the program");
+}
+
+}  // namespace
+
+void add_farm(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("farm", "Replay recordings by many programs, on many machines, and find what differs");
+  command->require_subcommand(1);
+  add_addition(*command);
+  add_run(*command);
+  add_merge(*command);
+  add_bisect(*command);
+}
+
+}  // namespace isotouch::commands

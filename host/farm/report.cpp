@@ -1,0 +1,85 @@
+#include "host/farm/report.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace isotouch::farm {
+namespace {
+
+using Outcome = Answer::Outcome;
+
+bool is(const Row& row, Outcome outcome) { return row.answer && row.answer->outcome == outcome; }
+
+/// In quotes where a comma, a quote or a line's end would be taken for the table's own.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string tick_text(const std::optional<std::uint64_t>& tick) { return tick ? std::to_string(*tick) : ""; }
+
+}  // namespace
+
+std::vector<Row> merge(const std::vector<Recording>& recordings, const std::vector<Program>& programs,
+                       const std::filesystem::path& answers) {
+  std::vector<Row> rows;
+  rows.reserve(recordings.size() * programs.size());
+  for (const Recording& recording : recordings)
+    for (const Program& program : programs) rows.push_back({&recording, &program, kept_answer(answers, address_of(recording, program))});
+  return rows;
+}
+
+Counts count(const std::vector<Row>& rows) {
+  Counts counts;
+  for (const Row& row : rows) {
+    ++(!row.answer                   ? counts.missing
+       : is(row, Outcome::kEqual)    ? counts.equal
+       : is(row, Outcome::kDiffers) ? counts.differs
+                                     : counts.failed);
+  }
+  return counts;
+}
+
+std::vector<Change> changes(const std::vector<Row>& rows) {
+  std::vector<Change> all;
+  std::set<std::tuple<const Recording*, std::string, std::string, std::string>> seen;
+  for (const Row& row : rows) {
+    if (is(row, Outcome::kDiffers) && seen.insert({row.recording, row.program->processor, row.program->compiler, row.program->rung}).second)
+      all.push_back({row.recording, row.program, row.answer->first_different});
+  }
+  return all;
+}
+
+std::vector<Speed> speeds(const std::vector<Row>& rows) {
+  std::map<std::string, std::vector<double>> by_processor;
+  for (const Row& row : rows) {
+    if (row.answer && row.answer->seconds > 0)
+      by_processor[row.program->processor].push_back(static_cast<double>(row.answer->ticks) / row.answer->seconds);
+  }
+  std::vector<Speed> all;
+  for (auto& [processor, values] : by_processor) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    all.push_back({processor, *middle});
+  }
+  return all;
+}
+
+std::string to_csv(const std::vector<Row>& rows) {
+  std::string csv = "recording,processor,commit,compiler,rung,outcome,hash,first_different\n";
+  for (const Row& row : rows) {
+    const Program& program = *row.program;
+    for (const std::string* text : {&row.recording->name, &program.processor, &program.commit, &program.compiler, &program.rung})
+      csv += cell(*text) + ',';
+    csv += row.answer ? std::string(name_of(row.answer->outcome)) + ',' + row.answer->hash + ',' + tick_text(row.answer->first_different)
+                      : "missing,,";
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace isotouch::farm

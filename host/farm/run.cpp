@@ -1,0 +1,47 @@
+#include "host/farm/run.h"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "host/farm/answer.h"
+
+namespace isotouch::farm {
+
+Run run(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
+        const Share& share, const std::function<bool()>& may_go_on) {
+  std::atomic<std::size_t> next = share.shard;
+  std::mutex counting;
+  Run run;
+  std::exception_ptr broken;
+  const auto work = [&] {
+    try {
+      while (may_go_on()) {
+        const std::size_t task = next.fetch_add(share.shards);
+        if (task >= recordings.size() * programs.size()) return;
+        const Recording& recording = recordings[task / programs.size()];
+        const Program& program = programs[task % programs.size()];
+        const std::optional<Answer> before = kept_answer(answers, address_of(recording, program));
+        const bool is_kept = before && before->outcome != Answer::Outcome::kFailed;
+        const Answer answer = is_kept ? *before : ask(recording, program);
+        if (!is_kept) keep(answers, recording, program, answer);
+        const std::lock_guard lock(counting);
+        ++run.tasks;
+        ++(is_kept ? run.kept : run.asked);
+        if (answer.outcome == Answer::Outcome::kFailed) ++run.failed;
+      }
+    } catch (...) {
+      const std::lock_guard lock(counting);
+      broken = std::current_exception();
+    }
+  };
+  std::vector<std::jthread> others;
+  for (unsigned job = 1; job < share.jobs; ++job) others.emplace_back(work);
+  work();
+  others.clear();
+  if (broken) std::rethrow_exception(broken);
+  return run;
+}
+
+}  // namespace isotouch::farm

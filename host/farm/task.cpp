@@ -1,0 +1,125 @@
+#include "host/farm/task.h"
+
+#include <set>
+
+#include "host/error.h"
+#include "host/farm/json_lines.h"
+#include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
+#include "host/trace/hash_text.h"
+#include "host/trace/replay.h"
+#include "host/trace/trace_file.h"
+#include "shared/hash64.h"
+
+namespace isotouch::farm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Text and numbers that enter a hash one after the other.
+class Digest {
+ public:
+  void add(const std::vector<std::uint8_t>& bytes) { value_ = hash64(bytes.data(), bytes.size(), value_); }
+  void add(const std::string& text) { value_ = hash64(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), value_); }
+  std::string text() const { return trace::hash_text(value_); }
+
+ private:
+  std::uint64_t value_ = 0;
+};
+
+template <class Row>
+void require_rows(const fs::path& file, const std::vector<Row>& rows, const char* what) {
+  if (rows.empty()) throw InputError(file.string() + ": it lists no " + what + "; write one JSON object a line");
+}
+
+/// A word that begins with ./ is a file or folder beside the table.
+std::string resolved(const std::string& word, const fs::path& folder, Digest& content, const std::string& place) {
+  content.add(word);
+  if (!word.starts_with("./")) return word;
+  const fs::path file = folder / word.substr(2);
+  if (!fs::exists(file)) throw InputError(place + ": " + file.string() + " is not there; build it, or correct the command");
+  if (fs::is_regular_file(file)) content.add(read_file(file));
+  return fs::absolute(file).string();
+}
+
+}  // namespace
+
+std::string hash_of_file(const fs::path& file) {
+  Digest digest;
+  digest.add(read_file(file));
+  return digest.text();
+}
+
+std::vector<Recording> read_recordings(const fs::path& file) {
+  std::vector<Recording> all;
+  std::set<std::string> names;
+  each_line(file, [&](const Line& line) {
+    const fs::path folder = file.parent_path();
+    all.push_back({line.text("name"), folder / line.text("field"), folder / line.text("trace"), line.hash("field_hash"),
+                   line.hash("trace_hash"), line.hash("expected"), line.text("device"), line.text("origin")});
+    if (!names.insert(all.back().name).second)
+      throw InputError(line.place() + ": there are two recordings with the name '" + all.back().name + "'; rename one");
+  });
+  require_rows(file, all, "recordings");
+  return all;
+}
+
+std::vector<Program> read_programs(const fs::path& file) {
+  std::vector<Program> all;
+  std::set<std::vector<std::string>> names;
+  each_line(file, [&](const Line& line) {
+    Program program{line.text("processor"), line.text("commit"), line.text("compiler"), line.text("rung"), {}, {}};
+    if (!names.insert({program.processor, program.commit, program.compiler, program.rung}).second)
+      throw InputError(line.place() + ": processor, commit, compiler and rung are those of a line above; leave one of the two out");
+    Digest content;
+    for (const std::string& word : line.texts("command"))
+      program.command.push_back(resolved(word, file.parent_path(), content, line.place()));
+    program.content = content.text();
+    all.push_back(std::move(program));
+  });
+  require_rows(file, all, "programs");
+  return all;
+}
+
+void add_recording(const fs::path& table, Recording recording) {
+  if (fs::exists(table)) {
+    for (const Recording& known : read_recordings(table)) {
+      if (known.name == recording.name)
+        throw InputError(table.string() + ": a recording with the name '" + recording.name + "' is there; choose another with --name");
+    }
+  }
+  const field_file::OpenField field = field_file::open_field(recording.field);
+  const trace::Trace trace = trace::read_trace(recording.trace);
+  const trace::ReplayReport report = trace::replay(field.view, trace, true);
+  if (report.first_difference) {
+    throw InputError(recording.trace.string() + ": tick " + std::to_string(report.first_difference->tick) +
+                     " does not answer as recorded; add a recording that `isotouch replay --check` accepts");
+  }
+  const auto beside = [&](const fs::path& file) { return fs::proximate(fs::absolute(file), fs::absolute(table).parent_path()).string(); };
+  const nlohmann::ordered_json line = {{"name", recording.name},
+                                       {"field", beside(recording.field)},
+                                       {"trace", beside(recording.trace)},
+                                       {"field_hash", hash_of_file(recording.field)},
+                                       {"trace_hash", hash_of_file(recording.trace)},
+                                       {"expected", trace::hash_text(report.hash)},
+                                       {"device", trace::hash_text(hash(trace.header().device))},
+                                       {"origin", recording.origin}};
+  std::string text;
+  if (fs::exists(table)) {
+    const auto bytes = read_file(table);
+    text.assign(bytes.begin(), bytes.end());
+    if (!text.ends_with('\n')) text += '\n';
+  }
+  text += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  write_file(table, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
+std::string address_of(const Recording& recording, const Program& program) {
+  Digest digest;
+  for (const std::string* text : {&recording.field_hash, &recording.trace_hash, &recording.expected, &program.content, &program.processor,
+                                  &program.commit, &program.compiler, &program.rung})
+    digest.add(*text);
+  return digest.text();
+}
+
+}  // namespace isotouch::farm
