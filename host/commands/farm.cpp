@@ -14,7 +14,7 @@
 #include "host/farm/answer.h"
 #include "host/farm/ended_program.h"
 #include "host/farm/report.h"
-#include "host/farm/run.h"
+#include "host/farm/share.h"
 #include "host/files/whole_file.h"
 
 namespace isotouch::commands {
@@ -52,16 +52,18 @@ struct ShareOptions {
 
   void operator()() const {
     if (share.shard >= share.shards)
-      throw CLI::ValidationError("--shard", "there is no shard " + std::to_string(share.shard) + " of " + std::to_string(share.shards) + "; the first is 0");
+      throw CLI::ValidationError(
+          "--shard", "there is no shard " + std::to_string(share.shard) + " of " + std::to_string(share.shards) + "; the first is 0");
     const auto recordings = farm::read_recordings(farm.recordings);
     const auto programs = farm::read_programs(farm.programs);
     const Interruption interruption;
-    const farm::Run run = farm::run(recordings, programs, farm.answers, share, [&] { return !interruption.has_come(); });
-    std::printf("%zu tasks: %zu with an answer from before, %zu asked, of these %zu without an answer\n", run.tasks, run.kept, run.asked,
-                run.failed);
+    const farm::ShareReport report = farm::run_share(recordings, programs, farm.answers, share, [&] { return !interruption.has_come(); });
+    std::printf("%zu tasks: %zu with an answer from before, %zu asked, of these %zu without an answer\n", report.tasks, report.kept,
+                report.asked, report.failed);
     if (interruption.has_come()) throw EndedEarly("interrupted; the same command goes on from here");
-    if (run.failed > 0)
-      throw InputError(std::to_string(run.failed) + " tasks have no answer; isotouch farm merge says why, and the same command asks again");
+    if (report.failed > 0)
+      throw InputError(std::to_string(report.failed) +
+                       " tasks have no answer; isotouch farm merge says why, and the same command asks again");
   }
 };
 
@@ -167,7 +169,8 @@ void add_merge(CLI::App& farm) {
 
 void add_bisect(CLI::App& farm) {
   auto options = std::make_shared<Bisect>();
-  CLI::App* command = add_command(farm, "bisect", "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged", options);
+  CLI::App* command =
+      add_command(farm, "bisect", "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged", options);
   command->add_option("FIELD", options->recording.field, "the field")->required();
   command->add_option("TRACE", options->recording.trace, "the recorded run")->required();
   command->add_option("PROGRAM", options->command, "the program that replays, and words before the names of field and trace")->required();

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 constexpr Answer::Outcome kOutcomes[] = {Answer::Outcome::kEqual, Answer::Outcome::kDiffers, Answer::Outcome::kFailed};
 constexpr int kDiffersCode = 3;  // as `isotouch replay --check` and replay_plain end
 
-fs::path file_of(const fs::path& answers, const std::string& address) { return answers / address.substr(0, 2) / (address.substr(2) + ".json"); }
+fs::path file_of(const fs::path& answers, const std::string& address) {
+  return answers / address.substr(0, 2) / (address.substr(2) + ".json");
+}
 
 Answer failed(std::string why) {
   Answer answer;
@@ -84,19 +86,20 @@ Answer ask(const Recording& recording, const Program& program) {
 void keep(const fs::path& answers, const Recording& recording, const Program& program, const Answer& answer) {
   utsname system{};
   ::uname(&system);
-  const nlohmann::ordered_json json = {{"recording", recording.name},
-                                       {"processor", program.processor},
-                                       {"commit", program.commit},
-                                       {"compiler", program.compiler},
-                                       {"rung", program.rung},
-                                       {"outcome", name_of(answer.outcome)},
-                                       {"ticks", answer.ticks},
-                                       {"seconds", answer.seconds},
-                                       {"hash", answer.hash},
-                                       {"first_different", answer.first_different ? nlohmann::json(*answer.first_different) : nlohmann::json()},
-                                       {"said", answer.said},
-                                       {"host", system.nodename},
-                                       {"kernel", system.release}};
+  const nlohmann::ordered_json json = {
+      {"recording", recording.name},
+      {"processor", program.processor},
+      {"commit", program.commit},
+      {"compiler", program.compiler},
+      {"rung", program.rung},
+      {"outcome", name_of(answer.outcome)},
+      {"ticks", answer.ticks},
+      {"seconds", answer.seconds},
+      {"hash", answer.hash},
+      {"first_different", answer.first_different ? nlohmann::json(*answer.first_different) : nlohmann::json()},
+      {"said", answer.said},
+      {"host", system.nodename},
+      {"kernel", system.release}};
   const fs::path file = file_of(answers, address_of(recording, program));
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

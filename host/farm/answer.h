@@ -18,10 +18,10 @@ struct Answer {
   };
   Outcome outcome = Outcome::kFailed;
   std::uint64_t ticks = 0;
-  double seconds = 0;                           ///< of the replay alone, as the program measured it
-  std::string hash;                             ///< empty: it failed
+  double seconds = 0;                            ///< of the replay alone, as the program measured it
+  std::string hash;                              ///< empty: it failed
   std::optional<std::uint64_t> first_different;  ///< tick
-  std::string said;                             ///< one line; empty: nothing
+  std::string said;                              ///< one line; empty: nothing
 };
 
 const char* name_of(Answer::Outcome outcome);

@@ -7,7 +7,7 @@
 namespace isotouch::farm {
 
 struct EndedProgram {
-  int code = 0;  ///< its exit code; 128 and the signal that ended it
+  int code = 0;                     ///< its exit code; 128 and the signal that ended it
   std::string printed, complained;  ///< standard output and standard error
 };
 

@@ -36,10 +36,10 @@ std::vector<Row> merge(const std::vector<Recording>& recordings, const std::vect
 Counts count(const std::vector<Row>& rows) {
   Counts counts;
   for (const Row& row : rows) {
-    ++(!row.answer                   ? counts.missing
-       : is(row, Outcome::kEqual)    ? counts.equal
+    ++(!row.answer                  ? counts.missing
+       : is(row, Outcome::kEqual)   ? counts.equal
        : is(row, Outcome::kDiffers) ? counts.differs
-                                     : counts.failed);
+                                    : counts.failed);
   }
   return counts;
 }

@@ -21,7 +21,9 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-std::string cell(const std::string& text, const char* look = "") { return std::string("<td class=\"") + look + "\">" + escaped(text) + "</td>"; }
+std::string cell(const std::string& text, const char* look = "") {
+  return std::string("<td class=\"") + look + "\">" + escaped(text) + "</td>";
+}
 
 std::string head(std::initializer_list<const char*> names) {
   std::string row = "<table><tr>";
@@ -84,7 +86,8 @@ std::string table_of_failures(const std::vector<Row>& rows) {
               cell(row.answer->said, "failed") + "</tr>\n";
     }
   }
-  return html.empty() ? html : "<h2>Without an answer</h2>\n" + head({"recording", "processor", "commit", "what it said"}) + html + "</table>\n";
+  return html.empty() ? html
+                      : "<h2>Without an answer</h2>\n" + head({"recording", "processor", "commit", "what it said"}) + html + "</table>\n";
 }
 
 std::string table_of_speeds(const std::vector<Row>& rows) {

@@ -1,4 +1,4 @@
-#include "host/farm/run.h"
+#include "host/farm/share.h"
 
 #include <atomic>
 #include <exception>
@@ -9,11 +9,11 @@
 
 namespace isotouch::farm {
 
-Run run(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
-        const Share& share, const std::function<bool()>& may_go_on) {
+ShareReport run_share(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
+                      const Share& share, const std::function<bool()>& may_go_on) {
   std::atomic<std::size_t> next = share.shard;
   std::mutex counting;
-  Run run;
+  ShareReport report;
   std::exception_ptr broken;
   const auto work = [&] {
     try {
@@ -27,9 +27,9 @@ Run run(const std::vector<Recording>& recordings, const std::vector<Program>& pr
         const Answer answer = is_kept ? *before : ask(recording, program);
         if (!is_kept) keep(answers, recording, program, answer);
         const std::lock_guard lock(counting);
-        ++run.tasks;
-        ++(is_kept ? run.kept : run.asked);
-        if (answer.outcome == Answer::Outcome::kFailed) ++run.failed;
+        ++report.tasks;
+        ++(is_kept ? report.kept : report.asked);
+        if (answer.outcome == Answer::Outcome::kFailed) ++report.failed;
       }
     } catch (...) {
       const std::lock_guard lock(counting);
@@ -41,7 +41,7 @@ Run run(const std::vector<Recording>& recordings, const std::vector<Program>& pr
   work();
   others.clear();
   if (broken) std::rethrow_exception(broken);
-  return run;
+  return report;
 }
 
 }  // namespace isotouch::farm

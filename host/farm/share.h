@@ -16,7 +16,7 @@ struct Share {
   unsigned jobs = 1;  ///< at once
 };
 
-struct Run {
+struct ShareReport {
   std::size_t tasks = 0;   ///< in the share
   std::size_t kept = 0;    ///< of these with an answer from before
   std::size_t asked = 0;   ///< now
@@ -27,7 +27,7 @@ struct Run {
 ///
 /// may_go_on   false: no further task is begun
 /// fails       InputError: an answer cannot be kept
-Run run(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
-        const Share& share, const std::function<bool()>& may_go_on);
+ShareReport run_share(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
+                      const Share& share, const std::function<bool()>& may_go_on);
 
 }  // namespace isotouch::farm

@@ -1,0 +1,257 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+
+#include "host/error.h"
+#include "host/farm/answer.h"
+#include "host/farm/report.h"
+#include "host/farm/share.h"
+#include "host/farm/task.h"
+#include "host/files/whole_file.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::farm {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const fs::path kField = fs::path(ISOTOUCH_GOLDEN) / "field_1_1.itf";
+const fs::path kTrace = fs::path(ISOTOUCH_GOLDEN) / "packets.trace";
+
+/// A farm whose programs are scripts: what they print is what the recording expects, unless a test says otherwise.
+class Farm : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    add_recording(recordings_file(), {.name = "hand",
+                                      .field = kField,
+                                      .trace = kTrace,
+                                      .field_hash = {},
+                                      .trace_hash = {},
+                                      .expected = {},
+                                      .device = {},
+                                      .origin = "a golden file"});
+    expected_ = read_recordings(recordings_file())[0].expected;
+  }
+
+  fs::path recordings_file() const { return folder_.path() / "recordings.jsonl"; }
+  fs::path programs_file() const { return folder_.path() / "programs.jsonl"; }
+  fs::path answers() const { return folder_.path() / "answers"; }
+
+  /// A program that does this, counts its calls in calls.txt, and is listed.
+  void list(const std::string& processor, const std::string& commit, const std::string& body) {
+    const std::string name = processor + "-" + commit;
+    std::ofstream(folder_.path() / name) << "echo " << name << " >>" << (folder_.path() / "calls.txt").string() << "\n" << body << "\n";
+    std::ofstream(programs_file(), std::ios::app) << R"({"processor": ")" << processor << R"(", "commit": ")" << commit
+                                                  << R"(", "compiler": "none", "rung": "0", "command": ["sh", "./)" << name << "\"]}\n";
+  }
+  static std::string print(const std::string& hash, const std::string& difference = "null", int code = 0) {
+    return R"(echo '{"ticks": 10, "seconds": 0.5, "hash": ")" + hash + R"(", "first_difference": )" + difference + "}'; exit " +
+           std::to_string(code);
+  }
+  std::string equal() const { return print(expected_); }
+  ShareReport run_all(const Share& share = {}) const {
+    return run_share(read_recordings(recordings_file()), read_programs(programs_file()), answers(), share, [] { return true; });
+  }
+  std::string calls() const {
+    std::ifstream file(folder_.path() / "calls.txt");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  template <class Read>
+  std::string complaint(const Read& read) const {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  std::string complaint_on_programs(const std::string& text) const {
+    std::ofstream(programs_file()) << text;
+    return complaint([this] { (void)read_programs(programs_file()); });
+  }
+
+  ScratchFolder folder_;
+  std::string expected_;
+};
+
+TEST_F(Farm, EachTaskIsAskedOnce) {
+  list("a", "1", equal()), list("b", "1", equal());
+  EXPECT_EQ(run_all().asked, 2U);
+  const ShareReport again = run_all();
+  EXPECT_EQ(again.asked, 0U);
+  EXPECT_EQ(again.kept, 2U);
+  EXPECT_EQ(calls(), "a-1\nb-1\n");
+}
+
+TEST_F(Farm, TheSharesTogetherAreAllTasksAndNoneTwice) {
+  for (const char* processor : {"a", "b", "c", "d", "e"}) list(processor, "1", equal());
+  std::size_t asked = 0;
+  for (const std::size_t shard : {2U, 0U, 1U}) asked += run_all({.shard = shard, .shards = 3}).asked;
+  EXPECT_EQ(asked, 5U);
+  EXPECT_EQ(run_all({.jobs = 4}).kept, 5U);
+}
+
+TEST_F(Farm, AFailureIsKeptWithItsSentenceAndAskedAgain) {
+  list("a", "1", "echo no memory >&2; exit 1");
+  EXPECT_EQ(run_all().failed, 1U);
+  EXPECT_EQ(run_all().asked, 1U);
+  const auto recordings = read_recordings(recordings_file());
+  const auto programs = read_programs(programs_file());
+  const auto rows = merge(recordings, programs, answers());
+  EXPECT_EQ(count(rows).failed, 1U);
+  EXPECT_EQ(rows[0].answer->said, "no memory");
+  EXPECT_EQ(calls(), "a-1\na-1\n");
+}
+
+TEST_F(Farm, WhatIsNoAnswerFails) {
+  const std::pair<const char*, std::string> programs[] = {
+      {"silent", "exit 0"},
+      {"wrong-code", print(expected_, "null", 7)},
+      {"no-ticks", "echo '{\"ticks\": 0, \"seconds\": 0, \"hash\": \"" + expected_ + "\"}'"},
+      {"no-hash", "echo '{\"ticks\": 5}'"},
+      {"killed", "kill -9 $$"},
+  };
+  for (const auto& [name, body] : programs) list(name, "1", body);
+  EXPECT_EQ(run_all().failed, std::size(programs));
+}
+
+TEST_F(Farm, WhatIsNotEqualInEveryBitDiffers) {
+  list("equal", "1", equal());
+  list("other-hash", "1", print("0123456789abcdef"));
+  list("other-code", "1", print(expected_, "null", 3));
+  list("other-tick", "1", print(expected_, "7"));
+  list("as-the-tool", "1", print("0123456789abcdef", R"({"tick": 9, "field": "force"})", 3));
+  run_all();
+  const auto recordings = read_recordings(recordings_file());
+  const auto programs = read_programs(programs_file());
+  const auto rows = merge(recordings, programs, answers());
+  EXPECT_EQ(count(rows).equal, 1U);
+  EXPECT_EQ(count(rows).differs, 4U);
+  EXPECT_EQ(rows[3].answer->first_different, 7U);
+  EXPECT_EQ(rows[4].answer->first_different, 9U);
+}
+
+TEST_F(Farm, AChangeIsNamedByTheFirstCommitThatHasItOnEachProcessor) {
+  list("a", "1", equal()), list("b", "1", equal());
+  list("a", "2", print("0123456789abcdef", "7", 3)), list("b", "2", equal());
+  list("a", "3", print("0123456789abcdef", "7", 3)), list("b", "3", print("fedcba9876543210", "8", 3));
+  run_all();
+  const auto recordings = read_recordings(recordings_file());
+  const auto programs = read_programs(programs_file());
+  const auto rows = merge(recordings, programs, answers());
+  const auto found = changes(rows);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].since->processor + found[0].since->commit, "a2");
+  EXPECT_EQ(found[0].tick, 7U);
+  EXPECT_EQ(found[1].since->processor + found[1].since->commit, "b3");
+  const std::string page = to_html(rows);
+  EXPECT_THAT(page, HasSubstr("3 equal, 3 different, 0 failed, 0 missing"));
+  EXPECT_THAT(page, HasSubstr("a golden file"));
+}
+
+TEST_F(Farm, AnAnswerIsNotTakenForThatOfAnotherProgramTraceOrField) {
+  list("a", "1", equal());
+  run_all();
+  const Recording recording = read_recordings(recordings_file())[0];
+  const Program program = read_programs(programs_file())[0];
+  const std::string address = address_of(recording, program);
+  std::ofstream(folder_.path() / "a-1", std::ios::app) << "# another\n";
+  EXPECT_NE(address_of(recording, read_programs(programs_file())[0]), address);
+  for (const auto change : {&Recording::field_hash, &Recording::trace_hash, &Recording::expected}) {
+    Recording other = recording;
+    (other.*change)[0] ^= 1;
+    EXPECT_NE(address_of(other, program), address);
+  }
+  EXPECT_EQ(run_all().asked, 1U);
+}
+
+TEST_F(Farm, AFileThatChangedSinceItWasAddedIsNotReplayed) {
+  const fs::path copy = folder_.path() / "copy.trace";
+  fs::copy_file(kTrace, copy);
+  fs::remove(recordings_file());
+  add_recording(recordings_file(), {.name = "copy",
+                                    .field = kField,
+                                    .trace = copy,
+                                    .field_hash = {},
+                                    .trace_hash = {},
+                                    .expected = {},
+                                    .device = {},
+                                    .origin = "a copy"});
+  std::ofstream(copy, std::ios::app) << "x";
+  list("a", "1", equal());
+  EXPECT_EQ(run_all().failed, 1U);
+  const auto recordings = read_recordings(recordings_file());
+  const auto programs = read_programs(programs_file());
+  EXPECT_THAT(merge(recordings, programs, answers())[0].answer->said, HasSubstr("copy.trace is no longer the file of the table"));
+  EXPECT_EQ(calls(), "");
+}
+
+TEST_F(Farm, AHalfAnswerIsNone) {
+  list("a", "1", equal());
+  run_all();
+  for (const auto& entry : fs::recursive_directory_iterator(answers())) {
+    if (entry.is_regular_file()) fs::resize_file(entry.path(), 40);
+  }
+  EXPECT_EQ(run_all().asked, 1U);
+}
+
+TEST_F(Farm, TheTableHasARowForEachTaskAnsweredOrNot) {
+  Recording recording = read_recordings(recordings_file())[0];
+  recording.name = "left, then \"right\"";
+  const Program program{"a", "1", "none", "0", {}, {}};
+  Answer answer;
+  answer.outcome = Answer::Outcome::kDiffers;
+  answer.hash = expected_;
+  answer.first_different = 7;
+  answer.seconds = 3;
+  EXPECT_EQ(to_csv({{&recording, &program, answer}, {&recording, &program, {}}}),
+            "recording,processor,commit,compiler,rung,outcome,hash,first_different\n"
+            "\"left, then \"\"right\"\"\",a,1,none,0,differs," +
+                expected_ +
+                ",7\n"
+                "\"left, then \"\"right\"\"\",a,1,none,0,missing,,\n");
+}
+
+TEST_F(Farm, TablesAreRefusedWithTheirLine) {
+  EXPECT_THAT(complaint_on_programs("\n{\"processor\": \"a\"\n"), HasSubstr("line 2: no JSON object"));
+  EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\"}\n"), HasSubstr("line 1: \"commit\" is missing"));
+  EXPECT_THAT(complaint_on_programs(""), HasSubstr("it lists no programs"));
+  const std::string program = R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["true"]})"
+                              "\n";
+  EXPECT_THAT(complaint_on_programs(program + program),
+              HasSubstr("line 2: processor, commit, compiler and rung are those of a line above"));
+  EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": []})"),
+              HasSubstr("\"command\" is missing"));
+  EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["./none"]})"),
+              HasSubstr("none is not there"));
+  EXPECT_THAT(complaint([this] {
+                add_recording(recordings_file(), {.name = "hand",
+                                                  .field = kField,
+                                                  .trace = kTrace,
+                                                  .field_hash = {},
+                                                  .trace_hash = {},
+                                                  .expected = {},
+                                                  .device = {},
+                                                  .origin = "again"});
+              }),
+              HasSubstr("'hand' is there; choose another with --name"));
+  std::ofstream(recordings_file()) << R"({"name": "x", "field": "f", "trace": "t", "field_hash": "12", "trace_hash": "", "expected": ""})";
+  EXPECT_THAT(complaint([this] { (void)read_recordings(recordings_file()); }), HasSubstr("\"field_hash\" is '12'; a hash has 16"));
+}
+
+TEST_F(Farm, AProgramThatCannotBeStartedFailsAlone) {
+  list("a", "1", equal());
+  std::ofstream(programs_file(), std::ios::app)
+      << R"({"processor": "z", "commit": "1", "compiler": "c", "rung": "0", "command": ["no-such-program"]})";
+  const ShareReport report = run_all();
+  EXPECT_EQ(report.asked, 2U);
+  EXPECT_EQ(report.failed, 1U);
+}
+
+}  // namespace
+}  // namespace isotouch::farm
