@@ -122,9 +122,13 @@ struct Bisect {
       farm::Recording named = recording;
       named.field_hash = farm::hash_of_file(named.field);
       named.trace_hash = farm::hash_of_file(named.trace);
+      named.expected = farm::recorded_hash(named.trace);
       const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}});
       if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
-      if (answer.first_different) throw ComparisonFailed("tick " + std::to_string(*answer.first_different) + " differs");
+      if (answer.outcome == farm::Answer::Outcome::kDiffers) {
+        throw ComparisonFailed(answer.first_different ? "tick " + std::to_string(*answer.first_different) + " differs"
+                                                      : "the hash is " + answer.hash + " instead of " + named.expected);
+      }
       std::printf("equal, hash %s\n", answer.hash.c_str());
     } catch (const InputError& error) {
       throw CannotBeJudged(error.what());

@@ -1,6 +1,5 @@
 #include "host/farm/report.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
@@ -55,17 +54,16 @@ std::vector<Change> changes(const std::vector<Row>& rows) {
 }
 
 std::vector<Speed> speeds(const std::vector<Row>& rows) {
-  std::map<std::string, std::vector<double>> by_processor;
+  std::map<std::string, Speed> by_processor;
   for (const Row& row : rows) {
-    if (row.answer && row.answer->seconds > 0)
-      by_processor[row.program->processor].push_back(static_cast<double>(row.answer->ticks) / row.answer->seconds);
+    if (!row.answer || row.answer->outcome == Outcome::kFailed) continue;
+    Speed& speed = by_processor[row.program->processor];
+    speed.processor = row.program->processor;
+    speed.ticks += static_cast<double>(row.answer->ticks);
+    speed.seconds += row.answer->seconds;
   }
   std::vector<Speed> all;
-  for (auto& [processor, values] : by_processor) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    all.push_back({processor, *middle});
-  }
+  for (const auto& [processor, speed] : by_processor) all.push_back(speed);
   return all;
 }
 

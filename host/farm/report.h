@@ -36,10 +36,11 @@ struct Change {
 };
 std::vector<Change> changes(const std::vector<Row>& rows);
 
-/// Ticks a second, the median over a processor's answers.
+/// What a processor replayed, and the time that its programs measured for it.
 struct Speed {
   std::string processor;
-  double ticks_per_second = 0;
+  double ticks = 0;
+  double seconds = 0;
 };
 std::vector<Speed> speeds(const std::vector<Row>& rows);
 

@@ -91,11 +91,15 @@ std::string table_of_failures(const std::vector<Row>& rows) {
 }
 
 std::string table_of_speeds(const std::vector<Row>& rows) {
-  std::string html = "<h2>Ticks a second</h2>\n" + head({"processor", "median"});
-  for (const Speed& speed : speeds(rows)) {
+  std::string html = "<h2>Speed</h2>\n" + head({"processor", "ticks", "seconds", "ticks a second"});
+  const auto number = [](double value, const char* format) {
     char digits[32];
-    std::snprintf(digits, sizeof digits, "%.0f", speed.ticks_per_second);
-    html += "<tr>" + cell(speed.processor) + cell(digits, "n") + "</tr>\n";
+    std::snprintf(digits, sizeof digits, format, value);
+    return cell(digits, "n");
+  };
+  for (const Speed& speed : speeds(rows)) {
+    html += "<tr>" + cell(speed.processor) + number(speed.ticks, "%.0f") + number(speed.seconds, "%.2f") +
+            (speed.seconds > 0 ? number(speed.ticks / speed.seconds, "%.0f") : cell("")) + "</tr>\n";
   }
   return html + "</table>\n";
 }

@@ -50,6 +50,13 @@ std::string hash_of_file(const fs::path& file) {
   return digest.text();
 }
 
+std::string recorded_hash(const fs::path& file) {
+  const trace::Trace trace = trace::read_trace(file);
+  if (!trace.header().has_outputs || trace.size() == 0)
+    throw InputError(file.string() + ": it has no outputs to compare with; record it anew, or make them with isotouch replay -o");
+  return trace::hash_text(trace.record(trace.size() - 1).chain);
+}
+
 std::vector<Recording> read_recordings(const fs::path& file) {
   std::vector<Recording> all;
   std::set<std::string> names;

@@ -43,6 +43,11 @@ void add_recording(const std::filesystem::path& table, Recording recording);
 /// Where the answer of a task is kept: it names the bytes of field, trace and program, so an answer is never taken for that of something else.
 std::string address_of(const Recording& recording, const Program& program);
 
+/// The replay hash that a trace's own outputs have.
+///
+/// fails     InputError naming the file: also where it has no outputs or no ticks
+std::string recorded_hash(const std::filesystem::path& trace);
+
 /// XXH64 of a file's bytes, 16 hexadecimal digits.
 ///
 /// fails     InputError naming the file

@@ -60,7 +60,7 @@ int replay_files(const char* field_name, const char* trace_name) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   if (!report) return refuse(trace_name, report.error());
   const std::string first_difference = report->equal ? "null" : std::to_string(report->first_difference);
-  std::printf("{\"ticks\": %llu, \"seconds\": %.3f, \"hash\": \"%016llx\", \"first_difference\": %s}\n",
+  std::printf("{\"ticks\": %llu, \"seconds\": %.6f, \"hash\": \"%016llx\", \"first_difference\": %s}\n",
               static_cast<unsigned long long>(report->ticks), seconds, static_cast<unsigned long long>(report->hash),
               first_difference.c_str());
   return report->equal ? 0 : 3;
