@@ -33,8 +33,8 @@ constexpr Command kCommands[] = {
     {"trace", commands::add_trace},     {"compare", commands::add_compare}, {"evaluate", commands::add_evaluate},
     {"bench", commands::add_bench},     {"render", commands::add_render},   {"plot", commands::add_plot},
     {"demo", commands::add_demo},       {nullptr, commands::add_on_desk},   {"calibrate", commands::add_calibrate},
-    {"qualify", commands::add_qualify}, {"view", commands::add_view},
-    {"farm", commands::add_farm}};
+    {"qualify", commands::add_qualify}, {"view", commands::add_view},       {"farm", commands::add_farm},
+    {"fleet", commands::add_fleet}};
 
 void add_all(CLI::App& app) {
   for (const Command& command : kCommands) command.add(app);

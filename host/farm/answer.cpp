@@ -21,7 +21,7 @@ fs::path file_of(const fs::path& answers, const std::string& address) {
   return answers / address.substr(0, 2) / (address.substr(2) + ".json");
 }
 
-Answer failed(std::string why) {
+Answer failed(const std::string& why) {
   Answer answer;
   answer.said = why.substr(0, why.find('\n'));
   return answer;

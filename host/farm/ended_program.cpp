@@ -13,8 +13,6 @@
 #include "host/error.h"
 #include "shared/files/scoped_file.h"
 
-extern char** environ;
-
 namespace isotouch::farm {
 namespace {
 
@@ -31,6 +29,7 @@ std::string text_of(int file) {
 
 EndedProgram run_program(std::vector<std::string> words) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const ScopedFile printed(::memfd_create("printed", MFD_CLOEXEC)), complained(::memfd_create("complained", MFD_CLOEXEC));

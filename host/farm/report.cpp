@@ -4,20 +4,14 @@
 #include <set>
 #include <tuple>
 
+#include "host/files/csv_cell.h"
+
 namespace isotouch::farm {
 namespace {
 
 using Outcome = Answer::Outcome;
 
 bool is(const Row& row, Outcome outcome) { return row.answer && row.answer->outcome == outcome; }
-
-/// In quotes where a comma, a quote or a line's end would be taken for the table's own.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
 
 std::string tick_text(const std::optional<std::uint64_t>& tick) { return tick ? std::to_string(*tick) : ""; }
 
@@ -63,6 +57,7 @@ std::vector<Speed> speeds(const std::vector<Row>& rows) {
     speed.seconds += row.answer->seconds;
   }
   std::vector<Speed> all;
+  all.reserve(by_processor.size());
   for (const auto& [processor, speed] : by_processor) all.push_back(speed);
   return all;
 }
@@ -72,7 +67,7 @@ std::string to_csv(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     const Program& program = *row.program;
     for (const std::string* text : {&row.recording->name, &program.processor, &program.commit, &program.compiler, &program.rung})
-      csv += cell(*text) + ',';
+      csv += csv_cell(*text) + ',';
     csv += row.answer ? std::string(name_of(row.answer->outcome)) + ',' + row.answer->hash + ',' + tick_text(row.answer->first_different)
                       : "missing,,";
     csv += '\n';

@@ -46,7 +46,7 @@ std::string address_of(const Recording& recording, const Program& program);
 /// The replay hash that a trace's own outputs have.
 ///
 /// fails     InputError naming the file: also where it has no outputs or no ticks
-std::string recorded_hash(const std::filesystem::path& trace);
+std::string recorded_hash(const std::filesystem::path& file);
 
 /// XXH64 of a file's bytes, 16 hexadecimal digits.
 ///

@@ -1,0 +1,40 @@
+/// Many boards' reports beside each other, and which board is unlike the others.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isotouch::qualify {
+
+/// What one report says.
+struct Board {
+  std::string name;  ///< the host, else the controller's address
+  std::string date;
+  std::string verdict;                        ///< "fit" or "not fit"
+  std::vector<std::optional<double>> values;  ///< one for each of the fleet's keys; none: not measured
+  std::vector<std::string> outliers;          ///< keys
+};
+
+struct Fleet {
+  std::vector<std::string> keys;  ///< of the limits, with their units, in the order of the first report
+  std::vector<Board> boards;      ///< as the reports were named
+  bool has_outliers() const;
+};
+
+/// How many boards it takes to say that one is unlike the others.
+inline constexpr std::size_t kMinFleet = 5;
+
+/// Reads what `isotouch qualify --json` wrote. A value is an outlier when it lies farther from the median of all boards than five times their usual
+/// distance (the median of the distances, times 1.4826, which makes it a standard deviation where the values scatter normally), and than a fifth of the
+/// median. With fewer than `kMinFleet` values of a key none is.
+///
+/// fails     InputError naming the file: no such report; a limit that other reports do not have
+Fleet read_fleet(const std::vector<std::filesystem::path>& reports);
+
+/// One line a board; empty cells where nothing was measured.
+std::string to_csv(const Fleet& fleet);
+
+}  // namespace isotouch::qualify

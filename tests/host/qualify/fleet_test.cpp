@@ -1,0 +1,84 @@
+#include "host/qualify/fleet.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/error.h"
+#include "host/qualify/report.h"
+#include "tests/support/scratch_folder.h"
+
+namespace isotouch::qualify {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+namespace fs = std::filesystem;
+
+class ReadFleet : public ::testing::Test {
+ protected:
+  /// A report as `json_report` writes it, with one value changed.
+  fs::path report(const std::string& host, double wakeup_us) const {
+    Figures figures;
+    figures.subject.host = host;
+    figures.subject.date = "2026-11-26";
+    std::vector<Judgement> judgements(2);
+    judgements[0].key = "wakeup_p999_us";
+    judgements[0].value = wakeup_us;
+    judgements[0].outcome = Judgement::Outcome::kMet;
+    judgements[1].key = "celsius";
+    return folder_.write(host + ".json", json_report(figures, judgements).dump());
+  }
+  std::string complaint(const std::vector<fs::path>& reports) const {
+    try {
+      (void)read_fleet(reports);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(ReadFleet, AValueFarFromAllOthersIsAnOutlier) {
+  const Fleet fleet =
+      read_fleet({report("a", 20), report("b", 21), report("c", 19.5), report("d", 60), report("e", 20.5), report("f", 20)});
+  EXPECT_TRUE(fleet.has_outliers());
+  for (const Board& board : fleet.boards) {
+    if (board.name == "d") {
+      EXPECT_THAT(board.outliers, ElementsAre("wakeup_p999_us"));
+    } else {
+      EXPECT_THAT(board.outliers, IsEmpty()) << board.name;
+    }
+  }
+}
+
+TEST_F(ReadFleet, BoardsThatScatterHaveNone) {
+  EXPECT_FALSE(read_fleet({report("a", 10), report("b", 14), report("c", 20), report("d", 26), report("e", 31)}).has_outliers());
+  EXPECT_FALSE(read_fleet({report("a", 20), report("b", 20), report("c", 20), report("d", 20), report("e", 23)}).has_outliers());
+}
+
+TEST_F(ReadFleet, AFewBoardsCannotSayWhichIsUnlikeTheOthers) {
+  EXPECT_FALSE(read_fleet({report("a", 20), report("b", 20), report("c", 20), report("d", 600)}).has_outliers());
+}
+
+TEST_F(ReadFleet, TheTableHasARowForEachBoard) {
+  EXPECT_EQ(to_csv(read_fleet({report("red", 20), report("blue, left", 21.5)})),
+            "board,date,verdict,wakeup_p999_us,celsius,outliers\n"
+            "red,2026-11-26,fit,20,,\n"
+            "\"blue, left\",2026-11-26,fit,21.5,,\n");
+}
+
+TEST_F(ReadFleet, WhatIsNoReportIsRefusedByName) {
+  EXPECT_THAT(complaint({folder_.path() / "none.json"}), HasSubstr("none.json: cannot be read"));
+  EXPECT_THAT(complaint({folder_.write("text.json", "hello")}), HasSubstr("text.json: no JSON"));
+  EXPECT_THAT(complaint({folder_.write("other.json", "{\"host\": 7}")}), HasSubstr("other.json: no report of a board"));
+  nlohmann::json changed = nlohmann::json::parse(R"({"host": "x", "date": "", "verdict": "fit", "limits": [{"key": "k", "value": 1}]})");
+  EXPECT_THAT(complaint({report("a", 20), folder_.write("changed.json", changed.dump())}), HasSubstr("it has other limits"));
+}
+
+}  // namespace
+}  // namespace isotouch::qualify
