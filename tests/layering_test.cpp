@@ -64,7 +64,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/encoding", {{"host/field_file", "host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/farm", {{"host/trace", "host/field_file", "host/files", "host/error.h", "shared"}}},
-    {"host/qualify", {{"host/files/csv_cell.h", "host/link", "host/view", "host/trace/hash_text.h", "host/error.h", "shared"}}},
+    {"host/qualify", {{"host/files", "host/quantiles.h", "host/link", "host/view", "host/trace/hash_text.h", "host/error.h", "shared"}}},
     {"host/motion",
      {{"host/trace", "host/cloud", "host/field/angle.h", "host/files", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},

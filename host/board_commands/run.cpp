@@ -6,6 +6,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/board_commands/choice.h"
@@ -18,7 +19,15 @@ namespace isotouch::commands {
 
 namespace {
 
-enum ExitCode : int { kDone = 0, kBadInput = 1, kWrongUsage = 2, kComparisonFailed = 3, kEndedEarly = 4, kCannotBeJudged = 125 };
+enum ExitCode : int {
+  kDone = 0,
+  kBadInput = 1,
+  kWrongUsage = 2,
+  kComparisonFailed = 3,
+  kEndedEarly = 4,
+  kCannotBeJudged = 125,
+  kEndsBisection = 128
+};
 
 int complain(const char* program, ExitCode code, const char* sentence) {
   std::fprintf(stderr, "%s: %s\n", program, sentence);
@@ -56,6 +65,11 @@ void group_by_task(CLI::App& app) {
   }
 }
 
+/// `git bisect run` takes 1 to 127 for a bad commit, and stops for what is above: wrong usage says nothing about a commit.
+bool ends_bisection(int argc, char** argv) {
+  return argc > 2 && std::string_view(argv[1]) == "farm" && std::string_view(argv[2]) == "bisect";
+}
+
 /// A word that no command or option is called, and what was probably meant; empty where all are known.
 std::string unknown_word(const CLI::App& app, int argc, char** argv) {
   const CLI::App* command = &app;
@@ -76,7 +90,7 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
       }
     }
     if (std::find(names.begin(), names.end(), word) != names.end()) {
-      if (!word.starts_with("--")) command = find_command(*command, word), said += " " + command->get_name();
+      if (!word.starts_with("--")) command = find_command(*command, word), said.append(" ").append(command->get_name());
       continue;
     }
     const std::string meant = nearest_name(word, names);
@@ -103,8 +117,9 @@ int run(const char* program, const char* about, void (*add)(CLI::App& app), int 
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);
     const std::string unknown = unknown_word(app, argc, argv);
-    if (!unknown.empty()) return complain(program, kWrongUsage, unknown.c_str());
-    return app.exit(e), kWrongUsage;
+    const ExitCode wrong = ends_bisection(argc, argv) ? kEndsBisection : kWrongUsage;
+    if (!unknown.empty()) return complain(program, wrong, unknown.c_str());
+    return app.exit(e), wrong;
   } catch (const ComparisonFailed& e) {
     return complain(program, kComparisonFailed, e.what());
   } catch (const EndedEarly& e) {

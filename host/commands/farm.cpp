@@ -1,6 +1,8 @@
 /// isotouch farm: recordings replayed by many programs, in shards that any engine runs, and what differs since when.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,7 +14,6 @@
 #include "host/commands/commands.h"
 #include "host/error.h"
 #include "host/farm/answer.h"
-#include "host/farm/ended_program.h"
 #include "host/farm/report.h"
 #include "host/farm/share.h"
 #include "host/files/whole_file.h"
@@ -57,9 +58,11 @@ struct ShareOptions {
     const auto recordings = farm::read_recordings(farm.recordings);
     const auto programs = farm::read_programs(farm.programs);
     const Interruption interruption;
-    const farm::ShareReport report = farm::run_share(recordings, programs, farm.answers, share, [&] { return !interruption.has_come(); });
-    std::printf("%zu tasks: %zu with an answer from before, %zu asked, of these %zu without an answer\n", report.tasks, report.kept,
-                report.asked, report.failed);
+    farm::Share own = share;
+    own.patience.may_go_on = [&] { return !interruption.has_come(); };
+    const farm::ShareReport report = farm::run_share(recordings, programs, farm.answers, own);
+    std::printf("tasks         %zu\nkept before   %zu\nreplayed      %zu\nfailed        %zu\n", report.tasks, report.kept, report.asked,
+                report.failed);
     if (interruption.has_come()) throw EndedEarly("interrupted; the same command goes on from here");
     if (report.failed > 0)
       throw InputError(std::to_string(report.failed) +
@@ -72,6 +75,10 @@ struct Merge {
   fs::path table, page;
 
   void operator()() const {
+    if (!table.empty() && table == page) throw CLI::ValidationError("--html", "table and page cannot be the same file");
+    std::error_code none;
+    if (!fs::is_directory(farm.answers, none))
+      throw InputError(farm.answers.string() + ": no folder of answers; isotouch farm run makes it");
     const auto recordings = farm::read_recordings(farm.recordings);
     const auto programs = farm::read_programs(farm.programs);
     const std::vector<farm::Row> rows = farm::merge(recordings, programs, farm.answers);
@@ -81,15 +88,13 @@ struct Merge {
     std::FILE* to = text_stream(table == "-" ? table : page);
     std::fprintf(to, "%zu recordings by %zu programs: %zu equal, %zu different, %zu failed, %zu missing\n", recordings.size(),
                  programs.size(), counts.equal, counts.differs, counts.failed, counts.missing);
-    for (const farm::Change& change : farm::changes(rows)) {
-      std::fprintf(to, "%s differs since %s on %s (%s, rung %s)%s\n", change.recording->name.c_str(), change.since->commit.c_str(),
-                   change.since->processor.c_str(), change.since->compiler.c_str(), change.since->rung.c_str(),
-                   change.tick ? (", first in tick " + std::to_string(*change.tick)).c_str() : "");
-    }
+    for (const farm::Change& change : farm::changes(rows))
+      std::fprintf(to, "%s differs %s\n", change.recording->name.c_str(), farm::in_words(change).c_str());
     print_failures(to, rows);
-    if (counts.differs > 0) throw ComparisonFailed(std::to_string(counts.differs) + " answers differ");
+    if (counts.differs > 0) throw ComparisonFailed("answers that differ: " + std::to_string(counts.differs));
     if (counts.failed + counts.missing > 0)
-      throw EndedEarly(std::to_string(counts.failed + counts.missing) + " answers are missing; isotouch farm run asks for them");
+      throw EndedEarly("answers that are not known: " + std::to_string(counts.failed + counts.missing) +
+                       "; isotouch farm run asks for them");
   }
 
  private:
@@ -97,14 +102,14 @@ struct Merge {
     if (!file.empty()) write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   }
   static void print_failures(std::FILE* to, const std::vector<farm::Row>& rows) {
-    constexpr int kMost = 10;
-    int told = 0;
+    constexpr int kMaxLines = 10;
+    int failures = 0;
     for (const farm::Row& row : rows) {
-      if (!row.answer || row.answer->outcome != farm::Answer::Outcome::kFailed || ++told > kMost) continue;
+      if (!row.answer || row.answer->outcome != farm::Answer::Outcome::kFailed || ++failures > kMaxLines) continue;
       std::fprintf(to, "%s failed on %s at %s: %s\n", row.recording->name.c_str(), row.program->processor.c_str(),
                    row.program->commit.c_str(), row.answer->said.c_str());
     }
-    if (told > kMost) std::fprintf(to, "and %d more; the page lists all\n", told - kMost);
+    if (failures > kMaxLines) std::fprintf(to, "and %d more; the page lists all\n", failures - kMaxLines);
   }
 };
 
@@ -115,24 +120,28 @@ struct Bisect {
 
   void operator()() const {
     try {
-      if (!build.empty()) {
-        const farm::EndedProgram built = farm::run_program({"sh", "-c", build});
-        if (built.code != 0) throw CannotBeJudged("the build ended with " + std::to_string(built.code) + ": " + built.complained);
-      }
-      farm::Recording named = recording;
-      named.field_hash = farm::hash_of_file(named.field);
-      named.trace_hash = farm::hash_of_file(named.trace);
-      named.expected = farm::recorded_hash(named.trace);
-      const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}});
-      if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
-      if (answer.outcome == farm::Answer::Outcome::kDiffers) {
-        throw ComparisonFailed(answer.first_different ? "tick " + std::to_string(*answer.first_different) + " differs"
-                                                      : "the hash is " + answer.hash + " instead of " + named.expected);
-      }
-      std::printf("equal, hash %s\n", answer.hash.c_str());
-    } catch (const InputError& error) {
+      judge();
+    } catch (const ComparisonFailed&) {
+      throw;
+    } catch (const std::exception& error) {
       throw CannotBeJudged(error.what());
     }
+  }
+
+ private:
+  void judge() const {
+    if (!build.empty() && std::system(("exec >&2; " + build).c_str()) != 0) throw CannotBeJudged("the build failed");
+    farm::Recording named = recording;
+    named.field_hash = farm::hash_of_file(named.field);
+    named.trace_hash = farm::hash_of_file(named.trace);
+    named.expected = farm::recorded_hash(named.trace);
+    const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}});
+    if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
+    if (answer.outcome == farm::Answer::Outcome::kDiffers) {
+      throw ComparisonFailed(answer.first_different ? "tick " + std::to_string(*answer.first_different) + " differs"
+                                                    : "the hash is " + answer.hash + " instead of " + named.expected);
+    }
+    std::printf("equal, hash %s\n", answer.hash.c_str());
   }
 };
 
@@ -158,7 +167,10 @@ void add_run(CLI::App& farm) {
   CLI::App* command = add_command(farm, "run", "Ask for the answers that are not there yet", options);
   options->farm.add_to(*command);
   command->add_option("--shard", options->share.shard, "only this share of the tasks, counted from 0")->capture_default_str();
-  command->add_option("--of", options->share.shards, "number of shares")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--of", options->share.shards, "number of shares")->check(CLI::Range(1U, 1000000000U))->capture_default_str();
+  command->add_option("--timeout", options->share.patience.seconds, "seconds that a program may take; 0: as long as it wants")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   options->share.jobs = std::max(1U, std::thread::hardware_concurrency());
   command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")->check(CLI::Range(1U, 4096U));
 }
@@ -178,7 +190,12 @@ void add_bisect(CLI::App& farm) {
   command->add_option("FIELD", options->recording.field, "the field")->required();
   command->add_option("TRACE", options->recording.trace, "the recorded run")->required();
   command->add_option("PROGRAM", options->command, "the program that replays, and words before the names of field and trace")->required();
-  command->add_option("--build", options->build, "the shell's command that builds the program");
+  command->add_option("--build", options->build, "the shell's command that builds the program; before FIELD");
+  command->prefix_command();  // what looks like an option behind PROGRAM is the program's
+  command->callback([options, command] {
+    for (const std::string& word : command->remaining()) options->command.push_back(word);
+    (*options)();
+  });
 }
 
 }  // namespace

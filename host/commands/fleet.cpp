@@ -29,7 +29,8 @@ struct FleetOptions {
     }
     print(text_stream(out), fleet);
     const auto unfit = std::ranges::count_if(fleet.boards, [](const qualify::Board& board) { return board.verdict != "fit"; });
-    if (unfit > 0) throw ComparisonFailed(std::to_string(unfit) + " of " + std::to_string(fleet.boards.size()) + " boards are not fit");
+    if (unfit > 0)
+      throw ComparisonFailed("boards that are not fit: " + std::to_string(unfit) + " of " + std::to_string(fleet.boards.size()));
   }
 
  private:
@@ -41,8 +42,10 @@ struct FleetOptions {
         std::fprintf(to, "%-24s   unlike the others: %s is %.6g\n", "", key.c_str(), *board.values[at]);
       }
     }
-    if (fleet.boards.size() < qualify::kMinFleet)
-      std::fprintf(to, "With fewer than %zu boards nobody can say which is unlike the others.\n", qualify::kMinFleet);
+    if (fleet.unjudged.empty()) return;
+    std::fprintf(to, "It takes %zu boards to say which is unlike the others; fewer have measured", qualify::kMinFleet);
+    for (const std::string& key : fleet.unjudged) std::fprintf(to, " %s", key.c_str());
+    std::fprintf(to, "\n");
   }
 };
 

@@ -1,13 +1,17 @@
 #include "host/farm/answer.h"
 
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "host/error.h"
-#include "host/farm/ended_program.h"
 #include "host/files/whole_file.h"
+#include "host/trace/hash_text.h"
+#include "shared/printable.h"
 
 namespace isotouch::farm {
 namespace {
@@ -21,42 +25,71 @@ fs::path file_of(const fs::path& answers, const std::string& address) {
   return answers / address.substr(0, 2) / (address.substr(2) + ".json");
 }
 
-Answer failed(const std::string& why) {
+Answer failed(std::string why) {
+  constexpr std::size_t kMaxBytes = 300;
+  make_printable(why, ' ');
   Answer answer;
-  answer.said = why.substr(0, why.find('\n'));
+  answer.said = why.substr(0, kMaxBytes);
   return answer;
+}
+
+/// The last line that is not empty.
+std::string last_line(std::string_view text) {
+  const std::size_t end = text.find_last_not_of(" \t\r\n");
+  if (end == std::string_view::npos) return {};
+  text = text.substr(0, end + 1);
+  return std::string(text.substr(text.find_last_of('\n') + 1));
 }
 
 std::string change_of(const fs::path& file, const std::string& hash) {
   return hash_of_file(file) == hash ? "" : file.string() + " is no longer the file of the table";
 }
 
-/// The first tick that differs: a number, or an object with a "tick".
-std::optional<std::uint64_t> tick_in(const nlohmann::json& json) {
-  const nlohmann::json& tick = json.is_object() ? json.value("tick", nlohmann::json()) : json;
-  return tick.is_number_unsigned() ? std::optional(tick.get<std::uint64_t>()) : std::nullopt;
+/// Of what a program printed: the object in it, or the last line that is one.
+nlohmann::json object_in(std::string_view printed) {
+  const std::size_t begin = printed.find('{'), end = printed.rfind('}');
+  if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) return {};
+  nlohmann::json whole = nlohmann::json::parse(printed.substr(begin, end + 1 - begin), nullptr, false);
+  if (whole.is_object()) return whole;
+  const std::string line = last_line(printed.substr(0, end + 1));
+  return nlohmann::json::parse(line, nullptr, false);
 }
 
-/// Of what a program printed: its last line that is a JSON object.
-nlohmann::json object_in(const std::string& printed) {
-  const std::size_t begin = printed.find('{');
-  return begin == std::string::npos ? nlohmann::json() : nlohmann::json::parse(printed.substr(begin), nullptr, false);
+/// fails     nlohmann::json::exception: no whole number from 0 on
+std::uint64_t count_in(const nlohmann::json& number) {
+  if (!number.is_number_unsigned()) throw nlohmann::json::type_error::create(302, "no count", nullptr);
+  return number.get<std::uint64_t>();
+}
+
+/// The first tick that differs, as a number or in an object; null: none.
+std::optional<std::uint64_t> tick_in(const nlohmann::json& json) {
+  if (json.is_null()) return std::nullopt;
+  return count_in(json.is_object() ? json.at("tick") : json);
 }
 
 Answer judged(const EndedProgram& ended, const std::string& expected) {
+  const std::string code = "it ended with " + std::to_string(ended.code);
+  if (!ended.stopped.empty()) return failed(ended.stopped);
+  if (ended.code != 0 && ended.code != kDiffersCode) {
+    const std::string why = last_line(ended.complained);
+    return failed(why.empty() ? code : code + ": " + why);
+  }
   const nlohmann::json json = object_in(ended.printed);
-  const auto hash = json.is_object() ? json.find("hash") : json.end();
-  if ((ended.code != 0 && ended.code != kDiffersCode) || !json.is_object() || hash == json.end() || !hash->is_string())
-    return failed(ended.complained.empty() ? "it ended with " + std::to_string(ended.code) + " and printed no hash" : ended.complained);
-  Answer answer;
-  answer.hash = *hash;
-  if (const auto found = json.find("ticks"); found != json.end() && found->is_number_unsigned()) answer.ticks = *found;
-  if (const auto found = json.find("seconds"); found != json.end() && found->is_number()) answer.seconds = *found;
-  if (answer.ticks == 0) return failed("it replayed no tick");
-  if (const auto found = json.find("first_difference"); found != json.end()) answer.first_different = tick_in(*found);
-  const bool equal = ended.code == 0 && answer.hash == expected && !answer.first_different;
-  answer.outcome = equal ? Answer::Outcome::kEqual : Answer::Outcome::kDiffers;
-  return answer;
+  if (!json.is_object()) return failed(code + " and printed no JSON object");
+  try {
+    Answer answer;
+    answer.hash = json.at("hash");
+    answer.ticks = count_in(json.at("ticks"));
+    answer.seconds = json.value("seconds", 0.0);
+    if (const auto found = json.find("first_difference"); found != json.end()) answer.first_different = tick_in(*found);
+    if (!trace::is_hash_text(answer.hash)) return failed("its hash has not 16 hexadecimal digits");
+    if (answer.ticks == 0) return failed("it replayed no tick");
+    const bool equal = ended.code == 0 && answer.hash == expected && !answer.first_different;
+    answer.outcome = equal ? Answer::Outcome::kEqual : Answer::Outcome::kDiffers;
+    return answer;
+  } catch (const nlohmann::json::exception&) {
+    return failed("hash, ticks, seconds or first_difference are missing or of another kind in what it printed");
+  }
 }
 
 }  // namespace
@@ -70,14 +103,14 @@ const char* name_of(Answer::Outcome outcome) {
   return "failed";
 }
 
-Answer ask(const Recording& recording, const Program& program) {
+Answer ask(const Recording& recording, const Program& program, const Patience& patience) {
   try {
     for (const std::string& change : {change_of(recording.field, recording.field_hash), change_of(recording.trace, recording.trace_hash)})
       if (!change.empty()) return failed(change);
     std::vector<std::string> words = program.command;
     words.push_back(fs::absolute(recording.field).string());
     words.push_back(fs::absolute(recording.trace).string());
-    return judged(run_program(words), recording.expected);
+    return judged(run_program(words, patience), recording.expected);
   } catch (const InputError& error) {
     return failed(error.what());
   }
@@ -100,17 +133,28 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
       {"said", answer.said},
       {"host", system.nodename},
       {"kernel", system.release}};
-  const fs::path file = file_of(answers, address_of(recording, program));
+  const std::string address = address_of(recording, program);
+  if (answer.outcome == Answer::Outcome::kFailed) {  // somebody else may have the answer meanwhile
+    const std::optional<Answer> now = kept_answer(answers, address);
+    if (now && now->outcome != Answer::Outcome::kFailed) return;
+  }
+  const fs::path file = file_of(answers, address);
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw InputError(file.parent_path().string() + ": the folder cannot be made: " + error.message());
   const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  static std::atomic<unsigned> number = 0;  // others may keep the same answer at the same time
+  const fs::path own =
+      file.parent_path() / (address + "." + system.nodename + "-" + std::to_string(::getpid()) + "-" + std::to_string(++number));
+  write_file(own, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  fs::rename(own, file, error);
+  if (error) throw InputError(file.string() + ": cannot be written: " + error.message());
 }
 
 std::optional<Answer> kept_answer(const fs::path& answers, const std::string& address) {
   const fs::path file = file_of(answers, address);
-  if (!fs::is_regular_file(file)) return std::nullopt;
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return std::nullopt;
   const auto bytes = read_file(file);
   const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
   if (!json.is_object()) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "host/farm/ended_program.h"
 #include "host/farm/task.h"
 
 namespace isotouch::farm {
@@ -29,9 +30,9 @@ const char* name_of(Answer::Outcome outcome);
 /// Runs a program over a recording, whose files are compared with their hashes before.
 ///
 /// fails     never: what goes wrong is the answer
-Answer ask(const Recording& recording, const Program& program);
+Answer ask(const Recording& recording, const Program& program, const Patience& patience = {});
 
-/// Keeps an answer with host and kernel: the whole of it or nothing.
+/// Keeps an answer with host and kernel: the whole of it or nothing. A failure does not take the place of an answer.
 ///
 /// fails     InputError naming the file
 void keep(const std::filesystem::path& answers, const Recording& recording, const Program& program, const Answer& answer);

@@ -4,6 +4,8 @@
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "host/trace/hash_text.h"
+#include "shared/printable.h"
 
 namespace isotouch::farm {
 
@@ -11,6 +13,8 @@ std::string Line::text(const char* key) const {
   const auto found = object_.find(key);
   if (found == object_.end() || !found->is_string() || found->get_ref<const std::string&>().empty())
     throw InputError(place_ + ": \"" + key + "\" is missing or no text; give it a text");
+  if (!is_printable(found->get_ref<const std::string&>()))
+    throw InputError(place_ + ": \"" + key + "\" holds a control character; leave it out");
   return *found;
 }
 
@@ -29,8 +33,8 @@ std::vector<std::string> Line::texts(const char* key) const {
 
 std::string Line::hash(const char* key) const {
   std::string digits = text(key);
-  if (digits.size() != 16 || digits.find_first_not_of("0123456789abcdef") != std::string::npos)
-    throw InputError(place_ + ": \"" + key + "\" is '" + digits + "'; a hash has 16 hexadecimal digits");
+  if (!trace::is_hash_text(digits))
+    throw InputError(place_ + ": \"" + key + "\" is '" + digits + "'; a hash has 16 hexadecimal digits, letters in lower case");
   return digits;
 }
 
@@ -43,7 +47,7 @@ void each_line(const std::filesystem::path& file, const std::function<void(const
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     const std::string place = file.string() + ", line " + std::to_string(number);
     nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
-    if (!object.is_object()) throw InputError(place + ": no JSON object; write one in each line");
+    if (!object.is_object()) throw InputError(place + ": no JSON object in UTF-8; write each on one line");
     use(Line(std::move(object), place));
   }
 }

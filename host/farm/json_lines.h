@@ -15,7 +15,7 @@ class Line {
   /// place     of the line, for sentences: "recordings.jsonl, line 3"
   Line(nlohmann::json object, std::string place) : object_(std::move(object)), place_(std::move(place)) {}
 
-  /// fails     InputError: the value is missing, empty, or no text
+  /// fails     InputError: the value is missing, empty, or no text that a terminal may get
   std::string text(const char* key) const;
   /// The same for a list of texts with at least one.
   std::vector<std::string> texts(const char* key) const;

@@ -1,7 +1,6 @@
 #include "host/farm/report.h"
 
 #include <map>
-#include <set>
 #include <tuple>
 
 #include "host/files/csv_cell.h"
@@ -38,13 +37,38 @@ Counts count(const std::vector<Row>& rows) {
 }
 
 std::vector<Change> changes(const std::vector<Row>& rows) {
+  struct History {
+    const Program* equal = nullptr;
+    std::size_t unknown = 0;
+    std::optional<std::size_t> open;  ///< the change that goes on
+  };
   std::vector<Change> all;
-  std::set<std::tuple<const Recording*, std::string, std::string, std::string>> seen;
+  std::map<std::tuple<const Recording*, std::string, std::string, std::string>, History> histories;
   for (const Row& row : rows) {
-    if (is(row, Outcome::kDiffers) && seen.insert({row.recording, row.program->processor, row.program->compiler, row.program->rung}).second)
-      all.push_back({row.recording, row.program, row.answer->first_different});
+    History& history = histories[{row.recording, row.program->processor, row.program->compiler, row.program->rung}];
+    if (is(row, Outcome::kEqual)) {
+      if (history.open) all[*history.open].again = row.program;
+      history = {row.program, 0, std::nullopt};
+    } else if (!is(row, Outcome::kDiffers)) {
+      ++history.unknown;
+    } else if (!history.open) {
+      history.open = all.size();
+      all.push_back({row.recording, row.program, row.answer->first_different, history.equal, history.unknown});
+    }
   }
   return all;
+}
+
+std::string in_words(const Change& change) {
+  const Program& since = *change.since;
+  std::string words = "since " + since.commit + " on " + since.processor + " (" + since.compiler + ", rung " + since.rung + ")";
+  if (change.tick) words += ", first in tick " + std::to_string(*change.tick);
+  if (change.unknown > 0) {
+    words += change.before != nullptr ? "; equal at " + change.before->commit + ", not known at " : "; not known at ";
+    words += std::to_string(change.unknown) + (change.unknown == 1 ? " commit" : " commits") + " before";
+  }
+  if (change.again != nullptr) words += "; equal again at " + change.again->commit;
+  return words;
 }
 
 std::vector<Speed> speeds(const std::vector<Row>& rows) {

@@ -28,13 +28,19 @@ struct Counts {
 };
 Counts count(const std::vector<Row>& rows);
 
-/// Where a recording begins to differ: of the programs that differ in nothing but the commit, the first in the table's order.
+/// Where a recording begins to differ, among the programs that differ in nothing but the commit, in the table's order.
 struct Change {
   const Recording* recording;
-  const Program* since;
+  const Program* since;               ///< the first that is known to differ
   std::optional<std::uint64_t> tick;  ///< the first that differs; none where a program names no tick
+  const Program* before = nullptr;    ///< the last that is known to be equal; nullptr: none is
+  std::size_t unknown = 0;            ///< programs between these two without an answer: each of them may be the one
+  const Program* again = nullptr;     ///< the first that is equal again; nullptr: none is
 };
 std::vector<Change> changes(const std::vector<Row>& rows);
+
+/// "since 3 on armhf (gcc 12, rung 1), first in tick 7; equal at 1, not known at 1 commit between; equal again at 5"
+std::string in_words(const Change& change);
 
 /// What a processor replayed, and the time that its programs measured for it.
 struct Speed {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "host/farm/report.h"
+#include "host/files/html_text.h"
 
 namespace isotouch::farm {
 namespace {
@@ -15,14 +16,8 @@ constexpr const char* kHead =
     "text-align:left;border-bottom:1px solid #ddd}td.n{text-align:right;font-variant-numeric:tabular-nums}"
     ".differs{color:#b00020;font-weight:600}.failed,.missing{color:#8a4b00}.equal{color:#17692b}</style></head><body>\n";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);
-  return out;
-}
-
 std::string cell(const std::string& text, const char* look = "") {
-  return std::string("<td class=\"") + look + "\">" + escaped(text) + "</td>";
+  return std::string("<td class=\"") + look + "\">" + html_text(text) + "</td>";
 }
 
 std::string head(std::initializer_list<const char*> names) {
@@ -43,11 +38,11 @@ const char* look_of(const Counts& counts) {
 std::string table_of_changes(const std::vector<Row>& rows) {
   const std::vector<Change> all = changes(rows);
   if (all.empty()) return "<p>No answer differs.</p>\n";
-  std::string html = head({"recording", "origin", "processor", "compiler", "rung", "since commit", "first tick"});
+  std::string html = head({"recording", "origin", "processor", "compiler", "rung", "since commit", "first tick", "known"});
   for (const Change& change : all) {
     html += "<tr>" + cell(change.recording->name) + cell(change.recording->origin) + cell(change.since->processor) +
             cell(change.since->compiler) + cell(change.since->rung) + cell(change.since->commit) +
-            cell(change.tick ? std::to_string(*change.tick) : "not named", "n") + "</tr>\n";
+            cell(change.tick ? std::to_string(*change.tick) : "not named", "n") + cell(in_words(change)) + "</tr>\n";
   }
   return html + "</table>\n";
 }
@@ -64,7 +59,7 @@ std::string table_of_commits(const std::vector<Row>& rows) {
     cells[{row.program->commit, row.program->processor}].push_back(row);
   }
   std::string html = "<table><tr><th>commit</th>";
-  for (const std::string& processor : processors) html += "<th>" + escaped(processor) + "</th>";
+  for (const std::string& processor : processors) html += "<th>" + html_text(processor) + "</th>";
   html += "</tr>\n";
   for (const std::string& commit : commits) {
     html += "<tr>" + cell(commit);

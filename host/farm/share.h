@@ -3,17 +3,19 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
+#include "host/farm/ended_program.h"
 #include "host/farm/task.h"
 
 namespace isotouch::farm {
 
-/// Shard `shard` of `shards`: of the tasks, counted recording by recording, each `shards`-th.
+/// Shard `shard` of `shards`. The tasks are counted recording by recording. Of each run of `shards` tasks a shard takes one, and the next one of the next run:
+/// each shard gets tasks of every program, whatever their number is.
 struct Share {
   std::size_t shard = 0, shards = 1;
-  unsigned jobs = 1;  ///< at once
+  unsigned jobs = 1;    ///< at once
+  Patience patience{};  ///< of each task; when it may not go on, no further task is begun
 };
 
 struct ShareReport {
@@ -25,9 +27,8 @@ struct ShareReport {
 
 /// Asks for each answer that is not kept yet, and keeps it at once: what was ended half way goes on from there.
 ///
-/// may_go_on   false: no further task is begun
 /// fails       InputError: an answer cannot be kept
 ShareReport run_share(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
-                      const Share& share, const std::function<bool()>& may_go_on);
+                      const Share& share);
 
 }  // namespace isotouch::farm

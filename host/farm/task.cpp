@@ -1,5 +1,12 @@
 #include "host/farm/task.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <functional>
 #include <set>
 
 #include "host/error.h"
@@ -9,7 +16,9 @@
 #include "host/trace/hash_text.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
+#include "shared/files/scoped_file.h"
 #include "shared/hash64.h"
+#include "shared/printable.h"
 
 namespace isotouch::farm {
 namespace {
@@ -40,6 +49,24 @@ std::string resolved(const std::string& word, const fs::path& folder, Digest& co
   if (!fs::exists(file)) throw InputError(place + ": " + file.string() + " is not there; build it, or correct the command");
   if (fs::is_regular_file(file)) content.add(read_file(file));
   return fs::absolute(file).string();
+}
+
+/// Adds a line to a table that others may add to at the same time.
+///
+/// check     called while nobody else adds one; may throw
+void append_line(const fs::path& table, std::string line, const std::function<void()>& check) {
+  const auto fail = [&] { return InputError(table.string() + ": cannot be written: " + std::strerror(errno)); };
+  const ScopedFile file(::open(table.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+  if (file.number < 0 || ::flock(file.number, LOCK_EX) != 0) throw fail();
+  check();
+  const off_t size = ::lseek(file.number, 0, SEEK_END);
+  char last = '\n';
+  if (size > 0 && ::pread(file.number, &last, 1, size - 1) != 1) throw fail();
+  line = (last == '\n' ? "" : "\n") + line + '\n';
+  if (::write(file.number, line.data(), line.size()) == static_cast<ssize_t>(line.size())) return;
+  const InputError failed = fail();
+  if (::ftruncate(file.number, size) != 0) throw fail();
+  throw failed;
 }
 
 }  // namespace
@@ -79,8 +106,15 @@ std::vector<Program> read_programs(const fs::path& file) {
     if (!names.insert({program.processor, program.commit, program.compiler, program.rung}).second)
       throw InputError(line.place() + ": processor, commit, compiler and rung are those of a line above; leave one of the two out");
     Digest content;
-    for (const std::string& word : line.texts("command"))
+    bool is_named = false;
+    for (const std::string& word : line.texts("command")) {
       program.command.push_back(resolved(word, file.parent_path(), content, line.place()));
+      is_named = is_named || word.starts_with("./");
+    }
+    if (!is_named)
+      throw InputError(
+          line.place() +
+          ": no word of the command begins with ./, so a new build would be taken for the old one; put the program beside the table");
     program.content = content.text();
     all.push_back(std::move(program));
   });
@@ -88,13 +122,8 @@ std::vector<Program> read_programs(const fs::path& file) {
   return all;
 }
 
-void add_recording(const fs::path& table, Recording recording) {
-  if (fs::exists(table)) {
-    for (const Recording& known : read_recordings(table)) {
-      if (known.name == recording.name)
-        throw InputError(table.string() + ": a recording with the name '" + recording.name + "' is there; choose another with --name");
-    }
-  }
+void add_recording(const fs::path& table, const Recording& recording) {
+  if (recording.name.empty() || recording.origin.empty()) throw InputError("a recording needs a name and an origin; give both a text");
   const field_file::OpenField field = field_file::open_field(recording.field);
   const trace::Trace trace = trace::read_trace(recording.trace);
   const trace::ReplayReport report = trace::replay(field.view, trace, true);
@@ -111,14 +140,17 @@ void add_recording(const fs::path& table, Recording recording) {
                                        {"expected", trace::hash_text(report.hash)},
                                        {"device", trace::hash_text(hash(trace.header().device))},
                                        {"origin", recording.origin}};
-  std::string text;
-  if (fs::exists(table)) {
-    const auto bytes = read_file(table);
-    text.assign(bytes.begin(), bytes.end());
-    if (!text.ends_with('\n')) text += '\n';
+  for (const auto& [key, value] : line.items()) {
+    if (!is_printable(value.get_ref<const std::string&>()))
+      throw InputError(recording.trace.string() + ": " + key + " is no UTF-8 or holds a control character; rename it");
   }
-  text += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-  write_file(table, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  append_line(table, line.dump(), [&] {
+    if (fs::file_size(table) == 0) return;
+    for (const Recording& known : read_recordings(table)) {
+      if (known.name == recording.name)
+        throw InputError(table.string() + ": a recording with the name '" + recording.name + "' is there; choose another with --name");
+    }
+  });
 }
 
 std::string address_of(const Recording& recording, const Program& program) {

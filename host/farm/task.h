@@ -23,7 +23,7 @@ struct Recording {
 struct Program {
   std::string processor, commit, compiler, rung;
   std::vector<std::string> command;  ///< words; FIELD and TRACE follow
-  std::string content;               ///< XXH64 over its words and over the bytes of each that names a file beside or below the table
+  std::string content;  ///< XXH64 over its words and over the bytes of each that begins with ./, which is a file beside the table
 };
 
 /// fails     InputError naming file and line: a value that is missing or wrong, a name that stands twice; no line at all
@@ -31,16 +31,17 @@ std::vector<Recording> read_recordings(const std::filesystem::path& file);
 
 /// The same; of two programs at least processor, commit, compiler or rung differ. Oldest commit first: the order says since when something differs.
 ///
-/// fails     also InputError: a program that is not there
+/// fails     also InputError: a program that is not there, or that no word beginning with ./ names
 std::vector<Program> read_programs(const std::filesystem::path& file);
 
 /// Replays a trace here, and adds it with the hash that it gives as a line to a table; the table is made where there is none.
 ///
 /// recording   its hashes and device are found out; its files as seen from here
-/// fails       InputError: files as `isotouch replay --check` refuses them, a trace that does not answer as recorded, a name that stands there already
-void add_recording(const std::filesystem::path& table, Recording recording);
+/// fails       InputError: no name or origin, or one that is no UTF-8; files as `isotouch replay --check` refuses them, a trace that does not answer as recorded, a name that stands there already
+void add_recording(const std::filesystem::path& table, const Recording& recording);
 
-/// Where the answer of a task is kept: it names the bytes of field, trace and program, so an answer is never taken for that of something else.
+/// Where the answer of a task is kept: it names the bytes of field, trace and program, so an answer is not taken for that of another build. What the
+/// program calls, and an emulator that is not beside the table, do not count.
 std::string address_of(const Recording& recording, const Program& program);
 
 /// The replay hash that a trace's own outputs have.

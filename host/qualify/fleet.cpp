@@ -3,48 +3,51 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "host/error.h"
 #include "host/files/csv_cell.h"
+#include "host/files/whole_file.h"
+#include "host/quantiles.h"
+#include "shared/printable.h"
 
 namespace isotouch::qualify {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostDeviations = 5, kNormal = 1.4826, kLeastShare = 0.2;
+constexpr double kMaxDeviations = 5, kNormal = 1.4826, kLeastShare = 0.2, kLeast = 1e-6;
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+/// What a report says of one board, by the keys of its limits.
+struct Report {
+  Board board;
+  std::vector<std::pair<std::string, std::optional<double>>> values;
+};
+
+std::string text_in(const nlohmann::json& json) {
+  std::string text = json;
+  make_printable(text, ' ');
+  return text;
 }
 
-Board read_board(const fs::path& file, std::vector<std::string>& keys) {
+Report read_report(const fs::path& file) {
   const auto wrong = [&](const std::string& why) {
     return InputError(file.string() + ": " + why + "; name files that `isotouch qualify --json` wrote");
   };
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw wrong("cannot be read");
-  const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+  const auto bytes = read_file(file);
+  const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
   if (json.is_discarded()) throw wrong("no JSON");
   try {
-    Board board;
-    board.name = json.at("host").is_null() ? json.at("address") : json.at("host");
-    board.date = json.at("date");
-    board.verdict = json.at("verdict");
-    std::vector<std::string> found;
+    Report report;
+    report.board.name = text_in(json.at("host").is_null() ? json.at("address") : json.at("host"));
+    report.board.date = text_in(json.at("date"));
+    report.board.verdict = text_in(json.at("verdict"));
     for (const auto& limit : json.at("limits")) {
-      found.push_back(limit.at("key"));
-      board.values.push_back(limit.at("value").is_null() ? std::nullopt : std::optional(limit.at("value").get<double>()));
+      const auto& value = limit.at("value");
+      report.values.emplace_back(text_in(limit.at("key")), value.is_null() ? std::nullopt : std::optional(value.get<double>()));
     }
-    if (found.empty()) throw wrong("it holds no limits");
-    if (keys.empty()) keys = found;
-    if (found != keys) throw wrong("it has other limits than the reports before it");
-    return board;
+    return report;
   } catch (const nlohmann::json::exception&) {
     throw wrong("no report of a board");
   }
@@ -55,10 +58,13 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
   for (const Board& board : fleet.boards) {
     if (board.values[key]) values.push_back(*board.values[key]);
   }
-  if (values.size() < kMinFleet) return;
-  const double middle = median(values);
+  if (values.size() < kMinFleet) {
+    if (!values.empty()) fleet.unjudged.push_back(fleet.keys[key]);
+    return;
+  }
+  const double middle = quantiles(values).median;
   for (double& value : values) value = std::abs(value - middle);
-  const double limit = std::max(kMostDeviations * kNormal * median(values), kLeastShare * std::abs(middle));
+  const double limit = std::max(kMaxDeviations * kNormal * quantiles(values).median, std::max(kLeastShare * std::abs(middle), kLeast));
   for (Board& board : fleet.boards) {
     if (board.values[key] && std::abs(*board.values[key] - middle) > limit) board.outliers.push_back(fleet.keys[key]);
   }
@@ -66,13 +72,22 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
 
 }  // namespace
 
-bool Fleet::has_outliers() const {
-  return std::ranges::any_of(boards, [](const Board& board) { return !board.outliers.empty(); });
-}
-
-Fleet read_fleet(const std::vector<fs::path>& reports) {
+Fleet read_fleet(const std::vector<fs::path>& files) {
   Fleet fleet;
-  for (const fs::path& report : reports) fleet.boards.push_back(read_board(report, fleet.keys));
+  for (const fs::path& file : files) {
+    Report report = read_report(file);
+    const auto same = [&](const Board& board) { return board.name == report.board.name && board.date == report.board.date; };
+    if (std::ranges::any_of(fleet.boards, same))
+      throw InputError(file.string() + ": " + report.board.name + " is there with the same date; name each report once");
+    for (const auto& [key, value] : report.values) {
+      const auto at = static_cast<std::size_t>(std::ranges::find(fleet.keys, key) - fleet.keys.begin());
+      if (at == fleet.keys.size()) fleet.keys.push_back(key);
+      report.board.values.resize(std::max(report.board.values.size(), at + 1));
+      report.board.values[at] = value;
+    }
+    fleet.boards.push_back(std::move(report.board));
+  }
+  for (Board& board : fleet.boards) board.values.resize(fleet.keys.size());
   for (std::size_t key = 0; key < fleet.keys.size(); ++key) mark_outliers(fleet, key);
   return fleet;
 }

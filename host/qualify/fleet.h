@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,20 +18,20 @@ struct Board {
 };
 
 struct Fleet {
-  std::vector<std::string> keys;  ///< of the limits, with their units, in the order of the first report
-  std::vector<Board> boards;      ///< as the reports were named
-  bool has_outliers() const;
+  std::vector<std::string> keys;      ///< of the limits, with their units, as the reports bring them
+  std::vector<std::string> unjudged;  ///< of these, measured on too few boards to say which is an outlier
+  std::vector<Board> boards;          ///< as the reports were named
 };
 
-/// How many boards it takes to say that one is unlike the others.
+/// How many values it takes to say that one is unlike the others.
 inline constexpr std::size_t kMinFleet = 5;
 
 /// Reads what `isotouch qualify --json` wrote. A value is an outlier when it lies farther from the median of all boards than five times their usual
 /// distance (the median of the distances, times 1.4826, which makes it a standard deviation where the values scatter normally), and than a fifth of the
-/// median. With fewer than `kMinFleet` values of a key none is.
+/// median, and than 1e-6.
 ///
-/// fails     InputError naming the file: no such report; a limit that other reports do not have
-Fleet read_fleet(const std::vector<std::filesystem::path>& reports);
+/// fails     InputError naming the file: no such report; a board that is there with the same date
+Fleet read_fleet(const std::vector<std::filesystem::path>& files);
 
 /// One line a board; empty cells where nothing was measured.
 std::string to_csv(const Fleet& fleet);

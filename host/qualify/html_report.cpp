@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "host/files/html_text.h"
 #include "host/qualify/report.h"
 #include "host/view/caption.h"
 #include "host/view/histogram_plot.h"
@@ -22,23 +23,6 @@ constexpr const char* kStyle =
     ".fit{color:#17692b}.unfit{color:#b00020}.missed{color:#b00020;font-weight:600}.unknown{color:#777}.better{color:#9a5b00}"
     "img{width:100%;max-width:46rem}";
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string short_number(double value) { return view::significant(value, 3); }
 
 /// A figure within the page. Each is a document of its own, so that the letters of one are not taken for those of another.
@@ -54,7 +38,7 @@ std::string figure(const view::Picture& picture, const std::string& about) {
     std::snprintf(code, sizeof code, "%%%02X", byte);
     address += is_plain ? std::string(1, c) : code;
   }
-  return "<img alt=\"" + escaped(about) + "\" src=\"data:image/svg+xml," + address + "\">\n";
+  return "<img alt=\"" + html_text(about) + "\" src=\"data:image/svg+xml," + address + "\">\n";
 }
 
 constexpr int kFigureWidth = 736, kFigureHeight = 250;
@@ -66,7 +50,7 @@ std::vector<view::ValueClass> classes_of(const link::Histogram& histogram, doubl
 }
 
 std::string row(const std::string& name, const std::string& value) {
-  return "<tr><th>" + escaped(name) + "</th><td>" + escaped(value) + "</td></tr>\n";
+  return "<tr><th>" + html_text(name) + "</th><td>" + html_text(value) + "</td></tr>\n";
 }
 
 std::string verdict_table(const std::vector<Judgement>& judgements) {
@@ -74,8 +58,8 @@ std::string verdict_table(const std::vector<Judgement>& judgements) {
   for (const Judgement& j : judgements) {
     const bool known = j.outcome != Judgement::Outcome::kNotMeasured;
     const char* look = j.outcome == Judgement::Outcome::kMissed ? "missed" : known ? "fit" : "unknown";
-    html += "<tr><td>" + escaped(j.what) + "</td><td class=\"n\">" + short_number(j.limit) + " " + escaped(j.unit) +
-            "</td><td class=\"n\">" + (known ? short_number(j.value) + " " + escaped(j.unit) : "") + "</td><td class=\"" + look + "\">" +
+    html += "<tr><td>" + html_text(j.what) + "</td><td class=\"n\">" + short_number(j.limit) + " " + html_text(j.unit) +
+            "</td><td class=\"n\">" + (known ? short_number(j.value) + " " + html_text(j.unit) : "") + "</td><td class=\"" + look + "\">" +
             name_of(j.outcome) + "</td></tr>\n";
   }
   return html + "</table>\n";
@@ -97,10 +81,10 @@ std::string worst_table(const Figures& figures) {
   for (const WorstTick& worst : figures.worst) {
     html += "<tr><td class=\"n\">" + std::to_string(worst.tick.number) + "</td><td class=\"n\">" +
             short_number(worst.tick.wake_ns / 1000.0) + " us</td><td class=\"n\">" + short_number(worst.tick.tick_ns / 1000.0) +
-            " us</td>" + (worst.cause.empty() ? "<td class=\"unknown\">unknown" : "<td>" + escaped(worst.cause)) + "</td></tr>\n";
+            " us</td>" + (worst.cause.empty() ? "<td class=\"unknown\">unknown" : "<td>" + html_text(worst.cause)) + "</td></tr>\n";
   }
   html += "</table>\n";
-  if (!figures.cause_unknown.empty()) html += "<p>Causes: " + escaped(figures.cause_unknown) + "</p>\n";
+  if (!figures.cause_unknown.empty()) html += "<p>Causes: " + html_text(figures.cause_unknown) + "</p>\n";
   return html;
 }
 
@@ -119,8 +103,8 @@ std::string practice_table(const std::vector<Finding>& practice) {
                        : f.verdict == Finding::Verdict::kGood ? "fit"
                        : known                                ? "better"
                                                               : "unknown";
-    html += "<tr><td>" + escaped(f.what) + "</td><td>" + escaped(f.read) + "</td><td class=\"" + look + "\">" + name_of(f.verdict) +
-            "</td><td>" + escaped(f.why) + (f.remedy.empty() ? "" : "<br>" + escaped(f.remedy)) + "</td></tr>\n";
+    html += "<tr><td>" + html_text(f.what) + "</td><td>" + html_text(f.read) + "</td><td class=\"" + look + "\">" + name_of(f.verdict) +
+            "</td><td>" + html_text(f.why) + (f.remedy.empty() ? "" : "<br>" + html_text(f.remedy)) + "</td></tr>\n";
   }
   return html + "</table>\n<p>The verdict follows from what was measured, not from this table, which says where time may be lost.</p>\n";
 }
@@ -157,9 +141,9 @@ std::string late_course(const Figures& figures) {
 
 std::string html_report(const Figures& figures, const std::vector<Judgement>& judgements) {
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Qualification of " +
-                     escaped(figures.address) + "</title><style>" + kStyle + "</style></head><body>\n";
-  html += "<h1>" + escaped(figures.address) + " is <span class=\"" + (is_fit(judgements) ? "fit" : "unfit") + "\">" +
-          escaped(sentence(judgements)) + "</span></h1>\n";
+                     html_text(figures.address) + "</title><style>" + kStyle + "</style></head><body>\n";
+  html += "<h1>" + html_text(figures.address) + " is <span class=\"" + (is_fit(judgements) ? "fit" : "unfit") + "\">" +
+          html_text(sentence(judgements)) + "</span></h1>\n";
   html += "<p>" + std::to_string(figures.ticks) + " ticks of " + short_number(figures.period_ns / 1000.0) + " us in " +
           short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
   html += "<h2>What was measured</h2>\n" + subject_table(figures.subject);
@@ -182,12 +166,12 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     if (measure == protocol::Measure::kWakeup) {
       html += figures.timer.count > 0 ? "<p>The line beside it is cyclictest, the same rate afterwards, priority " +
                                             std::to_string(figures.timer_priority) + ": " + quantiles(figures.timer, 1000, "us") + "</p>\n"
-                                      : "<p>Not compared with cyclictest: " + escaped(figures.timer_unknown) + "</p>\n";
+                                      : "<p>Not compared with cyclictest: " + html_text(figures.timer_unknown) + "</p>\n";
     }
     if (measure == protocol::Measure::kTick) {
       html += figures.cold.count > 0 ? "<p>The line beside it is the same afterwards, while other programs wrote to memory: " +
                                            quantiles(figures.cold, 1000, "us") + "</p>\n"
-                                     : "<p>Cold ticks: " + escaped(figures.cold_unknown) + "</p>\n";
+                                     : "<p>Cold ticks: " + html_text(figures.cold_unknown) + "</p>\n";
     }
     const link::Histogram beside = measure == protocol::Measure::kWakeup ? figures.timer
                                    : measure == protocol::Measure::kTick ? figures.cold

@@ -12,4 +12,9 @@ inline std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
+/// Is it written so?
+inline bool is_hash_text(const std::string& text) {
+  return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 }  // namespace isotouch::trace

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kSamples = 16;
 constexpr double kStep = 1.0 / 65536;           // of what the sampler returns
 constexpr double kSampleBound = 1.001 * kStep;  // tests/firmware/core/field_sampler_test.cpp has the same
-constexpr double kSmallSlope = 0.2;             // below, the foothold's reciprocal is not exact
+constexpr double kSmallSlope = 0.2;             // below, |g|² counts as something larger
 
 /// Samples from the input's bytes, again from the first when they end; between them they repeat so that a short input makes a whole field.
 test::FieldImage field_of(fuzz::Front& front) {
@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const test::Point step = test::to_point(projection.step);
     for (std::size_t c = 0; c < 3; ++c) {  // |g|² and φ / |g|² have 16 fraction bits
       const double bound = (2 + std::abs(slope[c]) + 2 * std::abs(exact[c]) / square) * kStep;
-      agree(step[c], exact[c], bound, "the foothold is its twin's");
+      agree(step[c], exact[c], bound, "the projection is its twin's");
     }
   }
   return 0;

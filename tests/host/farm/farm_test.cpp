@@ -55,7 +55,7 @@ class Farm : public ::testing::Test {
   }
   std::string equal() const { return print(expected_); }
   ShareReport run_all(const Share& share = {}) const {
-    return run_share(read_recordings(recordings_file()), read_programs(programs_file()), answers(), share, [] { return true; });
+    return run_share(read_recordings(recordings_file()), read_programs(programs_file()), answers(), share);
   }
   std::string calls() const {
     std::ifstream file(folder_.path() / "calls.txt");
@@ -90,9 +90,13 @@ TEST_F(Farm, EachTaskIsAskedOnce) {
 
 TEST_F(Farm, TheSharesTogetherAreAllTasksAndNoneTwice) {
   for (const char* processor : {"a", "b", "c", "d", "e"}) list(processor, "1", equal());
-  std::size_t asked = 0;
-  for (const std::size_t shard : {2U, 0U, 1U}) asked += run_all({.shard = shard, .shards = 3}).asked;
-  EXPECT_EQ(asked, 5U);
+  std::size_t tasks = 0;
+  for (const std::size_t shard : {2U, 0U, 1U}) {
+    const ShareReport report = run_all({.shard = shard, .shards = 3});
+    EXPECT_EQ(report.asked, report.tasks);
+    tasks += report.tasks;
+  }
+  EXPECT_EQ(tasks, 5U);
   EXPECT_EQ(run_all({.jobs = 4}).kept, 5U);
 }
 
@@ -104,20 +108,62 @@ TEST_F(Farm, AFailureIsKeptWithItsSentenceAndAskedAgain) {
   const auto programs = read_programs(programs_file());
   const auto rows = merge(recordings, programs, answers());
   EXPECT_EQ(count(rows).failed, 1U);
-  EXPECT_EQ(rows[0].answer->said, "no memory");
+  EXPECT_EQ(rows[0].answer->said, "it ended with 1: no memory");
   EXPECT_EQ(calls(), "a-1\na-1\n");
 }
 
-TEST_F(Farm, WhatIsNoAnswerFails) {
-  const std::pair<const char*, std::string> programs[] = {
-      {"silent", "exit 0"},
-      {"wrong-code", print(expected_, "null", 7)},
-      {"no-ticks", "echo '{\"ticks\": 0, \"seconds\": 0, \"hash\": \"" + expected_ + "\"}'"},
-      {"no-hash", "echo '{\"ticks\": 5}'"},
-      {"killed", "kill -9 $$"},
+TEST_F(Farm, EachOfAsManySharesAsProgramsGetsEveryProgram) {
+  std::vector<Recording> recordings;
+  for (int i = 0; i < 4; ++i) {
+    recordings.push_back(read_recordings(recordings_file())[0]);
+    recordings.back().expected[0] = static_cast<char>('0' + i);  // four questions
+  }
+  for (const char* processor : {"a", "b"}) list(processor, "1", equal());
+  EXPECT_EQ(run_share(recordings, read_programs(programs_file()), answers(), {.shard = 0, .shards = 2}).tasks, 4U);
+  EXPECT_EQ(calls(), "a-1\nb-1\na-1\nb-1\n");
+}
+
+TEST_F(Farm, WhatIsNoAnswerFailsWithItsReason) {
+  const auto said = [&](const std::string& body) {
+    fs::remove(programs_file());
+    list("a", "1", body);
+    EXPECT_EQ(run_all({.patience = {.seconds = 5}}).failed, 1U) << body;
+    const auto recordings = read_recordings(recordings_file());
+    const auto programs = read_programs(programs_file());
+    const auto rows = merge(recordings, programs, answers());
+    return rows[0].answer ? rows[0].answer->said : "";
   };
-  for (const auto& [name, body] : programs) list(name, "1", body);
-  EXPECT_EQ(run_all().failed, std::size(programs));
+  const std::string hash = R"("hash": ")" + expected_ + '"';
+  EXPECT_EQ(said("exit 0"), "it ended with 0 and printed no JSON object");
+  EXPECT_EQ(said("echo first >&2; echo; echo the reason >&2; exit 7"), "it ended with 7: the reason");
+  EXPECT_EQ(said(print(expected_, "null", 7)), "it ended with 7");
+  EXPECT_EQ(said("kill -9 $$"), "it ended with 137");
+  EXPECT_EQ(said("printf '\\033[2J\\n' >&2; exit 1"), "it ended with 1:  [2J");
+  EXPECT_EQ(said("echo '{\"ticks\": 0, " + hash + "}'"), "it replayed no tick");
+  EXPECT_EQ(said("echo '{\"ticks\": 5, \"hash\": \"a,b\"}'"), "its hash has not 16 hexadecimal digits");
+  EXPECT_EQ(said("sleep 1000 & sleep 1000"), "it gave no answer in time");
+  EXPECT_EQ(said("yes"), "it printed more than 16 MB");
+  for (const std::string& object :
+       {std::string("{\"ticks\": 5}"), "{" + hash + "}", "{\"ticks\": -5, " + hash + "}", "{\"ticks\": 5, \"seconds\": [], " + hash + "}"})
+    EXPECT_THAT(said("echo '" + object + "'"), HasSubstr("are missing or of another kind")) << object;
+  for (const std::string difference : {"{\"tick\": -1}", "\"7\"", "7.5", "true", "{\"field\": \"force\"}", "{\"tick\": null}", "-1"})
+    EXPECT_THAT(said(print(expected_, difference)), HasSubstr("are missing or of another kind")) << difference;
+}
+
+TEST_F(Farm, WordsAroundTheAnswerDoNotMatter) {
+  list("before", "1", "echo '{note}'; " + equal());
+  list("after", "1", "( " + equal() + " ); echo done");
+  list("lines", "1", "echo '{\"ticks\": 10,'; echo '\"hash\": \"" + expected_ + "\"}'");
+  EXPECT_EQ(run_all().failed, 0U);
+}
+
+TEST_F(Farm, AFailureDoesNotTakeThePlaceOfAnAnswer) {
+  list("a", "1", equal());
+  run_all();
+  const Recording recording = read_recordings(recordings_file())[0];
+  const Program program = read_programs(programs_file())[0];
+  keep(answers(), recording, program, {});
+  EXPECT_EQ(kept_answer(answers(), address_of(recording, program))->outcome, Answer::Outcome::kEqual);
 }
 
 TEST_F(Farm, WhatIsNotEqualInEveryBitDiffers) {
@@ -152,6 +198,18 @@ TEST_F(Farm, AChangeIsNamedByTheFirstCommitThatHasItOnEachProcessor) {
   const std::string page = to_html(rows);
   EXPECT_THAT(page, HasSubstr("3 equal, 3 different, 0 failed, 0 missing"));
   EXPECT_THAT(page, HasSubstr("a golden file"));
+}
+
+TEST_F(Farm, AChangeSaysWhatIsNotKnown) {
+  list("a", "1", equal()), list("a", "2", "exit 1"), list("a", "3", print("0123456789abcdef")), list("a", "4", print("0123456789abcdef"));
+  list("a", "5", equal()), list("a", "6", print("0123456789abcdef", "7"));
+  run_all();
+  const auto recordings = read_recordings(recordings_file());
+  const auto programs = read_programs(programs_file());
+  const auto found = changes(merge(recordings, programs, answers()));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(in_words(found[0]), "since 3 on a (none, rung 0); equal at 1, not known at 1 commit before; equal again at 5");
+  EXPECT_EQ(in_words(found[1]), "since 6 on a (none, rung 0), first in tick 7");
 }
 
 TEST_F(Farm, AnAnswerIsNotTakenForThatOfAnotherProgramTraceOrField) {
@@ -221,7 +279,7 @@ TEST_F(Farm, TablesAreRefusedWithTheirLine) {
   EXPECT_THAT(complaint_on_programs("\n{\"processor\": \"a\"\n"), HasSubstr("line 2: no JSON object"));
   EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\"}\n"), HasSubstr("line 1: \"commit\" is missing"));
   EXPECT_THAT(complaint_on_programs(""), HasSubstr("it lists no programs"));
-  const std::string program = R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["true"]})"
+  const std::string program = R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["./recordings.jsonl"]})"
                               "\n";
   EXPECT_THAT(complaint_on_programs(program + program),
               HasSubstr("line 2: processor, commit, compiler and rung are those of a line above"));
@@ -229,6 +287,9 @@ TEST_F(Farm, TablesAreRefusedWithTheirLine) {
               HasSubstr("\"command\" is missing"));
   EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["./none"]})"),
               HasSubstr("none is not there"));
+  EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["isotouch"]})"),
+              HasSubstr("no word of the command begins with ./"));
+  EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\\u001b[2J\"}"), HasSubstr("holds a control character"));
   EXPECT_THAT(complaint([this] {
                 add_recording(recordings_file(), {.name = "hand",
                                                   .field = kField,
@@ -247,7 +308,7 @@ TEST_F(Farm, TablesAreRefusedWithTheirLine) {
 TEST_F(Farm, AProgramThatCannotBeStartedFailsAlone) {
   list("a", "1", equal());
   std::ofstream(programs_file(), std::ios::app)
-      << R"({"processor": "z", "commit": "1", "compiler": "c", "rung": "0", "command": ["no-such-program"]})";
+      << R"({"processor": "z", "commit": "1", "compiler": "c", "rung": "0", "command": ["no-such-program", "./recordings.jsonl"]})";
   const ShareReport report = run_all();
   EXPECT_EQ(report.asked, 2U);
   EXPECT_EQ(report.failed, 1U);
