@@ -70,6 +70,12 @@ bool ends_bisection(int argc, char** argv) {
   return argc > 2 && std::string_view(argv[1]) == "farm" && std::string_view(argv[2]) == "bisect";
 }
 
+std::string no_such(const std::string& word, const std::string& meant, const std::string& command) {
+  const std::string known = command + " --help lists them";
+  return std::string("there is no ") + (word.starts_with("--") ? "option" : "command") + " '" + word + "'; " +
+         (meant.empty() ? known : "did you mean '" + meant + "'? " + known);
+}
+
 /// A word that no command or option is called, and what was probably meant; empty where all are known.
 std::string unknown_word(const CLI::App& app, int argc, char** argv) {
   const CLI::App* command = &app;
@@ -93,10 +99,7 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
       if (!word.starts_with("--")) command = find_command(*command, word), said.append(" ").append(command->get_name());
       continue;
     }
-    const std::string meant = nearest_name(word, names);
-    return std::string("there is no ") + (word.starts_with("--") ? "option" : "command") + " '" + word + "'" +
-           (meant.empty() ? "" : "; did you mean '" + meant + "'?") + (meant.empty() ? "; " : " ") + app.get_name() + said +
-           " --help lists them";
+    return no_such(word, nearest_name(word, names), app.get_name() + said);
   }
   return {};
 }
