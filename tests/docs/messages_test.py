@@ -40,6 +40,11 @@ def literals(text: str, pattern: str) -> list[str]:
 
 
 class MessagesTest(unittest.TestCase):
+    page: str
+    texts: list[str]
+    spans: list[str]
+    messages: list[str]
+
     @classmethod
     def setUpClass(cls) -> None:
         cls.texts = [source(path.read_text(encoding="utf-8")) for path in SOURCES]
