@@ -70,7 +70,7 @@ def found_in_browser(html: Path, chromium: str, word: str) -> str:
         answer = subprocess.run([chromium, "--headless", "--no-sandbox", "--disable-gpu", "--proxy-server=127.0.0.1:9", f"--user-data-dir={profile}",
                                  "--virtual-time-budget=10000", "--dump-dom", f"{(html / 'search.html').resolve().as_uri()}?q={word}"],
                                 capture_output=True, text=True, timeout=120, check=False)
-    results = re.search(r'<ul class="search".*?</ul>', answer.stdout, re.DOTALL)
+    results = re.search(r'<ul[^>]*class="search".*?</ul>', answer.stdout, re.DOTALL)
     return results.group() if results else ""
 
 
