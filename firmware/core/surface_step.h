@@ -21,16 +21,18 @@ void project_on_surface(const Vec3<Voxel>& hip, const Vec3<Voxel>& point, const 
 /// What one step remembers of the one before. It damps the cycles in which Newton's step alone would stay in a rough crease.
 struct StepMemory {
   Vec3<Voxel> last;                      ///< the last step, without its part straight onto the surface
-  Voxel trust_radius = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted
-  Voxel ceiling = Voxel::of(1.25);       ///< the largest trust radius
+  Voxel trust_radius = Voxel::of(1.25);  ///< how far beyond the free way a step is trusted: 0 to ceiling
+  Voxel ceiling = Voxel::of(1.25);       ///< the largest trust radius: 0 to 1.25 voxels, the largest tangent step
 };
 
-/// Lets the steps reach twice as far as the hand has moved: `motion` is the HIP's since the last tick.
+/// Raises the trust radius to twice the hand's movement, up to the ceiling. It never lowers it, unless the ceiling is lower.
+///
+/// motion    the HIP's movement since the last tick; the largest component counts
 void renew_trust_radius(const Vec3<Voxel>& motion, StepMemory& memory);
 
-/// After a tick whose steps have not come to the surface: the next ones are half as long.
+/// After a tick whose steps have not come to the surface: halves the ceiling, and the trust radius becomes the ceiling.
 void lower_trust(StepMemory& memory);
-/// After one whose steps have: the next ones may be twice as long.
+/// After a tick whose steps have come to the surface: doubles the ceiling, up to 1.25 voxels. The trust radius follows with the hand.
 void raise_trust(StepMemory& memory);
 
 /// Moves `point`, where the sample was taken, one step towards the point of the surface, or of free space, closest to the HIP.

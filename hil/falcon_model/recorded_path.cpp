@@ -12,9 +12,10 @@ namespace isotouch::falcon_model {
 
 namespace {
 
-// Trace, version 1: shared/SPEC.md, section 3.
-constexpr std::size_t kHeaderBytes = 96, kRecordBytes = 72, kMajorAt = 4, kCountAt = 16, kPeriodAt = 40, kFlagsAt = 44, kChecksumAt = 92;
-constexpr std::uint32_t kEncoderCounts = 2;
+// Trace, version 3: shared/SPEC.md, section 3.
+constexpr std::size_t kHeaderBytes = 256, kRecordBytes = 104, kMajorAt = 4, kCountAt = 16, kPeriodAt = 36, kChecksumAt = 252;
+constexpr std::size_t kPlaceAt = 16;  // of a record, which begins with its kind
+constexpr std::uint64_t kMajor = 3, kPosition = 0;
 constexpr double kMmPerUnit = 1.0 / (1 << 20);
 
 using File = std::vector<unsigned char>;
@@ -42,16 +43,16 @@ void check(const File& file, const std::string& name) {
   const std::array<unsigned char, 4> magic = {'I', 'T', 'R', 'C'};
   if (file.size() < kHeaderBytes || !std::equal(magic.begin(), magic.end(), file.begin()))
     refuse("is no trace; make one with isotouch trace make");
-  if (number(file, kMajorAt, 2) != 1) refuse("is a trace of another version than this program reads");
+  if (number(file, kMajorAt, 2) != kMajor) refuse("is a trace of another version; make it with this release of isotouch");
   if (number(file, kChecksumAt, 4) != checksum(file, kChecksumAt))
     refuse("the header's checksum is wrong; the file is damaged, make it again");
   const std::uint64_t count = number(file, kCountAt, 8);
-  if (count == 0) refuse("holds no tick");
+  if (count == 0) refuse("holds no tick; make it again");
   if (number(file, 8, 4) != kHeaderBytes || number(file, 12, 4) != kRecordBytes || count > (file.size() - kHeaderBytes) / kRecordBytes) {
     refuse("is shorter than its header says; the file is damaged, make it again");
   }
-  if ((number(file, kFlagsAt, 4) & kEncoderCounts) != 0) refuse("holds encoder counts; a hand needs a trace of HIP positions");
-  if (number(file, kPeriodAt, 4) == 0) refuse("has a tick period of zero");
+  if (number(file, kHeaderBytes, 1) != kPosition) refuse("holds packets of a device; a hand follows a trace of positions");
+  if (number(file, kPeriodAt, 4) == 0) refuse("has a tick period of zero; make it again");
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ Path recorded_path(const std::filesystem::path& path) {
   const double period_ms = static_cast<double>(number(file, kPeriodAt, 4)) / 1e6;
   auto points = std::make_shared<std::vector<Vector>>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = kHeaderBytes + i * kRecordBytes;
+    const std::size_t at = kHeaderBytes + i * kRecordBytes + kPlaceAt;
     (*points)[i] = {millimetres(file, at), millimetres(file, at + 4), millimetres(file, at + 8)};
   }
   return [points, period_ms](double ms) {

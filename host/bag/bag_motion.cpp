@@ -64,8 +64,8 @@ class Collector {
                        std::string(channel.schema) + "; record the topic again, or choose another one with --topic");
     }
     if (series.frames.insert(measured->frame).second && series.frames.size() > 1) {
-      throw InputError(file_ + ": " + topic + " tells of several bodies, '" + *series.frames.begin() + "' and '" + *series.frames.rbegin() +
-                       "'; record the one of the hand on a topic of its own");
+      throw InputError(file_ + ": " + topic + " has positions of several bodies, '" + *series.frames.begin() + "' and '" +
+                       *series.frames.rbegin() + "'; record the hand's on a topic of its own, and name it with --topic");
     }
     if (measured->stamp_ns) series.stamps_ns.push_back(*measured->stamp_ns);
     series.recorded_ns.push_back(static_cast<std::int64_t>(time_ns));
@@ -81,7 +81,7 @@ class Collector {
     const std::int64_t first = all.empty() ? 0 : all.front();
     const std::vector<double> times = times_of(positions_, stamped, first), force_times = times_of(forces_, stamped, first);
     if (times.size() < 2)
-      throw InputError(file_ + ": the topic has fewer than two positions; record for longer, or choose another with --topic");
+      throw InputError(file_ + ": the topic has fewer than two positions; record for longer, or choose another topic with --topic");
     std::vector<motion::TimedPoint> points;
     for (std::size_t i = 0; i < times.size(); ++i) {
       motion::TimedPoint point{times[i], kMmPerMetre * positions_.values[i]};
@@ -96,11 +96,11 @@ class Collector {
     std::string all;
     for (const std::string& topic : topics) all += (all.empty() ? "" : ", ") + topic;
     if (topics.empty())
-      throw InputError(file_ + ": no topic of it holds " + what + "; messages of these types are read: " + std::string(known_types()));
+      throw InputError(file_ + ": none of its topics has " + what + "; these types of messages are read: " + std::string(known_types()));
     if (!wanted.empty() && topics.count(wanted) == 0)
-      throw InputError(file_ + ": the topic " + wanted + " does not hold " + what + "; choose one of " + all);
+      throw InputError(file_ + ": the topic " + wanted + " does not have " + what + "; choose one of " + all);
     if (wanted.empty() && topics.size() > 1)
-      throw InputError(file_ + ": several topics hold " + what + "; choose one with " + option + ": " + all);
+      throw InputError(file_ + ": several topics have " + what + "; choose one with " + option + ": " + all);
   }
 
   /// Seconds since the first position.
@@ -111,7 +111,7 @@ class Collector {
           1e-9 * static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(ns) - static_cast<std::uint64_t>(first_ns))));
     for (std::size_t i = 1; i < times.size(); ++i) {
       if (!(times[i] > times[i - 1]))
-        throw InputError(file_ + ": message " + std::to_string(i) + " of the topic is not later than the one before; record it again");
+        throw InputError(file_ + ": message " + std::to_string(i) + " of the topic is not later than the message before; record it again");
     }
     return times;
   }

@@ -11,13 +11,13 @@
 
 namespace isotouch::bag {
 
-/// Which messages; empty: the only ones that can be meant.
+/// Topics of the messages that are read; an empty one means the only topic that can be meant.
 struct BagTopics {
   std::string positions = {}, forces = {};
-  bool with_forces = false;  ///< read them, N, straight between two of them
+  bool with_forces = false;  ///< also read forces, N; between two of them a force is interpolated
 };
 
-/// Is it a recording of one of the two forms? Says no for what cannot be read.
+/// Whether the file is a recording of one of the two forms; false also where it cannot be read.
 bool is_bag(const std::filesystem::path& file);
 
 /// Positions in metres become mm. A message's own time counts where each has one, else the time of the recording.

@@ -94,7 +94,7 @@ class Reader {
     Taker from(content);
     const auto number = from.number<std::uint16_t>();
     const std::string_view name = from.text();
-    if (from.is_spoilt()) refuse("is damaged: a schema is shorter than it says; record it again, or repair it with the tool mcap");
+    if (from.is_spoilt()) refuse("is damaged: a schema ends before its stated size; record it again, or repair it with the tool mcap");
     schemas_[number] = name;
   }
 
@@ -102,7 +102,7 @@ class Reader {
     Taker from(content);
     const auto number = from.number<std::uint16_t>(), schema = from.number<std::uint16_t>();
     const std::string_view topic = from.text(), encoding = from.text();
-    if (from.is_spoilt()) refuse("is damaged: a channel is shorter than it says; record it again, or repair it with the tool mcap");
+    if (from.is_spoilt()) refuse("is damaged: a channel ends before its stated size; record it again, or repair it with the tool mcap");
     const auto found = schemas_.find(schema);
     channels_[number] = {std::string(topic), found == schemas_.end() ? std::string() : found->second, std::string(encoding)};
   }
@@ -115,7 +115,7 @@ class Reader {
     from.number<std::uint64_t>();
     const auto found = channels_.find(channel);
     if (from.is_spoilt() || found == channels_.end())
-      refuse("is damaged: a message is too short or of no channel; record it again, or repair it with the tool mcap");
+      refuse("is damaged: a message is too short, or names no channel; record it again, or repair it with the tool mcap");
     if (uses_.message) uses_.message({found->second.topic, found->second.schema, found->second.encoding}, time, from.rest());
   }
 
@@ -128,7 +128,7 @@ class Reader {
     const Span data = from.take(from.number<std::uint64_t>());
     const auto crc = load_le<std::uint32_t>(content.data() + content.size() - sizeof(std::uint32_t));
     if (from.is_spoilt() || (crc != 0 && crc32(content.data(), content.size() - sizeof crc) != crc))
-      refuse("is damaged: the checksum of an attachment does not hold; record it again");
+      refuse("is damaged: the checksum of an attachment does not match; record it again");
     if (uses_.attachment) uses_.attachment(name, media_type, data);
   }
 
@@ -140,13 +140,13 @@ class Reader {
     const auto crc = from.number<std::uint32_t>();
     const std::string_view compression = from.text();
     const Span packed = from.take(from.number<std::uint64_t>());
-    if (from.is_spoilt()) refuse("is damaged: a chunk is shorter than it says; record it again, or repair it with the tool mcap");
+    if (from.is_spoilt()) refuse("is damaged: a chunk ends before its stated size; record it again, or repair it with the tool mcap");
     if (compression.empty()) return take_records(packed, crc);
     if (compression != "zstd")
       refuse("is compressed with '" + std::string(compression.substr(0, 20)) + "'; convert it with: mcap compress --compression zstd");
     const std::optional<ZstdFrame> frame = read_zstd_frame(packed);
     if (size > kMostUnpacked || (frame && frame->content_bytes != size))
-      refuse("is damaged: a chunk says another size than its content has; record it again, or repair it with the tool mcap");
+      refuse("is damaged: the stated size of a chunk is not that of its content; record it again, or repair it with the tool mcap");
     std::vector<std::uint8_t> records(static_cast<std::size_t>(size));
     const std::size_t unpacked = ZSTD_decompress(records.data(), records.size(), packed.data(), packed.size());
     if (ZSTD_isError(unpacked) != 0 || unpacked != records.size())
@@ -156,7 +156,7 @@ class Reader {
 
   void take_records(Span records, std::uint32_t crc) {
     if (crc != 0 && crc32(records.data(), records.size()) != crc)
-      refuse("is damaged: the checksum of a chunk does not hold; record it again, or repair it with the tool mcap");
+      refuse("is damaged: the checksum of a chunk does not match; record it again, or repair it with the tool mcap");
     while (!records.empty()) {
       if (records.size() < kRecordHead) refuse("is damaged: a record within a chunk is cut off; record it again");
       const auto kind = static_cast<Record>(records[0]);
@@ -185,7 +185,7 @@ class Reader {
 bool is_mcap(Span file) { return file.size() >= kMcapMagic.size() && std::equal(kMcapMagic.begin(), kMcapMagic.end(), file.begin()); }
 
 bool read_mcap(Span file, const std::string& name, const McapUses& uses) {
-  if (!is_mcap(file)) throw InputError(name + ": this is no MCAP file; give one, or a table with times and positions");
+  if (!is_mcap(file)) throw InputError(name + ": it is not an MCAP file; name one, or a table of times and positions");
   return Reader(file, name, uses).read();
 }
 

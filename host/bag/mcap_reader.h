@@ -11,13 +11,17 @@
 
 namespace isotouch::bag {
 
-/// What a message means: all of it stays valid for the time of the call that gets it only.
+/// What a message means. The texts are valid only during the call that gets them.
 struct Channel {
   std::string_view topic;
   std::string_view schema;    ///< its name, as "geometry_msgs/msg/PointStamped"
   std::string_view encoding;  ///< of its messages, as "cdr" or "json"
 };
 
+/// What is called for each message and each attachment, in their order.
+///
+/// time_ns   when the message was recorded (its log time), ns since 1970 or since an epoch of the recorder's
+/// data      valid only during the call
 struct McapUses {
   std::function<void(const Channel& channel, std::uint64_t time_ns, std::span<const std::uint8_t> data)> message;
   std::function<void(std::string_view name, std::string_view media_type, std::span<const std::uint8_t> data)> attachment;
@@ -30,7 +34,7 @@ bool is_mcap(std::span<const std::uint8_t> file);
 ///
 /// name      of the file, for sentences
 /// returns   is the file whole?
-/// fails     InputError: damaged, with the byte; a compression other than zstd
+/// fails     InputError naming the file and the byte: a record is damaged, or compressed other than by zstd
 bool read_mcap(std::span<const std::uint8_t> file, const std::string& name, const McapUses& uses);
 
 }  // namespace isotouch::bag

@@ -24,7 +24,7 @@ class McapWriter {
   std::uint16_t schema(std::string_view name, std::string_view encoding, std::string_view data);
   /// returns   its number for `message`
   std::uint16_t channel(std::uint16_t schema, std::string_view topic, std::string_view encoding);
-  /// time_ns   rising
+  /// time_ns   log time, ns since 1970 or since the recording's beginning; never less than that of the message before
   void message(std::uint16_t channel, std::uint64_t time_ns, std::span<const std::uint8_t> data);
   /// A whole file within the file.
   void attach(std::string_view name, std::string_view media_type, std::span<const std::uint8_t> data);

@@ -13,7 +13,7 @@
 namespace isotouch::bag {
 
 struct Measured {
-  std::optional<std::int64_t> stamp_ns;  ///< of the message itself; nothing: it has none, or it is 0
+  std::optional<std::int64_t> stamp_ns;  ///< of the message itself, ns since 1970; nothing: it has none, or it is 0
   Eigen::Vector3d value;                 ///< m, or N
   std::string frame;                     ///< of a transform: the body that is moved
 };

@@ -15,7 +15,11 @@ namespace isotouch::bag {
 /// is attached, so that it comes back to the bit.
 ///
 /// whole       the bytes of the trace's file
+/// name        of the trace, for the attachment
+/// library     name and version of the program that writes
 /// row         the object of a tick; its members are numbers, strings or null
+///
+/// Times are those of the ticks from 0 on, in ns.
 Bytes trace_to_mcap(const files::TraceFile& trace, const std::string& name, std::span<const std::uint8_t> whole, const std::string& library,
                     const std::function<nlohmann::ordered_json(std::size_t tick)>& row);
 

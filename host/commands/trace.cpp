@@ -317,8 +317,10 @@ void add_import(CLI::App& trace) {
       ->add_option("SOURCE", options->source,
                    "the table, whose first line names the columns; or a recording of ROS 2 or Foxglove (.mcap, .db3)")
       ->required();
-  command->add_option("--topic", options->topic, "of a recording: the positions; default: the only ones");
-  command->add_option("--force-topic", options->force_topic, "of a recording, with --forces: the forces; default: the only ones");
+  command->add_option("--topic", options->topic,
+                      "topic of the positions in a recording (MCAP, .db3); by default the only topic that has positions");
+  command->add_option("--force-topic", options->force_topic,
+                      "with --forces, topic of the forces in a recording; by default the only topic that has forces");
   command->add_option("--columns", options->columns,
                       "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
   command->add_flag("--forces", options->forces,

@@ -23,8 +23,10 @@ inline constexpr double kDefaultBytes = 12 << 20;
 
 /// The usual grid, kCoarseGrid to kFineGrid: as fine as the points support, and so coarse that a surface as large as its box fits a controller.
 ///
-/// sides     of the box round the object, the longest above 0
-/// spacing   median distance of neighbouring points, their unit; 0 for a mesh, which is known everywhere
+/// sides     of the box round the object, in the unit of the points; the longest is above 0
+/// spacing   median distance of neighbouring points, in the same unit; 0 for a mesh, which is known everywhere
+/// returns   voxels along the longest side
+/// fails     never
 inline int default_grid(const Eigen::Vector3d& sides, double spacing) {
   const double longest = sides.maxCoeff();
   const Eigen::Vector3d of = sides / longest;
@@ -34,7 +36,11 @@ inline int default_grid(const Eigen::Vector3d& sides, double spacing) {
   return std::max(kCoarseGrid, static_cast<int>(std::min({useful, fitting, double{kFineGrid}})));
 }
 
-/// The finest grid that is not useless for points so far apart.
+/// The finest grid that still shows more of such points.
+///
+/// longest   side of the box round the object, above 0
+/// spacing   median distance of neighbouring points, in the same unit, above 0
+/// returns   voxels along the longest side
 inline int finest_grid(double longest, double spacing) { return static_cast<int>(std::min(kUselessVoxels * longest / spacing, 1e6)); }
 
 }  // namespace isotouch::field

@@ -149,20 +149,20 @@ typedef enum isotouch_device { ISOTOUCH_LIBNIFALCON = 0, ISOTOUCH_MARTIN_HILLIER
 /** How a field feels, and what is kept of it. Ranges are those of the controller's settings (`isotouchd --print-config`). */
 typedef struct isotouch_settings {
   uint64_t record_ticks;    /**< ticks kept for isotouch_touch_save(), the first ones: at most 10,000,000, about 150 bytes each */
-  uint32_t period_ns;       /**< from one tick to the next: 100,000 to 4,000,000; 1,000,000 unless set */
+  uint32_t period_ns;       /**< ns, from one tick to the next: 100,000 to 4,000,000; 1,000,000 unless set */
   uint32_t device;          /**< #isotouch_device */
-  double play_mm;           /**< a smaller movement of the hand counts as rest: 0 to 1; 0.046 unless set, a Falcon's encoder count */
+  double play_mm;           /**< mm; a smaller movement of the hand counts as rest: 0 to 1; 0.046 unless set, a Falcon's encoder count */
   double stiffness;         /**< N/mm, 0.001 to 100, or 0: the field's own */
   double damping;           /**< N s/mm, between proxy and hand: 0 to 0.1 */
-  double force_limit_n;     /**< largest force of the object: 0 to 50; 8 unless set */
-  double friction;          /**< Coulomb friction: 0 to 1.5 */
+  double force_limit_n;     /**< N, largest force of the object: 0 to 50; 8 unless set */
+  double friction;          /**< Coulomb's coefficient, a ratio: 0 to 1.5 */
   double friction_damping;  /**< N s/mm, of a hand that slides: 0 to 0.1 */
   double hand_damping;      /**< N s/mm, of a hand in contact: 0 to 0.1 */
   double passivity_damping; /**< N s/mm, the largest that may be added against trembling: 0 to 0.1 */
-  double weight_n;          /**< of the handle, held up by the motors: -5 to 5; only with encoder counts */
-  double ramp_ticks;        /**< from no force to full force if contact did not begin at rest: 0 to 100,000; 50 unless set */
-  double device_damping;    /**< of the device itself: 0.0001 to 0.1, or 0: not known, and no stiffness is refused */
-  double delay_ticks;       /**< from a sample to its force being felt: 0 to 7 */
+  double weight_n;          /**< N, weight of the handle that the motors hold up: -5 to 5; only with encoder counts */
+  double ramp_ticks;        /**< ticks from no force to full force if contact did not begin at rest: 0 to 100,000; 50 unless set */
+  double device_damping;    /**< N s/mm, of the device itself: 0.0001 to 0.1, or 0: not known, and no stiffness is refused */
+  double delay_ticks;       /**< ticks from a sample to its force being felt: 0 to 7 */
 } isotouch_settings;
 
 /** State of the supervisor, for a hand on a device. */
@@ -374,11 +374,13 @@ typedef int (*isotouch_on_tick)(void* user, const isotouch_felt* felt);
 /**
  * Follows the ticks, over a connection of its own: other calls with this handle may be made meanwhile, also in on_tick.
  *
- * @param every    one tick of every so many, at least 1
- * @param ticks    number of ticks after which it ends
- * @param on_tick  is called in this thread
- * @param user     is passed on to it
- * @param lost     receives how many ticks this program has read too slowly for. Null: not wanted
+ * @param every    1 for every tick, 10 for one in ten; at least 1
+ * @param ticks    how many ticks on_tick gets before the call returns
+ * @param on_tick  is called in this thread, once for each of them; a number other than 0 ends the call early, with success
+ * @param user     is passed on to on_tick
+ * @param lost     receives how many of them the controller dropped because this program read too slowly. Null: not wanted
+ *
+ * Fails (#ISOTOUCH_CONTROLLER) where the connection ends before.
  */
 ISOTOUCH_API isotouch_status isotouch_controller_watch(isotouch_controller controller, uint32_t every, uint64_t ticks,
                                                        isotouch_on_tick on_tick, void* user, uint64_t* lost);

@@ -1,4 +1,4 @@
-/// All that a controller says of itself, and the JSON object of it.
+/// Everything that a controller reports of itself, and the JSON object of it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -20,13 +20,15 @@ struct ControllerStatus {
   GuardVerdict verdict() const { return guard_verdict(status.lines); }
 };
 
-/// fails     as the functions of Controller
+/// Asks for all four parts, one after the other.
+///
+/// fails     InputError naming the address: the controller does not answer, refuses, or answers in another form
 ControllerStatus whole_status(Controller& controller);
 
-/// Where the angles in use come from, in a word.
+/// Where the angles in use come from: "geometry", "settings", "measured", or "unknown".
 std::string angles_from(const protocol::DeviceReport& device);
 
-/// As `isotouch status --json` prints it.
+/// The object that `isotouch status --json` prints. Times are in the unit that ends their key, such as `tick_us`.
 nlohmann::ordered_json to_json(const ControllerStatus& seen);
 
 }  // namespace isotouch::link

@@ -11,8 +11,8 @@ namespace isotouch::view {
 
 /// Classes of values by rising bounds.
 struct ValueClass {
-  double up_to;  ///< less than a thousandth counts as that
-  double count;  ///< 0 or more
+  double up_to;  ///< upper bound, in the unit of the plot; one below 0.001 is drawn at 0.001
+  double count;  ///< how many values lie in the class, 0 or more
 };
 
 struct HistogramPlot {
@@ -23,6 +23,7 @@ struct HistogramPlot {
   std::string label, beside_label;  ///< in the legend; empty: not named there
   std::optional<double> limit;      ///< a broken line; nothing: there is none
 
+  /// Draws axes, bars, line and legend into `place`, in pixels of the canvas.
   void draw(Canvas& canvas, const Rect& place) const;
 };
 

@@ -42,6 +42,7 @@ class RunBlocksTest(unittest.TestCase):
         self.page("docs/b.md", "```sh\ntest ! -e file\n```\n")
         code, said = self.run_all()
         self.assertEqual((code, said.count(" blocks, ")), (0, 3), said)
+        self.assertIn("3 pages: 3 blocks ran, 0 are marked no-run, 0 pages failed", said)
 
     def test_a_command_that_fails_is_named_with_its_page_and_line(self) -> None:
         self.page("README.md", "```sh\ntrue\n```\n")
@@ -61,6 +62,49 @@ class RunBlocksTest(unittest.TestCase):
         code, said = self.run_all()
         self.assertEqual(code, 1)
         self.assertIn("docs/a.md, there is no block marked sh", said)
+
+    def test_a_page_of_prose_needs_no_block_and_its_blocks_run_all_the_same(self) -> None:
+        self.page("docs/faq.md", "words\n")
+        self.assertEqual(self.run_all()[0], 0)
+        self.page("docs/faq.md", "```sh\nfalse\n```\n")
+        self.assertEqual(self.run_all()[0], 1)
+
+    def test_a_block_that_cannot_run_is_left_out_and_counted_with_its_reason(self) -> None:
+        self.page("README.md", "```sh\ntrue\n```\n```sh no-run needs a device\nfalse\n```\n")
+        code, said = self.run_all()
+        self.assertEqual(code, 0, said)
+        self.assertIn("line 4 not run: needs a device", said)
+        self.assertIn("1 blocks ran, 1 are marked no-run, 0 pages failed", said)
+
+    def test_a_page_with_nothing_but_blocks_that_cannot_run_fails(self) -> None:
+        self.page("docs/a.md", "```sh no-run needs root\nfalse\n```\n")
+        self.assertIn("docs/a.md, there is no block marked sh", self.run_all()[1])
+
+    def test_a_block_that_is_not_run_without_a_reason_fails(self) -> None:
+        for mark in ("sh no-run", "sh no-run  ", "sh skip it", "text no-run needs root"):
+            self.page("README.md", f"```sh\ntrue\n```\n```{mark}\nfalse\n```\n")
+            code, said = self.run_all()
+            self.assertEqual(code, 1, mark)
+            self.assertIn("README.md, line 4: this block is marked", said)
+
+    def test_a_command_outside_a_block_marked_sh_fails(self) -> None:
+        for hidden in ("```text\nsudo apt install isotouch\n```\n", "words:\n\n    ./dev hil 2\n", "```text\nisotouch info scan.itf\n```\n",
+                       "    one\n    hil/cases/run --instructions\n"):
+            self.page("README.md", f"```sh\ntrue\n```\n\n{hidden}")
+            code, said = self.run_all()
+            self.assertEqual(code, 1, hidden)
+            self.assertIn("a command is ", said)
+        for shown in ("```text\nisotouch: a sentence\n```\n", "- words\n    isotouch info goes on\n", "    x = y\n"):
+            self.page("README.md", f"```sh\ntrue\n```\n\n{shown}")
+            self.assertEqual(self.run_all()[0], 0, shown)
+
+    def test_pages_below_other_folders_run_too_but_not_what_is_built(self) -> None:
+        (self.root / "hil").mkdir()
+        (self.root / "build").mkdir()
+        self.page("hil/README.md", "```sh\nfalse\n```\n")
+        self.page("build/README.md", "```sh\nfalse\n```\n")
+        code, said = self.run_all()
+        self.assertEqual((code, said.count("README.md, ")), (1, 1), said)
 
     def test_no_page_fails(self) -> None:
         self.assertEqual(self.run_all(), (1, f"{self.root}: no page was found\n"))

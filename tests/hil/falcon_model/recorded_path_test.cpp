@@ -24,15 +24,16 @@ std::uint32_t checksum(const std::string& text) {
   return ~state;
 }
 
-/// Two ticks of 2 ms: (1, 2, 3) and (3, 2, -1) mm.
-std::string trace(std::uint32_t flags = 0, std::uint64_t count = 2) {
-  std::string header = "ITRC" + little(1, 2) + little(0, 2) + little(96, 4) + little(72, 4) + little(count, 8) + little(0, 8) +
-                       little(0, 8) + little(2'000'000, 4) + little(flags, 4);
-  header.resize(92);
-  const auto record = [](int x, int y, int z) {
-    std::string text;
+/// Two ticks of 2 ms: (1, 2, 3) and (3, 2, -1) mm, in the version of shared/SPEC.md, section 3.
+std::string trace(char kind = 0, std::uint64_t count = 2, int major = 3) {
+  std::string header = "ITRC" + little(static_cast<std::uint64_t>(major), 2) + little(0, 2) + little(256, 4) + little(104, 4) +
+                       little(count, 8) + little(0, 8) + little(0, 4) + little(2'000'000, 4);
+  header.resize(252);
+  const auto record = [kind](int x, int y, int z) {
+    std::string text(16, '\0');
+    text[0] = kind;
     for (const int mm : {x, y, z}) text += little(static_cast<std::uint32_t>(mm * (1 << 20)), 4);
-    text.resize(72);
+    text.resize(104);
     return text;
   };
   return header + little(checksum(header), 4) + record(1, 2, 3) + record(3, 2, -1);
@@ -53,8 +54,8 @@ TEST(RecordedPath, WhatIsNoTraceOfPositionsIsRefusedWithItsName) {
   std::string other = good, damaged = good;
   other[0] = 'X';
   damaged[50] = 1;
-  for (const std::string& content :
-       {std::string(), good.substr(0, 40), good.substr(0, 200), other, damaged, trace(2), trace(0, 0), trace(0, 1ULL << 60)}) {
+  for (const std::string& content : {std::string(), good.substr(0, 40), good.substr(0, 400), other, damaged, trace(1), trace(0, 0),
+                                     trace(0, 1ULL << 60), trace(0, 2, 1)}) {
     try {
       recorded_path(folder.write("bad.trace", content));
       ADD_FAILURE() << "taken";

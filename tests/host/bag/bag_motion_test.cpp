@@ -57,7 +57,7 @@ TEST(Bag, PositionsAndForcesOfTheReferenceAreRead) {
 
 TEST(Bag, WithoutForcesTheyAreNotAskedFor) {
   EXPECT_EQ(read_bag_motion(kReference, {})[3].force, Eigen::Vector3d::Zero());
-  EXPECT_THAT(refusal_of(kReference, {.positions = "/hnad"}), HasSubstr("the topic /hnad does not hold a position; choose one of /hand"));
+  EXPECT_THAT(refusal_of(kReference, {.positions = "/hnad"}), HasSubstr("the topic /hnad does not have a position; choose one of /hand"));
 }
 
 /// A position as JSON on each topic, each at its own times.
@@ -74,11 +74,11 @@ Bytes with_topics(const std::vector<std::string>& topics, const std::string& tex
 
 TEST(Bag, WhatMayBeMeantIsAskedFor) {
   const fs::path two = written("two.mcap", with_topics({"/a", "/b"}));
-  EXPECT_THAT(refusal_of(two), HasSubstr("several topics hold a position; choose one with --topic: /a, /b"));
+  EXPECT_THAT(refusal_of(two), HasSubstr("several topics have a position; choose one with --topic: /a, /b"));
   EXPECT_EQ(read_bag_motion(two, {.positions = "/b"}).size(), 3U);
-  EXPECT_THAT(refusal_of(two, {.positions = "/a", .with_forces = true}), HasSubstr("no topic of it holds a force"));
+  EXPECT_THAT(refusal_of(two, {.positions = "/a", .with_forces = true}), HasSubstr("none of its topics has a force"));
   EXPECT_THAT(refusal_of(written("none.mcap", with_topics({}))),
-              HasSubstr("no topic of it holds a position; messages of these types are read"));
+              HasSubstr("none of its topics has a position; these types of messages are read"));
 }
 
 TEST(Bag, AMessageThatIsNoPositionIsRefused) {
@@ -108,13 +108,13 @@ TEST(Bag, OtherVectorsAndOtherBodiesAreNoHand) {
   };
   const std::string vector = R"({"vector":{"x":0,"y":0,"z":9.81}})";
   const fs::path speeds = with("geometry_msgs/Vector3Stamped", {vector, vector});
-  EXPECT_THAT(refusal_of(speeds), HasSubstr("no topic of it holds a position"));
+  EXPECT_THAT(refusal_of(speeds), HasSubstr("none of its topics has a position"));
   EXPECT_EQ(read_bag_motion(speeds, {.positions = "/a"}).size(), 2U) << "when it is named";
   const auto transform = [](const std::string& child) {
     return R"({"child_frame_id":")" + child + R"(","transform":{"translation":{"x":1,"y":2,"z":3}}})";
   };
   EXPECT_THAT(refusal_of(with("geometry_msgs/TransformStamped", {transform("hand"), transform("head")})),
-              HasSubstr("/a tells of several bodies, 'hand' and 'head'"));
+              HasSubstr("/a has positions of several bodies, 'hand' and 'head'"));
 }
 
 TEST(Bag, TimeMustRise) {
