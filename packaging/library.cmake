@@ -17,7 +17,7 @@ file(RELATIVE_PATH up /${pkg_config} /)
 # What each component installs; a library that was not built, for another processor, is left out.
 function(isotouch_installed part target component)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${part})
-  install(TARGETS ${target} EXPORT isotouch-${part}
+  isotouch_install(${target} EXPORT isotouch-${part}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component}
           INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
   install(EXPORT isotouch-${part} NAMESPACE isotouch:: DESTINATION ${cmake_package} COMPONENT ${component})

@@ -10,6 +10,7 @@
 #include "firmware/settings/apply.h"
 #include "firmware/settings/read_settings.h"
 #include "firmware/settings/table.h"
+#include "packaging/manual/command_tree.h"
 #include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
@@ -57,6 +58,7 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   app.add_option("--ticks", options.ticks, "end after this many ticks");
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
+  if (manual::is_asked_for(argc, argv)) return manual::print_command(app, ""), exit_code = 0, false;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -15,6 +15,7 @@
 #include "hil/falcon_sim/socket_frontend.h"
 #include "hil/falcon_sim/usbip_frontend.h"
 #include "hil/falcon_sim/usbredir_frontend.h"
+#include "packaging/manual/command_tree.h"
 
 namespace {
 
@@ -138,6 +139,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "falcon-sim " ISOTOUCH_VERSION ", commit " ISOTOUCH_COMMIT ", " ISOTOUCH_COMPILER,
                        "print version, commit and compiler");
   add_options(app, options);
+  if (isotouch::manual::is_asked_for(argc, argv)) return isotouch::manual::print_command(app, ""), kDone;
   try {
     app.parse(argc, argv);
     run(options);

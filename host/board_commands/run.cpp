@@ -13,6 +13,7 @@
 #include "host/board_commands/commands.h"
 #include "host/board_commands/help_formatter.h"
 #include "host/error.h"
+#include "packaging/manual/command_tree.h"
 #include "shared/files/version_text.h"
 
 namespace isotouch::commands {
@@ -114,6 +115,7 @@ int run(const char* program, const char* about, void (*add)(CLI::App& app), int 
   app.require_subcommand(1);
   add(app);  // last: a sub-command takes over what is said before it is made
   group_by_task(app);
+  if (manual::is_asked_for(argc, argv)) return manual::print_command(app, ""), kDone;
   try {
     app.parse(argc, argv);
     return kDone;
