@@ -63,7 +63,7 @@ typedef uint64_t isotouch_controller; /**< a running `isotouchd` */
  */
 ISOTOUCH_API const char* isotouch_last_error(void);
 
-/** Program, version and commit, as "isotouch 0.1.0 (…)". */
+/** Program, version and commit, as "isotouch X.Y.Z, commit …". */
 ISOTOUCH_API const char* isotouch_version(void);
 
 /**
