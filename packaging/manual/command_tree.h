@@ -37,7 +37,8 @@ inline void print_command(const CLI::App& command, const std::string& path) {
                   takes_value ? option->get_type_name() : "", option->get_default_str(), option->get_required() ? "required" : "",
                   option->get_description()});
   }
-  for (const CLI::App* below : command.get_subcommands(nullptr)) print_command(*below, path + (path.empty() ? "" : " ") + below->get_name());
+  for (const CLI::App* below : command.get_subcommands(nullptr))
+    print_command(*below, path + (path.empty() ? "" : " ") + below->get_name());
 }
 
 /// Does the command line ask for this, and nothing else? It is the word of a build, so no help names it.
