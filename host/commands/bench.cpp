@@ -248,7 +248,7 @@ void print(const char* title, const std::vector<GrowthRow>& rows) {
   std::printf("\n");
 }
 
-void bench_growth(bool as_json) {
+void bench_growth(bool quick, bool as_json) {
   ProgressBar bar({{"4000 points", 1},
                    {"40000 points", 2},
                    {"400000 points", 8},
@@ -257,7 +257,7 @@ void bench_growth(bool as_json) {
                    {"grid of 512", 5},
                    {"grid of 1024", 18}},
                   ProgressBar::Drawn::kAtBegins);
-  const Growth growth = measure_growth(bar);
+  const Growth growth = measure_growth(bar, quick);
   bar.end();
   if (as_json) {
     const nlohmann::ordered_json json = {{"points", to_json(growth.points)}, {"grids", to_json(growth.grids)}};
@@ -274,6 +274,7 @@ void add_bench(CLI::App& app) {
   struct Options {
     std::vector<std::filesystem::path> fields;
     bool cold = false;
+    bool quick = false;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
@@ -291,8 +292,9 @@ void add_bench(CLI::App& app) {
   field->add_flag("--json", options->json, "print one JSON object");
   field->callback([options] { bench_field(options->json); });
   CLI::App* growth = command->add_subcommand("growth", "Time and memory of a build for more points, and for finer grids");
+  growth->add_flag("--quick", options->quick, "the smallest cloud and the smallest grid alone, once each");
   growth->add_flag("--json", options->json, "print one JSON object");
-  growth->callback([options] { bench_growth(options->json); });
+  growth->callback([options] { bench_growth(options->quick, options->json); });
 }
 
 }  // namespace isotouch::commands

@@ -34,7 +34,8 @@ inline constexpr int kGrowthRuns = 3;
 
 /// Points on a sphere, which has the most surface in its cube, from a cloud's file to a field's.
 ///
+/// quick     the first cloud and the first grid alone, one build each
 /// fails     InputError when the temporary folder cannot be written or a build does not end
-Growth measure_growth(ProgressBar& bar);
+Growth measure_growth(ProgressBar& bar, bool quick);
 
 }  // namespace isotouch::commands

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/qualify/report.h"
+#include "shared/files/state_text.h"
 
 namespace isotouch::qualify {
 
@@ -37,7 +38,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   for (const Judgement& j : judgements) {
     const bool known = j.outcome != Judgement::Outcome::kNotMeasured;
     json["limits"].push_back(
-        {{"key", j.key}, {"limit", j.limit}, {"value", known ? Json(j.value) : Json()}, {"outcome", name_of(j.outcome)}});
+        {{"key", j.key}, {"unit", j.unit}, {"limit", j.limit}, {"value", known ? Json(j.value) : Json()}, {"outcome", name_of(j.outcome)}});
   }
   json["address"] = figures.address;
   const auto or_null = [](const std::string& text) { return text.empty() ? Json() : Json(text); };
@@ -83,7 +84,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
                                {"celsius", m.celsius ? Json(*m.celsius) : Json()},
                                {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
                                {"late", m.late},
-                               {"state", m.state}});
+                               {"state", files::state_name(m.state)}});
   }
   return json;
 }

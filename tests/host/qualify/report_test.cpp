@@ -19,6 +19,7 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   const auto json = json_report(figures, judge(figures, {}));
   EXPECT_EQ(json["verdict"], "fit");
   EXPECT_EQ(json["limits"].size(), 12U);
+  EXPECT_EQ(json["limits"][0]["unit"], "%");
   EXPECT_EQ(json["ticks"], 10'000);
   for (const char* key : {"wakeup_us", "tick_us", "round_trip_us", "cyclictest_us"}) {
     EXPECT_EQ(json[key]["count"], 10'000) << key;
@@ -32,6 +33,7 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   EXPECT_EQ(json["worst_ticks"][0]["cause"], "processor 0: kworker/0:1");
   EXPECT_TRUE(json["worst_ticks"][1]["cause"].is_null());
   EXPECT_EQ(json["moments"][0]["celsius"], 55.5);
+  EXPECT_EQ(json["moments"][0]["state"], "active");
   EXPECT_EQ(json["cyclictest_priority"], 80);
   EXPECT_EQ(json["cold_tick_us"]["count"], 2'000);
   EXPECT_DOUBLE_EQ(json["cold_tick_us"]["p99"].get<double>(), 30);
