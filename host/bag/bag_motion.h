@@ -17,7 +17,7 @@ struct BagTopics {
   bool with_forces = false;  ///< read them, N, straight between two of them
 };
 
-/// Is it a recording of one of the two forms? Says no for what cannot be read.
+/// Is it a recording of one of the two forms? False for what cannot be read.
 bool is_bag(const std::filesystem::path& file);
 
 /// Positions in metres become mm. A message's own time counts where each has one, else the time of the recording.
