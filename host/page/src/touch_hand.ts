@@ -30,8 +30,6 @@ export class TouchHand {
   private depth = 0; // mm from the plane through the object's middle towards the eye
   private pointer = { clientX: 0, clientY: 0 };
   private place: Vector3 | null = null;
-  private energy = 0; // mJ
-  private last: Tick | null = null;
   private count = 0;
   private readonly waiting: ((message: FromWorker) => boolean)[] = [];
 
@@ -41,6 +39,7 @@ export class TouchHand {
     private readonly felt: (felt: Felt) => void,
     private readonly refused: (sentence: string) => void,
     private readonly left: () => void,
+    private readonly atDepth: (mm: number) => void,
   ) {
     canvas.addEventListener('pointermove', (event) => this.point(event));
     canvas.addEventListener('pointerdown', (event) => this.point(event));
@@ -59,13 +58,11 @@ export class TouchHand {
   /** The core with a field; any before it is gone. */
   async load(image: ArrayBuffer, name: string): Promise<void> {
     this.worker ??= await this.start();
-    this.energy = 0;
-    this.last = null;
     const loaded = this.answer('loaded');
     this.post({ kind: 'load', image: new Uint8Array(image), name });
     await loaded;
     this.loaded = true;
-    this.post({ kind: 'record', mostTicks: kMaxTicks });
+    this.post({ kind: 'record', maxTicks: kMaxTicks });
   }
 
   /** The hand begins in front of the object, in the middle of the picture. */
@@ -86,13 +83,17 @@ export class TouchHand {
 
   lift(): void {
     this.place = null;
-    this.last = null; // what lies between leaving and coming back is no way against a force
     this.left();
     if (this.worker) this.post({ kind: 'lift' });
   }
 
   deeper(mm: number): void {
-    this.depth -= mm;
+    this.toDepth(this.depth - mm);
+  }
+
+  /** Where the hand is between the plane through the object's middle and the eye, mm. */
+  toDepth(mm: number): void {
+    this.depth = mm;
     this.move();
   }
 
@@ -216,14 +217,10 @@ export class TouchHand {
         proxy: vector(At.proxy),
         force: vector(At.force),
         penetration: value(At.penetration),
-        energy: 0,
+        energy: value(At.energy),
         contact: (value(At.status) & Status.contact) !== 0,
         fault: false,
       };
-      const before = this.last?.hip ?? tick.hip; // work on the hand, as host/server/tick_rows.h has it
-      this.energy += tick.force.x * (tick.hip.x - before.x) + tick.force.y * (tick.hip.y - before.y) + tick.force.z * (tick.hip.z - before.z);
-      tick.energy = this.energy;
-      this.last = tick;
       ticks.push(tick);
     }
     return ticks;
@@ -231,6 +228,10 @@ export class TouchHand {
 
   private point(event: PointerEvent): void {
     if (!this.on || (event.buttons & 2) !== 0) return;
+    if (this.view.orbit.pinched) {
+      if (this.place) this.lift();
+      return;
+    }
     this.pointer = { clientX: event.clientX, clientY: event.clientY };
     this.move();
   }
@@ -245,6 +246,8 @@ export class TouchHand {
   }
 
   private send(): void {
-    if (this.place) this.post({ kind: 'hand', place: [this.place.x, this.place.y, this.place.z] });
+    if (!this.place) return;
+    this.atDepth(this.depth);
+    this.post({ kind: 'hand', place: [this.place.x, this.place.y, this.place.z] });
   }
 }
