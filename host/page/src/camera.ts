@@ -4,6 +4,7 @@ import { PerspectiveCamera, Vector3 } from 'three';
 const kTurn = 0.0087; // radians a pixel
 const kKeyTurn = (6 * Math.PI) / 180;
 const kNearer = 0.9;
+const kKeyShift = 0.05; // of the height of the picture
 const kSteepest = (89 * Math.PI) / 180;
 
 export class Orbit {
@@ -12,6 +13,7 @@ export class Orbit {
   private elevation = (20 * Math.PI) / 180;
   private distance = 200; // mm
   private readonly target = new Vector3();
+  private readonly pointers = new Map<number, { x: number; y: number }>(); // that hold the picture
   private home = { distance: 200, target: new Vector3() };
 
   constructor(private readonly changed: () => void) {}
@@ -50,6 +52,12 @@ export class Orbit {
     this.place();
   }
 
+  /** Moves the object across the picture by a key's step. */
+  step(right: number, up: number): void {
+    const height = 2 * this.distance * Math.tan(((this.camera.fov / 2) * Math.PI) / 180); // mm, at the object
+    this.shift(-right * kKeyShift * height, -up * kKeyShift * height);
+  }
+
   aspect(ratio: number): void {
     this.camera.aspect = ratio;
     this.camera.updateProjectionMatrix();
@@ -77,12 +85,17 @@ export class Orbit {
     this.changed();
   }
 
-  /** While `taken`, the pointer and the wheel move something else, and the right button turns. */
+  /** Whether two fingers hold the picture. */
+  get pinched(): boolean {
+    return this.pointers.size > 1;
+  }
+
+  /** While `taken`, one finger, the pointer and the wheel move something else. Two fingers always zoom, and the right button turns. */
   listen(canvas: HTMLCanvasElement, taken: () => boolean): void {
-    const pointers = new Map<number, { x: number; y: number }>();
+    const pointers = this.pointers;
     let spread = 0;
     canvas.addEventListener('pointerdown', (event) => {
-      if (taken() && event.button !== 2) return;
+      if (taken() && event.button !== 2 && event.pointerType !== 'touch') return;
       pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       canvas.setPointerCapture(event.pointerId);
       spread = 0;
@@ -95,7 +108,7 @@ export class Orbit {
     canvas.addEventListener('pointercancel', gone);
     canvas.addEventListener('pointermove', (event) => {
       const before = pointers.get(event.pointerId);
-      if (!before || (taken() && (event.buttons & 2) === 0)) return;
+      if (!before || (taken() && (event.buttons & 2) === 0 && pointers.size < 2)) return;
       const x = event.clientX - before.x;
       const y = event.clientY - before.y;
       pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });

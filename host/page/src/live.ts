@@ -44,7 +44,6 @@ export class Live {
     this.every = every;
     const count = Math.floor(rows.byteLength / reader.bytes);
     for (let row = 0; row < count; ++row) this.add(reader.read(rows, row, first + row * every), every);
-    this.playout.came(performance.now() / 1000, this.period);
   }
 
   add(tick: Tick, every: number): void {

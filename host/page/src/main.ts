@@ -21,7 +21,7 @@ import { TouchSound } from './touch_sound';
 
 const kPieces = 1500; // of the curves of a recording
 const kWordsMs = 200; // between two sentences while a recording plays
-const kPlotsMs = 66; // between two pictures of the curves
+const kPlotsMs = 125; // between two pictures of the curves and numbers: more often nobody reads them
 
 class Page {
   private readonly server = new Server();
@@ -40,10 +40,13 @@ class Page {
   private hand: TouchHand | null = null;
   private readonly touched = new Live();
   private readonly sound = new TouchSound();
+  private readonly depth = make('input', { type: 'range', id: 'depth', step: '0.1' });
+  private readonly depthText = make('output', { htmlFor: 'depth' } as object);
   private felt: Felt | null = null;
   private shownLive: Tick | null = null;
   private summary: SceneSummary | null = null;
   private plottedAt = 0;
+  private plotsLater: ReturnType<typeof setTimeout> | undefined;
   private liveField: string | null = null;
   private opening = 0;
   private askedWords = -1;
@@ -60,8 +63,10 @@ class Page {
     this.keys();
     const save = make('button', { type: 'button', textContent: 'Save as trace' });
     save.addEventListener('click', () => void this.saveTrace());
+    this.depth.addEventListener('input', () => this.hand?.toDepth(-Number(this.depth.value)));
     element('touch').append(
-      make('p', { textContent: 'The pointer is your hand. Turn the wheel, or press Page down, to press it into the object.' }),
+      make('p', { textContent: 'The pointer is your hand. Turn the wheel, press Page down, or move the slider to press it into the object.' }),
+      make('label', {}, 'Hand towards the object, mm ', this.depth, ' ', this.depthText),
       save,
       toggle('Sound', '', false, (on) => this.sound.turn(on)),
     );
@@ -90,12 +95,12 @@ class Page {
       case 'link':
         if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
         this.live.clear(); // nothing of a controller that is gone looks as if it were now
-        if (!message.there && this.source === 'live') this.words(null);
+        if (!message.there && this.source === 'live') this.words([]);
         element('link').classList.toggle('bad', !message.there);
         say(element('link'), message.sentence);
         break;
       case 'state':
-        if (this.source === 'live') this.words(message);
+        if (this.source === 'live') this.words([message]);
         break;
       case 'status':
         this.liveField = message.status.field_hash;
@@ -137,10 +142,13 @@ class Page {
     }
     const view = this.view;
     view.beforePicture = (): void => this.place();
-    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence), () => this.sound.rest());
+    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence), () => this.sound.rest(), (mm) => {
+      this.depth.value = String(-mm);
+      this.depthText.textContent = (-mm).toFixed(1);
+    });
     const hand = this.hand;
     view.orbit.listen(this.canvas, () => hand.on);
-    this.slice = new SliceControl(view, (axis, at, samples) => this.distances(axis, at, samples));
+    this.slice = new SliceControl(view, (of, axis, at, samples) => this.distances(of, axis, at, samples));
     const slice = this.slice;
     this.canvas.addEventListener('pointermove', (event) => slice.follow(event));
     const layers = { surface: true, points: false };
@@ -163,7 +171,7 @@ class Page {
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
       showFacts(summary);
       if (!this.view) return;
-      const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.bytes(name)));
+      const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.part(name, summary)));
       if (this.opening !== opening) return; // another object has come meanwhile
       if (surface) this.view.object.setSurface(surface);
       if (points) this.view.object.setPoints(points);
@@ -175,7 +183,9 @@ class Page {
       this.sources.add('touch', 'Touch');
       if (this.source === 'touch') this.sources.choose('touch');
       document.body.dataset['scene'] = summary.hash;
+      this.notice('');
     } catch (error) {
+      if (this.opening !== opening) return; // what was refused belonged to the object before
       this.notice(error instanceof Refused ? error.message : 'The object could not be loaded; load the page again.');
     }
   }
@@ -203,7 +213,7 @@ class Page {
     this.plots.make(names);
     this.plots.now = null;
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
-    this.words(null);
+    this.words([]);
     this.warnOfField();
     if (source === 'recording') void this.plotRecordings();
     this.changed();
@@ -225,23 +235,26 @@ class Page {
     if (!this.hand || !summary) return;
     this.touched.clear();
     try {
-      await this.hand.load((await this.server.bytes('field')).buffer as ArrayBuffer, summary.name);
-      if (this.source !== 'touch') return;
+      await this.hand.load((await this.server.part('field', summary)).buffer as ArrayBuffer, summary.name);
+      if (this.source !== 'touch' || this.summary !== summary) return;
       const half = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)) / 2);
-      this.hand.begin(0.8 * Math.hypot(...half));
+      const radius = Math.hypot(...half);
+      this.depth.min = String(-radius);
+      this.depth.max = String(radius);
+      this.hand.begin(0.8 * radius);
       this.canvas.focus();
     } catch (error) {
-      this.notice(error instanceof Error ? error.message : 'The core could not be started; load the page again.');
+      if (this.summary === summary) this.notice(error instanceof Error ? error.message : 'The core could not be started; load the page again.');
     }
   }
 
   /** Of a slice: from the server, or where there is none from the core in this page. */
-  private async distances(axis: string, at: number, samples: number): Promise<DataView> {
-    if (!isExported()) return this.server.slice(axis, at, samples);
-    const { hand, summary } = this;
-    if (!hand || !summary) throw new Error('there is no object');
-    if (!hand.loaded) await hand.load((await this.server.bytes('field')).buffer as ArrayBuffer, summary.name);
-    return localSlice(summary, axis, at, samples, (places) => hand.sample(places));
+  private async distances(of: SceneSummary, axis: string, at: number, samples: number): Promise<DataView> {
+    if (!isExported()) return this.server.slice(of, axis, at, samples);
+    const { hand } = this;
+    if (!hand) throw new Error('there is no object');
+    if (!hand.loaded) await hand.load((await this.server.part('field', of)).buffer as ArrayBuffer, of.name);
+    return localSlice(of, axis, at, samples, (places) => hand.sample(places));
   }
 
   private feel(felt: Felt): void {
@@ -269,7 +282,7 @@ class Page {
 
   /** Another tick is to be seen. */
   private changed(): void {
-    if (this.view) this.view.change();
+    if (this.view) this.view.moved();
     else requestAnimationFrame(() => this.place());
   }
 
@@ -281,7 +294,7 @@ class Page {
     if (this.source === 'live' && first && first !== this.shownLive) {
       this.shownLive = first;
       this.pictures.fresh = true;
-      requestAnimationFrame(() => this.changed()); // the next tick is already there
+      this.changed(); // the next picture's tick is already there
     }
     ticks.forEach((tick, pane) => {
       const marks = this.view?.panes[pane];
@@ -292,7 +305,11 @@ class Page {
       marks.show(tick);
     });
     this.countPictures(now);
-    if (now - this.plottedAt < kPlotsMs && this.source !== 'recording') return;
+    clearTimeout(this.plotsLater);
+    if (now - this.plottedAt < kPlotsMs) {
+      this.plotsLater = setTimeout(() => this.changed(), kPlotsMs);
+      return;
+    }
     this.plottedAt = now;
     this.numbers.show(ticks);
     if (this.source === 'live') {
@@ -314,26 +331,28 @@ class Page {
 
   private async recordedWords(): Promise<void> {
     const tick = this.player.tick;
-    const first = this.recordings[0];
     const now = performance.now();
-    if (!first || tick === this.askedWords || (this.player.playing && now - this.askedWordsAt < kWordsMs)) return;
+    if (this.recordings.length === 0 || tick === this.askedWords || (this.player.playing && now - this.askedWordsAt < kWordsMs)) return;
     this.askedWords = tick;
     this.askedWordsAt = now;
     try {
-      const words = await first.words(tick);
+      const words = await Promise.all(this.recordings.map((recording) => recording.words(tick)));
       if (this.source === 'recording') this.words(words); // answers come in the order of the questions
     } catch {
       this.askedWords = -1; // the server is gone; the page says so
     }
   }
 
-  private words(words: Words | null): void {
+  /** Of each run; the names of two are said. */
+  private words(all: Words[]): void {
+    const named = (sentence: string, run: number): string => (all.length > 1 ? `${this.recordings[run]?.summary.name}: ${sentence}` : sentence);
     const state = element('state');
-    state.classList.toggle('bad', words?.fault ?? false);
-    say(state, words?.sentence ?? '');
-    const limits = element('limits');
-    limits.replaceChildren(...(words?.limits ?? []).map((limit) => make('li', { textContent: limit })));
-    limits.hidden = (words?.limits.length ?? 0) === 0;
+    state.classList.toggle('bad', all.some((words) => words.fault));
+    say(state, all.map((words, run) => named(words.sentence, run)).join('\n'));
+    const limits = all.flatMap((words, run) => words.limits.map((limit) => named(limit, run)));
+    const list = element('limits');
+    list.replaceChildren(...limits.map((limit) => make('li', { textContent: limit })));
+    list.hidden = limits.length === 0;
   }
 
   private notice(sentence: string): void {
@@ -357,6 +376,7 @@ class Page {
       return [
         ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
         ['Ticks in the trace', `${felt?.recorded ?? 0}`],
+        ['Ticks left out, because the page was held up', `${felt?.skipped ?? 0}`],
         ['Time that the core computes', `${(100 * (felt?.busy ?? 0)).toFixed(1)} %`],
       ];
     }
@@ -379,6 +399,10 @@ class Page {
         return (!turns && this.hand?.key(event.key)) || this.view?.orbit.key(event.key) || false;
       },
       {
+        h: () => this.view?.orbit.step(-1, 0),
+        j: () => this.view?.orbit.step(0, -1),
+        k: () => this.view?.orbit.step(0, 1),
+        l: () => this.view?.orbit.step(1, 0),
         u: () => press('Surface'),
         p: () => press('Points'),
         s: () => press('Slice'),

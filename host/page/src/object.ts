@@ -7,7 +7,6 @@ import {
   Group,
   InterleavedBuffer,
   InterleavedBufferAttribute,
-  LineBasicMaterial,
   LineSegments,
   Mesh,
   Points,
@@ -60,8 +59,7 @@ const kSurfaceShader = /* glsl */ `
     if (dot(n, view) < 0.0) { base *= 0.45; n = -n; }
     vec3 light = normalize(vec3(-0.35, 0.8, 0.55));
     float lit = 0.42 + 0.5 * max(dot(n, light), 0.0) + 0.16 * max(dot(n, view), 0.0);
-    gl_FragColor = vec4(base * lit, 1.0);
-    #include <colorspace_fragment>
+    gl_FragColor = sRGBTransferOETF(vec4(base * lit, 1.0)); // as the screen has it, also in a kept picture
   }`;
 
 const kPointVertexShader = /* glsl */ `
@@ -83,8 +81,7 @@ const kPointShader = /* glsl */ `
   varying float lit, hidden;
   void main() {
     if (hidden > 0.5 || length(gl_PointCoord - 0.5) > 0.5) discard;
-    gl_FragColor = vec4(colour * lit, 1.0);
-    #include <colorspace_fragment>
+    gl_FragColor = sRGBTransferOETF(vec4(colour * lit, 1.0));
   }`;
 
 export class ObjectView {
@@ -115,7 +112,12 @@ export class ObjectView {
     });
     this.surfaceMesh.material = this.surface;
     this.points.material = this.dots;
-    this.rim = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: colours.rim }));
+    this.rim = new LineSegments(new BufferGeometry(), new ShaderMaterial({
+        vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+        fragmentShader: 'uniform vec3 colour; void main() { gl_FragColor = sRGBTransferOETF(vec4(colour, 1.0)); }',
+        uniforms: { colour: { value: new Color(colours.rim) } },
+      }),
+    );
     for (const part of [this.surfaceMesh, this.points, this.rim]) {
       part.frustumCulled = false;
       this.group.add(part);

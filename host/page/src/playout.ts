@@ -1,18 +1,24 @@
-// A controller passes ticks on in bursts, about every 50 ms. Played out a moment later at their own pace, every picture shows another tick.
+// A controller passes ticks on in bursts, about every 50 ms. Played out a moment later and evenly, every picture shows another tick.
 import type { Tick } from './rows';
 
 const kKept = 1500; // ticks
+const kSmooth = 0.5; // s; over this time bursts are even
+const kFastest = 2; // times the controller's own pace, as kSlowest
+const kSlowest = 0.5;
+const kTooFar = 4; // times the delay; who is farther behind was asleep
 
 export class Playout {
   private ticks: Tick[] = [];
-  private offset = Infinity; // from a tick's own time to the time of the page, where a tick came quickest, s
+  private place = -1; // where the playing is, in ticks and parts of one
+  private waiting = 0; // ticks behind it, on average
+  private before = 0; // s
 
-  /** `delay` is how much later than the quickest tick everything is shown, s. */
+  /** `delay` is how long a tick waits until it is shown, s: longer than a burst. */
   constructor(private readonly delay: number) {}
 
   clear(): void {
     this.ticks = [];
-    this.offset = Infinity;
+    this.place = -1;
   }
 
   add(tick: Tick): void {
@@ -20,22 +26,37 @@ export class Playout {
     if (this.ticks.length > kKept) this.ticks.splice(0, kKept / 3);
   }
 
-  /** A burst has come whole. */
-  came(now: number, period: number): void {
+  /**
+   * The tick that is to be seen now; null where none has come. It is played faster while many wait and slower while few do, so that neither a controller
+   * that is late nor another clock empties what waits.
+   *
+   * @param now s
+   * @param period of the ticks, s
+   */
+  at(now: number, period: number): Tick | null {
     const last = this.ticks[this.ticks.length - 1];
-    if (!last) return;
-    const offset = now - last.tick * period;
-    this.offset = offset > this.offset + 1 ? offset : Math.min(offset, this.offset + 0.0005); // two clocks drift; a controller may have paused
+    if (!last) return null;
+    const wanted = this.delay / period;
+    if (this.place < 0 || last.tick - this.place > kTooFar * wanted) {
+      this.place = last.tick - wanted;
+      this.waiting = wanted;
+      this.before = now;
+    }
+    const passed = now - this.before;
+    this.before = now;
+    this.waiting += (last.tick - this.place - this.waiting) * (1 - Math.exp(-passed / kSmooth));
+    const pace = Math.max(kSlowest, Math.min(kFastest, this.waiting / wanted));
+    this.place = Math.max(0, Math.min(last.tick, this.place + (pace * passed) / period));
+    return this.upTo(this.place);
   }
 
-  /** The tick that is to be seen now; null where none has come. */
-  at(now: number, period: number): Tick | null {
-    const wanted = (now - this.offset - this.delay) / period;
+  /** The last tick that is not behind a place. */
+  private upTo(place: number): Tick | null {
     let low = 0;
     let high = this.ticks.length - 1;
     while (low < high) {
       const middle = (low + high + 1) >> 1;
-      if ((this.ticks[middle]?.tick ?? 0) <= wanted) low = middle;
+      if ((this.ticks[middle]?.tick ?? 0) <= place) low = middle;
       else high = middle - 1;
     }
     return this.ticks[low] ?? null;

@@ -1,10 +1,19 @@
-// The picture: one object, and one or two panes with a hand each, side by side, seen by the same eye. It is drawn only when something changed.
-import { Color, Scene, Vector3, Vector4, WebGLRenderer } from 'three';
+// The picture: one object, and one or two panes with a hand each, side by side, seen by the same eye. It is drawn only when something changed, and the
+// object only when it or the eye did.
+import { Box2, Color, Scene, Vector2, Vector3, Vector4, WebGLRenderer } from 'three';
+import { Backdrop } from './backdrop';
 import { Orbit } from './camera';
 import type { Colours, SceneSummary } from './messages';
 import { noCut, ObjectView } from './object';
+import { kFinest, Sharpness } from './sharpness';
 import { SlicePlane } from './slice_plane';
 import { TouchMarks } from './touch_marks';
+
+const kRestMs = 200; // after the last movement the object is drawn finely
+const kPane = new Box2(new Vector2(-1, -1), new Vector2(1, 1));
+const kMargin = 2; // pixels round what a hand covers: lines and smooth edges
+const kZero = new Vector2();
+const half = new Vector2();
 
 export type Axis = 'x' | 'y' | 'z';
 
@@ -18,9 +27,19 @@ export class SceneView {
   /** Called before a picture is drawn. */
   beforePicture: () => void = () => {};
   private readonly renderer: WebGLRenderer;
-  private readonly scene = new Scene();
+  private readonly behind = new Scene(); // the object
+  private readonly front = new Scene(); // its picture, and the hands
+  private readonly backdrop = new Backdrop();
+  private readonly sharpness = new Sharpness();
+  private readonly paper = new Color();
+  private size = { width: 0, height: 0 };
   private shownPanes = 1;
   private wanted = false;
+  private readonly covered = [new Box2(), new Box2()]; // by the hands, when they were drawn last
+  private readonly covers = new Box2();
+  private whole = true; // everything is to be drawn, not only where a hand is or was
+  private stale: 'no' | 'moving' | 'at rest' = 'moving';
+  private rest: ReturnType<typeof setTimeout> | undefined;
   private cut: Vector4 = noCut();
   private summary: SceneSummary | null = null;
 
@@ -29,17 +48,25 @@ export class SceneView {
     private readonly canvas: HTMLCanvasElement,
     colours: Colours,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'high-performance' });
+    // What was drawn stays, so that a picture costs no more than what has moved in it.
+    const context = canvas.getContext('webgl2', { alpha: false, antialias: true, preserveDrawingBuffer: true, powerPreference: 'high-performance' });
+    if (!context) throw new Error('there is no WebGL');
+    this.renderer = new WebGLRenderer({ canvas, context });
     this.renderer.autoClear = false;
     this.object = new ObjectView(colours);
     this.slice = new SlicePlane(colours);
     this.panes = [new TouchMarks(colours), new TouchMarks(colours)];
-    this.scene.add(this.object.group, this.slice.mesh, ...this.panes.map((pane) => pane.group));
+    this.behind.add(this.object.group, this.slice.mesh);
+    this.front.add(this.backdrop.mesh, ...this.panes.map((pane) => pane.group));
     this.orbit = new Orbit(() => this.change());
-    new ResizeObserver(() => this.change()).observe(canvas);
+    new ResizeObserver(() => {
+      this.size = { width: canvas.clientWidth, height: canvas.clientHeight };
+      this.change();
+    }).observe(canvas);
     canvas.addEventListener('webglcontextrestored', () => this.change());
     for (const query of ['(prefers-color-scheme: dark)', '(prefers-contrast: more)'])
-      matchMedia(query).addEventListener('change', () => this.change());
+      matchMedia(query).addEventListener('change', () => this.takeColours());
+    this.takeColours();
   }
 
   /** How many hands are seen side by side: 1 or 2. */
@@ -94,44 +121,82 @@ export class SceneView {
     return { from, along };
   }
 
-  /** Something is different: draws at the next occasion. */
+  /** The object or the eye is another one: draws both at the next occasion. */
   change(): void {
+    this.stale = 'moving';
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => {
+      this.stale = 'at rest';
+      this.moved();
+    }, kRestMs);
+    delete document.body.dataset['rests'];
+    this.moved();
+  }
+
+  /** A hand has moved: draws it at the next occasion. */
+  moved(): void {
     if (this.wanted) return;
     this.wanted = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.wanted = false;
       this.beforePicture();
-      this.draw();
+      this.draw(now);
     });
   }
 
-  private draw(): void {
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
+  private takeColours(): void {
+    const style = getComputedStyle(this.canvas);
+    this.paper.set(style.backgroundColor);
+    for (const pane of this.panes) pane.ink(style.color);
+    this.whole = true;
+    this.moved();
+  }
+
+  private draw(now: number): void {
+    const { width, height } = this.size;
     if (width === 0 || height === 0) return;
     const ratio = Math.min(devicePixelRatio, 2);
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
-    const size = this.renderer.getSize(new Vector4() as never) as unknown as { x: number; y: number };
-    if (size.x !== width || size.y !== height) this.renderer.setSize(width, height, false);
-    const style = getComputedStyle(this.canvas);
-    this.renderer.setClearColor(new Color(style.backgroundColor));
-    for (const pane of this.panes) pane.ink(style.color);
+    if (this.canvas.width !== Math.floor(width * ratio) || this.canvas.height !== Math.floor(height * ratio)) this.renderer.setSize(width, height, false);
     const wide = width / this.shownPanes;
-    this.orbit.aspect(wide / height);
-    const dotMm = this.summary ? 0.9 * Math.max(this.summary.voxel_mm * 2.2, 0.4) : 1;
-    const dot = (dotMm * height * ratio) / (2 * Math.tan((this.orbit.camera.fov * Math.PI) / 360));
-    this.object.update(this.orbit.camera.position, this.cut, ratio, dot);
+    if (this.stale !== 'no') this.drawObject(now, wide * ratio, height * ratio, ratio);
+    this.renderer.setClearColor(this.paper, 1);
     this.renderer.setScissorTest(true);
     for (let pane = 0; pane < this.shownPanes; ++pane) {
       this.renderer.setViewport(pane * wide, 0, wide, height);
-      this.renderer.setScissor(pane * wide, 0, wide, height);
+      if (!this.aim(pane, wide, height)) continue;
       this.renderer.clear();
-      const kept = this.panes.map((marks) => marks.group.visible);
-      this.panes.forEach((marks, number) => (marks.group.visible = number === pane && (kept[number] ?? false)));
-      this.renderer.render(this.scene, this.orbit.camera);
-      this.panes.forEach((marks, number) => (marks.group.visible = kept[number] ?? false));
+      this.panes.forEach((marks, number) => (marks.group.visible = number === pane && marks.known));
+      this.renderer.render(this.front, this.orbit.camera);
     }
+    this.whole = false;
     this.pictures += 1;
     if (this.summary) document.body.dataset['drawn'] ??= performance.now().toFixed(0); // ms after the page was asked for
+  }
+
+  /** Confines drawing to where the hand of a pane is and was. False where there is nothing to draw. */
+  private aim(pane: number, wide: number, height: number): boolean {
+    const covered = this.covered[pane] ?? new Box2();
+    const area = this.panes[pane]?.covers(this.orbit.camera, this.covers).clone().union(covered) ?? this.covers;
+    covered.copy(this.covers);
+    area.intersect(kPane);
+    if (this.whole) area.copy(kPane);
+    if (area.isEmpty()) return false;
+    const low = area.min.addScalar(1).multiply(half.set(wide / 2, height / 2)).subScalar(kMargin).floor().max(kZero);
+    const high = area.max.addScalar(1).multiply(half).addScalar(kMargin).ceil();
+    this.renderer.setScissor(pane * wide + low.x, low.y, Math.min(high.x, wide) - low.x, Math.min(high.y, height) - low.y);
+    return true;
+  }
+
+  private drawObject(now: number, width: number, height: number, ratio: number): void {
+    const { share, smooth } = this.stale === 'at rest' ? kFinest : this.sharpness.next(now);
+    this.orbit.aspect(width / height);
+    const dotMm = this.summary ? 0.9 * Math.max(this.summary.voxel_mm * 2.2, 0.4) : 1;
+    const dot = (dotMm * height * share) / (2 * Math.tan((this.orbit.camera.fov * Math.PI) / 360));
+    this.object.update(this.orbit.camera.position, this.cut, ratio * share, dot);
+    this.backdrop.draw(this.renderer, this.behind, this.orbit.camera, width * share, height * share, smooth);
+    if (this.stale === 'at rest') document.body.dataset['rests'] = 'yes';
+    this.stale = 'no';
+    this.whole = true;
   }
 }

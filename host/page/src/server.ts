@@ -21,7 +21,7 @@ const kBatchHeader = 16;
 
 export class Server {
   private async get(path: string): Promise<Response> {
-    const own = isExported() ? exportedBytes(path) : null;
+    const own = isExported() ? exportedBytes(path.split('?')[0] ?? '') : null;
     if (own) return new Response(own);
     const answer = await fetch(path, { cache: 'no-store' });
     if (!answer.ok) throw new Refused((await answer.text()).trim());
@@ -32,12 +32,16 @@ export class Server {
     return (await (await this.get(path)).json()) as T;
   }
 
-  async bytes(path: string): Promise<DataView> {
+  private async bytes(path: string): Promise<DataView> {
     return new DataView(await (await this.get(path)).arrayBuffer());
   }
 
   scene(): Promise<SceneSummary> {
     return this.json('scene');
+  }
+  /** A part of this object: 'surface', 'points', 'rim' or 'field'. Refused when there is another object by now. */
+  part(name: string, of: SceneSummary): Promise<DataView> {
+    return this.bytes(`${name}?of=${of.hash}`);
   }
   trace(number: number): Promise<TraceSummary> {
     return this.json(`trace/${number}`);
@@ -54,8 +58,8 @@ export class Server {
   difference(): Promise<Difference | null> {
     return this.json('difference');
   }
-  slice(axis: string, at: number, samples: number): Promise<DataView> {
-    return this.bytes(`slice?axis=${axis}&at=${at}&samples=${samples}`);
+  slice(of: SceneSummary, axis: string, at: number, samples: number): Promise<DataView> {
+    return this.bytes(`slice?of=${of.hash}&axis=${axis}&at=${at}&samples=${samples}`);
   }
 
   async build(name: string, file: Blob): Promise<void> {

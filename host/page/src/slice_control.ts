@@ -18,7 +18,7 @@ export class SliceControl {
 
   constructor(
     private readonly view: SceneView,
-    private readonly fetch: (axis: string, at: number, samples: number) => Promise<DataView>,
+    private readonly fetch: (of: SceneSummary, axis: string, at: number, samples: number) => Promise<DataView>,
   ) {
     this.choice = new Choice(element('slice-axes'), (name) => {
       this.axis = name as Axis;
@@ -68,19 +68,20 @@ export class SliceControl {
   }
 
   private async ask(): Promise<void> {
-    if (!this.summary) return;
+    const summary = this.summary;
+    if (!summary) return;
     this.again = this.asking;
     if (this.asking) return;
     this.asking = true;
     const { axis, at } = this;
     try {
-      const distances = await this.fetch(axis, at, kSamples);
-      if (this.shown) {
-        this.view.slice.set(distances, this.summary.voxel_mm, this.summary.band_mm);
+      const distances = await this.fetch(summary, axis, at, kSamples);
+      if (this.shown && summary === this.summary) {
+        this.view.slice.set(distances, summary.voxel_mm, summary.band_mm);
         this.view.setSlice(true, axis, at);
       }
     } catch {
-      this.again = false; // the server is gone; the page says so
+      this.again = summary !== this.summary; // else the server is gone, and the page says so
     }
     this.asking = false;
     if (this.again && this.shown) void this.ask();

@@ -20,8 +20,7 @@ const kShader = /* glsl */ `
     float thin = abs(line - floor(line + 0.5)) * voxel / max(width, 1e-6);
     if (abs(d) < 0.98 * band && thin < 0.6 && width < 0.5 * voxel) colour = mix(colour, vec3(0.0), 0.35);
     if (abs(d) / max(width, 1e-6) < 1.4) colour = vec3(0.0);
-    gl_FragColor = vec4(colour, 1.0);
-    #include <colorspace_fragment>
+    gl_FragColor = sRGBTransferOETF(vec4(colour, 1.0));
   }`;
 
 export class SlicePlane {

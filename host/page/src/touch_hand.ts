@@ -41,6 +41,7 @@ export class TouchHand {
     private readonly felt: (felt: Felt) => void,
     private readonly refused: (sentence: string) => void,
     private readonly left: () => void,
+    private readonly atDepth: (mm: number) => void,
   ) {
     canvas.addEventListener('pointermove', (event) => this.point(event));
     canvas.addEventListener('pointerdown', (event) => this.point(event));
@@ -92,7 +93,12 @@ export class TouchHand {
   }
 
   deeper(mm: number): void {
-    this.depth -= mm;
+    this.toDepth(this.depth - mm);
+  }
+
+  /** Where the hand is between the plane through the object's middle and the eye, mm. */
+  toDepth(mm: number): void {
+    this.depth = mm;
     this.move();
   }
 
@@ -231,6 +237,10 @@ export class TouchHand {
 
   private point(event: PointerEvent): void {
     if (!this.on || (event.buttons & 2) !== 0) return;
+    if (this.view.orbit.pinched) {
+      if (this.place) this.lift();
+      return;
+    }
     this.pointer = { clientX: event.clientX, clientY: event.clientY };
     this.move();
   }
@@ -245,6 +255,8 @@ export class TouchHand {
   }
 
   private send(): void {
-    if (this.place) this.post({ kind: 'hand', place: [this.place.x, this.place.y, this.place.z] });
+    if (!this.place) return;
+    this.atDepth(this.depth);
+    this.post({ kind: 'hand', place: [this.place.x, this.place.y, this.place.z] });
   }
 }

@@ -1,5 +1,6 @@
 // The hand on the object: an orange cube at the HIP, a blue ball at the proxy, a bar between them, an arrow for the force, and where the hand was.
 import {
+  Box2,
   BoxGeometry,
   BufferAttribute,
   BufferGeometry,
@@ -11,8 +12,10 @@ import {
   LineBasicMaterial,
   Mesh,
   MeshBasicMaterial,
+  type PerspectiveCamera,
   Quaternion,
   SphereGeometry,
+  Vector2,
   Vector3,
 } from 'three';
 import type { Colours } from './messages';
@@ -21,6 +24,9 @@ import { length, type Tick, type Vector } from './rows';
 const kTrail = 400; // places
 export const kArrowMmPerN = 6;
 const kUp = new Vector3(0, 1, 0);
+const kReach = 2.6; // of a sign round its place, in radii: the arrow's head is the largest
+const place = new Vector3();
+const corner = new Vector2();
 
 const vector = (v: Vector): Vector3 => new Vector3(v.x, v.y, v.z);
 
@@ -50,6 +56,8 @@ function bar(from: number, to: number): BufferGeometry {
 
 export class TouchMarks {
   readonly group = new Group();
+  /** Whether there is a tick to be seen. */
+  known = false;
   private readonly hip: Sign;
   private readonly proxy: Sign;
   private readonly line: Sign;
@@ -72,7 +80,23 @@ export class TouchMarks {
     this.trail.frustumCulled = false;
     for (const sign of [this.hip, this.proxy, this.line, this.shaft, this.head]) this.group.add(sign.group);
     this.group.add(this.trail);
-    this.group.visible = false;
+  }
+
+  /** What the signs cover of the picture, in the eye's own coordinates, -1 to 1 from edge to edge; empty where there is nothing to be seen. */
+  covers(eye: PerspectiveCamera, box: Box2): Box2 {
+    box.makeEmpty();
+    if (!this.known) return box;
+    for (const sign of [this.hip, this.proxy, this.head]) this.cover(eye, box, place.copy(sign.group.position), kReach * this.radius);
+    for (let i = 0; i < this.count; ++i) this.cover(eye, box, place.fromArray(this.places, 3 * i), 0);
+    return box;
+  }
+
+  private cover(eye: PerspectiveCamera, box: Box2, at: Vector3, radius: number): void {
+    const { x, y, z } = at.applyMatrix4(eye.matrixWorldInverse);
+    const [wide, high] = [eye.projectionMatrix.elements[0] ?? 1, eye.projectionMatrix.elements[5] ?? 1];
+    const away = Math.max(-z - radius, eye.near);
+    box.expandByPoint(corner.set((wide * (x - radius)) / away, (high * (y - radius)) / away));
+    box.expandByPoint(corner.set((wide * (x + radius)) / away, (high * (y + radius)) / away));
   }
 
   /** mm */
@@ -88,7 +112,7 @@ export class TouchMarks {
 
   clear(): void {
     this.count = 0;
-    this.group.visible = false;
+    this.known = false;
   }
 
   setTrail(places: Vector[]): void {
@@ -106,7 +130,7 @@ export class TouchMarks {
   }
 
   show(tick: Tick): void {
-    this.group.visible = true;
+    this.known = true;
     this.hip.group.position.copy(tick.hip);
     this.proxy.group.position.copy(tick.proxy);
     this.stretch(this.line, vector(tick.hip), vector(tick.proxy), tick.contact);
@@ -116,7 +140,7 @@ export class TouchMarks {
     const tip = from.clone().add(along);
     this.stretch(this.shaft, from, tip, force > 0.01);
     this.head.group.visible = force > 0.01;
-    this.head.group.position.copy(tip);
+    this.head.group.position.copy(force > 0.01 ? tip : from);
     if (force > 0) this.head.group.quaternion.setFromUnitVectors(kUp, along.normalize());
     const attribute = this.trail.geometry.getAttribute('position');
     attribute.needsUpdate = true;
