@@ -74,7 +74,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/touch", {{"firmware/core", "hil/plain_replay.h", "shared"}}},  // it runs in a page: no library of the host is there
     {"host/server",
      {{"host/view", "host/trace", "host/link", "host/cloud", "host/field_file", "host/files", "host/error.h", "host/to_double.h",
-       "shared"}}},
+       "host/touch/hand_work.h", "shared"}}},
     {"host/commands", {{"host", "firmware/core", "shared"}}},
     {"host/to_double.h", {{"shared"}}},
     {"host/control_main.cpp", {{"host/board_commands"}}},

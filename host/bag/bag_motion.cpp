@@ -49,10 +49,11 @@ class Collector {
   Collector(const std::string& file, const BagTopics& topics) : file_(file), topics_(topics) {}
 
   void operator()(const Channel& channel, std::uint64_t time_ns, std::span<const std::uint8_t> data) {
-    const Says what = says(channel);
+    const Content what = content_of(channel);
     const std::string topic(channel.topic);
-    if (what == Says::kNothing || (what == Says::kAnyVector && topic != topics_.positions)) return;  // a vector may be a velocity as well
-    const bool is_force = what == Says::kForce;
+    if (what == Content::kNothing || (what == Content::kAnyVector && topic != topics_.positions))
+      return;  // a vector may be a velocity as well
+    const bool is_force = what == Content::kForce;
     const std::string& wanted = is_force ? topics_.forces : topics_.positions;
     if (is_force && !topics_.with_forces) return;
     (is_force ? force_topics_ : position_topics_).insert(topic);

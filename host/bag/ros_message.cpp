@@ -20,25 +20,25 @@ struct Type {
   std::string_view name;  ///< without "/msg/"
   bool has_header;        ///< time and frame come first
   bool has_child_frame;   ///< then another frame
-  Says says;
+  Content content;
   std::array<const char*, 3> path;  ///< of x, y, z in JSON, from the outside in; nullptr: no more
 };
 
 constexpr std::array kTypes = {
-    Type{"geometry_msgs/Point", false, false, Says::kPosition, {nullptr, nullptr, nullptr}},
-    Type{"geometry_msgs/PointStamped", true, false, Says::kPosition, {"point", nullptr, nullptr}},
-    Type{"geometry_msgs/Vector3", false, false, Says::kAnyVector, {nullptr, nullptr, nullptr}},
-    Type{"geometry_msgs/Vector3Stamped", true, false, Says::kAnyVector, {"vector", nullptr, nullptr}},
-    Type{"geometry_msgs/Pose", false, false, Says::kPosition, {"position", nullptr, nullptr}},
-    Type{"geometry_msgs/PoseStamped", true, false, Says::kPosition, {"pose", "position", nullptr}},
-    Type{"geometry_msgs/PoseWithCovarianceStamped", true, false, Says::kPosition, {"pose", "pose", "position"}},
-    Type{"geometry_msgs/Transform", false, false, Says::kPosition, {"translation", nullptr, nullptr}},
-    Type{"geometry_msgs/TransformStamped", true, true, Says::kPosition, {"transform", "translation", nullptr}},
-    Type{"geometry_msgs/Wrench", false, false, Says::kForce, {"force", nullptr, nullptr}},
-    Type{"geometry_msgs/WrenchStamped", true, false, Says::kForce, {"wrench", "force", nullptr}},
-    Type{"foxglove.PoseInFrame", true, false, Says::kPosition, {"pose", "position", nullptr}},
-    Type{"foxglove.Point3", false, false, Says::kPosition, {nullptr, nullptr, nullptr}},
-    Type{"foxglove.Vector3", false, false, Says::kAnyVector, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/Point", false, false, Content::kPosition, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/PointStamped", true, false, Content::kPosition, {"point", nullptr, nullptr}},
+    Type{"geometry_msgs/Vector3", false, false, Content::kAnyVector, {nullptr, nullptr, nullptr}},
+    Type{"geometry_msgs/Vector3Stamped", true, false, Content::kAnyVector, {"vector", nullptr, nullptr}},
+    Type{"geometry_msgs/Pose", false, false, Content::kPosition, {"position", nullptr, nullptr}},
+    Type{"geometry_msgs/PoseStamped", true, false, Content::kPosition, {"pose", "position", nullptr}},
+    Type{"geometry_msgs/PoseWithCovarianceStamped", true, false, Content::kPosition, {"pose", "pose", "position"}},
+    Type{"geometry_msgs/Transform", false, false, Content::kPosition, {"translation", nullptr, nullptr}},
+    Type{"geometry_msgs/TransformStamped", true, true, Content::kPosition, {"transform", "translation", nullptr}},
+    Type{"geometry_msgs/Wrench", false, false, Content::kForce, {"force", nullptr, nullptr}},
+    Type{"geometry_msgs/WrenchStamped", true, false, Content::kForce, {"wrench", "force", nullptr}},
+    Type{"foxglove.PoseInFrame", true, false, Content::kPosition, {"pose", "position", nullptr}},
+    Type{"foxglove.Point3", false, false, Content::kPosition, {nullptr, nullptr, nullptr}},
+    Type{"foxglove.Vector3", false, false, Content::kAnyVector, {nullptr, nullptr, nullptr}},
 };
 
 const Type* type_of(const Channel& channel) {
@@ -137,9 +137,9 @@ std::optional<Measured> from_json(const Type& type, Span data) {
 
 }  // namespace
 
-Says says(const Channel& channel) {
+Content content_of(const Channel& channel) {
   const Type* type = type_of(channel);
-  return type != nullptr && (channel.encoding == "cdr" || channel.encoding == "json") ? type->says : Says::kNothing;
+  return type != nullptr && (channel.encoding == "cdr" || channel.encoding == "json") ? type->content : Content::kNothing;
 }
 
 std::string_view known_types() {

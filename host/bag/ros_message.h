@@ -19,9 +19,9 @@ struct Measured {
 };
 
 /// What messages of a channel say.
-enum class Says : std::uint8_t { kNothing, kPosition, kForce, kAnyVector };  ///< any vector may be a velocity, too
+enum class Content : std::uint8_t { kNothing, kPosition, kForce, kAnyVector };  ///< any vector may be a velocity, too
 
-Says says(const Channel& channel);
+Content content_of(const Channel& channel);
 
 /// The types that are read, for sentences.
 std::string_view known_types();

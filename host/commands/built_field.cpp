@@ -327,9 +327,16 @@ BuiltField built_field(const BuildOptions& options) {
   report.packed_bytes = packed.size();
   report.stages = progress.seconds();
   for (const auto& [stage, seconds] : report.stages) report.seconds += seconds;
-  BuiltField done{{}, {}, std::move(field), std::move(report)};
+  BuiltField done{{}, {}, {}, std::move(field), std::move(report)};
   if (made.scan) {
     made.scan->drop_invented();
+    if (made.scan->outside != field::Outside::kTurned) {  // else all of them were
+      const double bristle = 2 * to_double(done.field.view.edge);
+      for (const std::uint32_t i : made.scan->turned) {
+        const Eigen::Vector3d& at = made.scan->points.positions[i];
+        done.turned.push_back({at, at + bristle * made.scan->points.normals[i]});
+      }
+    }
     done.points = std::move(made.scan->points);
     done.rim = std::move(made.scan->rim.links);
   }

@@ -70,6 +70,8 @@ struct Implausible : InputError {
 struct BuiltField {
   cloud::OrientedPoints points;                          ///< of a cloud; workspace, mm
   std::vector<std::array<Eigen::Vector3d, 2>> rim = {};  ///< of a cloud: where it ends in the open; workspace, mm
+  std::vector<std::array<Eigen::Vector3d, 2>> turned =
+      {};  ///< of a cloud: at each point whose normal was turned, two voxels along the normal as it is now
   field_file::OpenField field;
   BuildReport report;
 };

@@ -64,6 +64,8 @@ Named sorted_by_content(const std::vector<fs::path>& files) {
   return named;
 }
 
+server::Scan scan_of(BuiltField& built) { return {std::move(built.points), std::move(built.rim), std::move(built.turned)}; }
+
 server::Built build(const fs::path& file, const std::string& name, const std::function<void(const std::string&, double)>& step) {
   BuildOptions options;
   options.input = file;
@@ -77,7 +79,7 @@ server::Built build(const fs::path& file, const std::string& name, const std::fu
   try {
     BuiltField built = built_field(options);
     nlohmann::ordered_json figures = in_words_too(to_json(built.report, built.field.view), built.report);
-    return {std::make_unique<server::Scene>(name, std::move(built.field), built.points, built.rim), std::move(figures)};
+    return {std::make_unique<server::Scene>(name, std::move(built.field), scan_of(built)), std::move(figures)};
   } catch (const Implausible& refused) {
     return {nullptr, in_words_too(refused_json(refused.report), refused.report)};
   }
@@ -88,7 +90,7 @@ std::unique_ptr<server::Scene> built_scene(const fs::path& cloud) {
   BuildOptions options;
   options.input = cloud;
   BuiltField built = built_field(options);
-  return std::make_unique<server::Scene>(cloud.stem().string(), std::move(built.field), built.points, built.rim);
+  return std::make_unique<server::Scene>(cloud.stem().string(), std::move(built.field), scan_of(built));
 }
 
 void write_page(const Options& options, const Named& named, server::ViewSite& site) {

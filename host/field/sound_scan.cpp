@@ -184,7 +184,9 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.one_sided = facing.one_sided;
   bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
   if (!options.estimate) {
-    for (std::size_t i = 0; i < samples.size(); ++i) result.turned += scan->normals()[i].dot(given.normals[samples[i]]) < 0.0 ? 1U : 0U;
+    for (std::uint32_t i = 0; i < samples.size(); ++i) {
+      if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);
+    }
   }
   result.contradicted = contradictions(*scan);
   std::vector<double> nearest;
@@ -246,12 +248,12 @@ std::vector<std::string> SoundScan::warnings() const {
   if (strays > 0) list.push_back(times(strays, "point", "points") + " far from all others left out");
   switch (outside) {
     case Outside::kAsGiven:
-      if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned because the neighbours contradict");
+      if (!turned.empty()) list.push_back(times(turned.size(), "normal was", "normals were") + " turned because the neighbours contradict");
       break;
     case Outside::kViewpoint: break;
     case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inwards; all were turned"); break;
     case Outside::kNeighbours:
-      list.push_back("the normals contradicted each other: " + times(turned, "was", "were") + " turned so that neighbours agree");
+      list.push_back("the normals contradicted each other: " + times(turned.size(), "was", "were") + " turned so that neighbours agree");
       break;
     case Outside::kDoubtful:
       list.emplace_back("the normals do not agree on which side is outside, and neighbours do not decide it; they are used as they are");

@@ -23,18 +23,18 @@ enum class Outside {
 };
 
 struct SoundScan {
-  cloud::OrientedPoints points;  ///< the measured ones in their order, then the invented
-  std::size_t measured = 0;      ///< how many of them were measured
-  std::size_t strays = 0;        ///< points far from all others, left out
-  std::size_t turned = 0;        ///< normals that point the other way than in the file
-  double contradicted = 0;       ///< of the clear pairs of neighbours: their normals contradict each other still
-  double noise = 0;              ///< standard deviation of the points across the surface, their unit
-  bool smoothed = false;         ///< the noise was taken back as far as neighbours tell
-  double tilt = 0;               ///< sine of the angle between normals and what the positions say, the median
-  double spacing = 0;            ///< median distance to the nearest point, their unit
-  double enclosed = 0;           ///< volume that the points enclose by the divergence theorem, their unit cubed
-  double one_sided = 0;          ///< 0 for a closed surface, 1 for a flat sheet
-  OpenRim rim;                   ///< where the measured points end; their unit
+  cloud::OrientedPoints points;       ///< the measured ones in their order, then the invented
+  std::size_t measured = 0;           ///< how many of them were measured
+  std::size_t strays = 0;             ///< points far from all others, left out
+  std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
+  double contradicted = 0;            ///< of the clear pairs of neighbours: their normals contradict each other still
+  double noise = 0;                   ///< standard deviation of the points across the surface, their unit
+  bool smoothed = false;              ///< the noise was taken back as far as neighbours tell
+  double tilt = 0;                    ///< sine of the angle between normals and what the positions say, the median
+  double spacing = 0;                 ///< median distance to the nearest point, their unit
+  double enclosed = 0;                ///< volume that the points enclose by the divergence theorem, their unit cubed
+  double one_sided = 0;               ///< 0 for a closed surface, 1 for a flat sheet
+  OpenRim rim;                        ///< where the measured points end; their unit
   Outside outside = Outside::kAsGiven;
 
   /// To the workspace, mm.

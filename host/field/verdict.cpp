@@ -128,7 +128,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const auto count = static_cast<double>(sound.measured);
   verdict.noise_spacing = sound.spacing > 0.0 ? sound.noise / sound.spacing : 0.0;
   verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
-  verdict.turned_share = static_cast<double>(sound.turned + repair.turned) / count;
+  verdict.turned_share = static_cast<double>(sound.turned.size() + repair.turned) / count;
   verdict.contradicted_share = sound.contradicted;
   verdict.rim_mm = sound.rim.length;
   verdict.unexplained_share = repair.unexplained;

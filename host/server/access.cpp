@@ -38,15 +38,15 @@ std::string random_token() {
   return token;
 }
 
-Door::Door(std::uint16_t port, std::string token)
+AccessCheck::AccessCheck(std::uint16_t port, std::string token)
     : token_(std::move(token)),
       here_("127.0.0.1:" + std::to_string(port)),
       named_("localhost:" + std::to_string(port)),
       origin_(std::string(kScheme) + here_) {}
 
-std::string Door::socket_origin() const { return "ws://" + here_ + " ws://" + named_; }
+std::string AccessCheck::socket_origin() const { return "ws://" + here_ + " ws://" + named_; }
 
-Admission Door::admit(const Asked& asked) const {
+Admission AccessCheck::admit(const Asked& asked) const {
   if (!is_here(asked.host))
     return {403, "This server answers to 127.0.0.1 and localhost only; open the address that isotouch view has printed.", {}, {}};
   const bool same_origin = asked.origin.starts_with(kScheme) && asked.origin.substr(kScheme.size()) == asked.host;

@@ -15,7 +15,7 @@ namespace isotouch::server {
 /// fails     InputError when the system has none
 std::string random_token();
 
-/// What a request says of itself, as far as it decides who may read.
+/// What a request says of itself, as far as it decides who may read. The texts stay the caller's.
 struct Asked {
   std::string_view target;         ///< path and query, as sent
   std::string_view host;           ///< header Host; empty: none
@@ -33,15 +33,21 @@ struct Admission {
   bool granted() const { return status == 200; }
 };
 
-class Door {
+/// Thread-safe: it never changes.
+class AccessCheck {
  public:
-  Door(std::uint16_t port, std::string token);
+  /// port      of 127.0.0.1 that is served
+  /// token     the first part of every path: `random_token`
+  AccessCheck(std::uint16_t port, std::string token);
 
-  /// What to open in a browser.
+  /// What to open in a browser, with the token and a slash behind it.
   std::string address() const { return origin_ + "/" + token_ + "/"; }
-  /// Where the page's socket is, without the path: for its policy.
+  /// Where the page's socket is, without the path: a list of sources for the page's policy, with a space between them.
   std::string socket_origin() const;
 
+  /// Judges one request, in constant time for tokens of one length.
+  ///
+  /// returns   status 200, 403 for a foreign host, origin or token, or 404 for an address without its slash; never fails
   Admission admit(const Asked& asked) const;
 
  private:

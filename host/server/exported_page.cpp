@@ -48,10 +48,10 @@ std::string exported_page(const Scene& scene, const nlohmann::ordered_json& hell
   replace_element(page, "<link rel=\"stylesheet\"", ">", "<style>" + std::string(content("page.css")) + "</style>");
   std::string data;
   for (const auto& [name, bytes] : {std::pair<std::string, std::string>("hello", text_of(hello)),
-                                    {"scene", text_of(scene.summary())},
                                     {"surface", scene.surface()},
                                     {"points", scene.points()},
                                     {"rim", scene.rim()},
+                                    {"turned", scene.turned()},
                                     {"field", scene.image()},
                                     {"touch.wasm", std::string(content("touch.wasm"))},
                                     {"touch_worker.js", std::string(content("touch_worker.js"))}})

@@ -48,7 +48,7 @@ struct HttpServer::Parts {
 
   Site& site;
   Limits limits;
-  std::optional<Door> door;
+  std::optional<AccessCheck> access;
   std::set<Viewer*> viewers;
   std::size_t connections = 0;
   bool ends = false;
@@ -198,13 +198,17 @@ class Client : public std::enable_shared_from_this<Client> {
     const bool post = header.method() == http::verb::post;
     const std::string_view target = view(header.target());
     const Admission admission =
-        parts_.door->admit({target, view(header[http::field::host]), view(header[http::field::origin]), post || upgrade});
+        parts_.access->admit({target, view(header[http::field::host]), view(header[http::field::origin]), post || upgrade});
     if (!admission.granted()) return refuse(admission.status, admission.sentence);
     if (upgrade) return watch(admission);
     if (!post && header.method() != http::verb::get) return refuse(405, "Only GET and POST are understood here.");
     keep_ = header.keep_alive();
     Request request{post, std::string(admission.path), std::string(admission.query)};
     if (!post) return compute(std::move(request));
+    if (const std::optional<Reply> refused = parts_.site.refusal(request)) {
+      keep_ = false;  // what it sends is not read
+      return write(*refused);
+    }
     body_.emplace(std::move(*parser_));
     body_->body_limit(parts_.limits.upload_bytes);
     stream_.expires_after(6 * parts_.limits.patience);
@@ -296,7 +300,7 @@ class Client : public std::enable_shared_from_this<Client> {
 std::string HttpServer::Parts::policy() const {
   return "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data:; worker-src 'self'; connect-src "
          "'self' " +
-         door->socket_origin() + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+         access->socket_origin() + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
 void HttpServer::Parts::accept() {
@@ -339,12 +343,12 @@ HttpServer::HttpServer(Site& site, std::uint16_t port, const Limits& limits) : p
     throw InputError("port " + std::to_string(port) + " of 127.0.0.1 cannot be used (" + fault.message() +
                      "); choose another one with --port, or leave it out");
   }
-  parts_->door.emplace(parts_->acceptor.local_endpoint().port(), random_token());
+  parts_->access.emplace(parts_->acceptor.local_endpoint().port(), random_token());
 }
 
 HttpServer::~HttpServer() { parts_->computing.join(); }
 
-std::string HttpServer::address() const { return parts_->door->address(); }
+std::string HttpServer::address() const { return parts_->access->address(); }
 
 void HttpServer::run() {
   parts_->signals.add(SIGINT);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +42,13 @@ class Site {
  public:
   virtual ~Site() = default;
 
-  /// On the computing thread, one request after the other. May throw InputError: its sentence becomes a reply with status 400.
+  /// What a request that sends something gets before it has been read, where it would be refused anyway; nothing: it is read, and `reply` answers it. On
+  /// the thread of the sockets: it must not compute.
+  ///
+  /// request   without its body
+  virtual std::optional<Reply> refusal(const Request& request) = 0;
+  /// On the computing thread, one request after the other. May throw InputError: its sentence becomes a reply with status 400. What else it throws becomes
+  /// status 500.
   virtual Reply reply(Request request) = 0;
   /// What a new viewer is sent first. On the thread of the sockets: it must not compute.
   virtual std::vector<Shared> greeting() = 0;
@@ -49,12 +56,12 @@ class Site {
 
 /// What one client, and all together, may take.
 struct Limits {
-  std::size_t viewers = 10;
-  std::size_t connections = 64;
-  std::size_t message_bytes = 1024;         ///< that a viewer sends
-  std::size_t messages_a_second = 240;      ///< of one viewer
-  std::size_t request_bytes = 8 * 1024;     ///< of a request without what it sends
-  std::uint64_t upload_bytes = 256U << 20;  ///< that a request sends
+  std::size_t viewers = 10;                 ///< at a time; one more gets status 503
+  std::size_t connections = 64;             ///< at a time, viewers among them; one more gets status 503
+  std::size_t message_bytes = 1024;         ///< that a viewer sends; a longer one ends it with code 1009
+  std::size_t messages_a_second = 240;      ///< of one viewer; more end it with code 1008
+  std::size_t request_bytes = 8 * 1024;     ///< of a request without what it sends; else status 431
+  std::uint64_t upload_bytes = 256U << 20;  ///< that a request sends; else status 413
   std::chrono::seconds patience{10};        ///< for a request, and for a viewer that takes or says nothing three times as long
 };
 
@@ -62,8 +69,9 @@ class HttpServer {
  public:
   /// Binds, so that the address is known; serves nothing yet.
   ///
+  /// site      outlives this
   /// port      0: any that is free
-  /// fails     InputError: the port is taken
+  /// fails     InputError: the port is taken, or the system has no random numbers
   HttpServer(Site& site, std::uint16_t port, const Limits& limits = {});
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
@@ -72,11 +80,11 @@ class HttpServer {
   /// What to open in a browser, with the token.
   std::string address() const;
 
-  /// Serves until SIGINT, SIGTERM or `end`; then every viewer is told, and it returns.
+  /// Serves until SIGINT, SIGTERM or `end`; then every viewer is told, and it returns, at the latest half a second later. Once.
   void run();
-  /// From any thread.
+  /// From any thread; does not wait.
   void end();
-  /// To every viewer; from any thread.
+  /// To every viewer; from any thread; does not wait. A viewer that is too slow loses ticks (outbox.h).
   void send(Shared message);
 
   struct Parts;

@@ -9,7 +9,7 @@ void Outbox::put(const Shared& message) {
     newest_[static_cast<std::size_t>(message->topic)] = message;
     return;
   }
-  if (batches_.size() == kBatches) {
+  if (batches_.size() == kMaxBatches) {
     batches_.pop_front();
     ++dropped_;
   }
@@ -20,7 +20,7 @@ std::optional<Shared> Outbox::take() {
   for (Shared& waiting : newest_) {
     if (waiting) return std::exchange(waiting, nullptr);
   }
-  if (batches_.empty() || unseen_ == kUnseen) return std::nullopt;
+  if (batches_.empty() || unseen_ == kMaxUnseen) return std::nullopt;
   Shared first = std::move(batches_.front());
   batches_.pop_front();
   ++unseen_;

@@ -32,8 +32,8 @@ using Shared = std::shared_ptr<const Message>;  ///< one copy for all viewers
 
 class Outbox {
  public:
-  static constexpr std::size_t kBatches = 8;  ///< of ticks that wait
-  static constexpr std::size_t kUnseen = 2;   ///< batches that were sent and that the viewer has not shown yet
+  static constexpr std::size_t kMaxBatches = 8;  ///< of ticks that wait
+  static constexpr std::size_t kMaxUnseen = 2;   ///< batches that were sent and that the viewer has not shown yet
 
   /// Of ticks the oldest batch is dropped when too many wait; anything else replaces what waits of its topic.
   void put(const Shared& message);

@@ -22,13 +22,37 @@ void put_vertex(std::string& bytes, const Eigen::Vector3d& position, const Eigen
   put_whole(bytes, mark);
 }
 
-std::string surface_bytes(const view::SurfaceMesh& mesh) {
+/// Of each vertex, whether a wall's other side lies behind it.
+std::vector<std::uint8_t> thin_walls(const view::SurfaceMesh& mesh, const view::FieldRays& rays) {
+  std::vector<std::uint8_t> thin;
+  thin.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Eigen::Vector3d inwards = -Scene::kThin_voxels * rays.edge() * mesh.normals[i].cast<double>();
+    thin.push_back(rays.value(mesh.positions[i].cast<double>() + inwards).distance > 0 ? 1 : 0);
+  }
+  return thin;
+}
+
+std::string line_bytes(const Lines& lines) {
+  const std::size_t drawn = std::min(lines.size(), Scene::kMaxPoints);
+  std::string bytes;
+  put_whole(bytes, static_cast<std::uint32_t>(drawn));
+  for (std::size_t i = 0; i < drawn; ++i) {
+    for (const Eigen::Vector3d& end : lines[i * lines.size() / drawn]) {
+      for (const double value : end) put_float(bytes, value);
+    }
+  }
+  return bytes;
+}
+
+std::string surface_bytes(const view::SurfaceMesh& mesh, const std::vector<std::uint8_t>& thin) {
   std::string bytes;
   bytes.reserve(8 + 16 * mesh.positions.size() + 12 * mesh.faces.size());
   put_whole(bytes, static_cast<std::uint32_t>(mesh.positions.size()));
   put_whole(bytes, static_cast<std::uint32_t>(mesh.faces.size()));
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-    put_vertex(bytes, mesh.positions[i].cast<double>(), mesh.normals[i].cast<double>(), mesh.invented[i]);
+    put_vertex(bytes, mesh.positions[i].cast<double>(), mesh.normals[i].cast<double>(),
+               static_cast<std::uint8_t>(mesh.invented[i] | thin[i] << 1));
   for (const auto& face : mesh.faces) {
     for (const std::uint32_t vertex : face) put_whole(bytes, vertex);
   }
@@ -37,7 +61,7 @@ std::string surface_bytes(const view::SurfaceMesh& mesh) {
 
 /// Evenly chosen where there are too many.
 std::string point_bytes(const cloud::OrientedPoints& points) {
-  const std::size_t drawn = std::min(points.size(), Scene::kPoints);
+  const std::size_t drawn = std::min(points.size(), Scene::kMaxPoints);
   std::string bytes;
   put_whole(bytes, static_cast<std::uint32_t>(drawn));
   for (std::size_t i = 0; i < drawn; ++i) {
@@ -49,22 +73,22 @@ std::string point_bytes(const cloud::OrientedPoints& points) {
 
 }  // namespace
 
-Scene::Scene(std::string name, field_file::OpenField field, const cloud::OrientedPoints& points, const Rim& rim)
+Scene::Scene(std::string name, field_file::OpenField field, const Scan& scan)
     : name_(std::move(name)),
       field_(std::move(field)),
-      all_points_(points.size()),
+      all_points_(scan.points.size()),
       invented_share_(field_file::share_of(field_.invented, field_.view)) {
-  const view::SurfaceMesh mesh = view::surface_mesh(field_.view, field_.invented, kVertices);
+  const view::SurfaceMesh mesh = view::surface_mesh(field_.view, field_.invented, kMaxVertices);
   step_ = mesh.step;
-  surface_ = surface_bytes(mesh);
-  points_ = point_bytes(points);
-  put_whole(rim_, static_cast<std::uint32_t>(rim.size()));
-  for (const auto& link : rim) {
-    for (const Eigen::Vector3d& end : link) {
-      for (const double value : end) put_float(rim_, value);
-    }
-  }
+  const std::vector<std::uint8_t> thin = thin_walls(mesh, view::FieldRays(field_.view));
+  thin_share_ = thin.empty() ? 0 : static_cast<double>(std::count(thin.begin(), thin.end(), 1)) / static_cast<double>(thin.size());
+  surface_ = surface_bytes(mesh, thin);
+  points_ = point_bytes(scan.points);
+  rim_ = line_bytes(scan.rim);
+  turned_ = line_bytes(scan.turned);
 }
+
+std::string Scene::hash() const { return trace::hash_text(field_.view.hash()); }
 
 nlohmann::ordered_json Scene::summary() const {
   const FieldView& field = field_.view;
@@ -72,7 +96,7 @@ nlohmann::ordered_json Scene::summary() const {
   const double edge = to_double(field.edge);
   const Eigen::Vector3d high = low + edge * Eigen::Vector3d(field.size[0] - 1, field.size[1] - 1, field.size[2] - 1);
   return {{"name", name_},
-          {"hash", trace::hash_text(field.hash())},
+          {"hash", hash()},
           {"low_mm", {low.x(), low.y(), low.z()}},
           {"high_mm", {high.x(), high.y(), high.z()}},
           {"samples", field.size},
@@ -81,9 +105,11 @@ nlohmann::ordered_json Scene::summary() const {
           {"stiffness_n_per_mm", to_double(field.stiffness)},
           {"bytes", field.image.size()},
           {"points", all_points_},
-          {"points_drawn", std::min(all_points_, kPoints)},
+          {"points_drawn", std::min(all_points_, kMaxPoints)},
           {"step_voxels", step_},
-          {"invented_share", invented_share_}};
+          {"invented_share", invented_share_},
+          {"thin_share", thin_share_},
+          {"thin_mm", kThin_voxels * edge}};
 }
 
 std::string Scene::image() const {

@@ -13,28 +13,38 @@
 
 namespace isotouch::server {
 
+using Lines = std::vector<std::array<Eigen::Vector3d, 2>>;  ///< both ends of each; workspace, mm
+
+/// What the build knows beside the field; all empty where a field was read from a file.
+struct Scan {
+  cloud::OrientedPoints points = {};  ///< workspace, mm
+  Lines rim = {};                     ///< along which the points end in the open
+  Lines turned = {};                  ///< at each point whose normal was turned, along the normal as it is now
+};
+
 class Scene {
  public:
-  using Rim = std::vector<std::array<Eigen::Vector3d, 2>>;
-
-  static constexpr std::size_t kVertices = 90'000;  ///< of the surface, about
-  static constexpr std::size_t kPoints = 60'000;    ///< that are drawn
+  static constexpr std::size_t kMaxVertices = 90'000;  ///< of the surface, about
+  static constexpr std::size_t kMaxPoints = 60'000;    ///< that are drawn, and lines of a kind
+  static constexpr double kThin_voxels = 3;            ///< a wall that is thinner is marked
 
   /// name      for people
-  /// points    workspace, mm; may be empty
-  /// rim       lines along which the points end in the open, workspace, mm
-  Scene(std::string name, field_file::OpenField field, const cloud::OrientedPoints& points = {}, const Rim& rim = {});
+  Scene(std::string name, field_file::OpenField field, const Scan& scan = {});
 
   const FieldView& field() const { return field_.view; }
+  /// That names the field: 16 hexadecimal digits.
+  std::string hash() const;
   /// Figures of the field, with their units in their names.
   nlohmann::ordered_json summary() const;
-  /// Whole numbers: vertices, faces. Per vertex 16 bytes: position as three floats (mm), normal as three signed bytes (127 = 1), a byte that is 1 where
-  /// the surface was invented. Per face three whole numbers.
+  /// Whole numbers: vertices, faces. Per vertex 16 bytes: position as three floats (mm), normal as three signed bytes (127 = 1), a byte of marks: 1
+  /// where the surface was invented, 2 where the wall behind it is thinner than kThin_voxels. Per face three whole numbers.
   const std::string& surface() const { return surface_; }
   /// A whole number: points. Per point as a vertex; the last byte is 0.
   const std::string& points() const { return points_; }
   /// A whole number: lines. Per line six floats: both ends (mm).
   const std::string& rim() const { return rim_; }
+  /// In the same form.
+  const std::string& turned() const { return turned_; }
   /// The field's image, as a controller has it in memory.
   std::string image() const;
 
@@ -50,9 +60,9 @@ class Scene {
   std::string name_;
   field_file::OpenField field_;
   std::size_t all_points_ = 0;
-  double invented_share_ = 0;
+  double invented_share_ = 0, thin_share_ = 0;
   int step_ = 1;
-  std::string surface_, points_, rim_;
+  std::string surface_, points_, rim_, turned_;
 };
 
 }  // namespace isotouch::server

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "host/touch/hand_work.h"
 #include "shared/tick_io.h"
 #include "shared/trace.h"
 
@@ -29,17 +30,14 @@ class RowWriter {
   /// Appends the row of the next tick, little-endian.
   ///
   /// penetration_mm  length of the deflection in contact, else 0
-  /// energy_mj       work that the force has done on the hand since the first row: sum of force times way of the hand, N·mm. A passive object never gives
-  ///                 more than it got, so it stays at or below 0 but for what delay and sampling add
+  /// energy_mj       work that the force has done on the hand since the first row: hand_work.h
   /// state_faults    SupervisorState in the lower half, Faults in the upper one
   void append(const TraceRecord& record, std::string& rows);
 
-  double energy_mj() const { return energy_mj_; }
+  double energy_mj() const { return work_.mj(); }
 
  private:
-  double energy_mj_ = 0;
-  bool began_ = false;
-  std::array<double, 3> hip_{};
+  touch::HandWork work_;
 };
 
 }  // namespace isotouch::server

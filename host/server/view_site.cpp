@@ -29,6 +29,8 @@ constexpr std::size_t kMaxRows = 65536, kMaxPieces = 20000;
 
 Reply reply_with(std::string_view type, std::string body) { return {200, type, std::make_shared<const std::string>(std::move(body))}; }
 Reply reply_with(const nlohmann::ordered_json& json) { return reply_with(kJson, server::text_of(json)); }
+Reply ends() { return sentence(503, "The program is ending; start it again."); }
+Reply builds() { return sentence(409, "Another scan is being built; drop this one again when it is done."); }
 Reply no_such_thing() { return sentence(404, "There is nothing at this address; load the page again."); }
 
 /// The value of a name in a query, as it was sent.
@@ -48,7 +50,8 @@ Number number_of(std::string_view query, std::string_view name, Number low, Numb
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
-    throw InputError("The page asked for a '" + std::string(name) + "' that is none; load it again.");
+    throw InputError("The page asked for '" + std::string(name) + "=" + std::string(text.substr(0, 40)) +
+                     "', which is not a number in the range allowed; load the page again.");
   return value;
 }
 
@@ -81,8 +84,9 @@ std::string coded(const view::Colour& colour) {
 nlohmann::ordered_json colours() {
   nlohmann::ordered_json distance = nlohmann::ordered_json::array();
   for (int i = -3; i <= 3; ++i) distance.push_back(coded(view::distance_colour(i / 3.0)));
-  return {{"proxy", coded(view::kProxyColour)}, {"hip", coded(view::kHipColour)},        {"invented", coded(view::kInventedColour)},
-          {"rim", coded(view::kRimColour)},     {"surface", coded(view::kPlainSurface)}, {"distance", std::move(distance)}};
+  return {{"proxy", coded(view::kProxyColour)},    {"hip", coded(view::kHipColour)},       {"invented", coded(view::kInventedColour)},
+          {"rim", coded(view::kRimColour)},        {"turned", coded(view::kTurnedColour)}, {"thin", coded(view::kThinColour)},
+          {"surface", coded(view::kPlainSurface)}, {"distance", std::move(distance)}};
 }
 
 /// The sentence without the name of a folder that nobody but us knows.
@@ -95,7 +99,7 @@ std::string without(std::string text, const std::string& folder) {
 }  // namespace
 
 bool ViewSite::end() {
-  live_.reset();
+  feed_.reset();
   {
     const std::scoped_lock held(lock_);
     ended_ = true;
@@ -115,11 +119,11 @@ void ViewSite::show(const std::vector<trace::Trace>& traces) {
   if (difference) difference_["tick"] = difference->tick, difference_["field"] = difference->field;
 }
 
-void ViewSite::begin(HttpServer& server, const std::string& controller, const Live::Describe& describe,
+void ViewSite::begin(HttpServer& server, const std::string& controller, const ControllerFeed::Describe& describe,
                      const std::filesystem::path& cloud) {
   server_ = &server;
   if (!controller.empty())
-    live_ = std::make_unique<Live>(
+    feed_ = std::make_unique<ControllerFeed>(
         controller, [&server](Shared message) { server.send(std::move(message)); }, describe);
   if (cloud.empty()) return;
   builds_ = true;
@@ -128,7 +132,7 @@ void ViewSite::begin(HttpServer& server, const std::string& controller, const Li
 
 std::vector<Shared> ViewSite::greeting() {
   std::vector<Shared> all{std::make_shared<const Message>(Message{Topic::kHello, false, server::text_of(hello())})};
-  if (live_) std::ranges::copy(live_->newest(), std::back_inserter(all));
+  if (feed_) std::ranges::copy(feed_->newest(), std::back_inserter(all));
   const std::scoped_lock held(lock_);
   if (told_build_) all.push_back(told_build_);
   return all;
@@ -136,9 +140,13 @@ std::vector<Shared> ViewSite::greeting() {
 
 nlohmann::ordered_json ViewSite::hello() const {
   const std::scoped_lock held(lock_);
-  return {{"topic", "hello"},        {"columns", column_names()},  {"status_bits", {{"contact", std::uint32_t{kContact}}}},
-          {"colours", colours()},    {"scene", scene_ != nullptr}, {"recordings", recordings_.size()},
-          {"live", live_ != nullptr}};
+  return {{"topic", "hello"},
+          {"columns", column_names()},
+          {"status_bits", {{"contact", std::uint32_t{kContact}}}},
+          {"colours", colours()},
+          {"scene", scene_ ? scene_->summary() : nullptr},
+          {"recordings", recordings_.size()},
+          {"live", feed_ != nullptr}};
 }
 
 std::string ViewSite::exported() const {
@@ -157,8 +165,16 @@ void ViewSite::tell(Topic topic, const nlohmann::ordered_json& json) {
   server_->send(std::move(message));
 }
 
+std::optional<Reply> ViewSite::refusal(const Request& request) {
+  if (request.path != "build") return no_such_thing();
+  const std::scoped_lock held(lock_);
+  if (ended_) return ends();
+  if (builds_) return builds();
+  return std::nullopt;
+}
+
 Reply ViewSite::reply(Request request) {
-  if (request.sends) return request.path == "build" ? start_build(std::move(request)) : no_such_thing();
+  if (request.sends) return start_build(std::move(request));
   if (const BundleFile* file = bundle_file(request.path)) return reply_with(file->type, std::string(file->content));
   if (request.path.starts_with("trace/")) return recording(std::string_view(request.path).substr(6), request.query);
   if (request.path == "difference") return reply_with(difference_);
@@ -169,13 +185,17 @@ Reply ViewSite::reply(Request request) {
   }
   if (!scene) return sentence(404, "There is no object yet; drop a scan on the page.");
   if (request.path == "scene") return reply_with(scene->summary());
+  if (const auto of = text_of(request.query, "of"); of && *of != scene->hash())
+    return sentence(410, "There is another object by now; the page loads it by itself.");
+  if (request.path == "turned") return reply_with(kBinary, scene->turned());
   if (request.path == "surface") return reply_with(kBinary, scene->surface());
   if (request.path == "rim") return reply_with(kBinary, scene->rim());
   if (request.path == "points") return reply_with(kBinary, scene->points());
   if (request.path == "field") return reply_with(kBinary, scene->image());
   if (request.path == "slice") {
     const std::string_view axis = text_of(request.query, "axis").value_or("");
-    if (axis != "x" && axis != "y" && axis != "z") throw InputError("The page asked for an 'axis' that is none; load it again.");
+    if (axis != "x" && axis != "y" && axis != "z")
+      throw InputError("The page asked for a slice across an axis other than x, y and z; load the page again.");
     return reply_with(kBinary,
                       scene->slice(axis.front(), number_of(request.query, "at", -1e4, 1e4), number_of(request.query, "samples", 2, 512)));
   }
@@ -200,8 +220,8 @@ Reply ViewSite::recording(std::string_view path, std::string_view query) const {
 Reply ViewSite::start_build(Request request) {
   {
     const std::scoped_lock held(lock_);
-    if (ended_) return sentence(503, "The program is ending; start it again.");
-    if (std::exchange(builds_, true)) return sentence(409, "Another scan is being built; drop this one again when it is done.");
+    if (ended_) return ends();
+    if (std::exchange(builds_, true)) return builds();  // two have come since they were let in
   }
   if (builder_.joinable()) builder_.join();  // it is done
   try {
@@ -248,7 +268,7 @@ void ViewSite::build_now(const std::filesystem::path& file, const std::string& n
     builds_ = false;
   }
   tell(Topic::kBuild, end);
-  if (end["result"] == "built") tell(Topic::kScene, {{"topic", "scene"}});
+  if (end["result"] == "built") tell(Topic::kScene, {{"topic", "scene"}, {"scene", hello()["scene"]}});
 }
 
 }  // namespace isotouch::server

@@ -1,6 +1,7 @@
 /// All that the page can ask for, and what it is told by itself: `host/page/src/server.ts` is the other side.
 ///
-/// GET of the page's own files; `scene` (JSON), `surface`, `points`, `rim`, `slice?axis=z&at=MM&samples=N`, `field`; `trace/N` (JSON), `trace/N/rows?from=T&count=N`,
+/// GET of the page's own files; `scene` (JSON), and of the object with that hash `surface`, `points`, `rim`, `turned`, `field`, `slice?axis=z&at=MM&samples=N`,
+/// each with `of=HASH`, so that a page never mixes two objects; `trace/N` (JSON), `trace/N/rows?from=T&count=N`,
 /// `trace/N/curves?from=T&to=T&pieces=N`, `trace/N/words?tick=T`, `difference`; POST `build?name=FILE`.
 #pragma once
 
@@ -9,13 +10,14 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "host/link/controller.h"
+#include "host/server/controller_feed.h"
 #include "host/server/http_server.h"
-#include "host/server/live.h"
 #include "host/server/recording.h"
 #include "host/server/scene.h"
 
@@ -30,11 +32,12 @@ struct Built {
 /// Builds a field from a file.
 ///
 /// name      what the object is called for people
-/// step      called with each stage and the share of the whole that is done
-/// fails     InputError
+/// step      called on the same thread with each stage and the share of the whole that is done, 0 to 1
+/// fails     InputError: the file cannot be read, or is no scan, mesh or level set; std::bad_alloc
 using Build = std::function<Built(const std::filesystem::path& file, const std::string& name,
                                   const std::function<void(const std::string& stage, double done)>& step)>;
 
+/// Recordings never change once the server runs; the object does, when a build has ended.
 class ViewSite final : public Site {
  public:
   explicit ViewSite(Build build) : build_(std::move(build)) {}
@@ -51,7 +54,8 @@ class ViewSite final : public Site {
   ///
   /// controller  its address; empty: none
   /// cloud       to be built at once; empty: none
-  void begin(HttpServer& server, const std::string& controller, const Live::Describe& describe, const std::filesystem::path& cloud);
+  void begin(HttpServer& server, const std::string& controller, const ControllerFeed::Describe& describe,
+             const std::filesystem::path& cloud);
 
   /// Once the server has run, and while it is still there. What nobody needs any more is gone then.
   ///
@@ -62,6 +66,9 @@ class ViewSite final : public Site {
   /// fails     InputError: there is no object
   std::string exported() const;
 
+  /// 404 for what takes nothing, 409 while a scan is being built, 503 once it ends.
+  std::optional<Reply> refusal(const Request& request) override;
+  /// 404 where nothing is, 400 for a query that cannot be used, 410 for a part of an object that is another one by now.
   Reply reply(Request request) override;
   std::vector<Shared> greeting() override;
 
@@ -81,7 +88,7 @@ class ViewSite final : public Site {
   Shared told_build_;
   bool builds_ = false, ended_ = false;
   std::filesystem::path folder_;  ///< of a scan that was sent
-  std::unique_ptr<Live> live_;
+  std::unique_ptr<ControllerFeed> feed_;
   std::jthread builder_;
 };
 

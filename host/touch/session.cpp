@@ -62,6 +62,7 @@ Refused Session::load(std::span<const std::uint8_t> image) {
   header_.field_hash = view->hash();
   state_ = {};  // nothing that was felt before holds
   touched_ = false;
+  work_ = {};
   change();
   return nullptr;
 }
@@ -158,6 +159,8 @@ Refused Session::tick(const Place& hand, std::uint8_t buttons, Felt& felt) {
   felt.proxy = to_doubles(out.proxy);
   felt.force = {to_double(out.force.x), to_double(out.force.y), to_double(out.force.z)};
   felt.penetration = (out.status & kContact) != 0 ? length(out.proxy - out.hip) : 0;
+  work_.add(felt.hip, felt.force);
+  felt.energy = work_.mj();
   felt.status = out.status;
   return nullptr;
 }

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "firmware/core/render.h"
+#include "host/touch/hand_work.h"
 #include "shared/device_model.h"
 #include "shared/field_view.h"
 #include "shared/tick_io.h"
@@ -30,6 +31,7 @@ struct Felt {
   Place proxy{};                ///< mm
   std::array<double, 3> force;  ///< N
   double penetration = 0;       ///< mm from proxy to HIP in contact, else 0
+  double energy = 0;            ///< mJ that the hand has got since the field was loaded
   std::uint32_t status = 0;     ///< StatusBits
 };
 
@@ -84,6 +86,8 @@ class Session {
   /// buttons   bits 0 to 3; they are recorded
   /// returns   refused without a field, and for a coordinate that is no number
   Refused tick(const Place& hand, std::uint8_t buttons, Felt& felt);
+  /// The hand leaves: wherever it comes back, nothing was done on its way.
+  void lift() { work_.lift(); }
 
   /// The field's distance at a place, negative inside; beyond the band, and outside the grid, it is no more than the band.
   ///
@@ -100,6 +104,7 @@ class Session {
   TraceHeader header_ = standard_header();
   core::PositionModel model_;
   core::PositionState state_;
+  HandWork work_;
   bool touched_ = false;  ///< in the last tick the hand touched, was inside or was being followed
   bool begins_anew_ = true;
   bool ended_ = false;  ///< the room was full: a tick is missing, so none may follow

@@ -312,7 +312,7 @@ test("the worker runs one tick a millisecond, reports them all, and its trace re
   await server.take({ kind: "begin", module: MODULE });
   await server.take({ kind: "load", image: IMAGE, name: "field" });
   const { outside, inside } = lineThrough(await touching());
-  await server.take({ kind: "record", mostTicks: 10_000 });
+  await server.take({ kind: "record", maxTicks: 10_000 });
   await server.take({ kind: "hand", place: outside });
   around.pass(100);
   await server.take({ kind: "hand", place: inside });

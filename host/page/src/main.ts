@@ -7,7 +7,7 @@ import { isExported } from './exported';
 import { bindKeys } from './keys';
 import { Live } from './live';
 import { localSlice } from './local_slice';
-import type { Hello, Message, SceneSummary, Words } from './messages';
+import type { Colours, Hello, Message, SceneSummary, Words } from './messages';
 import { Numbers } from './numbers';
 import { Player } from './player';
 import { Plots, type Data } from './plots';
@@ -19,6 +19,7 @@ import { SliceControl } from './slice_control';
 import { TouchHand, type Felt } from './touch_hand';
 import { TouchSound } from './touch_sound';
 
+const kMinShare = 5e-4; // of the surface: less is shown as 0.0 %
 const kPieces = 1500; // of the curves of a recording
 const kWordsMs = 200; // between two sentences while a recording plays
 const kPlotsMs = 125; // between two pictures of the curves and numbers: more often nobody reads them
@@ -32,6 +33,7 @@ class Page {
   private readonly numbers = new Numbers(() => this.extraNumbers());
   private readonly sources = new Choice(element('sources'), (name) => this.use(name));
   private reader: RowReader | null = null;
+  private colours: Colours | null = null;
   private view: SceneView | null = null;
   private slice: SliceControl | null = null;
   private recordings: Recording[] = [];
@@ -66,7 +68,7 @@ class Page {
     this.depth.addEventListener('input', () => this.hand?.toDepth(-Number(this.depth.value)));
     element('touch').append(
       make('p', { textContent: 'The pointer is your hand. Turn the wheel, press Page down, or move the slider to press it into the object.' }),
-      make('label', {}, 'Hand towards the object, mm ', this.depth, ' ', this.depthText),
+      make('label', {}, 'Depth of the hand, from the middle of the object, mm ', this.depth, ' ', this.depthText),
       save,
       toggle('Sound', '', false, (on) => this.sound.turn(on)),
     );
@@ -87,7 +89,7 @@ class Page {
         void this.hello(message);
         break;
       case 'scene':
-        void this.openScene();
+        void this.openScene(message.scene);
         break;
       case 'build':
         this.build?.show(message);
@@ -111,12 +113,14 @@ class Page {
   }
 
   private async hello(hello: Hello): Promise<void> {
-    if (this.reader) return this.openScene(); // the connection was lost for a moment
+    if (this.reader) return hello.scene ? this.openScene(hello.scene) : undefined; // the connection was lost for a moment
     this.reader = new RowReader(hello.columns, hello.status_bits);
     if (!isExported()) this.build = new BuildPanel(this.server);
-    showLegend(hello);
+    this.colours = hello.colours;
+    showLegend(hello.colours, { invented: false, thin: false, rim: false, turned: false });
+    const opened = hello.scene ? this.openScene(hello.scene) : undefined; // its parts come while the view is made
     this.makeView(hello);
-    if (hello.scene) await this.openScene();
+    await opened;
     if (hello.live) this.sources.add('live', 'Live');
     if (hello.recordings > 0) {
       const reader = this.reader;
@@ -137,7 +141,7 @@ class Page {
       this.canvas.hidden = true;
       element('legend').hidden = true;
       const where = element('scene');
-      where.append(make('p', { className: 'no-webgl', textContent: 'This browser draws no WebGL, so the object cannot be shown. The numbers and curves work. Turn on hardware acceleration, or use another browser.' }));
+      where.append(make('p', { className: 'no-webgl', textContent: 'This browser does not support WebGL, or WebGL is turned off, so the page cannot show the object. Numbers and curves work. Turn on hardware acceleration in the settings of the browser, or use another browser.' }));
       return;
     }
     const view = this.view;
@@ -163,19 +167,20 @@ class Page {
     );
   }
 
-  private async openScene(): Promise<void> {
+  private async openScene(summary: SceneSummary): Promise<void> {
     const opening = ++this.opening;
     try {
-      const summary = await this.server.scene();
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
       showFacts(summary);
-      if (!this.view) return;
-      const [surface, points, rim] = await Promise.all(['surface', 'points', 'rim'].map((name) => this.server.part(name, summary)));
-      if (this.opening !== opening) return; // another object has come meanwhile
+      const [surface, points, rim, turned] = await Promise.all(['surface', 'points', 'rim', 'turned'].map((name) => this.server.part(name, summary)));
+      if (this.opening !== opening || !this.view) return; // another object has come meanwhile
       if (surface) this.view.object.setSurface(surface);
       if (points) this.view.object.setPoints(points);
       if (rim) this.view.object.setRim(rim);
+      if (turned) this.view.object.setTurned(turned);
+      const has = (lines: DataView | undefined): boolean => (lines?.getUint32(0, true) ?? 0) > 0;
+      if (this.colours) showLegend(this.colours, { invented: summary.invented_share > 0, thin: summary.thin_share >= kMinShare, rim: has(rim), turned: has(turned) });
       this.view.setScene(summary);
       this.slice?.setScene(summary);
       this.summary = summary;

@@ -1,4 +1,4 @@
-// What the server says, as host/server writes it (view_site.cpp, live.cpp, tick_words.cpp, scene.cpp).
+// What the server says, as host/server writes it (view_site.cpp, controller_feed.cpp, tick_words.cpp, scene.cpp).
 
 export interface Columns {
   floats: string[];
@@ -12,6 +12,8 @@ export interface Colours {
   hip: string;
   invented: string;
   rim: string;
+  turned: string;
+  thin: string;
   surface: string;
   distance: string[]; // inside to outside, evenly
 }
@@ -21,7 +23,7 @@ export interface Hello {
   columns: Columns;
   colours: Colours;
   status_bits: Record<string, number>;
-  scene: boolean;
+  scene: SceneSummary | null;
   recordings: number;
   live: boolean;
 }
@@ -74,6 +76,7 @@ export interface Build {
 
 export interface NewScene {
   topic: 'scene';
+  scene: SceneSummary;
 }
 
 export type Message = Hello | Link | Words | Status | Build | NewScene;
@@ -92,6 +95,8 @@ export interface SceneSummary {
   points_drawn: number;
   step_voxels: number;
   invented_share: number;
+  thin_share: number;
+  thin_mm: number;
 }
 
 export interface TraceEvent {

@@ -1,4 +1,5 @@
-// The object: its surface, with hatches where nobody scanned it, its points as small discs, and the rim of an open scan.
+// The object: its surface, with hatches where nobody scanned it and where a wall is thin, its points as small discs, the rim of an open scan, and a
+// bristle at each point whose normal was turned.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -15,7 +16,7 @@ import {
 } from 'three';
 import type { Colours } from './messages';
 
-const kVertexBytes = 16; // scene.h: three floats, three signed bytes of the normal, a mark
+const kVertexBytes = 16; // scene.h: three floats, three signed bytes of the normal, marks
 
 /** A vertex of the server is read as it lies: no copy, no conversion. */
 function withVertices(geometry: BufferGeometry, view: DataView, start: number, count: number): BufferGeometry {
@@ -34,20 +35,21 @@ export const noCut = (): Vector4 => new Vector4(0, 0, 0, 1);
 const kVertexShader = /* glsl */ `
   attribute float mark;
   varying vec3 place, outward;
-  varying float invented;
+  varying float invented, thin;
   void main() {
     place = position;
     outward = normal;
-    invented = mark;
+    invented = mod(mark, 2.0);
+    thin = floor(mark / 2.0);
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
 
 const kSurfaceShader = /* glsl */ `
-  uniform vec3 colour, hatched, eye;
+  uniform vec3 colour, hatched, hatchedThin, eye;
   uniform vec4 cut;
   uniform float pixelRatio;
   varying vec3 place, outward;
-  varying float invented;
+  varying float invented, thin;
   void main() {
     if (dot(cut.xyz, place) > cut.w) discard;
     vec3 n = normalize(outward), view = normalize(eye - place);
@@ -56,7 +58,11 @@ const kSurfaceShader = /* glsl */ `
       float across = mod((gl_FragCoord.x + gl_FragCoord.y) / (pixelRatio * 1.414), 9.0);
       base = mix(base, hatched, across < 3.5 ? 1.0 : 0.12);
     }
-    if (dot(n, view) < 0.0) { base *= 0.45; n = -n; }
+    if (thin > 0.5) {
+      float across = mod((gl_FragCoord.x - gl_FragCoord.y) / (pixelRatio * 1.414), 9.0);
+      base = mix(base, hatchedThin, across < 2.5 ? 1.0 : 0.0);
+    }
+    if (!gl_FrontFacing) { base *= 0.45; n = -n; }
     vec3 light = normalize(vec3(-0.35, 0.8, 0.55));
     float lit = 0.42 + 0.5 * max(dot(n, light), 0.0) + 0.16 * max(dot(n, view), 0.0);
     gl_FragColor = sRGBTransferOETF(vec4(base * lit, 1.0)); // as the screen has it, also in a kept picture
@@ -84,6 +90,22 @@ const kPointShader = /* glsl */ `
     gl_FragColor = sRGBTransferOETF(vec4(colour * lit, 1.0));
   }`;
 
+function lines(colour: string): LineSegments {
+  const material = new ShaderMaterial({
+    vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+    fragmentShader: 'uniform vec3 colour; void main() { gl_FragColor = sRGBTransferOETF(vec4(colour, 1.0)); }',
+    uniforms: { colour: { value: new Color(colour) } },
+  });
+  return new LineSegments(new BufferGeometry(), material);
+}
+
+function setLines(of: LineSegments, view: DataView): void {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(view.buffer, view.byteOffset + 4, 6 * view.getUint32(0, true)), 3));
+  of.geometry.dispose();
+  of.geometry = geometry;
+}
+
 export class ObjectView {
   readonly group = new Group();
   private readonly surface: ShaderMaterial;
@@ -91,6 +113,7 @@ export class ObjectView {
   private readonly surfaceMesh = new Mesh(new BufferGeometry());
   private readonly points = new Points(new BufferGeometry());
   private readonly rim: LineSegments;
+  private readonly turned: LineSegments;
 
   constructor(colours: Colours) {
     const shared = { eye: { value: this.group.position.clone() }, cut: { value: noCut() } };
@@ -102,6 +125,7 @@ export class ObjectView {
         ...shared,
         colour: { value: new Color(colours.surface) },
         hatched: { value: new Color(colours.invented) },
+        hatchedThin: { value: new Color(colours.thin) },
         pixelRatio: { value: 1 },
       },
     });
@@ -112,13 +136,9 @@ export class ObjectView {
     });
     this.surfaceMesh.material = this.surface;
     this.points.material = this.dots;
-    this.rim = new LineSegments(new BufferGeometry(), new ShaderMaterial({
-        vertexShader: 'void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
-        fragmentShader: 'uniform vec3 colour; void main() { gl_FragColor = sRGBTransferOETF(vec4(colour, 1.0)); }',
-        uniforms: { colour: { value: new Color(colours.rim) } },
-      }),
-    );
-    for (const part of [this.surfaceMesh, this.points, this.rim]) {
+    this.rim = lines(colours.rim);
+    this.turned = lines(colours.turned);
+    for (const part of [this.surfaceMesh, this.points, this.rim, this.turned]) {
       part.frustumCulled = false;
       this.group.add(part);
     }
@@ -140,10 +160,11 @@ export class ObjectView {
   }
 
   setRim(view: DataView): void {
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array(view.buffer, view.byteOffset + 4, 6 * view.getUint32(0, true)), 3));
-    this.rim.geometry.dispose();
-    this.rim.geometry = geometry;
+    setLines(this.rim, view);
+  }
+
+  setTurned(view: DataView): void {
+    setLines(this.turned, view);
   }
 
   show(surface: boolean, points: boolean): void {

@@ -16,7 +16,7 @@ export interface Listener {
 /** How long after a lost connection it is tried again. */
 const kAgainMs = 1000;
 
-/** Bytes before the rows of a batch: live.cpp. */
+/** Bytes before the rows of a batch: controller_feed.cpp. */
 const kBatchHeader = 16;
 
 export class Server {
@@ -36,10 +36,7 @@ export class Server {
     return new DataView(await (await this.get(path)).arrayBuffer());
   }
 
-  scene(): Promise<SceneSummary> {
-    return this.json('scene');
-  }
-  /** A part of this object: 'surface', 'points', 'rim' or 'field'. Refused when there is another object by now. */
+  /** A part of this object: 'surface', 'points', 'rim', 'turned' or 'field'. Refused when there is another object by now. */
   part(name: string, of: SceneSummary): Promise<DataView> {
     return this.bytes(`${name}?of=${of.hash}`);
   }

@@ -18,7 +18,8 @@ export const kFinest: Level = { share: 1, smooth: true };
 const kSlowMs = 40; // between two pictures
 const kFastMs = 22;
 const kMaxSlow = 2; // slow pictures one after the other
-const kMinFast = 20; // fast ones before a finer level is tried
+const kMinFast = 20; // fast ones before a finer level is tried, at first
+const kMaxPatience = 640; // at last
 const kPauseMs = 300; // what is longer is no time between two pictures of one movement
 
 export class Sharpness {
@@ -42,7 +43,7 @@ export class Sharpness {
     if (this.slow >= kMaxSlow && this.number < kLevels.length - 1) {
       this.number += 1;
       this.slow = 0;
-      this.patience *= 2; // a level that was too slow is not tried again and again
+      this.patience = Math.min(2 * this.patience, kMaxPatience); // a level that was too slow is not tried again and again
     } else if (this.fast >= this.patience && this.number > 0) {
       this.number -= 1;
       this.fast = 0;

@@ -30,8 +30,6 @@ export class TouchHand {
   private depth = 0; // mm from the plane through the object's middle towards the eye
   private pointer = { clientX: 0, clientY: 0 };
   private place: Vector3 | null = null;
-  private energy = 0; // mJ
-  private last: Tick | null = null;
   private count = 0;
   private readonly waiting: ((message: FromWorker) => boolean)[] = [];
 
@@ -60,13 +58,11 @@ export class TouchHand {
   /** The core with a field; any before it is gone. */
   async load(image: ArrayBuffer, name: string): Promise<void> {
     this.worker ??= await this.start();
-    this.energy = 0;
-    this.last = null;
     const loaded = this.answer('loaded');
     this.post({ kind: 'load', image: new Uint8Array(image), name });
     await loaded;
     this.loaded = true;
-    this.post({ kind: 'record', mostTicks: kMaxTicks });
+    this.post({ kind: 'record', maxTicks: kMaxTicks });
   }
 
   /** The hand begins in front of the object, in the middle of the picture. */
@@ -87,7 +83,6 @@ export class TouchHand {
 
   lift(): void {
     this.place = null;
-    this.last = null; // what lies between leaving and coming back is no way against a force
     this.left();
     if (this.worker) this.post({ kind: 'lift' });
   }
@@ -222,14 +217,10 @@ export class TouchHand {
         proxy: vector(At.proxy),
         force: vector(At.force),
         penetration: value(At.penetration),
-        energy: 0,
+        energy: value(At.energy),
         contact: (value(At.status) & Status.contact) !== 0,
         fault: false,
       };
-      const before = this.last?.hip ?? tick.hip; // work on the hand, as host/server/tick_rows.h has it
-      this.energy += tick.force.x * (tick.hip.x - before.x) + tick.force.y * (tick.hip.y - before.y) + tick.force.z * (tick.hip.z - before.z);
-      tick.energy = this.energy;
-      this.last = tick;
       ticks.push(tick);
     }
     return ticks;

@@ -21,7 +21,7 @@ using namespace isotouch;
 using touch::Refused;
 
 constexpr std::size_t kBatch = 1000;         // places at a time
-constexpr std::size_t kNumbersOfATick = 11;  // HIP, proxy, force, penetration, status
+constexpr std::size_t kNumbersOfATick = 12;  // HIP, proxy, force, penetration, energy, status
 constexpr std::uint64_t kGrowth = std::uint64_t{1} << 20;
 
 constexpr Refused kNoMemory = "there is not enough memory for it";
@@ -30,7 +30,7 @@ constexpr Refused kTooMany = "at most 1000 places at a time";
 struct Module {
   touch::Session session;
   std::size_t image_bytes = 0;
-  std::uint64_t most_trace_bytes = 0;
+  std::uint64_t max_trace_bytes = 0;
   std::size_t replayed_bytes = 0;
   std::uint64_t replay_hash = 0;
   std::array<double, 3 * kBatch> places{};
@@ -47,23 +47,23 @@ std::uint64_t trace_begin() { return image_layout::align64(std::uint64_t{module(
 
 /// Memory for the trace to grow into; none where there is no more, which ends the trace.
 std::span<std::uint8_t> trace_room(std::uint64_t bytes) {
-  const std::span<std::uint8_t> block = touch::block_of(trace_begin() + std::min(bytes, module().most_trace_bytes));
+  const std::span<std::uint8_t> block = touch::block_of(trace_begin() + std::min(bytes, module().max_trace_bytes));
   return block.empty() ? block : block.subspan(static_cast<std::size_t>(trace_begin()));
 }
 
 /// A trace that fills its room goes on in a larger one.
 void make_room() {
   Module& m = module();
-  if (m.most_trace_bytes == 0 || !m.session.is_full()) return;
+  if (m.max_trace_bytes == 0 || !m.session.is_full()) return;
   const std::uint64_t bytes = trace_layout::kHeaderBytes + m.session.recorded() * trace_layout::kRecordBytes;
-  if (bytes + trace_layout::kRecordBytes > m.most_trace_bytes) return;
+  if (bytes + trace_layout::kRecordBytes > m.max_trace_bytes) return;
   const std::span<std::uint8_t> room = trace_room(bytes + kGrowth);
   if (!room.empty()) m.session.extend_room(room);
 }
 
 void begin_trace() {
   Module& m = module();
-  m.session.record_into(m.most_trace_bytes == 0 ? std::span<std::uint8_t>{} : trace_room(kGrowth));
+  m.session.record_into(m.max_trace_bytes == 0 ? std::span<std::uint8_t>{} : trace_room(kGrowth));
 }
 
 const SettingRow& row(std::size_t number) { return *kTickSettingRows[std::min(number, kTickSettings - 1)]; }
@@ -80,7 +80,7 @@ TOUCH_EXPORT(image_room) std::uint8_t* image_room(double bytes) {
   Module& m = module();
   m.session.unload();
   m.image_bytes = 0;
-  m.most_trace_bytes = 0;
+  m.max_trace_bytes = 0;
   begin_trace();
   if (!(bytes >= 0 && bytes < 4294967296.0)) return nullptr;
   const std::span<std::uint8_t> block = touch::block_of(std::max(static_cast<std::uint64_t>(bytes), std::uint64_t{1}));
@@ -144,8 +144,8 @@ TOUCH_EXPORT(places) double* places() { return module().places.data(); }
 /// Where numbers come out.
 TOUCH_EXPORT(numbers) double* numbers() { return module().numbers.data(); }
 
-/// One tick for each of the first `count` places. Of each, eleven numbers come out: HIP (3, mm), proxy (3, mm), force (3, N), penetration (mm), status bits.
-/// The first place that is refused ends the run; the ticks before it have happened.
+/// One tick for each of the first `count` places. Of each, twelve numbers come out: HIP (3, mm), proxy (3, mm), force (3, N), penetration (mm), work
+/// done on the hand (mJ), status bits. The first place that is refused ends the run; the ticks before it have happened.
 TOUCH_EXPORT(run) Refused run(std::size_t count, std::uint32_t buttons) {
   Module& m = module();
   if (count > kBatch) return kTooMany;
@@ -159,10 +159,14 @@ TOUCH_EXPORT(run) Refused run(std::size_t count, std::uint32_t buttons) {
     out = std::copy(felt.proxy.begin(), felt.proxy.end(), out);
     out = std::copy(felt.force.begin(), felt.force.end(), out);
     *out++ = felt.penetration;
+    *out++ = felt.energy;
     *out = felt.status;
   }
   return nullptr;
 }
+
+/// The hand leaves.
+TOUCH_EXPORT(lift) void lift() { module().session.lift(); }
 
 /// The field's distance, mm, at each of the first `count` places.
 TOUCH_EXPORT(sample) Refused sample(std::size_t count) {
@@ -178,12 +182,12 @@ TOUCH_EXPORT(sample) Refused sample(std::size_t count) {
 // ---- the trace --------------------------------------------------------------------------------------------------------------------
 
 /// Begins a trace of at most that many ticks; 0 ends it and frees its memory for another.
-TOUCH_EXPORT(record_room) Refused record_room(double most_ticks) {
+TOUCH_EXPORT(record_room) Refused record_room(double max_ticks) {
   Module& m = module();
   if (!m.session.field()) return "there is no field; load one first";
-  if (!(most_ticks >= 0 && most_ticks <= 40'000'000)) return "a trace has at most 40,000,000 ticks";
-  const auto ticks = static_cast<std::uint64_t>(most_ticks);
-  m.most_trace_bytes = ticks == 0 ? 0 : trace_layout::kHeaderBytes + ticks * trace_layout::kRecordBytes;
+  if (!(max_ticks >= 0 && max_ticks <= 40'000'000)) return "a trace has at most 40,000,000 ticks";
+  const auto ticks = static_cast<std::uint64_t>(max_ticks);
+  m.max_trace_bytes = ticks == 0 ? 0 : trace_layout::kHeaderBytes + ticks * trace_layout::kRecordBytes;
   begin_trace();
   if (ticks > 0 && trace_room(kGrowth).empty()) return kNoMemory;
   return nullptr;
@@ -202,7 +206,7 @@ TOUCH_EXPORT(trace_address) const std::uint8_t* trace_address() { return module(
 /// Ends the trace that is kept. returns the address of room for a recording of that many bytes; 0 when there is not enough memory
 TOUCH_EXPORT(replay_room) std::uint8_t* replay_room(double bytes) {
   Module& m = module();
-  m.most_trace_bytes = 0;
+  m.max_trace_bytes = 0;
   m.replayed_bytes = 0;
   begin_trace();
   if (!(bytes >= 0 && bytes < 4294967296.0)) return nullptr;

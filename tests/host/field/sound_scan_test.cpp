@@ -130,6 +130,18 @@ TEST(SoundScan, SignsByChanceAreMendedWhereNeighboursTell) {
   EXPECT_LE(unlike(scan, points), 10U);
 }
 
+TEST(SoundScan, NamesThePointsWhoseNormalWasTurned) {
+  OrientedPoints points = of("torus");
+  std::vector<std::uint32_t> wrong;
+  for (std::uint32_t i = 7; i < points.size(); i += 50) {
+    points.normals[i] = -points.normals[i];
+    wrong.push_back(i);
+  }
+  const SoundScan scan = sound_scan(points);
+  ASSERT_EQ(scan.strays, 0U);
+  EXPECT_EQ(scan.turned, wrong);
+}
+
 TEST(SoundScan, NormalsWithoutMeaningAreLeftAndSaidToBeDoubtful) {
   OrientedPoints points = of("sphere", 1000);
   Random random(9);

@@ -12,7 +12,7 @@ const std::string kToken = "0123456789abcdef0123456789abcdef";
 const std::string kHost = "127.0.0.1:4711", kOrigin = "http://127.0.0.1:4711";
 
 unsigned status(const std::string& target, const std::string& host = kHost, const std::string& origin = "", bool changes = false) {
-  const Admission admission = Door(4711, kToken).admit({target, host, origin, changes});
+  const Admission admission = AccessCheck(4711, kToken).admit({target, host, origin, changes});
   EXPECT_EQ(admission.granted(), admission.sentence.empty());
   return admission.status;
 }
@@ -25,13 +25,13 @@ TEST(Access, TokensAreLongAndNeverTheSame) {
 }
 
 TEST(Access, TheAddressOpensThePage) {
-  const Door door(4711, kToken);
-  EXPECT_EQ(door.address(), kOrigin + "/" + kToken + "/");
-  const Admission page = door.admit({"/" + kToken + "/", kHost, "", false});
+  const AccessCheck access(4711, kToken);
+  EXPECT_EQ(access.address(), kOrigin + "/" + kToken + "/");
+  const Admission page = access.admit({"/" + kToken + "/", kHost, "", false});
   EXPECT_TRUE(page.granted());
   EXPECT_EQ(page.path, "");
   const std::string target = "/" + kToken + "/slice?axis=z&at=1";
-  const Admission slice = door.admit({target, "localhost:4711", "http://localhost:4711", true});
+  const Admission slice = access.admit({target, "localhost:4711", "http://localhost:4711", true});
   EXPECT_TRUE(slice.granted());
   EXPECT_EQ(slice.path, "slice");
   EXPECT_EQ(slice.query, "axis=z&at=1");

@@ -30,8 +30,8 @@ TEST(Outbox, WhatIsPutIsTaken) {
 TEST(Outbox, OfTicksTheNewestBatchesWait) {
   Outbox outbox;
   for (int i = 0; i < 100; ++i) outbox.put(message(Topic::kTicks, std::to_string(i)));
-  EXPECT_EQ(outbox.dropped(), 100 - Outbox::kBatches);
-  EXPECT_EQ(next(outbox), std::to_string(100 - Outbox::kBatches));
+  EXPECT_EQ(outbox.dropped(), 100 - Outbox::kMaxBatches);
+  EXPECT_EQ(next(outbox), std::to_string(100 - Outbox::kMaxBatches));
 }
 
 TEST(Outbox, OfAnythingElseTheNewestAlone) {

@@ -49,6 +49,21 @@ TEST(Session, ATraceReplaysToTheBit) {
   EXPECT_TRUE(bench.replays());
 }
 
+TEST(Session, TheWorkIsThatOfTheForceAndNoneIsDoneWhileTheHandIsAway) {
+  Bench bench;
+  bench.stay(kOutside, 10);
+  Felt felt;
+  for (int i = 0; i <= 600; ++i) felt = bench.stay({kOutside[0] - 0.01 * i, kOutside[1], kOutside[2]});
+  EXPECT_NEAR(felt.energy, -0.5 * felt.force[0] * felt.penetration, 0.1) << "half of k x²";
+  EXPECT_LT(felt.energy, -0.5);
+  const double pressed = felt.energy;
+  bench.session.lift();
+  EXPECT_EQ(bench.stay({kInside[0], kInside[1] + 1, kInside[2]}).energy, pressed);
+  EXPECT_NE(bench.stay({kInside[0], kInside[1] + 2, kInside[2]}).energy, pressed);
+  ASSERT_EQ(bench.session.load(ball().view().image), nullptr);
+  EXPECT_EQ(bench.stay(kOutside).energy, 0.0);
+}
+
 TEST(Session, ATraceBeginsWhenTheHandTouchesNothing) {
   Bench bench;
   bench.stay(kOutside, 2);

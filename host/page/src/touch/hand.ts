@@ -3,7 +3,7 @@
 /** Says how many ticks are due, so that a timer that wakes late is caught up with. */
 export class Pace {
   readonly #period: number;
-  readonly #mostLate: number;
+  readonly #maxLate: number;
   #next: number;
   /** Ticks that were left out, because the page was held up for longer than can be caught up with. */
   skipped = 0;
@@ -11,19 +11,19 @@ export class Pace {
   /**
    * @param now ms
    * @param period ms from tick to tick
-   * @param mostLate ms that are caught up with at once
+   * @param maxLate ms that are caught up with at once
    */
-  constructor(now: number, period = 1, mostLate = 100) {
+  constructor(now: number, period = 1, maxLate = 100) {
     this.#next = now;
     this.#period = period;
-    this.#mostLate = mostLate;
+    this.#maxLate = maxLate;
   }
 
   /** Ticks that are due at `now`; they count as done. */
   due(now: number): number {
     const late = Math.floor((now - this.#next) / this.#period) + 1;
     if (late <= 0) return 0;
-    const taken = Math.min(late, Math.floor(this.#mostLate / this.#period));
+    const taken = Math.min(late, Math.floor(this.#maxLate / this.#period));
     this.skipped += late - taken;
     this.#next += late * this.#period;
     return taken;
@@ -40,15 +40,15 @@ export class FollowingHand {
   #at: [number, number, number] | null = null;
   #target: Place = [0, 0, 0];
   readonly #share: number;
-  readonly #mostMove: number;
+  readonly #maxMove: number;
 
   /**
    * @param ticks time constant, in ticks
-   * @param mostMove mm in a tick; 1 at 1 kHz is 1 m/s
+   * @param maxMove mm in a tick; 1 at 1 kHz is 1 m/s
    */
-  constructor(ticks = 12, mostMove = 1) {
+  constructor(ticks = 12, maxMove = 1) {
     this.#share = 1 - Math.exp(-1 / ticks);
-    this.#mostMove = mostMove;
+    this.#maxMove = maxMove;
   }
 
   /** Where the pointer is; the first place is taken at once. */
@@ -74,7 +74,7 @@ export class FollowingHand {
     for (let tick = 0; tick < ticks; ++tick) {
       const move = this.#target.map((target, axis) => (target - at[axis]!) * this.#share);
       const length = Math.hypot(...move);
-      const part = length > this.#mostMove ? this.#mostMove / length : 1;
+      const part = length > this.#maxMove ? this.#maxMove / length : 1;
       for (let axis = 0; axis < 3; ++axis) at[axis] = at[axis]! + move[axis]! * part;
       places.set(at, 3 * tick);
     }

@@ -63,13 +63,14 @@ export class TouchServer {
         break;
       case "lift":
         this.#hand.lift();
+        touch.lift();
         break;
       case "set":
         touch.set(message.name, message.value);
         this.#around.post({ kind: "set", name: message.name, value: touch.setting(message.name) });
         break;
       case "record":
-        touch.record(message.mostTicks);
+        touch.record(message.maxTicks);
         break;
       case "save": {
         const bytes = touch.trace();

@@ -31,9 +31,9 @@ export const Status = {
 } as const;
 
 /** Numbers of one tick in an array of ticks. */
-export const NUMBERS_OF_A_TICK = 11;
-/** Where each stands among them: HIP, proxy (mm) and force (N) with x, y, z; penetration (mm); status bits. */
-export const At = { hip: 0, proxy: 3, force: 6, penetration: 9, status: 10 } as const;
+export const NUMBERS_OF_A_TICK = 12;
+/** Where each stands among them: HIP, proxy (mm) and force (N) with x, y, z; penetration (mm); work done on the hand (mJ); status bits. */
+export const At = { hip: 0, proxy: 3, force: 6, penetration: 9, energy: 10, status: 11 } as const;
 
 /** One number that decides how the field feels: a row of shared/settings_table.h. */
 export interface Setting {
@@ -99,8 +99,9 @@ interface Exports {
   places(): number;
   numbers(): number;
   run(count: number, buttons: number): number;
+  lift(): void;
   sample(count: number): number;
-  record_room(mostTicks: number): number;
+  record_room(maxTicks: number): number;
   recorded(): number;
   waits(): number;
   trace_bytes(): number;
@@ -217,6 +218,11 @@ export class Touch {
     return answers;
   }
 
+  /** The hand leaves: its way to where it comes back is no way against a force. */
+  lift(): void {
+    this.#exports.lift();
+  }
+
   /**
    * The field's distance at places, mm, at most `field.band`; for slices and pictures. Touching does not notice.
    *
@@ -235,8 +241,8 @@ export class Touch {
    * Begins a trace of at most that many ticks (104 bytes each), 0 ends recording. The trace begins with the first tick whose hand touches nothing, because a
    * replay begins there, too. `waiting` is true until then.
    */
-  record(mostTicks: number): void {
-    this.#check(this.#exports.record_room(mostTicks));
+  record(maxTicks: number): void {
+    this.#check(this.#exports.record_room(maxTicks));
   }
 
   /** Ticks in the trace. It has ended when this grows no more. */

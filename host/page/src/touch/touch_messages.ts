@@ -13,7 +13,7 @@ export type ToWorker =
   /** answered by `set`, or `refused` */
   | { readonly kind: "set"; readonly name: string; readonly value: number }
   /** begins a trace of at most that many ticks, 0 ends recording; answered by `refused` if it was */
-  | { readonly kind: "record"; readonly mostTicks: number }
+  | { readonly kind: "record"; readonly maxTicks: number }
   /** answered by `trace` */
   | { readonly kind: "save" }
   /** distances at places, mm; answered by `distances` with the same `ticket`, or `refused` */

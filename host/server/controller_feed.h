@@ -17,7 +17,7 @@
 
 namespace isotouch::server {
 
-class Live {
+class ControllerFeed {
  public:
   using Send = std::function<void(Shared)>;
   /// What `isotouch status --json` prints.
@@ -25,7 +25,7 @@ class Live {
 
   /// address   of the controller
   /// send      called by threads of this object
-  Live(std::string address, Send send, Describe describe);
+  ControllerFeed(std::string address, Send send, Describe describe);
 
   /// What a viewer that comes now has missed: the newest of each topic but ticks.
   std::vector<Shared> newest() const;

@@ -1,4 +1,4 @@
-#include "host/server/live.h"
+#include "host/server/controller_feed.h"
 
 #include <algorithm>
 #include <array>
@@ -64,21 +64,21 @@ class Batch {
 
 }  // namespace
 
-Live::Live(std::string address, Send send, Describe describe)
+ControllerFeed::ControllerFeed(std::string address, Send send, Describe describe)
     : address_(std::move(address)),
       send_(std::move(send)),
       describe_(std::move(describe)),
       measures_([this](const std::stop_token& stop) { measure(stop); }),
       follows_([this](const std::stop_token& stop) { follow(stop); }) {}
 
-std::vector<Shared> Live::newest() const {
+std::vector<Shared> ControllerFeed::newest() const {
   const std::scoped_lock held(lock_);
   std::vector<Shared> all;
   std::copy_if(newest_.begin(), newest_.end(), std::back_inserter(all), [](const Shared& message) { return message != nullptr; });
   return all;
 }
 
-void Live::tell(Topic topic, const nlohmann::ordered_json& json) {
+void ControllerFeed::tell(Topic topic, const nlohmann::ordered_json& json) {
   auto message = std::make_shared<const Message>(Message{topic, false, text_of(json)});
   {
     const std::scoped_lock held(lock_);
@@ -88,7 +88,7 @@ void Live::tell(Topic topic, const nlohmann::ordered_json& json) {
   send_(std::move(message));
 }
 
-bool Live::wait(const std::stop_token& stop, int ms) {
+bool ControllerFeed::wait(const std::stop_token& stop, int ms) {
   std::mutex lock;
   std::condition_variable_any woken;
   std::unique_lock held(lock);
@@ -96,7 +96,7 @@ bool Live::wait(const std::stop_token& stop, int ms) {
   return !stop.stop_requested();
 }
 
-void Live::follow(const std::stop_token& stop) {
+void ControllerFeed::follow(const std::stop_token& stop) {
   std::string last;
   do {
     std::string why;
@@ -114,7 +114,7 @@ void Live::follow(const std::stop_token& stop) {
 }
 
 /// fails     InputError: why it ended, always but when this object ends
-void Live::follow_once(const std::stop_token& stop) {
+void ControllerFeed::follow_once(const std::stop_token& stop) {
   link::Controller controller(address_);
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(ticks_a_second / kRowsASecond)));
@@ -147,7 +147,7 @@ void Live::follow_once(const std::stop_token& stop) {
   if (!stop.stop_requested()) throw InputError(ended);
 }
 
-void Live::measure(const std::stop_token& stop) {
+void ControllerFeed::measure(const std::stop_token& stop) {
   while (wait(stop, kAgain_ms)) {
     try {
       link::Controller controller(address_);
