@@ -22,18 +22,24 @@ if (!bin) {
 const folder = filled ?? mkdtempSync(join(tmpdir(), 'pictures-'));
 if (!filled && spawnSync(join(root, 'tests/host/page/view_test.mjs'), [bin, folder], { stdio: 'inherit' }).status !== 0) process.exit(1);
 
-/** The most frequent colours, and for each pixel the nearest of them. */
+/** The most frequent colours and those that would be missed most, and for each pixel the nearest of them. */
 function indexed(pixels) {
   const count = new Map();
   const key = (at) => ((pixels[at] >> 2) << 12) | ((pixels[at + 1] >> 2) << 6) | (pixels[at + 2] >> 2);
   for (let at = 0; at < pixels.length; at += 4) count.set(key(at), (count.get(key(at)) ?? 0) + 1);
   const channels = (colour) => [colour >> 12, (colour >> 6) & 63, colour & 63];
-  const palette = [...count].sort((a, b) => b[1] - a[1]).slice(0, 256).map(([colour]) => channels(colour));
-  const nearest = new Map();
-  for (const colour of count.keys()) {
-    const far = palette.map((one) => one.reduce((sum, value, channel) => sum + (value - channels(colour)[channel]) ** 2, 0));
-    nearest.set(colour, far.indexOf(Math.min(...far)));
-  }
+  const colours = [...count].sort((a, b) => b[1] - a[1]).map(([colour, often]) => ({ colour, often, own: channels(colour), far: Infinity, nearest: 0 }));
+  const palette = [];
+  const take = ({ own }) => {
+    for (const one of colours) {
+      const far = one.own.reduce((sum, value, channel) => sum + (value - own[channel]) ** 2, 0);
+      if (far < one.far) [one.far, one.nearest] = [far, palette.length];
+    }
+    palette.push(own);
+  };
+  colours.slice(0, 160).forEach(take);
+  while (palette.length < 256) take(colours.reduce((a, b) => (b.far * Math.sqrt(b.often) > a.far * Math.sqrt(a.often) ? b : a)));
+  const nearest = new Map(colours.map((one) => [one.colour, one.nearest]));
   const full = palette.map((one) => one.map((value) => Math.round((255 * value) / 63)));
   return { palette: full, indices: Array.from({ length: pixels.length / 4 }, (_, pixel) => nearest.get(key(4 * pixel))) };
 }

@@ -440,6 +440,7 @@ const tests = {
       await sleep(1000);
       rates.push(Number(await page.evaluate(() => document.body.dataset.pictures)));
     }
+    await within(60, active, async () => `the state is ${await page.locator('#state').textContent()}`);
     await picture(page, 'live');
     await accessible(page, 'live');
     console.log(`  pictures a second: ${rates.join(', ')}`);
