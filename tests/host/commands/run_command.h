@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/commands/commands.h"
+#include "host/error.h"
 
 namespace isotouch::commands {
 
@@ -21,6 +22,16 @@ inline std::string run_command(const std::string& arguments) {
     throw;
   }
   return ::testing::internal::GetCapturedStdout();
+}
+
+/// The sentence with which it refuses; empty when it does not.
+inline std::string complaint_on(const std::string& arguments) {
+  try {
+    run_command(arguments);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 }  // namespace isotouch::commands

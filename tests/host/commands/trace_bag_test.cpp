@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string>
 
-#include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
@@ -20,14 +19,6 @@ class TraceInABag : public ::testing::Test {
     run_command("trace make press " ISOTOUCH_GOLDEN "/field_1_2.itf --ticks 300 -o " + file("hand.trace"));
     run_command("trace export " + file("hand.trace") + " -o " + file("hand.mcap"));
   }
-  std::string complaint(const std::string& arguments) const {
-    try {
-      run_command(arguments);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return {};
-  }
   ScratchFolder folder_;
 };
 
@@ -38,7 +29,7 @@ TEST_F(TraceInABag, ComesBackToTheBit) {
 
 TEST_F(TraceInABag, AnOptionThatWouldHaveNoEffectIsRefusedByItsName) {
   for (const std::string option : {"--scale 2", "--stiffness 0.5", "--forces"}) {
-    const std::string sentence = complaint("trace import " + file("hand.mcap") + " " + option + " -o " + file("no.trace"));
+    const std::string sentence = complaint_on("trace import " + file("hand.mcap") + " " + option + " -o " + file("no.trace"));
     EXPECT_NE(sentence.find("leave " + option.substr(0, option.find(' ')) + " out"), std::string::npos) << sentence;
     EXPECT_FALSE(std::filesystem::exists(file("no.trace")));
   }

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <string>
 
-#include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/motion/felt_surface.h"
 #include "host/to_double.h"
@@ -26,14 +25,6 @@ class TraceMutate : public ::testing::Test {
   void SetUp() override {
     run_command("trace make press " + kField + " --ticks 2000 -o " + file("hand.trace"));
     run_command("trace to-packets " + kField + " " + file("hand.trace") + " -o " + file("packets.trace"));
-  }
-  std::string complaint(const std::string& arguments) const {
-    try {
-      run_command(arguments);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return {};
   }
   ScratchFolder folder_;
 };
@@ -56,9 +47,9 @@ TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
 
 TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
   EXPECT_NE(
-      complaint("trace mutate wrap " + kField + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
+      complaint_on("trace mutate wrap " + kField + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
       std::string::npos);
-  EXPECT_NE(complaint("trace mutate dwell " + kField + " " + file("packets.trace") + " -o " + file("no.trace"))
+  EXPECT_NE(complaint_on("trace mutate dwell " + kField + " " + file("packets.trace") + " -o " + file("no.trace"))
                 .find("mutate the positions first"),
             std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(file("no.trace")));
@@ -81,7 +72,7 @@ TEST_F(TraceMutate, AMotionIsImportedIntoTheFieldsBox) {
   EXPECT_LT(((high + low) / 2 - object.centre()).norm(), 0.01);
 
   std::ofstream(file("rest.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1,5,7\n0.5,1,5,7\n";
-  EXPECT_NE(complaint("trace import " + file("rest.csv") + " --into " + kField + " -o " + file("no.trace")).find("stays at one place"),
+  EXPECT_NE(complaint_on("trace import " + file("rest.csv") + " --into " + kField + " -o " + file("no.trace")).find("stays at one place"),
             std::string::npos);
 }
 

@@ -27,17 +27,18 @@ const fs::path kTrace = fs::path(ISOTOUCH_GOLDEN) / "packets.trace";
 class Farm : public ::testing::Test {
  protected:
   void SetUp() override {
-    add_recording(recordings_file(), {.name = "hand",
-                                      .field = kField,
-                                      .trace = kTrace,
-                                      .field_hash = {},
-                                      .trace_hash = {},
-                                      .expected = {},
-                                      .device = {},
-                                      .origin = "a golden file"});
+    add("hand", kTrace);
     expected_ = read_recordings(recordings_file())[0].expected;
   }
 
+  void add(const std::string& name, const fs::path& trace) const {
+    Recording recording;
+    recording.name = name;
+    recording.field = kField;
+    recording.trace = trace;
+    recording.origin = "a test";
+    add_recording(recordings_file(), recording);
+  }
   fs::path recordings_file() const { return folder_.path() / "recordings.jsonl"; }
   fs::path programs_file() const { return folder_.path() / "programs.jsonl"; }
   fs::path answers() const { return folder_.path() / "answers"; }
@@ -56,6 +57,12 @@ class Farm : public ::testing::Test {
   std::string equal() const { return print(expected_); }
   ShareReport run_all(const Share& share = {}) const {
     return run_share(read_recordings(recordings_file()), read_programs(programs_file()), answers(), share);
+  }
+  /// All answers; good until the next call.
+  std::vector<Row> rows() {
+    recordings_ = read_recordings(recordings_file());
+    programs_ = read_programs(programs_file());
+    return merge(recordings_, programs_, answers());
   }
   std::string calls() const {
     std::ifstream file(folder_.path() / "calls.txt");
@@ -77,6 +84,10 @@ class Farm : public ::testing::Test {
 
   ScratchFolder folder_;
   std::string expected_;
+
+ private:
+  std::vector<Recording> recordings_;
+  std::vector<Program> programs_;
 };
 
 TEST_F(Farm, EachTaskIsAskedOnce) {
@@ -104,11 +115,9 @@ TEST_F(Farm, AFailureIsKeptWithItsSentenceAndAskedAgain) {
   list("a", "1", "echo no memory >&2; exit 1");
   EXPECT_EQ(run_all().failed, 1U);
   EXPECT_EQ(run_all().asked, 1U);
-  const auto recordings = read_recordings(recordings_file());
-  const auto programs = read_programs(programs_file());
-  const auto rows = merge(recordings, programs, answers());
-  EXPECT_EQ(count(rows).failed, 1U);
-  EXPECT_EQ(rows[0].answer->said, "it ended with 1: no memory");
+  const auto all = rows();
+  EXPECT_EQ(count(all).failed, 1U);
+  EXPECT_EQ(all[0].answer->said, "it ended with 1: no memory");
   EXPECT_EQ(calls(), "a-1\na-1\n");
 }
 
@@ -128,10 +137,8 @@ TEST_F(Farm, WhatIsNoAnswerFailsWithItsReason) {
     fs::remove(programs_file());
     list("a", "1", body);
     EXPECT_EQ(run_all({.patience = {.seconds = 5}}).failed, 1U) << body;
-    const auto recordings = read_recordings(recordings_file());
-    const auto programs = read_programs(programs_file());
-    const auto rows = merge(recordings, programs, answers());
-    return rows[0].answer ? rows[0].answer->said : "";
+    const auto all = rows();
+    return all[0].answer ? all[0].answer->said : "";
   };
   const std::string hash = R"("hash": ")" + expected_ + '"';
   EXPECT_EQ(said("exit 0"), "it ended with 0 and printed no JSON object");
@@ -173,13 +180,11 @@ TEST_F(Farm, WhatIsNotEqualInEveryBitDiffers) {
   list("other-tick", "1", print(expected_, "7"));
   list("as-the-tool", "1", print("0123456789abcdef", R"({"tick": 9, "field": "force"})", 3));
   run_all();
-  const auto recordings = read_recordings(recordings_file());
-  const auto programs = read_programs(programs_file());
-  const auto rows = merge(recordings, programs, answers());
-  EXPECT_EQ(count(rows).equal, 1U);
-  EXPECT_EQ(count(rows).differs, 4U);
-  EXPECT_EQ(rows[3].answer->first_different, 7U);
-  EXPECT_EQ(rows[4].answer->first_different, 9U);
+  const auto all = rows();
+  EXPECT_EQ(count(all).equal, 1U);
+  EXPECT_EQ(count(all).differs, 4U);
+  EXPECT_EQ(all[3].answer->first_different, 7U);
+  EXPECT_EQ(all[4].answer->first_different, 9U);
 }
 
 TEST_F(Farm, AChangeIsNamedByTheFirstCommitThatHasItOnEachProcessor) {
@@ -187,26 +192,22 @@ TEST_F(Farm, AChangeIsNamedByTheFirstCommitThatHasItOnEachProcessor) {
   list("a", "2", print("0123456789abcdef", "7", 3)), list("b", "2", equal());
   list("a", "3", print("0123456789abcdef", "7", 3)), list("b", "3", print("fedcba9876543210", "8", 3));
   run_all();
-  const auto recordings = read_recordings(recordings_file());
-  const auto programs = read_programs(programs_file());
-  const auto rows = merge(recordings, programs, answers());
-  const auto found = changes(rows);
+  const auto all = rows();
+  const auto found = changes(all);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].since->processor + found[0].since->commit, "a2");
   EXPECT_EQ(found[0].tick, 7U);
   EXPECT_EQ(found[1].since->processor + found[1].since->commit, "b3");
-  const std::string page = to_html(rows);
+  const std::string page = to_html(all);
   EXPECT_THAT(page, HasSubstr("3 equal, 3 different, 0 failed, 0 missing"));
-  EXPECT_THAT(page, HasSubstr("a golden file"));
+  EXPECT_THAT(page, HasSubstr("a test"));
 }
 
 TEST_F(Farm, AChangeSaysWhatIsNotKnown) {
   list("a", "1", equal()), list("a", "2", "exit 1"), list("a", "3", print("0123456789abcdef")), list("a", "4", print("0123456789abcdef"));
   list("a", "5", equal()), list("a", "6", print("0123456789abcdef", "7"));
   run_all();
-  const auto recordings = read_recordings(recordings_file());
-  const auto programs = read_programs(programs_file());
-  const auto found = changes(merge(recordings, programs, answers()));
+  const auto found = changes(rows());
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(in_words(found[0]), "since 3 on a (none, rung 0); equal at 1, not known at 1 commit before; equal again at 5");
   EXPECT_EQ(in_words(found[1]), "since 6 on a (none, rung 0), first in tick 7");
@@ -232,20 +233,11 @@ TEST_F(Farm, AFileThatChangedSinceItWasAddedIsNotReplayed) {
   const fs::path copy = folder_.path() / "copy.trace";
   fs::copy_file(kTrace, copy);
   fs::remove(recordings_file());
-  add_recording(recordings_file(), {.name = "copy",
-                                    .field = kField,
-                                    .trace = copy,
-                                    .field_hash = {},
-                                    .trace_hash = {},
-                                    .expected = {},
-                                    .device = {},
-                                    .origin = "a copy"});
+  add("copy", copy);
   std::ofstream(copy, std::ios::app) << "x";
   list("a", "1", equal());
   EXPECT_EQ(run_all().failed, 1U);
-  const auto recordings = read_recordings(recordings_file());
-  const auto programs = read_programs(programs_file());
-  EXPECT_THAT(merge(recordings, programs, answers())[0].answer->said, HasSubstr("copy.trace is no longer the file of the table"));
+  EXPECT_THAT(rows()[0].answer->said, HasSubstr("copy.trace is no longer the file of the table"));
   EXPECT_EQ(calls(), "");
 }
 
@@ -290,17 +282,7 @@ TEST_F(Farm, TablesAreRefusedWithTheirLine) {
   EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["isotouch"]})"),
               HasSubstr("no word of the command begins with ./"));
   EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\\u001b[2J\"}"), HasSubstr("holds a control character"));
-  EXPECT_THAT(complaint([this] {
-                add_recording(recordings_file(), {.name = "hand",
-                                                  .field = kField,
-                                                  .trace = kTrace,
-                                                  .field_hash = {},
-                                                  .trace_hash = {},
-                                                  .expected = {},
-                                                  .device = {},
-                                                  .origin = "again"});
-              }),
-              HasSubstr("'hand' is there; choose another with --name"));
+  EXPECT_THAT(complaint([this] { add("hand", kTrace); }), HasSubstr("'hand' is there; choose another with --name"));
   std::ofstream(recordings_file()) << R"({"name": "x", "field": "f", "trace": "t", "field_hash": "12", "trace_hash": "", "expected": ""})";
   EXPECT_THAT(complaint([this] { (void)read_recordings(recordings_file()); }), HasSubstr("\"field_hash\" is '12'; a hash has 16"));
 }
