@@ -16,8 +16,7 @@ import { RowReader, type Tick } from './rows';
 import { SceneView } from './scene_view';
 import { Refused, Server } from './server';
 import { SliceControl } from './slice_control';
-import { TouchHand, type Felt } from './touch_hand';
-import { TouchSound } from './touch_sound';
+import { TouchPanel } from './touch_panel';
 
 const kMinShare = 5e-4; // of the surface: less is shown as 0.0 %
 const kPieces = 1500; // of the curves of a recording
@@ -39,12 +38,7 @@ class Page {
   private recordings: Recording[] = [];
   private source = '';
   private build: BuildPanel | null = null;
-  private hand: TouchHand | null = null;
-  private readonly touched = new Live();
-  private readonly sound = new TouchSound();
-  private readonly depth = make('input', { type: 'range', id: 'depth', step: '0.1' });
-  private readonly depthText = make('output', { htmlFor: 'depth' } as object);
-  private felt: Felt | null = null;
+  private readonly touch = new TouchPanel(this.server, () => this.touchMoved(), (sentence) => this.notice(sentence));
   private shownLive: Tick | null = null;
   private summary: SceneSummary | null = null;
   private plottedAt = 0;
@@ -63,15 +57,6 @@ class Page {
       }
     };
     this.keys();
-    const save = make('button', { type: 'button', textContent: 'Save as trace' });
-    save.addEventListener('click', () => void this.saveTrace());
-    this.depth.addEventListener('input', () => this.hand?.toDepth(-Number(this.depth.value)));
-    element('touch').append(
-      make('p', { textContent: 'The pointer is your hand. Turn the wheel, press Page down, or move the slider to press it into the object.' }),
-      make('label', {}, 'Depth of the hand, from the middle of the object, mm ', this.depth, ' ', this.depthText),
-      save,
-      toggle('Sound', '', false, (on) => this.sound.turn(on)),
-    );
     this.server.listen({
       message: (message) => this.message(message),
       ticks: (first, every, rows) => {
@@ -146,12 +131,8 @@ class Page {
     }
     const view = this.view;
     view.beforePicture = (): void => this.place();
-    this.hand = new TouchHand(view, this.canvas, (felt) => this.feel(felt), (sentence) => this.notice(sentence), () => this.sound.rest(), (mm) => {
-      this.depth.value = String(-mm);
-      this.depthText.textContent = (-mm).toFixed(1);
-    });
-    const hand = this.hand;
-    view.orbit.listen(this.canvas, () => hand.on);
+    this.touch.attach(view, this.canvas);
+    view.orbit.listen(this.canvas, () => this.touch.on);
     this.slice = new SliceControl(view, (of, axis, at, samples) => this.distances(of, axis, at, samples));
     const slice = this.slice;
     this.canvas.addEventListener('pointermove', (event) => slice.follow(event));
@@ -209,7 +190,7 @@ class Page {
     const names = source === 'live' ? ['live'] : source === 'touch' ? ['your hand'] : this.recordings.map((recording) => recording.summary.name);
     element('touch').hidden = source !== 'touch';
     if (source === 'touch') void this.beginTouch();
-    else this.hand?.end();
+    else this.touch.end();
     element('player').hidden = source !== 'recording';
     if (source !== 'recording') this.player.stop();
     this.view?.setPanes(Math.max(1, names.length));
@@ -237,17 +218,11 @@ class Page {
 
   private async beginTouch(): Promise<void> {
     const summary = this.summary;
-    if (!this.hand || !summary) return;
-    this.touched.clear();
+    if (!this.view || !summary) return;
+    const isWanted = (): boolean => this.source === 'touch' && this.summary === summary;
     try {
-      await this.hand.load((await this.server.part('field', summary)).buffer as ArrayBuffer, summary.name);
-      if (this.source !== 'touch' || this.summary !== summary) return;
-      const half = summary.high_mm.map((high, axis) => (high - (summary.low_mm[axis] ?? 0)) / 2);
-      const radius = Math.hypot(...half);
-      this.depth.min = String(-radius);
-      this.depth.max = String(radius);
-      this.hand.begin(0.8 * radius);
-      this.canvas.focus();
+      await this.touch.begin(summary, isWanted);
+      if (isWanted()) this.canvas.focus();
     } catch (error) {
       if (this.summary === summary) this.notice(error instanceof Error ? error.message : 'The core could not be started; load the page again.');
     }
@@ -256,33 +231,13 @@ class Page {
   /** Of a slice: from the server, or where there is none from the core in this page. */
   private async distances(of: SceneSummary, axis: string, at: number, samples: number): Promise<DataView> {
     if (!isExported()) return this.server.slice(of, axis, at, samples);
-    const { hand } = this;
-    if (!hand) throw new Error('there is no object');
-    if (!hand.loaded) await hand.load((await this.server.part('field', of)).buffer as ArrayBuffer, of.name);
-    return localSlice(of, axis, at, samples, (places) => hand.sample(places));
+    return localSlice(of, axis, at, samples, (places) => this.touch.sample(of, places));
   }
 
-  private feel(felt: Felt): void {
-    const before = this.touched.newest;
-    for (const tick of felt.ticks) this.touched.add(tick, 1);
-    const last = felt.ticks[felt.ticks.length - 1];
-    if (last) this.sound.follow(before, last, (last.tick - (before?.tick ?? last.tick)) * this.touched.period);
-    this.felt = felt;
+  private touchMoved(): void {
     if (this.source !== 'touch') return;
     this.pictures.fresh = true;
     this.changed();
-  }
-
-  private async saveTrace(): Promise<void> {
-    const { bytes, ticks } = (await this.hand?.save()) ?? { bytes: new Uint8Array(), ticks: 0 };
-    if (ticks === 0) {
-      this.notice('There is no tick to save yet; move the hand over the picture first.');
-      return;
-    }
-    this.notice('');
-    const link = make('a', { href: URL.createObjectURL(new Blob([bytes as Uint8Array<ArrayBuffer>])), download: `${this.summary?.name ?? 'touch'}.trace` });
-    link.click();
-    URL.revokeObjectURL(link.href);
   }
 
   /** Another tick is to be seen. */
@@ -304,7 +259,7 @@ class Page {
     ticks.forEach((tick, pane) => {
       const marks = this.view?.panes[pane];
       if (!marks || !tick) return;
-      const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touched : null;
+      const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touch.touched : null;
       marks.setTrail(running ? running.trail(tick.tick) : (this.recordings[pane]?.trail(tick.tick) ?? []));
       marks.push(tick.hip);
       marks.show(tick);
@@ -320,7 +275,7 @@ class Page {
     if (this.source === 'live') {
       this.plots.set(this.live.curves());
     } else if (this.source === 'touch') {
-      this.plots.set(this.touched.curves());
+      this.plots.set(this.touch.touched.curves());
     } else if (this.source === 'recording') {
       this.plots.now = this.player.tick * this.player.period;
       this.plots.redraw();
@@ -330,7 +285,7 @@ class Page {
 
   private shownTicks(): (Tick | null)[] {
     if (this.source === 'live') return [this.live.shown()];
-    if (this.source === 'touch') return [this.touched.newest];
+    if (this.source === 'touch') return [this.touch.touched.newest];
     return this.recordings.map((recording) => recording.tick(Math.min(this.player.tick, recording.summary.ticks - 1)));
   }
 
@@ -376,15 +331,7 @@ class Page {
   }
 
   private extraNumbers(): [string, string][] {
-    if (this.source === 'touch') {
-      const felt = this.felt;
-      return [
-        ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
-        ['Ticks in the trace', `${felt?.recorded ?? 0}`],
-        ['Ticks left out, because the page was held up', `${felt?.skipped ?? 0}`],
-        ['Time that the core computes', `${(100 * (felt?.busy ?? 0)).toFixed(1)} %`],
-      ];
-    }
+    if (this.source === 'touch') return [['Pictures', `${this.pictures.shown.toFixed(0)} a second`], ...this.touch.numbers()];
     if (this.source !== 'live') return [];
     return [
       ['Pictures', `${this.pictures.shown.toFixed(0)} a second`],
@@ -400,8 +347,8 @@ class Page {
     bindKeys(
       this.canvas,
       (event) => {
-        const turns = event.shiftKey || !this.hand?.on;
-        return (!turns && this.hand?.key(event.key)) || this.view?.orbit.key(event.key) || false;
+        const turns = event.shiftKey || !this.touch.on;
+        return (!turns && this.touch.key(event.key)) || this.view?.orbit.key(event.key) || false;
       },
       {
         h: () => this.view?.orbit.step(-1, 0),
