@@ -99,7 +99,7 @@ struct Merge {
 
  private:
   static void write(const fs::path& file, const std::string& text) {
-    if (!file.empty()) write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    if (!file.empty()) write_file(file, text);
   }
   static void print_failures(std::FILE* to, const std::vector<farm::Row>& rows) {
     constexpr int kMaxLines = 10;

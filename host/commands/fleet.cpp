@@ -23,10 +23,7 @@ struct FleetOptions {
 
   void operator()() const {
     const qualify::Fleet fleet = qualify::read_fleet(reports);
-    if (!out.empty()) {
-      const std::string csv = qualify::to_csv(fleet);
-      write_file(out, reinterpret_cast<const std::uint8_t*>(csv.data()), csv.size());
-    }
+    if (!out.empty()) write_file(out, qualify::to_csv(fleet));
     print(text_stream(out), fleet);
     const auto unfit = std::ranges::count_if(fleet.boards, [](const qualify::Board& board) { return board.verdict != "fit"; });
     if (unfit > 0)

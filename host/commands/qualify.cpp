@@ -45,7 +45,7 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
-  if (!file.empty()) write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (!file.empty()) write_file(file, text);
 }
 
 /// So that minutes of measuring do not end in a file that nobody can write.

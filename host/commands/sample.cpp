@@ -82,7 +82,7 @@ struct SampleRun {
     }
     std::string table = "x_mm,y_mm,z_mm,distance_mm,gradient_x,gradient_y,gradient_z,stiffness_n_mm,in_band\n";
     for (const Vector3d& place : places) table += row(open.view, place);
-    write_file(out, reinterpret_cast<const std::uint8_t*>(table.data()), table.size());
+    write_file(out, table);
   }
 };
 

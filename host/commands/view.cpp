@@ -98,7 +98,7 @@ void write_page(const Options& options, const Named& named, server::ViewSite& si
     throw InputError("--export writes a page with a field and nothing else; leave out recordings and --to");
   if (!named.cloud.empty()) site.show(built_scene(named.cloud));
   const std::string page = site.exported();
-  write_file(options.exported, reinterpret_cast<const std::uint8_t*>(page.data()), page.size());
+  write_file(options.exported, page);
   std::fprintf(text_stream(options.exported), "%s, %.1f MB; it opens in a browser, without a server\n", options.exported.string().c_str(),
                static_cast<double>(page.size()) * 1e-6);
 }

@@ -146,7 +146,7 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
   static std::atomic<unsigned> number = 0;  // others may keep the same answer at the same time
   const fs::path own =
       file.parent_path() / (address + "." + system.nodename + "-" + std::to_string(::getpid()) + "-" + std::to_string(++number));
-  write_file(own, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  write_file(own, text);
   fs::rename(own, file, error);
   if (error) throw InputError(file.string() + ": cannot be written: " + error.message());
 }

@@ -89,4 +89,8 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
   if (failed) throw give_up(failed.value());
 }
 
+void write_file(const std::filesystem::path& file, std::string_view text) {
+  write_file(file, reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
 }  // namespace isotouch

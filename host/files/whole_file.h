@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace isotouch {
@@ -26,5 +27,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 ///
 /// fails     InputError naming the file
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size);
+/// The same of a text.
+void write_file(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace isotouch
