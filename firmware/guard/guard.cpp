@@ -76,7 +76,10 @@ void Guard::note(const loop::Command& command, const Evidence& evidence, Memory&
   if (evidence.stops != memory.stops) memory.stop_tick = now;
   if (!evidence.stopped) memory.stop_tick = 0;
   memory.stops = evidence.stops;
-  if (command.sample >= memory.valid && memory.fresh < memory.valid) memory.fresh = memory.valid, memory.fresh_tick = command.tick;
+  const std::uint64_t seen = command.sample >= memory.valid          ? memory.valid
+                             : command.sample >= memory.valid_before ? memory.valid_before
+                                                                     : 0;
+  if (seen > memory.fresh) memory.fresh = seen, memory.fresh_tick = command.tick;
   if (asked != memory.commands || is_zero(asked)) memory.repeated_since = command.tick, memory.repeated_at = memory.grip;
   warm(evidence.now_ns, memory);
   if (memory.has_grip) follow_force(arms_.force(memory.commands, memory.grip), memory.encoders);
@@ -202,6 +205,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   mark(device_.hold_to_run != 0 && (reply->buttons & device_.buttons) == 0, memory.replies, memory.since.button);
   follow_counts(reply->counts, memory.referenced && !jumped, memory.encoders);
   memory.counts = reply->counts;
+  memory.valid_before = memory.valid;
   memory.valid = memory.replies;
   memory.heard_ns = now_ns;
   memory.heard_tick = memory.tick;

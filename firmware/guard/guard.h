@@ -32,11 +32,12 @@ namespace isotouch::guard {
 /// What the guard remembers; a default one knows of no packet.
 struct Memory {
   // Of the packets.
-  std::uint64_t replies = 0;     ///< that came, malformed ones included: the number of the newest sample
-  std::int64_t heard_ns = 0;     ///< when the newest valid one came; 0 = none yet
-  std::uint64_t heard_tick = 0;  ///< of the newest command when it came
-  std::uint64_t valid = 0;       ///< its number
-  std::uint64_t fresh = 0;       ///< number of the newest valid one that a command was computed from, and the tick that did it first
+  std::uint64_t replies = 0;       ///< that came, malformed ones included: the number of the newest sample
+  std::int64_t heard_ns = 0;       ///< when the newest valid one came; 0 = none yet
+  std::uint64_t heard_tick = 0;    ///< of the newest command when it came
+  std::uint64_t valid = 0;         ///< its number
+  std::uint64_t valid_before = 0;  ///< that of the valid one before: a command may be on its way while the newest comes
+  std::uint64_t fresh = 0;         ///< number of the newest valid one that a command was computed from, and the tick that did it first
   std::uint64_t fresh_tick = 0;
   std::array<std::int16_t, 3> counts{};
   std::uint32_t referenced_in_a_row = 0;

@@ -1,0 +1,69 @@
+#include "firmware/guard/guard.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "shared/falcon_packet.h"
+#include "shared/fault_names.h"
+
+namespace isotouch::guard {
+namespace {
+
+constexpr std::uint32_t kPeriod = 1'000'000;
+
+/// A guard that hears packets of a hand at rest, and judges commands that are smaller than any force that is felt.
+class Samples : public ::testing::Test {
+ protected:
+  /// A reply comes now; its number is `heard_`.
+  void hear() { guard_.hear(encode(FalconReply{{0, 0, static_cast<std::int16_t>(++heard_ % 2)}, 0, 7}), now_ns_, memory_); }
+  /// The next tick's command, computed from a sample.
+  GuardVerdict judge(std::uint64_t sample, bool has_words) {
+    now_ns_ += kPeriod;
+    loop::Command command;
+    command.tick = ++tick_;
+    command.sample = sample;
+    const auto word = static_cast<std::int16_t>(has_words ? 1 + tick_ % 2 : 0);
+    command.falcon.words = {word, word, word};
+    command.falcon.flags = device_.led_active;
+    Evidence evidence;
+    evidence.now_ns = now_ns_;
+    (void)guard_.judge(command, evidence, memory_);
+    return memory_.verdict;
+  }
+  void SetUp() override {
+    for (int i = 0; i < 100; ++i) {
+      hear();
+      ASSERT_EQ(judge(heard_, i > 2), GuardVerdict::kNone) << name_of(memory_.verdict);
+    }
+  }
+
+  const DeviceModel device_ = libnifalcon_model();
+  const Guard guard_{device_, kPeriod};
+  Memory memory_;
+  std::int64_t now_ns_ = 1;
+  std::uint64_t tick_ = 0, heard_ = 0;
+};
+
+TEST_F(Samples, AReplyThatCameWhileTheCommandWasOnItsWayDoesNotMakeItStale) {
+  for (std::uint32_t t = 0; t < device_.hold_ticks + 3U; ++t) (void)judge(heard_, false);  // the device answers late
+  hear();
+  const std::uint64_t late = heard_;
+  hear();  // and once more, before the tick's command leaves
+  EXPECT_EQ(judge(late, true), GuardVerdict::kNone) << name_of(memory_.verdict);
+  for (std::uint32_t t = 0; t < device_.hold_ticks; ++t) EXPECT_EQ(judge(late, true), GuardVerdict::kNone) << t;
+  EXPECT_EQ(judge(late, true), GuardVerdict::kStale) << "it has looked at no packet for too long";
+}
+
+TEST_F(Samples, ACommandThatKnowsNoNewReplyIsStale) {
+  const std::uint64_t old = heard_;
+  for (std::uint32_t t = 0; t < device_.hold_ticks; ++t) {
+    hear();
+    EXPECT_EQ(judge(old, true), GuardVerdict::kNone) << t;
+  }
+  hear();
+  EXPECT_EQ(judge(old, true), GuardVerdict::kStale) << name_of(memory_.verdict);
+}
+
+}  // namespace
+}  // namespace isotouch::guard
