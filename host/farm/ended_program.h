@@ -1,4 +1,6 @@
-/// A program that was run to its end.
+/// Runs another program to its end.
+///
+/// real time   no: it waits for the program
 #pragma once
 
 #include <functional>
@@ -7,22 +9,23 @@
 
 namespace isotouch::farm {
 
-/// How long a program may run, and how much it may print.
+/// How long a program may run.
 struct Patience {
-  double seconds = 0;  ///< 0: as long as it wants
-  std::function<bool()> may_go_on = [] { return true; };
+  double seconds = 0;                                     ///< s; 0: without a limit
+  std::function<bool()> may_go_on = [] { return true; };  ///< asked every 100 ms; false: the program is ended
 };
 
 struct EndedProgram {
-  int code = 0;                     ///< its exit code; 128 and the signal that ended it
-  std::string printed, complained;  ///< standard output and standard error
-  std::string stopped;              ///< why it was not waited for, in words; empty: it ended by itself
+  int code = 0;                     ///< its exit code; 128 plus the number of the signal that ended it
+  std::string printed, complained;  ///< standard output and standard error; empty if it was stopped
+  std::string stopped;              ///< why it was killed, in words; empty: it ended by itself
 };
 
-/// Starts words[0], found as a shell finds it, without standard input, and waits for its end. When patience ends, or when it prints more than 16 MB, it is
-/// killed with all that it has started.
+/// Starts a program without standard input, and waits for its end. If it takes longer than patience allows, or prints more than 16 MB to one output, it is
+/// killed together with what it has started.
 ///
-/// fails     InputError: it cannot be started
+/// words     the program, searched for in PATH as a shell does, and its arguments; at least one
+/// fails     InputError: the program cannot be started, or no memory is left for what it prints
 EndedProgram run_program(std::vector<std::string> words, const Patience& patience = {});
 
 }  // namespace isotouch::farm

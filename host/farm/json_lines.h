@@ -1,4 +1,6 @@
 /// Tables with one JSON object a line, and the values in them.
+///
+/// real time   no
 #pragma once
 
 #include <filesystem>
@@ -12,14 +14,20 @@ namespace isotouch::farm {
 /// One line of a table.
 class Line {
  public:
-  /// place     of the line, for sentences: "recordings.jsonl, line 3"
+  /// place     of the line, for error messages: "recordings.jsonl, line 3"
   Line(nlohmann::json object, std::string place) : object_(std::move(object)), place_(std::move(place)) {}
 
-  /// fails     InputError: the value is missing, empty, or no text that a terminal may get
+  /// The text of a key, not empty.
+  ///
+  /// fails     InputError: the value is missing, empty or no text, or holds a control character
   std::string text(const char* key) const;
-  /// The same for a list of texts with at least one.
+  /// A list of at least one text.
+  ///
+  /// fails     InputError: the value is missing, empty, or no list of texts
   std::vector<std::string> texts(const char* key) const;
-  /// The same for a hash of 16 hexadecimal digits.
+  /// A hash: 16 hexadecimal digits, letters in lower case.
+  ///
+  /// fails     InputError: as `text`, or no such hash
   std::string hash(const char* key) const;
   const std::string& place() const { return place_; }
 
@@ -28,9 +36,9 @@ class Line {
   std::string place_;
 };
 
-/// Empty lines are left out.
+/// Calls `use` for each line of a table, in order; empty lines are left out.
 ///
-/// fails     InputError naming file and line: no JSON object; what `use` throws
+/// fails     InputError: the file cannot be read, or a line is no JSON object in UTF-8; also what `use` throws
 void each_line(const std::filesystem::path& file, const std::function<void(const Line&)>& use);
 
 }  // namespace isotouch::farm

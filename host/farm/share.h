@@ -1,4 +1,6 @@
-/// A share of a farm's tasks, on this machine.
+/// Works through one share of a farm's tasks on this machine.
+///
+/// real time   no
 #pragma once
 
 #include <cstddef>
@@ -10,24 +12,25 @@
 
 namespace isotouch::farm {
 
-/// Shard `shard` of `shards`. The tasks are counted recording by recording. Of each run of `shards` tasks a shard takes one, and the next one of the next run:
-/// each shard gets tasks of every program, whatever their number is.
+/// Which tasks, and how. The tasks are counted recording by recording, and cut into groups of `shards`. A shard takes one task of each group: the one at
+/// the next place in each following group. So each shard gets tasks of every program, whatever the number of programs is.
 struct Share {
-  std::size_t shard = 0, shards = 1;
-  unsigned jobs = 1;    ///< at once
-  Patience patience{};  ///< of each task; when it may not go on, no further task is begun
+  std::size_t shard = 0, shards = 1;  ///< shard counts from 0, below shards; more shards than tasks leave the last ones empty
+  unsigned jobs = 1;                  ///< programs at once, 1 or more
+  Patience patience{};                ///< for each task; once may_go_on is false, no further task begins
 };
 
 struct ShareReport {
-  std::size_t tasks = 0;   ///< in the share
-  std::size_t kept = 0;    ///< of these with an answer from before
-  std::size_t asked = 0;   ///< now
-  std::size_t failed = 0;  ///< of these without an answer
+  std::size_t tasks = 0;   ///< worked on, of those in the share
+  std::size_t kept = 0;    ///< of these, had an answer already
+  std::size_t asked = 0;   ///< of these, were replayed now
+  std::size_t failed = 0;  ///< of these, have no answer
 };
 
-/// Asks for each answer that is not kept yet, and keeps it at once: what was ended half way goes on from there.
+/// Replays each task of the share that has no answer yet, and keeps the answer at once. So a later call continues where an interrupted one ended.
 ///
-/// fails       InputError: an answer cannot be kept
+/// answers   the folder; made if it is not there
+/// fails     InputError: the folder or an answer cannot be written
 ShareReport run_share(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
                       const Share& share);
 

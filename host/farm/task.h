@@ -1,6 +1,8 @@
-/// What a farm does: every recording by every program. A recording names a field, a trace, and the replay hash that they give. A program replays them: the
-/// core as one commit has it, by one compiler, for one processor, here or on something that is started like a program. Both tables have one JSON object a
-/// line; docs/run-a-farm.md lists their keys.
+/// A farm's tasks: every recording, replayed by every program. A recording names a field, a trace, and the replay hash that they give. A program is the core
+/// of one commit, built by one compiler for one processor; it may run here, or under an emulator that is started like a program. Both tables have one JSON
+/// object a line; docs/run-a-farm.md lists their keys.
+///
+/// real time   no
 #pragma once
 
 #include <cstddef>
@@ -11,47 +13,52 @@
 namespace isotouch::farm {
 
 struct Recording {
-  std::string name;  ///< no two have the same
-  std::filesystem::path field, trace;
-  std::string field_hash;  ///< XXH64 of the file, 16 hexadecimal digits
-  std::string trace_hash;  ///< the same of the trace
-  std::string expected;    ///< the replay hash
-  std::string device;      ///< the device's model, in a word
-  std::string origin;      ///< who or what moved the hand
+  std::string name;                    ///< unique in the table
+  std::filesystem::path field, trace;  ///< as seen from the current folder
+  std::string field_hash;              ///< XXH64 of the field's file, 16 hexadecimal digits
+  std::string trace_hash;              ///< the same for the trace's file
+  std::string expected;                ///< the replay hash, 16 hexadecimal digits
+  std::string device;                  ///< the hash of the device's model
+  std::string origin;                  ///< who or what moved the hand
 };
 
 struct Program {
   std::string processor, commit, compiler, rung;
-  std::vector<std::string> command;  ///< words; FIELD and TRACE follow
-  std::string content;  ///< XXH64 over its words and over the bytes of each that begins with ./, which is a file beside the table
+  std::vector<std::string> command;  ///< words; the names of field and trace are added behind them
+  std::string content;               ///< XXH64 over its words and over the bytes of each file that a word beginning with ./ names
 };
 
-/// fails     InputError naming file and line: a value that is missing or wrong, a name that stands twice; no line at all
+/// Reads a table of recordings.
+///
+/// fails     InputError naming file and line: a value is missing or wrong, a name stands twice; or the table is empty or cannot be read
 std::vector<Recording> read_recordings(const std::filesystem::path& file);
 
-/// The same; of two programs at least processor, commit, compiler or rung differ. Oldest commit first: the order says since when something differs.
+/// Reads a table of programs. No two may have the same processor, commit, compiler and rung. The table lists the oldest commit first, because the order
+/// says since when something differs.
 ///
-/// fails     also InputError: a program that is not there, or that no word beginning with ./ names
+/// fails     InputError as read_recordings; also if a file of the command is not there, or if no word of the command begins with ./
 std::vector<Program> read_programs(const std::filesystem::path& file);
 
-/// Replays a trace here, and adds it with the hash that it gives as a line to a table; the table is made where there is none.
+/// Replays a trace in this program, and adds it to a table, with the hash that it gives. The table is made if there is none.
 ///
-/// recording   its hashes and device are found out; its files as seen from here
-/// fails       InputError: no name or origin, or one that is no UTF-8; files as `isotouch replay --check` refuses them, a trace that does not answer as recorded, a name that stands there already
+/// recording   name, field, trace and origin; hashes and device are computed here
+/// fails       InputError, and the table stays as it was: name or origin is missing or no UTF-8; a file cannot be read or does not fit, as in
+///             `isotouch replay --check`; the replay differs from the recorded outputs; the name is in the table already; the table cannot be written
 void add_recording(const std::filesystem::path& table, const Recording& recording);
 
-/// Where the answer of a task is kept: it names the bytes of field, trace and program, so an answer is not taken for that of another build. What the
-/// program calls, and an emulator that is not beside the table, do not count.
+/// The address under which the answer of a task is kept: an XXH64, 16 hexadecimal digits, over the hashes of field, trace and program, the expected hash,
+/// and processor, commit, compiler and rung. So a new build gets a new address. Files that the program opens, and an emulator that is not beside the table,
+/// do not change it.
 std::string address_of(const Recording& recording, const Program& program);
 
 /// The replay hash that a trace's own outputs have.
 ///
-/// fails     InputError naming the file: also where it has no outputs or no ticks
+/// fails     InputError naming the file: it cannot be read, or has no outputs or no ticks
 std::string recorded_hash(const std::filesystem::path& file);
 
 /// XXH64 of a file's bytes, 16 hexadecimal digits.
 ///
-/// fails     InputError naming the file
+/// fails     InputError naming the file: it cannot be read
 std::string hash_of_file(const std::filesystem::path& file);
 
 }  // namespace isotouch::farm

@@ -1,4 +1,6 @@
-/// How large a voxel is for a scan: as asked for, or as fine as the scan supports.
+/// How large a voxel is for a scan: as asked for, or the usual one.
+///
+/// real time   no
 #pragma once
 
 #include <Eigen/Core>
@@ -9,22 +11,23 @@
 
 namespace isotouch::field {
 
-/// What somebody asks for; the voxel counts before the grid.
+/// What the caller asks for. If both are given, voxel_mm decides.
 struct GridWish {
-  std::optional<double> voxel_mm = {};
-  std::optional<int> grid = {};      ///< voxels along the longest side
-  const char* grid_name = "--grid";  ///< what the caller calls it, for the warning
+  std::optional<double> voxel_mm = {};  ///< edge of a voxel, mm of the workspace, above 0
+  std::optional<int> grid = {};         ///< voxels along the longest side, 1 or more
+  const char* grid_name = "--grid";     ///< the name of the grid's option, for the warning
 };
 
 struct ScanVoxel {
-  double edge_mm;
-  std::string warning;  ///< one sentence: the grid that was asked for is finer than the scan supports; else empty
+  double edge_mm;       ///< mm of the workspace
+  std::string warning;  ///< one sentence if the grid that was asked for is finer than the scan supports; else empty
 };
 
-/// sound     not placed yet
-/// sides     of the box round its measured points, their unit; the longest above 0
-/// scale     from their unit to mm of the workspace
-/// usual     the grid where nothing is asked for
+/// sound     the scan in its own unit, before it is placed in the workspace
+/// sides     sides of the box around its measured points, in the scan's unit; the longest is above 0
+/// scale     mm of the workspace for one unit of the scan, above 0
+/// usual     voxels along the longest side if nothing is asked for
+/// fails     never
 ScanVoxel scan_voxel(const SoundScan& sound, const Eigen::Vector3d& sides, double scale, const GridWish& wish, int usual);
 
 }  // namespace isotouch::field

@@ -1,4 +1,4 @@
-/// A text within a page.
+/// A text as part of an HTML page.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace isotouch {
 
-/// With entities for the characters that HTML takes for its own, also within quotes.
+/// Replaces <, >, & and " by entities, so that the text may stand between tags or as an attribute's value in double quotes. It never fails.
 inline std::string html_text(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -1,4 +1,6 @@
-/// Many boards' reports beside each other, and which board is unlike the others.
+/// The reports of many boards beside each other, and which board is unlike the others.
+///
+/// real time   no
 #pragma once
 
 #include <filesystem>
@@ -10,30 +12,30 @@ namespace isotouch::qualify {
 
 /// What one report says.
 struct Board {
-  std::string name;  ///< the host, else the controller's address
-  std::string date;
+  std::string name;                           ///< the host, else the controller's address
+  std::string date;                           ///< UTC, as in the report
   std::string verdict;                        ///< "fit" or "not fit"
-  std::vector<std::optional<double>> values;  ///< one for each of the fleet's keys; none: not measured
-  std::vector<std::string> outliers;          ///< keys
+  std::vector<std::optional<double>> values;  ///< one for each of the fleet's keys, in their order and units; none: not measured
+  std::vector<std::string> outliers;          ///< keys of the values that are unlike those of the other boards
 };
 
 struct Fleet {
-  std::vector<std::string> keys;      ///< of the limits, with their units, as the reports bring them
-  std::vector<std::string> unjudged;  ///< of these, measured on too few boards to say which is an outlier
-  std::vector<Board> boards;          ///< as the reports were named
+  std::vector<std::string> keys;      ///< names of the limits, which end with their units, in the order of the reports
+  std::vector<std::string> unjudged;  ///< of these, measured on fewer than kMinFleet boards, so no outlier is marked
+  std::vector<Board> boards;          ///< in the order of the files
 };
 
-/// How many values it takes to say that one is unlike the others.
+/// The number of boards that must have measured a value before an outlier is marked.
 inline constexpr std::size_t kMinFleet = 5;
 
-/// Reads what `isotouch qualify --json` wrote. A value is an outlier when it lies farther from the median of all boards than five times their usual
-/// distance (the median of the distances, times 1.4826, which makes it a standard deviation where the values scatter normally), and than a fifth of the
-/// median, and than 1e-6.
+/// Reads files that `isotouch qualify --json` wrote, and marks outliers. A value is an outlier if its distance from the median of all boards is larger than
+/// each of these: five times the usual distance, a fifth of the median's absolute value, and 1e-6. The usual distance is the median of all distances times
+/// 1.4826. For normally distributed values that is the standard deviation.
 ///
-/// fails     InputError naming the file: no such report; a board that is there with the same date
+/// fails     InputError naming the file: it cannot be read, is no such report, or repeats the board and the date of another one
 Fleet read_fleet(const std::vector<std::filesystem::path>& files);
 
-/// One line a board; empty cells where nothing was measured.
+/// A CSV table with one line a board: board, date, verdict, the values by their keys, outliers. A cell is empty if nothing was measured.
 std::string to_csv(const Fleet& fleet);
 
 }  // namespace isotouch::qualify

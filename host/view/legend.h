@@ -1,4 +1,6 @@
-/// What the lines and areas of a plot are, in a row above its frame, from the right to the left.
+/// The legend of a plot: what its lines and areas mean, in a row above the frame, filled from the right to the left.
+///
+/// real time   no
 #pragma once
 
 #include <functional>
@@ -10,14 +12,17 @@ namespace isotouch::view {
 
 class Legend {
  public:
-  /// area      the inside of the plot's frame, pixels
+  /// canvas    must live as long as the legend
+  /// area      the inside of the plot's frame, pixels of the picture
   Legend(Canvas& canvas, const Rect& area);
 
-  /// Adds a line as it is in the plot, to the left of what is there. Without a text nothing is added.
+  /// Draws an entry for a line, to the left of the entries before. Nothing is drawn if the text is empty.
   ///
-  /// width     pixels on a picture of 960 x 720
+  /// width     of the line, pixels on a picture of 960 x 720; it is scaled with the picture
+  /// broken    the line is dashed
+  /// fails     never
   void add_line(const std::string& text, Colour colour, float width, bool broken);
-  /// The same for an area.
+  /// Draws an entry for an area, as add_line does.
   void add_area(const std::string& text, Colour colour);
 
  private:

@@ -1,9 +1,11 @@
-/// What a program's command line knows, as text: packaging/manual/write_manual makes the manual page and the shells' completion of it.
+/// Prints the commands and options of a program as text. packaging/manual/write_manual makes the manual page and the completion of the shells from it.
 ///
 ///     command TAB path TAB description TAB footer                                      the program has an empty path; "trace show" is a path
 ///     option TAB names TAB type TAB default TAB "required" or nothing TAB description   of the command above; no type: a flag; without "-": positional
 ///
-/// In a text, a line's end is written "\n" and a backslash "\\".
+/// In a field, a line's end is written "\n", a backslash "\\", and a tab as a space.
+///
+/// real time   no: before the program does anything else
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,6 +16,7 @@
 
 namespace isotouch::manual {
 
+/// One line on standard output.
 inline void print_fields(std::initializer_list<std::string> fields) {
   const char* before = "";
   for (const std::string& field : fields) {
@@ -29,6 +32,9 @@ inline void print_fields(std::initializer_list<std::string> fields) {
   std::putchar('\n');
 }
 
+/// A command, its options, and the commands below it.
+///
+/// path      names of the commands that lead to it, with spaces between; empty for the program itself
 inline void print_command(const CLI::App& command, const std::string& path) {
   print_fields({"command", path, command.get_description(), command.get_footer()});
   for (const CLI::Option* option : command.get_options()) {
@@ -41,7 +47,7 @@ inline void print_command(const CLI::App& command, const std::string& path) {
     print_command(*below, path + (path.empty() ? "" : " ") + below->get_name());
 }
 
-/// Does the command line ask for this, and nothing else? It is the word of a build, so no help names it.
+/// Is --command-tree the only argument? Only a build uses this option, so no help text lists it.
 inline bool is_asked_for(int argc, char** argv) { return argc == 2 && std::strcmp(argv[1], "--command-tree") == 0; }
 
 }  // namespace isotouch::manual
