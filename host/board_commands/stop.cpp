@@ -44,10 +44,11 @@ void stop(const std::string& to) {
 
 void resume(const std::string& to) {
   link::Controller controller(to);
+  const bool is_needed = !is_out_of_fault(controller.status());
   controller.resume();
   const protocol::StatusReport status = wait_for(controller, is_out_of_fault);
   if (!is_out_of_fault(status)) throw InputError(to + ": still in " + state_text(status));
-  std::printf("resumed; the state is now %s\n", state_text(status).c_str());
+  std::printf(is_needed ? "resumed; the state is now %s\n" : "there was no fault to leave; the state is %s\n", state_text(status).c_str());
 }
 
 }  // namespace

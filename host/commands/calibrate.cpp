@@ -70,8 +70,19 @@ void require_ready(link::Controller& controller, const std::string& to) {
   const auto state = static_cast<SupervisorState>(status.state);
   if (state == SupervisorState::kBoot || state == SupervisorState::kHoming)
     throw InputError(to + ": the device must be homed before it is measured; the state is " + state_text(status));
-  if (controller.device().serial.size == 0)
-    throw InputError(to + ": no device with a serial answers; plug it in, and see what isotouchd prints");
+  if (state == SupervisorState::kActive) throw InputError(to + ": force is active; run isotouch stop first");
+  try {
+    (void)controller.fields();  // refused where there is no state folder, which keeps the angles, too
+  } catch (const InputError& error) {
+    throw InputError(std::string("angles could not be kept: ") + error.what());
+  }
+  const protocol::DeviceReport device = controller.device();
+  if (device.serial.size == 0) throw InputError(to + ": no device with a serial answers; plug it in, and see what isotouchd prints");
+  if (static_cast<protocol::AnglesFrom>(device.from) == protocol::AnglesFrom::kSettings) {
+    throw InputError(
+        to + ": the controller's settings have angles for this device, which are used instead of measured ones; remove [calibration." +
+        std::string(device.serial.view()) + "] from the settings");
+  }
 }
 
 void run(Options options) {

@@ -1,6 +1,8 @@
 #include "tests/driver/broken_cores.h"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -33,6 +35,15 @@ void goes_on(Command& command, const Command& last, int t) {
   command.falcon.words[0] = static_cast<std::int16_t>(command.falcon.words[0] + t % 2);
 }
 
+/// The same, and it says that it has seen nothing since.
+std::function<void(Command&, const Command&, int)> looks_at_none_from_now_on() {
+  return [sample = std::uint64_t{0}](Command& command, const Command& last, int t) mutable {
+    if (t == 1) sample = command.sample - 1;  // before the packet of the strike
+    goes_on(command, last, t);
+    command.sample = sample;
+  };
+}
+
 /// A force of some 2 N, with the light that belongs to it.
 void appears(Command& command, const Command& /*last*/, int t) {
   command.falcon.words = {static_cast<std::int16_t>(600 + t % 2), 600, 600};
@@ -55,6 +66,7 @@ std::vector<Broken> list() {
        [](Command& c, const Command& last, int t) { goes_on(c, last, t), c.falcon.flags = kFalconHoming | kFalconBlue; }},
       {"the limit of the motors is ignored", GuardVerdict::kLimit, [](Command& c, const Command&, int) { c.falcon.words[1] = 4096; }},
       {"a silent device is ignored", GuardVerdict::kStale, goes_on, {}, "stall 40"},
+      {"new packets are not looked at", GuardVerdict::kStale, looks_at_none_from_now_on(), {}, "encoder-jump 1 1200"},
       {"a lost reference is ignored", GuardVerdict::kReference, goes_on, {}, "homing-lost"},
       {"a jump of the encoders is ignored", GuardVerdict::kJump, goes_on, {}, "encoder-jump 1 1200"},
       {"a button that was let go is ignored", GuardVerdict::kReleased, goes_on, {}, "", {}, 50, with([](DeviceModel& d) {
