@@ -18,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     bag::read_mcap(bytes, "bag.mcap",
                    {[&](const bag::Channel& channel, std::uint64_t, std::span<const std::uint8_t> message) {
-                      if (bag::says(channel) != bag::Says::kNothing) hold_finite(channel, message);
+                      if (bag::content_of(channel) != bag::Content::kNothing) hold_finite(channel, message);
                     },
                     {}});
   } catch (const InputError&) {  // refused with a sentence
