@@ -133,7 +133,7 @@ void FaultBench::begin_exchange() {
   if (clock.now - ticked_ns_ > kSilentNs) command.falcon.words = {};
   link_clock.now = sent_ns_ = clock.now;
   const std::uint64_t allocated = loop::allocations_of_thread;
-  command.falcon.words = guard.pass(command, clock.now);
+  command.falcon.words = judge->pass(command, clock.now);
   sent = command.falcon;
   packets_with_force += is_zero(sent.words) ? 0U : 1U;
   const loop::Answer answer = port.exchange(command.falcon, arriving_);
@@ -146,7 +146,7 @@ void FaultBench::begin_exchange() {
 bool FaultBench::end_exchange() {
   busy_ = false;
   if (!replies_) return false;
-  guard.hear(arriving_, ends_ns_);
+  judge->hear(arriving_, ends_ns_);
   arrived_ = sample_ = {arriving_, arrived_.number + 1, sent_ns_, ends_ns_, -1};
   return unseen_ = true;
 }

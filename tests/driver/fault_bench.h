@@ -69,6 +69,7 @@ class FaultBench final : public loop::Device {
   std::int64_t set_back_ns = 0;                ///< before it the clock is set back by so much
   std::function<void(loop::Command&)> tamper;  ///< with what the tick says, as if the core were broken
   std::function<void(loop::Sample&)> garble;   ///< with a reply before the tick reads it
+  loop::CommandGuard* judge = &guard;          ///< who stands between tick and device
   FalconCommand sent;                          ///< what the device was told last
   std::uint64_t packets_with_force = 0;        ///< that it was told
 

@@ -1,6 +1,6 @@
-/// Prints the fault matrix, runs random faults, or flips random bits.
+/// Prints the fault matrix, runs random faults, flips random bits, or times the guard.
 ///
-///     fault_matrix [random TICKS [SEED] | flips FLIPS [SEED]]
+///     fault_matrix [random TICKS [SEED] | flips FLIPS [SEED] | guard TICKS]
 ///
 /// Exit codes: 0 every bound was kept, 2 wrong usage, 3 one was broken.
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "tests/driver/bit_flips.h"
 #include "tests/driver/fault_cases.h"
+#include "tests/driver/guard_cost.h"
 #include "tests/driver/random_faults.h"
 
 namespace {
@@ -52,6 +53,12 @@ int run_flips(int flips, std::uint64_t seed) {
   return run.broken.empty() && run.all.escaped == 0 ? 0 : 3;
 }
 
+int time_guard(std::uint64_t ticks) {
+  const GuardCost cost = guard_cost(ticks);
+  std::printf("%s\n", describe(cost).c_str());
+  return cost.broken.empty() ? 0 : 3;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -61,6 +68,7 @@ int main(int argc, char** argv) {
                       seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
   if (what == "random" && number > 0 && argc <= 4) return run_random(number, seed);
   if (what == "flips" && number > 0 && number <= 1'000'000'000 && argc <= 4) return run_flips(static_cast<int>(number), seed);
-  std::fprintf(stderr, "usage: fault_matrix [random TICKS [SEED] | flips FLIPS [SEED]]\n");
+  if (what == "guard" && number > 0 && argc == 3) return time_guard(number);
+  std::fprintf(stderr, "usage: fault_matrix [random TICKS [SEED] | flips FLIPS [SEED] | guard TICKS]\n");
   return 2;
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/driver/fault_cases.h"
+#include "tests/driver/guard_cost.h"
 #include "tests/driver/random_faults.h"
 
 namespace isotouch::test {
@@ -28,6 +29,14 @@ TEST(FaultMatrixHeavy, RandomFaultsBreakNoBoundAndReplay) {
   for (const std::uint64_t ticks : run.in_state) EXPECT_GT(ticks, 100U) << describe(run);
   EXPECT_EQ(random_faults(40'000, 2).chain, random_faults(40'000, 2).chain) << "the same seed, the same run";
   EXPECT_NE(random_faults(40'000, 2).chain, random_faults(40'000, 3).chain);
+}
+
+TEST(FaultMatrix, TheGuardIsTimedOnlyBesideForce) {
+  const GuardCost cost = guard_cost(50);
+  EXPECT_EQ(cost.broken, "");
+  EXPECT_EQ(cost.ticks, 50U);
+  EXPECT_GT(cost.guard_median_ns, 0.0);
+  EXPECT_GE(cost.guard_p999_ns, cost.guard_median_ns);
 }
 
 }  // namespace
