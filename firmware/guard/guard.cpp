@@ -140,9 +140,10 @@ bool Guard::is_felt(const MotorCommands& commands, const Evidence& evidence, con
 }
 
 GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
-  const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >=
-                       static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;  // it changes as fast as it may
   if (!memory.has_grip || command.tick == memory.tick) return kNone;
+  const std::int64_t slew = static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;
+  const bool unseen = command.tick > memory.tick + 1;  // a tick's command that was never sent may have raised the force that fades now
+  const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >= (unseen ? slew / 2 : slew);
   const Point force = arms_.force(command.falcon.words, memory.grip);
   const double strength = length(force);
   if (at_slew && strength < length(arms_.force(memory.commands, memory.grip))) return kNone;

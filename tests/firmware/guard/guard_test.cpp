@@ -18,13 +18,14 @@ class Samples : public ::testing::Test {
   /// A reply comes now; its number is `heard_`.
   void hear() { guard_.hear(encode(FalconReply{{0, 0, static_cast<std::int16_t>(++heard_ % 2)}, 0, 7}), now_ns_, memory_); }
   /// The next tick's command, computed from a sample.
-  GuardVerdict judge(std::uint64_t sample, bool has_words) {
+  GuardVerdict judge(std::uint64_t sample, bool has_words) { return judge(sample, static_cast<int>(has_words ? 1 + tick_ % 2 : 0)); }
+  GuardVerdict judge(std::uint64_t sample, int word, std::uint32_t field_generation = 0) {
     now_ns_ += kPeriod;
     loop::Command command;
     command.tick = ++tick_;
     command.sample = sample;
-    const auto word = static_cast<std::int16_t>(has_words ? 1 + tick_ % 2 : 0);
-    command.falcon.words = {word, word, word};
+    command.field_generation = field_generation;
+    command.falcon.words.fill(static_cast<std::int16_t>(word));
     command.falcon.flags = device_.led_active;
     Evidence evidence;
     evidence.now_ns = now_ns_;
@@ -63,6 +64,43 @@ TEST_F(Samples, ACommandThatKnowsNoNewReplyIsStale) {
   }
   hear();
   EXPECT_EQ(judge(old, true), GuardVerdict::kStale) << name_of(memory_.verdict);
+}
+
+/// A field that the guard cannot look at explains any force; without a field, none is explained.
+class Fading : public Samples {
+ protected:
+  static constexpr std::uint32_t kUnknown = 5, kNoField = 0;
+  static constexpr int kForce = 2000;
+
+  void SetUp() override {
+    Samples::SetUp();
+    for (int i = 0; i < 3; ++i) {
+      hear();
+      ASSERT_EQ(judge(heard_, kForce + i, kUnknown), GuardVerdict::kNone) << name_of(memory_.verdict);
+    }
+    hear();
+  }
+  int slew() const { return static_cast<int>(device_.word_slew / 1000); }
+};
+
+TEST_F(Fading, AForceMayFadeAsFastAsTheMotorsFollow) {
+  EXPECT_EQ(judge(heard_, kForce + 2 - slew(), kNoField), GuardVerdict::kNone) << name_of(memory_.verdict);
+}
+
+TEST_F(Fading, AForceThatFadesMoreSlowlyIsStopped) {
+  EXPECT_EQ(judge(heard_, kForce + 2 - slew() / 2, kNoField), GuardVerdict::kFree) << name_of(memory_.verdict);
+}
+
+TEST_F(Fading, ATickWhoseCommandWasNeverSentMayHaveRaisedTheForceThatFades) {
+  ++tick_;  // it asked for slew() / 4 more
+  EXPECT_EQ(judge(heard_, kForce + 2 - slew() * 3 / 4, kNoField), GuardVerdict::kNone) << name_of(memory_.verdict);
+  hear();
+  EXPECT_EQ(judge(heard_, kForce + 2 - slew() * 3 / 2, kNoField), GuardVerdict::kFree) << "this time no tick was left out";
+}
+
+TEST_F(Fading, BesideATickWhoseCommandWasNeverSentForceMustFadeAllTheSame) {
+  ++tick_;
+  EXPECT_EQ(judge(heard_, kForce + 2, kNoField), GuardVerdict::kFree) << name_of(memory_.verdict);
 }
 
 }  // namespace
