@@ -19,7 +19,8 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
 from lib.desk import Failure, gives_rights, thread_of, within  # noqa: E402
 
-__all__ = ["PATIENCE", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "main", "thread_of", "within"]
+__all__ = ["PATIENCE", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "give_back_memory", "main",
+           "resident_kb", "thread_of", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
@@ -40,6 +41,17 @@ def check(condition: object, sentence: str) -> None:
 def code_of(process: Process) -> int:
     """How a process ended; one that a signal killed has the signal's number, negative."""
     return process.wait(timeout=120)
+
+
+def give_back_memory() -> None:
+    """For programs started from now on: the address sanitizer keeps what they free, so they would grow although they give everything back."""
+    options = (os.environ.get("ASAN_OPTIONS"), "quarantine_size_mb=1", "thread_local_quarantine_size_kb=16")
+    os.environ["ASAN_OPTIONS"] = ":".join(filter(None, options))
+
+
+def resident_kb(process: Process) -> int:
+    line = next(line for line in Path(f"/proc/{process.pid}/status").read_text().splitlines() if line.startswith("VmRSS"))
+    return int(line.split()[1])
 
 
 class Rig:
