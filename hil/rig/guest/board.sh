@@ -2,7 +2,7 @@
 
 set -u
 control=unix:/run/control
-lines=/sys/devices/platform/gpio-sim.0/gpiochip1   # there once a scenario has made them
+lines=/sys/devices/platform/gpio-sim.0/none   # a scenario may make them
 falcon=/sys/devices/platform/vhci_hcd.0
 
 say() { echo "hil: $*"; }
@@ -168,7 +168,8 @@ conclude() {
 make_lines() {
   chip=/sys/kernel/config/gpio-sim/board
   mkdir -p $chip/bank0 && echo 8 >$chip/bank0/num_lines && echo 1 >$chip/live || fail "no simulated lines"
-  printf '[lines]\nchip = "gpiochip1"\nstop = 0\nenable = 1\nheartbeat = 2\nlight = 3\n' >>/etc/isotouchd.toml
+  lines=$(echo /sys/devices/platform/gpio-sim.0/gpiochip*)   # a board has chips of its own, too
+  printf '[lines]\nchip = "'"${lines##*/}"'"\nstop = 0\nenable = 1\nheartbeat = 2\nlight = 3\n' >>/etc/isotouchd.toml
 }
 
 press_stop() { echo pull-down >$lines/sim_gpio0/pull; }
