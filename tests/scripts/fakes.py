@@ -59,7 +59,7 @@ class Tree(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         shutil.copytree(ROOT / "hil/lib", self.root / "hil/lib", ignore=shutil.ignore_patterns("__pycache__"))
-        for name in ("run", "desk/run", "mutants/run", "cases/run", "instructions/ceilings", "rig/run", "outside/run", "bare_metal/run", "farm/programs", "farm/cost"):
+        for name in ("run", "desk/run", "mutants/run", "cases/run", "instructions/ceilings", "rig/run", "outside/run", "lab/run", "bare_metal/run", "farm/programs", "farm/cost"):
             (self.root / "hil" / name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT / "hil" / name, self.root / "hil" / name)
 
