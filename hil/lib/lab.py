@@ -35,10 +35,9 @@ def client(coordinator: str, *command: str) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
-def first_line(text: object) -> str:
-    """An exception or an answer in one line."""
-    lines = [line.strip() for line in str(text).splitlines() if line.strip()]
-    return lines[0].rstrip(".") if lines else type(text).__name__
+def in_one_line(text: object) -> str:
+    """An exception, or what a program printed."""
+    return " ".join(str(text).split()).rstrip(".")[:300] or type(text).__name__
 
 
 class Place:
@@ -60,10 +59,12 @@ class Place:
             raise
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, kind: object, reason: BaseException | None, _: object) -> None:
         try:
             if self.touched:
                 self._switch(False)
+        except LabError as error:
+            raise LabError(f"{reason}; and {error}") if isinstance(reason, LabError) else error from reason
         finally:
             self._release()
 
@@ -77,9 +78,9 @@ class Place:
         try:
             self.environment = importlib.import_module("labgrid").Environment(str(self.file))
         except ImportError as error:
-            raise LabError(f"labgrid cannot be loaded ({first_line(error)}); ./dev hil 5 installs it") from error
+            raise LabError(f"labgrid cannot be loaded ({in_one_line(error)}); ./dev hil 5 installs it") from error
         except Exception as error:
-            raise LabError(f"{self.file}: not an environment of labgrid: {first_line(error)}") from error
+            raise LabError(f"{self.file}: not an environment of labgrid: {in_one_line(error)}") from error
         config = self.environment.config
         main = (config.get_targets() or {}).get("main")
         if not isinstance(main, dict):
@@ -94,7 +95,7 @@ class Place:
         try:
             self.target = self.environment.get_target("main")
         except Exception as error:
-            raise LabError(f"{self.file}: {first_line(error)}") from error
+            raise LabError(f"{self.file}: {in_one_line(error)}") from error
         self.power = self._driver("PowerProtocol", "a power switch", "NetworkPowerDriver")
         self.console = self._driver("ConsoleProtocol", "a serial line", "SerialDriver")
         self.files = self._driver("TFTPProviderDriver", "a folder to boot from", "TFTPProviderDriver")
@@ -123,17 +124,18 @@ class Place:
             raise LabError(f"the coordinator at {self.coordinator} has no place '{self.name}'; 'labgrid-client places' lists those it has")
         if "already acquired" in said:
             holder = re.search(r"acquired by (\S+?)\.?(\s|$)", said)
-            raise LabError(f"the place '{self.name}' is taken by {holder[1] if holder else 'you'}; wait until 'labgrid-client -p {self.name} release' was done there")
+            raise LabError(f"the place '{self.name}' is taken by " + (f"{holder[1]}; wait until it is released there" if holder else
+                           f"yourself; if nothing of yours uses it, release it with 'labgrid-client -p {self.name} release'"))
         if "connect" in said.lower():
             raise LabError(f"no coordinator of labgrid answers at {self.coordinator}; correct coordinator_address in {self.file}, or start labgrid-coordinator there")
-        raise LabError(f"the place '{self.name}' cannot be had: {first_line(said)}")
+        raise LabError(f"the place '{self.name}' cannot be had: {in_one_line(said)}")
 
     def _release(self) -> None:
         if self.environment is not None:
             try:
                 self.environment.cleanup()
             except Exception as error:   # the place is to be released whatever a driver says
-                print(f"hil: {self.file}: {first_line(error)}", file=sys.stderr)
+                print(f"hil: {self.file}: {in_one_line(error)}", file=sys.stderr)
         if self.acquired:
             self.acquired = False
             client(self.coordinator, "-p", self.name, "release")
@@ -143,7 +145,7 @@ class Place:
             return self.target.get_driver(protocol, name=name)
         except Exception as error:
             missing = "NoDriver" in type(error).__name__
-            advice = f"add a driver such as {example}" if missing else first_line(error)
+            advice = f"add a driver such as {example}" if missing else in_one_line(error)
             raise LabError(f"{self.file}: {what or f'driver {name}'} for {self.who} cannot be used; {advice}") from error
 
     # ---- its wires ------------------------------------------------------------------------------------------------------------------
@@ -152,7 +154,7 @@ class Place:
         try:
             return wire()
         except Exception as error:
-            raise LabError(f"{what}: {first_line(error)}") from error
+            raise LabError(f"{what}: {in_one_line(error)}") from error
 
     def _switch(self, on: bool) -> None:
         level = "on" if on else "off"
@@ -215,4 +217,4 @@ class Place:
         except Exception as error:
             if type(error).__name__ == "TIMEOUT":
                 return b""
-            raise LabError(f"the serial line of {self.who} was lost: {first_line(error)}") from error
+            raise LabError(f"the serial line of {self.who} was lost: {in_one_line(error)}") from error

@@ -51,6 +51,14 @@ def run(script: str, *arguments: str, **environment: str) -> tuple[int, str]:
     return ended.returncode, ended.stdout + "".join(f"LEFT BEHIND: {name}\n" for name in left)
 
 
+def appears(file: Path, seconds: float = 20) -> bool:
+    """Waits for a file."""
+    end = time.monotonic() + seconds
+    while not file.exists() and time.monotonic() < end:
+        time.sleep(0.05)
+    return file.exists()
+
+
 class Tree(unittest.TestCase):
     """A copy of the scripts in a folder of its own, in which everything that they start can be replaced."""
 
