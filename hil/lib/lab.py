@@ -8,8 +8,10 @@ import os
 import re
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -64,7 +66,10 @@ class Place:
             if self.touched:
                 self._switch(False)
         except LabError as error:
-            raise LabError(f"{reason}; and {error}") if isinstance(reason, LabError) else error from reason
+            if not isinstance(reason, LabError):
+                raise
+            if str(error) != str(reason):
+                raise LabError(f"{reason}; and {error}") from reason
         finally:
             self._release()
 
@@ -74,7 +79,8 @@ class Place:
         if not self.file.is_file():
             raise LabError(f"{self.file}: there is no such file; name a labgrid environment, such as the one in docs/boards-in-a-lab.md")
         sys.path.insert(0, str(PACKAGES))
-        logging.getLogger().setLevel(logging.ERROR)   # labgrid's own
+        logging.getLogger().setLevel(logging.CRITICAL)   # what labgrid says of trouble is in the exception, too
+        threading.excepthook = lambda _: None   # and what a thread of its serial line says
         try:
             self.environment = importlib.import_module("labgrid").Environment(str(self.file))
         except ImportError as error:
@@ -144,8 +150,9 @@ class Place:
         try:
             return self.target.get_driver(protocol, name=name)
         except Exception as error:
-            missing = "NoDriver" in type(error).__name__
-            advice = f"add a driver such as {example}" if missing else in_one_line(error)
+            absent = re.findall(r"name='([^']*)', state=", str(error)) if "Not all resources are available" in str(error) else []
+            advice = (f"plug in what the exporter does not have now: {' '.join(absent)}" if absent else
+                      f"add a driver such as {example}" if "NoDriver" in type(error).__name__ else in_one_line(error))
             raise LabError(f"{self.file}: {what or f'driver {name}'} for {self.who} cannot be used; {advice}") from error
 
     # ---- its wires ------------------------------------------------------------------------------------------------------------------
@@ -168,14 +175,14 @@ class Place:
         if self.motors is None:
             return
         trouble = f"the relay in the motors' enable line of {self.who} did not open"
-        self._ask(trouble, lambda: self.motors.set(False))
+        self._ask(trouble, partial(self.motors.set, False))
         if self._ask(trouble, self.motors.get):
             raise LabError(f"{trouble}: it says that it is closed")
 
     def stage(self, files: list[Path]) -> None:
         """Puts the files where the board boots from, each by its own name."""
         for file in files:
-            self._ask(f"{file.name} cannot be put where {self.who} boots from", lambda: self._link(file))
+            self._ask(f"{file.name} cannot be put where {self.who} boots from", partial(self._link, file))
 
     def _link(self, file: Path) -> None:
         if self.files.provider.host == "localhost":   # labgrid replaces a link on another machine, but not here

@@ -33,7 +33,7 @@ NOT_RUN = "no-run"
 SHOWN = {"text", "toml", "csv", "json", "yaml", "cmake", "ts"}
 # Pages that have nothing to type in, or nothing that a desk can run without root. Every other page must have a block that runs.
 PROSE = {"CHANGELOG.md", "CONTRIBUTING.md", "DECISIONS.md", "DESIGN.md", "GLOSSARY.md", "SECURITY.md", "docs/README.md", "docs/faq.md",
-         "docs/install.md", "docs/stability.md",
+         "docs/boards-in-a-lab.md", "docs/install.md", "docs/stability.md",
          "host/page/src/touch/README.md", "host/python/README.md", "shared/SPEC.md"}
 COMMAND = re.compile(r"\s*(\$ )?(sudo|apt(-get)?|cmake|ninja|pip3?|python3|systemctl|journalctl|qemu-\S+|\./dev|hil/\S+|(\S*/)?isotouch(ctl|d)?|(\S*/)?falcon-sim)\s+[-\w./]")
 

@@ -1,7 +1,7 @@
 """Stands in for labgrid in lab_test.py: an environment whose wires write into a file what is done to them, and any of which can fail.
 
 FAKE_EVENTS is that file, FAKE_CONSOLE what the board says once it is on; FAKE_BREAKS names a wire and what it does: "power on fails", "power on lies",
-"power off fails", "motors fails", "motors lies", "serial fails".
+"power off fails", "last power off fails", "motors fails", "motors lies", "serial fails".
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Switch:
     def set(self, level: bool) -> None:
         wire = self.name if self.name == "motors" else f"power {'on' if level else 'off'}"
         record(f"{self.name} {'on' if level else 'off'}")
-        if breaks(f"{wire} fails"):
+        if breaks(f"{wire} fails") or (self.level and breaks(f"last {wire} fails")):
             raise OSError("no answer from 10.0.0.7")
         if not breaks(f"{wire} lies"):
             self.level = level

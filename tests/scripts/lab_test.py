@@ -50,7 +50,7 @@ class LabTest(fakes.Tree):
         packages.mkdir(parents=True)
         shutil.copy(Path(__file__).with_name("fake_labgrid.py"), packages / "labgrid.py")
         (self.root / "boot").mkdir()
-        self.main = {"options": {"console": "ttyS2,115200"}, "resources": {"RemotePlace": {"name": "bench-3"}, "TFTPProvider": {"internal": f"{self.root}/boot"}},
+        self.main: dict[str, Any] = {"options": {"console": "ttyS2,115200"}, "resources": {"RemotePlace": {"name": "bench-3"}, "TFTPProvider": {"internal": f"{self.root}/boot"}},
                      "drivers": [{"SerialDriver": {}}, {"HttpDigitalOutputDriver": {"name": "motors"}}]}
         self.events = self.root / "events"
         self.describe()
@@ -186,8 +186,15 @@ class LabTest(fakes.Tree):
         self.assertEqual(self.done(), ["acquire", *BOOT, *LEFT])
 
     def test_a_board_that_cannot_be_turned_off_is_a_failure(self) -> None:
-        self.refused("the power switch did not turn 'bench-3' off; turn it off by hand: no answer from 10.0.0.7", FAKE_BREAKS="power off fails")
+        said = "the power switch did not turn 'bench-3' off; turn it off by hand: no answer from 10.0.0.7\n"
+        self.assertEqual(self.run_lab(FAKE_BREAKS="power off fails")[::2], (1, "hil: " + said))
         self.assertEqual(self.done(), ["acquire", *BOOT[:-1], *LEFT])
+        self.write("console", "")
+        code, _, complaints = self.run_lab(FAKE_BREAKS="last power off fails")
+        self.assertEqual((code, complaints.count("\n"), complaints.endswith("has power; and " + said)), (1, 1, True), complaints)
+        self.assertEqual(self.done(), ["acquire", *BOOT, *LEFT])
+        self.write("console", CONSOLE)
+        self.refused(said.strip(), FAKE_BREAKS="last power off fails")
 
     def test_an_interrupt_turns_the_board_off_and_releases_the_place(self) -> None:
         self.write("console", "")

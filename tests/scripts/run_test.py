@@ -56,6 +56,20 @@ class RunTest(fakes.Tree):
             code, said, complaints = self.call("hil/run", *words)
             self.assertEqual((code, said, complaints[:5]), (2, "", "hil: "), words)
 
+    def test_an_environment_is_for_the_board_of_a_lab_and_must_be_there(self) -> None:
+        self.script("hil/lab/make", "true\n")
+        self.script("hil/lab/run", f"echo '{OBJECT % 5}'\necho env $HIL_ENV >&2\n")
+        (self.root / "hil/lab/scenarios").write_text("one\n")
+        (self.root / "lab.yaml").write_text("")
+        self.assertEqual(self.call("hil/run", "5", "one", "--env", "lab.yaml")[0], 0)
+        self.assertEqual((self.root / "build/hil/5-one-1.log").read_text(), f"env {self.root}/lab.yaml\n")
+        self.assertEqual(self.call("hil/run", "5", "one", HIL_ENV="left/over")[0], 0)
+        self.assertEqual((self.root / "build/hil/5-one-1.log").read_text(), "env\n")
+        self.assertEqual(self.call("hil/run", "5", "--env", "no.yaml"), (2, "", "hil: --env 'no.yaml': there is no such file; name a labgrid environment, "
+                                                                           "as docs/boards-in-a-lab.md shows one\n"))
+        self.assertEqual(self.call("hil/run", "5", "--env")[0], 2)
+        self.assertEqual(self.call("hil/run", "2", "--env", "lab.yaml"), (2, "", "hil: --env is for rung 5; write ./dev hil 5 --env FILE\n"))
+
     def test_accept_is_for_the_cases_and_gives_their_exit_code(self) -> None:
         self.script("hil/cases/run", 'echo "$@"\nexit 3\n')
         self.assertEqual(self.call("hil/run", "--accept", "ball", "--reason", "a b")[:2], (3, "--accept ball --reason a b\n"))
