@@ -169,7 +169,10 @@ class LabTest(fakes.Tree):
 
     def test_a_silent_board_is_turned_off(self) -> None:
         self.write("console", "")
-        self.refused("the board 'bench-3' said nothing on its serial line", "check the line, its speed, and that the board has power")
+        code, _, complaints = self.run_lab(HIL_LIMIT="15")
+        self.assertIn("the board 'bench-3' said nothing on its serial line for ", complaints)
+        self.assertTrue(complaints.endswith(" after it was turned on; check the line, its speed, and that the board has power\n"), complaints)
+        self.assertEqual((code, "for 15 s" in complaints), (1, False), complaints)   # a silent board is not waited for as long as one that speaks
         self.assertEqual(self.done(), ["acquire", *BOOT, *LEFT])
 
     def test_a_board_that_never_ends_and_a_line_that_breaks_turn_it_off(self) -> None:
