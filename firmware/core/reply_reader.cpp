@@ -38,7 +38,7 @@ Reading read_reply(const Input& in, const DeviceModel& device, ReplyState& state
   reading.jumped = !state.heard || is_jump(state.counts, reply->counts, gap, device.count_jump);
   const bool all_homed = reply->homed == kAllHomed;
   // With the bits went the reference, though the counts were small before, or nobody has seen how they began anew; or one leg has found its mark again.
-  const bool unseen = state.left_out >= kMaxLate || (state.left_out > 0 && state.all_homed);
+  const bool unseen = gap > kMaxLate || (state.left_out > 0 && state.all_homed);
   const bool began_anew =
       !all_homed && (unseen || reply->counts == Counts{} || is_jump(state.counts, reply->counts, gap, device.count_jump / 8));
   reading.jumped |= began_anew;

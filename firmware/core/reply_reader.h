@@ -30,7 +30,8 @@ struct Reading {
 /// Reads the newest packet. If the counts jump while the device does not report that it is homed, the reference is lost and homing begins again. Without
 /// a jump the reference stays, because sources disagree on whether the device keeps its homed bits. While bits are missing, an eighth of the usual jump is
 /// enough, and so are counts of zero: a leg that finds its mark again begins a new count there. Bits
-/// that disappear while ticks were left out lose the reference in any case, and so do kMaxLate of them left out without bits.
+/// that disappear while ticks were left out lose the reference in any case, and so does a packet without bits after kMaxLate ticks left out or without a
+/// valid packet: in that time the device may have begun anew.
 ///
 /// fails     never: a malformed packet counts as none
 /// tick      yes

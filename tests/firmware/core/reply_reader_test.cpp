@@ -131,5 +131,22 @@ TEST(ReplyReader, BitsThatDisappearUnseenLoseTheReference) {
   EXPECT_FALSE(after(0, kMaxLate));
 }
 
+TEST(ReplyReader, ADeviceThatWasSilentForLongAndShowsNoBitsMayHaveBegunAnew) {
+  const auto after = [](std::uint8_t bits, std::uint32_t silent) {
+    Reader read;
+    for (int t = 0; t < 3; ++t) read(packet({300, 290, 280}));
+    Input none = packet({300, 290, 280});
+    none.fresh = false;
+    for (none.age = 1; none.age <= silent; ++none.age) read(none);
+    const bool jumped = read(packet({1, 0, -1}, bits)).jumped;
+    EXPECT_EQ(jumped, !read.state.homed);
+    return read.state.homed;
+  };
+  EXPECT_FALSE(after(0, kMaxLate)) << "its counts are of another reference, though so small a way a hand could have made";
+  EXPECT_FALSE(after(0, 500));
+  EXPECT_TRUE(after(7, 500)) << "it says that it has kept it";
+  EXPECT_TRUE(after(0, kMaxLate - 1));
+}
+
 }  // namespace
 }  // namespace isotouch::core
