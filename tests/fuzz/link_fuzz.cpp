@@ -51,25 +51,25 @@ class Impostor {
   }
 
  private:
+  /// Each connection in a thread of its own: whoever asks is never kept waiting by another one.
   void serve() {
     const int client = ::accept4(socket_, nullptr, nullptr, SOCK_CLOEXEC);
     if (client < 0) return;
-    std::thread reader([client] {  // who asks is never kept waiting
-      std::array<std::uint8_t, 1 << 14> bytes;
-      while (::recv(client, bytes.data(), bytes.size(), 0) > 0) {
-      }
-    });
     {
       const std::lock_guard lock(mutex_);
       for (std::size_t sent = 0; sent < bytes_.size();) {
-        const ssize_t taken = ::send(client, bytes_.data() + sent, bytes_.size() - sent, MSG_NOSIGNAL);
-        if (taken <= 0) break;
+        const ssize_t taken = ::send(client, bytes_.data() + sent, bytes_.size() - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
+        if (taken <= 0) break;  // more than a socket holds is not tried
         sent += static_cast<std::size_t>(taken);
       }
     }
     ::shutdown(client, SHUT_WR);
-    reader.join();
-    ::close(client);
+    std::thread([client] {
+      std::array<std::uint8_t, 1 << 14> bytes;
+      while (::recv(client, bytes.data(), bytes.size(), 0) > 0) {
+      }
+      ::close(client);
+    }).detach();
   }
 
   std::string path_;
