@@ -422,6 +422,7 @@ const std::array<Named, 7> kKinds = {named<Uploads>("uploads", kBalls),  named<C
 
 /// returns   everything holds
 bool try_kind(const Named& named, const fs::path& folder, unsigned kills, std::uint64_t seed) {
+  fs::remove_all(folder / named.name);
   const std::unique_ptr<Kind> kind = named.make(folder / named.name);
   std::mt19937_64 random(seed);
   Number last = 0;
