@@ -47,7 +47,7 @@ trace::Trace recording() {
   trace::TraceWriter writer(file, header);
   for (int tick = 0; tick < 300; ++tick) {
     TraceRecord record;
-    record.input = position_input({Mm::of(-20 + 0.03 * tick), Mm::of(-16), Mm::of(-16)});
+    record.input = position_input({Mm::from_raw(Mm::of(-20).raw() + Mm::of(0.03).raw() * tick), Mm::of(-16), Mm::of(-16)});
     writer.append(record);
   }
   writer.finish();
@@ -110,8 +110,8 @@ class Page {
  public:
   Page() : site_(build), server_(site_, 0, {.viewers = 3, .connections = 8, .upload_bytes = 1 << 16}) {
     site_.show(std::make_unique<server::Scene>("ball", ball()));
-    const trace::Trace hand = recording();
-    site_.show({hand, hand});
+    const trace::Trace hand = recording();  // one alone: two are compared, and need recorded outputs
+    site_.show({hand});
     site_.begin(server_, "", {}, {});
     const std::string address = server_.address();  // http://127.0.0.1:PORT/TOKEN/
     const std::size_t colon = address.rfind(':'), slash = address.find('/', colon);
