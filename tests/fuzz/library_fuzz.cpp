@@ -76,13 +76,18 @@ isotouch_status say(std::uint8_t what) {
       isotouch_settings settings{};
       return isotouch_settings_default(what < 128 ? &settings : nullptr, what < 250 ? sizeof settings : what);
     }
-    default: return isotouch_fail(ISOTOUCH_BAD_DATA, what < 128 ? "somebody says so" : nullptr);
+    default: {
+      const char* sentence = what < 128 ? "somebody says so" : nullptr;
+      fuzz::hold(isotouch_fail(ISOTOUCH_BAD_DATA, sentence) == ISOTOUCH_BAD_DATA, "a failure that is set is returned");
+      fuzz::hold((isotouch_last_error()[0] != 0) == (sentence != nullptr), "the sentence that is set is the last one, and none is empty");
+      return ISOTOUCH_OK;
+    }
   }
 }
 
 /// Connections to nobody; to somebody who answers is for the door `link`.
 isotouch_status connect(std::uint8_t what, std::uint64_t* controller) {
-  const char* addresses[] = {nullptr, "", "unix:", "unix:/nowhere/control", "tcp:1", "ssh://", "ssh://-o@x", "unix:\n"};
+  const char* addresses[] = {nullptr, "", "unix:", "unix:/nowhere/control", "tcp:1", "ssh://", "ssh:/x", "unix:\n"};
   return isotouch_controller_connect(addresses[what % 8], what / 8, controller);
 }
 
@@ -138,7 +143,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       case 11: status = isotouch_field_save(one, file_name(front.take<std::uint8_t>())); break;
       case 12: status = describe(one, front.take<std::uint8_t>()); break;
       case 13: {
-        const std::size_t count = front.take<std::uint8_t>();
+        const std::size_t count = front.take<std::uint8_t>() % 32;
         std::vector<double> path(3 * count);
         for (double& each : path) each = number(front);
         std::vector<isotouch_felt> all(count);
