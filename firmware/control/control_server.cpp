@@ -79,7 +79,7 @@ bool ControlServer::wait(bool busy) {
     polled_.push_back({client.socket(), static_cast<short>((reads ? POLLIN : 0) | (client.has_unsent() ? POLLOUT : 0)), 0});
   }
   const auto nap_ms = static_cast<int>(std::min<std::int64_t>(kNapMs, settings_.patience_ns / 4'000'000 + 1));
-  if (::poll(polled_.data(), polled_.size(), busy ? kShortNapMs : nap_ms) < 0) {
+  if (settings_.poll(polled_, busy ? kShortNapMs : nap_ms) < 0) {
     if (errno != EINTR) neighbours_.clock.sleep_until_ns(neighbours_.clock.now_ns() + kDeafNs);
     return false;
   }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +23,9 @@
 
 namespace isotouch::control {
 
+/// poll(2) itself.
+inline int poll_of_the_system(std::span<pollfd> polled, int wait_ms) { return ::poll(polled.data(), polled.size(), wait_ms); }
+
 struct ControlSettings {
   std::string path;                           ///< of the socket
   mode_t mode = 0660;                         ///< of the socket's file
@@ -32,6 +36,7 @@ struct ControlSettings {
   std::size_t clients = 8;                    ///< at once; one place more is kept for whoever wants to stop
   std::int64_t patience_ns = 10'000'000'000;  ///< with a client that stops in the middle of something, or does not complete its greeting
   std::function<Peer(int)> peer = peer_of;    ///< who is at the other end; a seam for tests
+  std::function<int(std::span<pollfd>, int wait_ms)> poll = poll_of_the_system;  ///< as poll(2); a seam for tests
 };
 
 class ControlServer {

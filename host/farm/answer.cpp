@@ -61,6 +61,13 @@ std::uint64_t count_in(const nlohmann::json& number) {
   return number.get<std::uint64_t>();
 }
 
+/// fails     nlohmann::json::exception: no time
+double seconds_in(const nlohmann::json& number) {
+  const double seconds = number;
+  if (seconds < 0) throw nlohmann::json::type_error::create(302, "no time", nullptr);
+  return seconds;
+}
+
 /// The first tick that differs, as a number or in an object; null: none.
 std::optional<std::uint64_t> tick_in(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;
@@ -80,7 +87,7 @@ Answer judged(const EndedProgram& ended, const std::string& expected) {
     Answer answer;
     answer.hash = json.at("hash");
     answer.ticks = count_in(json.at("ticks"));
-    answer.seconds = json.value("seconds", 0.0);
+    if (const auto found = json.find("seconds"); found != json.end()) answer.seconds = seconds_in(*found);
     if (const auto found = json.find("first_difference"); found != json.end()) answer.first_different = tick_in(*found);
     if (!trace::is_hash_text(answer.hash)) return failed("its hash has not 16 hexadecimal digits");
     if (answer.ticks == 0) return failed("it replayed no tick");
@@ -164,11 +171,12 @@ std::optional<Answer> kept_answer(const fs::path& answers, const std::string& ad
     const auto* found = std::ranges::find(kOutcomes, outcome, [](Answer::Outcome o) { return std::string(name_of(o)); });
     if (found == std::end(kOutcomes)) return std::nullopt;
     answer.outcome = *found;
-    answer.ticks = json.at("ticks");
-    answer.seconds = json.at("seconds");
+    answer.ticks = count_in(json.at("ticks"));
+    answer.seconds = seconds_in(json.at("seconds"));
     answer.hash = json.at("hash");
-    if (!json.at("first_different").is_null()) answer.first_different = json.at("first_different").get<std::uint64_t>();
+    answer.first_different = tick_in(json.at("first_different"));
     answer.said = json.at("said");
+    if (answer.outcome != Answer::Outcome::kFailed && !trace::is_hash_text(answer.hash)) return std::nullopt;
     return answer;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;

@@ -220,14 +220,21 @@ def version() -> str:
 
 def path_bytes(path: str | os.PathLike[str]) -> bytes:
     """Raises ArgumentError where it cannot be the name of a file."""
-    name = os.fsencode(path)
+    try:
+        name = os.fsencode(path)
+    except (TypeError, UnicodeEncodeError):
+        raise ArgumentError(f"{path!r} is no name of a file; give a text or a Path") from None
     if b"\0" in name:
         raise ArgumentError(f"{os.fsdecode(name)!r} holds a zero and is no name of a file; choose another one")
     return name
 
 
 def text_bytes(text: str, name: str) -> bytes:
-    encoded = text.encode("utf-8")
+    """Raises ArgumentError."""
+    try:
+        encoded = text.encode("utf-8")
+    except (AttributeError, UnicodeEncodeError):
+        raise ArgumentError(f"{name} is {text!r} and must be a text in UTF-8") from None
     if b"\0" in encoded:
         raise ArgumentError(f"{name} holds a zero; leave it out")
     return encoded
@@ -240,6 +247,16 @@ def whole(value: int, name: str, most: int) -> int:
     if not 0 <= value <= most:
         raise ArgumentError(f"{name} is {value} and must be from 0 to {most}")
     return int(value)
+
+
+def real(value: float, name: str) -> float:
+    """A number that C takes as it is; whether it is finite and in range the library looks at itself. Raises ArgumentError."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise ArgumentError(f"{name} is {value!r} and must be a number")
+    try:
+        return float(value)
+    except OverflowError:
+        raise ArgumentError(f"{name} is a whole number beyond 1e308; give a smaller one") from None
 
 
 def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from isotouch._library import ON_TICK, TOO_SMALL, ArgumentError, Handle, call, check, core, path_bytes, text_bytes, whole
+from isotouch._library import ON_TICK, TOO_SMALL, ArgumentError, Handle, call, check, core, path_bytes, real, text_bytes, whole
 from isotouch.field import Field
 from isotouch.touch import FELT, Felt
 
@@ -29,7 +29,7 @@ class Controller(Handle):
 
     def __init__(self, address: str, timeout: float = 10.0) -> None:
         handle = ctypes.c_uint64()
-        if not 0.001 <= timeout <= 3600:
+        if not 0.001 <= real(timeout, "timeout") <= 3600:
             raise ArgumentError(f"timeout is {timeout} and must be from 0.001 to 3600 s")
         call("controller_connect", text_bytes(address, "address"), round(1000 * timeout), ctypes.byref(handle))
         super().__init__(handle.value)

@@ -6,13 +6,16 @@ import ctypes
 import dataclasses
 import os
 from dataclasses import dataclass
-from typing import Any, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 import numpy.typing as npt
 
-from isotouch._library import ArgumentError, CBuildOptions, CFieldFacts, Handle, Reals, build, call, check, path_bytes, reals, whole
+from isotouch._library import ArgumentError, CBuildOptions, CFieldFacts, Handle, Reals, build, call, check, path_bytes, real, reals, whole
 from isotouch.touch import Felt, Settings, Touch
+
+if TYPE_CHECKING:   # a name for bytes, bytearray, memoryview and arrays that only a type checker knows
+    from _typeshed import ReadableBuffer as Buffer
 
 _INTERPOLATIONS = ("spline", "trilinear")
 _ROOM = 1 << 16
@@ -78,10 +81,14 @@ class Field(Handle):
         return cls(handle.value)
 
     @classmethod
-    def read(cls, data: bytes) -> Self:
-        """The same from the bytes of such a file. Raises DataError."""
+    def read(cls, data: Buffer) -> Self:
+        """The same from the bytes of such a file, or any buffer that holds them. Raises ArgumentError, DataError."""
+        try:
+            held = bytes(memoryview(data))
+        except (TypeError, ValueError, BufferError):
+            raise ArgumentError(f"data is a {type(data).__name__} and must be bytes, or a buffer of them") from None
         handle = ctypes.c_uint64()
-        call("field_read", bytes(data), len(data), ctypes.byref(handle))
+        call("field_read", held, len(held), ctypes.byref(handle))
         return cls(handle.value)
 
     @classmethod
@@ -129,7 +136,7 @@ class Field(Handle):
         options = CBuildOptions()
         check(build().isotouch_build_default(ctypes.byref(options), ctypes.sizeof(options)))
         for name, value in (("stiffness_n_mm", stiffness_n_mm), ("voxel_mm", voxel_mm), ("band", band), ("fit_mm", fit_mm), ("mm_per_unit", mm_per_unit)):
-            setattr(options, name, float(value))
+            setattr(options, name, real(value, name))
         options.grid, options.threads = whole(grid, "grid", 2**32 - 1), whole(threads, "threads", 2**32 - 1)
         options.interpolation, options.accept_implausible = _INTERPOLATIONS.index(interpolation), int(accept_implausible)
         if viewpoint is not None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 import numpy.typing as npt
 
-from isotouch._library import ArgumentError, CSettings, Handle, call, core, path_bytes, reals, whole
+from isotouch._library import ArgumentError, CSettings, Handle, call, core, path_bytes, real, reals, whole
 
 FELT = np.dtype([
     ("tick", "u8"),
@@ -80,10 +80,8 @@ class Settings:
                 made.device = _DEVICES.index(value)
             elif each.name in ("period_ns", "record_ticks"):
                 setattr(made, each.name, whole(value, each.name, _MOST_U64 if each.name == "record_ticks" else 2**32 - 1))
-            elif isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
-                raise ArgumentError(f"{each.name} is {value!r} and must be a number")
             else:
-                setattr(made, each.name, float(value))
+                setattr(made, each.name, real(value, each.name))
         return made
 
 
@@ -115,10 +113,8 @@ class Touch(Handle):
 
         homed     bits 0 to 2: this leg has its reference
         """
-        if len(counts) != 3 or any(isinstance(count, bool) or not isinstance(count, (int, np.integer)) or abs(int(count)) > 2**31 - 1 for count in counts):
-            raise ArgumentError(f"counts is {counts!r} and must be 3 whole numbers of 16 bits")
+        three = (ctypes.c_int32 * 3)(*_three_counts(counts))
         felt = np.zeros(1, FELT)
-        three = (ctypes.c_int32 * 3)(*(int(count) for count in counts))
         call("touch_counts", self._handle, three, whole(homed, "homed", 7), whole(buttons, "buttons", 15), felt.ctypes.data, felt.nbytes)
         return _only(felt)
 
@@ -148,6 +144,17 @@ class Touch(Handle):
         ticks = ctypes.c_uint64()
         call("touch_save", self._handle, path_bytes(path), ctypes.byref(ticks))
         return ticks.value
+
+
+def _three_counts(counts: Sequence[int]) -> list[int]:
+    """Raises ArgumentError, also for what is no sequence."""
+    try:
+        array = np.asarray(counts)
+    except ValueError:   # lists of different lengths
+        array = np.zeros(0)
+    if array.shape != (3,) or array.dtype.kind not in "iu" or any(abs(int(count)) > 2**31 - 1 for count in array):
+        raise ArgumentError(f"counts is {counts!r} and must be 3 whole numbers of 16 bits")
+    return [int(count) for count in array]
 
 
 def _only(felt: Felt) -> np.void:

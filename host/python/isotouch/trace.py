@@ -77,7 +77,7 @@ def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
     """
     known = _columns()
     for name in columns or ():
-        if name not in known:
+        if not isinstance(name, str) or name not in known:
             raise ArgumentError(f"no column is named {name!r}; choose among {', '.join(known)}")
     with _Trace(path) as trace:
         ticks = trace.facts().ticks

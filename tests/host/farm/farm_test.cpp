@@ -250,6 +250,23 @@ TEST_F(Farm, AHalfAnswerIsNone) {
   EXPECT_EQ(run_all().asked, 1U);
 }
 
+TEST_F(Farm, AKeptAnswerWithNumbersThatAreNoneIsNone) {
+  fs::create_directories(answers() / "ab");
+  const auto keeps = [&](const std::string& ticks, const std::string& seconds, const std::string& different, const std::string& hash) {
+    write_file(answers() / "ab" / "cdef0123456789.json", R"({"outcome": "differs", "ticks": )" + ticks + R"(, "seconds": )" + seconds +
+                                                             R"(, "hash": ")" + hash + R"(", "first_different": )" + different +
+                                                             R"(, "said": ""})");
+    return kept_answer(answers(), "abcdef0123456789").has_value();
+  };
+  EXPECT_TRUE(keeps("9", "0.5", "3", expected_));
+  EXPECT_TRUE(keeps("9", "0.5", "null", expected_));
+  for (const std::string number : {"-9", "1e300", "9.5", "true", "null", "18446744073709551616"})
+    EXPECT_FALSE(keeps(number, "0.5", "3", expected_)) << number;
+  for (const std::string number : {"-1", "1e300", "0.5", "true"}) EXPECT_FALSE(keeps("9", "0.5", number, expected_)) << number;
+  for (const std::string number : {"-0.5", "null", "1e999"}) EXPECT_FALSE(keeps("9", number, "3", expected_)) << number;
+  EXPECT_FALSE(keeps("9", "0.5", "3", "another hash"));
+}
+
 TEST_F(Farm, TheTableHasARowForEachTaskAnsweredOrNot) {
   Recording recording = read_recordings(recordings_file())[0];
   recording.name = "left, then \"right\"";
