@@ -87,7 +87,7 @@ const std::map<std::string, Rule> kRules = {
     {"hil/bare_metal", {{"hil/plain_replay.h", "shared"}}},
     {"hil/instructions", {{}}},
     {"hil/outside", {{}}},
-    {"tests/support", {{"firmware/core", "firmware/loop", "shared"}}},
+    {"tests/support", {{"firmware/core", "firmware/loop", "host/field_file/make_patch.h", "shared"}}},
     {"tests/host/field_file",
      {{"host/field_file", "host/encoding", "host/files", "host/error.h", "shared", "tests/support", "tests/host/encoding"}}},
     {"tests/host/trace",
