@@ -28,10 +28,17 @@ void take_settings(const SettingChange& change, const TickModel& model, TickStat
   if (advance_settings(change, !felt, state.felt.coupling, state.settings)) take_over(state.settings, state.felt);
 }
 
-/// Another field: nothing that was felt before holds, and the proxy begins at the HIP. returns whether there is one
-bool take_field(const FieldView* field, std::uint32_t generation, const TickModel& model, TickState& state) {
-  if (generation == state.field_generation) return false;
-  state.field_generation = generation;
+/// Another field: nothing that was felt before holds, and the proxy begins at the HIP. The same one, patched, goes on being felt.
+///
+/// returns   whether there is another
+bool take_field(const FieldView* field, const Input& in, const TickModel& model, TickState& state) {
+  if (in.field_generation == state.field_generation) return false;
+  const bool had_one = state.field_generation != 0;
+  state.field_generation = in.field_generation;
+  if ((in.requests & kRequestMoved) != 0 && had_one && field != nullptr && field->method == Method::kDefault) {
+    move_surface(*field, state.felt, state.render);
+    return false;
+  }
   state.render = {};
   forget_quiet(state.motion);
   finish_settings(state.settings);
@@ -77,7 +84,7 @@ Observations observe(const Input& in, const Reading& reading, const Pose& pose, 
   seen.pose_settled = pose.settled;
   seen.has_field = has_field;
   seen.new_field = new_field;
-  seen.too_deep = felt.touching && is_longer(felt.proxy - motion.hip, model.device.penetration_limit);
+  seen.too_deep = felt.touching && is_longer(felt.depth, model.device.penetration_limit);
   seen.too_fast = is_too_fast(motion, model);
   seen.stale_ticks = reply.stale;
   seen.late = in.late;
@@ -136,7 +143,7 @@ Output tick(const Input& in, const FieldView* field, const TickModel& model, Tic
     state.heat = heat_from(in.change.setting == TickSetting::kNone ? in.heat : 0);
   }
   take_settings(in.change, model, state);
-  const bool new_field = take_field(field, in.field_generation, model, state);
+  const bool new_field = take_field(field, in, model, state);
 
   const Reading reading = read_reply(in, model.device, state.reply);
   const Pose pose = find_pose(reading, model, state);
