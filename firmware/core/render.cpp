@@ -70,8 +70,8 @@ Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, c
   const Stiffness stiffness = felt_stiffness(contact, field, model.coupling.stiffness, state.spring);
   const Damped damped = damp(motion.quiet, model, state.passivity);
   const bool lagging = state.coupling.lag.on;
-  const bool arriving = contact.following || state.proxy.unsettled;
-  const Force force = lagging ? couple_lagging(contact, motion.way, arriving, stiffness, model.coupling, state.coupling, damped.force)
+  const Force force = lagging ? couple_lagging(contact, motion.way, contact.following || state.proxy.unsettled, stiffness, model.coupling,
+                                               state.coupling, damped.force)
                               : couple(contact, stiffness, model.coupling, state.coupling, damped.force);
   if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
 
@@ -80,8 +80,7 @@ Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, c
                                when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
                                when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped) | when(lagging, kLagging);
   const bool away = contact.touching || contact.following;
-  const Vec3<Mm> proxy = away ? to_workspace(contact.proxy, field) : motion.hip;
-  return {proxy, force.newton, contact.touching, status, lagging ? force.deflection : proxy - motion.hip};
+  return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
 }
 
 void move_surface(const FieldView& field, const RenderModel& model, RenderState& state) {

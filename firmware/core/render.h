@@ -59,7 +59,6 @@ struct Rendering {
   Vec3<Newton> force;
   bool touching = false;
   std::uint32_t status = 0;  ///< StatusBits
-  Vec3<Mm> depth;            ///< proxy - HIP; while the force lags, as far as it is felt
 };
 
 /// Renders the contact: proxy, friction, stiffness there, damping, coupling, energy balance.

@@ -74,22 +74,31 @@ bool is_too_fast(const Motion& motion, const TickModel& model) {
   return motion.leapt || is_longer(motion.velocity, model.device.speed_limit);
 }
 
+/// A hand deeper than the device's limit; on a surface that has moved by itself, as deep as it feels.
+bool is_too_deep(const Rendering& felt, const Motion& motion, const TickModel& model, const TickState& state) {
+  if (!felt.touching) return false;
+  const Mm limit = model.device.penetration_limit;
+  if ((felt.status & kLagging) == 0) return is_longer(felt.proxy - motion.hip, limit);
+  const Stiffness stiffness = part_of(state.felt.coupling.stiffness, state.render.spring.felt.part);
+  return is_longer(state.render.coupling.lag.felt, mul<Newton>(limit, stiffness));
+}
+
 /// What the supervisor judges by.
 Observations observe(const Input& in, const Reading& reading, const Pose& pose, const Motion& motion, const Rendering& felt, bool has_field,
-                     bool new_field, const TickModel& model, const ReplyState& reply) {
+                     bool new_field, const TickModel& model, const TickState& state) {
   Observations seen;
-  seen.heard = reply.heard;
-  seen.homed = reply.homed;
+  seen.heard = state.reply.heard;
+  seen.homed = state.reply.homed;
   seen.jumped = reading.jumped;
   seen.pose_settled = pose.settled;
   seen.has_field = has_field;
   seen.new_field = new_field;
-  seen.too_deep = felt.touching && is_longer(felt.depth, model.device.penetration_limit);
+  seen.too_deep = is_too_deep(felt, motion, model, state);
   seen.too_fast = is_too_fast(motion, model);
-  seen.stale_ticks = reply.stale;
+  seen.stale_ticks = state.reply.stale;
   seen.late = in.late;
   seen.lines = in.lines;
-  seen.buttons = reply.buttons;
+  seen.buttons = state.reply.buttons;
   seen.requests = in.requests;
   return seen;
 }
@@ -149,7 +158,7 @@ Output tick(const Input& in, const FieldView* field, const TickModel& model, Tic
   const Pose pose = find_pose(reading, model, state);
   const Motion motion = find_motion(pose, reading.fresh, model, state);
   const Rendering felt = render_contact(pose, motion, field, state);
-  const Observations seen = observe(in, reading, pose, motion, felt, field != nullptr, new_field, model, state.reply);
+  const Observations seen = observe(in, reading, pose, motion, felt, field != nullptr, new_field, model, state);
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
   if (!permission.granted || permission.ramping) forget(state.render.passivity);  // the hand does not feel what the ledger would book
   const Drive drive = drive_motors(felt, permission, pose, model, state);
