@@ -11,7 +11,7 @@ namespace {
 constexpr Newton kMostForce =
     Newton::of(4095);  // a component: 2^28, so that the sum of squares is below 2^58, and that of a difference below 2^60
 
-constexpr Newton kStill = Newton::of(0.002);  // smaller steps of the target are rounding
+constexpr Newton kStill = Newton::of(0.002);  // smaller steps of the target are those of a proxy that has settled
 
 std::int64_t square_of(const Vec3<Newton>& v) { return dot_raw(v, v); }
 std::int64_t square_of(Newton length) { return std::int64_t{length.raw()} * length.raw(); }

@@ -18,8 +18,9 @@
 
 namespace isotouch::core {
 
-/// Largest change of the force in a tick that is not the hand's doing: 50 N/s at 1 kHz. A little less than 0.05 N, for rounding.
-inline constexpr Newton kFollow = Newton::of(0.0495);
+/// Largest change of the force in a tick that is not the hand's doing, less than 0.05 N: 50 N/s at 1 kHz. The rest is for the small steps of a proxy that
+/// has settled, which are felt as they are, and for rounding.
+inline constexpr Newton kFollow = Newton::of(0.0475);
 /// Ticks in which steps of the target go into the lag, after a patch and after every later tick in which the proxy still finds its place on the moved
 /// surface: in creases it slides there for some ticks.
 inline constexpr std::uint8_t kSettlingTicks = 16;

@@ -85,8 +85,7 @@ Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, c
 
 void move_surface(const FieldView& field, const RenderModel& model, RenderState& state) {
   begin_lag(part_of(model.coupling.stiffness, state.spring.felt.part), model.coupling, state.coupling);
-  state.friction.holds = false;
-  state.spring.holds = false;
+  state.spring.holds = false;  // its energy is that of the old surface; a grip stays where it is
   keep_side(field, state.proxy);
 }
 

@@ -36,6 +36,8 @@ class Run final : public Renderer {
   /// header    device, period and settings of the run
   /// patches   of a field that was patched meanwhile; they stay alive as long as the run
   Run(const FieldView& field, const TraceHeader& header, const RecordedPatches* patches = nullptr);
+  Run(Run&&) = default;
+  Run(const Run&) = delete;  // the patched images stand in its memory
 
   /// fails     InputError: the tick takes a patch over that is not there
   TraceRecord step(const Input& input) override;

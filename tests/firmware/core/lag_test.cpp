@@ -51,7 +51,7 @@ TEST(Lag, EndsWhenTheForceHasFollowed) {
   const LagInput in = {fixed({0, 0, 3}), {}, {}, true, false};
   int ticks = 0;
   for (; lag.on && ticks < 1000; ++ticks) follow_target(in, lag);
-  EXPECT_NEAR(ticks, 2 / 0.0495, 1.5);
+  EXPECT_NEAR(ticks, 2 / 0.0475, 1.5);
   EXPECT_EQ(lag.felt, in.target);
 }
 
@@ -70,7 +70,7 @@ TEST(Lag, TheHandsOwnWayIsFeltAtOnce) {
   for (std::uint32_t tick = 0; tick <= kSettlingTicks; ++tick) follow_target({fixed({0, 0, 8}), {}, {}, true, false}, lag);
   const double before = newton(lag.felt).z;
   const Point felt = newton(follow_target({fixed({0, 0, 7.5}), fixed({0, 0, -0.5}), fixed({0, 0, 0.5}), true, false}, lag));
-  EXPECT_NEAR(felt.z, before - 0.5 + 0.0495, kRounding);
+  EXPECT_NEAR(felt.z, before - 0.5 + 0.0475, kRounding);
 }
 
 }  // namespace
