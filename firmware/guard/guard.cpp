@@ -135,7 +135,8 @@ void Guard::place(const loop::Command& command, const Evidence& evidence, Memory
       be_free(memory);
     }
   }
-  memory.risen = std::min(memory.risen + kFollow, memory.may_rise);
+  const std::uint64_t ticks = std::min(command.tick - std::min(memory.tick, command.tick), std::uint64_t{kLongestGap});
+  memory.risen = std::min(memory.risen + kFollow * static_cast<double>(ticks), memory.may_rise);
   if (!memory.has_grip || memory.placed == memory.replies) return;
   const Point& hip = memory.grip.at;
   const double clear = clear_way(command, evidence, hip);
