@@ -23,7 +23,7 @@ enum RequestBits : std::uint8_t {
   kRequestStop = 1U << 0,     ///< no force from this tick on: fault "stopped"
   kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
   kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
-  kRequestMoved = 1U << 3,    ///< the field of this tick is that of the tick before, patched: the same surface, moved. Never with a restart or a change
+  kRequestMoved = 1U << 3,    ///< the field is that of the tick before, patched: the surface moved. Never with a restart or a change
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
@@ -84,8 +84,8 @@ struct Input {
   SettingChange change;            ///< what a person set anew
   std::uint32_t author = kNobody;  ///< who made the requests, else who sent the new field, else who made the change; the tick ignores it
   std::uint32_t heat = 0;          ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
-  std::uint32_t moved_to = 0;  ///< only with kRequestMoved: the lower half of the hash of the image that is felt from now on; the tick ignores it
-  std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field, or with kRequestMoved the same, patched
+  std::uint32_t moved_to = 0;      ///< only with kRequestMoved: the lower half of the hash of the image from now on; the tick ignores it
+  std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field, or a patched one
   FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first
   Vec3<Mm> hip;                        ///< kPosition: workspace frame
   std::uint8_t buttons = 0;            ///< kPosition: bits 0 to 3
