@@ -15,7 +15,7 @@ namespace isotouch::protocol {
 
 inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'C', 'W'};
 inline constexpr std::uint16_t kMajor = 2;
-inline constexpr std::uint16_t kMinor = 0;
+inline constexpr std::uint16_t kMinor = 1;
 inline constexpr std::size_t kKindAt = 4;
 inline constexpr std::size_t kLengthAt = 8;
 inline constexpr std::size_t kChecksumAt = 12;
@@ -39,6 +39,7 @@ enum class Kind : std::uint8_t {
   kResume,       ///< nothing → kDone
   kFields,       ///< nothing → kFieldList
   kSelect,       ///< Select → kAccepted, once the field is active
+  kBeginPatch,   ///< BeginPatch → kDone; then as after kBegin
   kDevice = 20,  ///< nothing → kDeviceReport
   kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
   kCalibrate,    ///< Calibrate → kDone, once it is kept

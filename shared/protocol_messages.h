@@ -108,6 +108,11 @@ struct Begin {
   static void fields(auto& m, auto& use) { use(m.packed_bytes), use(m.image_bytes), use(m.image_hash), use(m.name); }
 };
 
+struct BeginPatch {
+  std::uint64_t bytes = 0;  ///< of the patch (SPEC.md, section 7)
+  static void fields(auto& m, auto& use) { use(m.bytes); }
+};
+
 struct Chunk {
   std::uint64_t offset = 0;  ///< of the first byte in the upload; chunks come in order
   std::span<const std::uint8_t> bytes;

@@ -29,6 +29,9 @@ enum class Error : std::uint8_t {
   kBadModel,        ///< a device model with a number outside its range
   kBadMarks,        ///< marks of invented surface that do not fit the bricks of their field
   kBadSample,       ///< a number of a field that is beyond its band
+  kOtherField,      ///< a patch for another field than the one that is there
+  kNoPatches,       ///< a recording of a field that was patched, without the patch that a tick takes over
+  kBadPatch,        ///< a patch with a cell that is out of order, unknown, constant though stored, or unchanged
 };
 
 constexpr const char* describe(Error error) {
@@ -54,6 +57,9 @@ constexpr const char* describe(Error error) {
     case Error::kBadModel: return "the device model holds a number outside its range";
     case Error::kBadMarks: return "its marks of invented surface do not fit its bricks";
     case Error::kBadSample: return "a distance in it is beyond the band that its header states";
+    case Error::kOtherField: return "it was made for another field";
+    case Error::kNoPatches: return "the field was patched while it was recorded, and a patch is missing";
+    case Error::kBadPatch: return "a cell in it is out of order, is none, or does not change";
   }
   return "unknown error";
 }

@@ -23,6 +23,7 @@ enum RequestBits : std::uint8_t {
   kRequestStop = 1U << 0,     ///< no force from this tick on: fault "stopped"
   kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
   kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
+  kRequestMoved = 1U << 3,    ///< the field is that of the tick before, patched: the surface moved. Never with a restart or a change
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
@@ -83,7 +84,8 @@ struct Input {
   SettingChange change;            ///< what a person set anew
   std::uint32_t author = kNobody;  ///< who made the requests, else who sent the new field, else who made the change; the tick ignores it
   std::uint32_t heat = 0;          ///< only with kRequestRestart and without a change, see `core::heat_input`; 0 = not known
-  std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field
+  std::uint32_t moved_to = 0;      ///< only with kRequestMoved: the lower half of the hash of the image from now on; the tick ignores it
+  std::uint32_t field_generation = 0;  ///< 0 = no field; another number than in the tick before = another field, or a patched one
   FalconPacket packet{};               ///< kPacket: the newest reply, as it came; all zero before the first
   Vec3<Mm> hip;                        ///< kPosition: workspace frame
   std::uint8_t buttons = 0;            ///< kPosition: bits 0 to 3
@@ -122,7 +124,8 @@ enum StatusBits : std::uint32_t {
   kHeatLimited = 1U << 20,      ///< the limit of the motor commands is lowered, because the motors are warm
   kLate = 1U << 21,             ///< periods were left out before this tick
   // Of how it feels.
-  kDamped = 1U << 24,  ///< the passivity controller adds damping
+  kDamped = 1U << 24,   ///< the passivity controller adds damping
+  kLagging = 1U << 25,  ///< the surface has moved by itself, and the force has not followed yet; without kContact it is being released
 };
 
 /// What the supervisor allows. Motor commands are zero in every state but kActive.

@@ -15,7 +15,7 @@ using namespace trace_layout;
 
 namespace {
 
-constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart;
+constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart | kRequestMoved;
 
 /// Writes the fields of a layout one behind the other.
 struct FieldWriter {
@@ -94,6 +94,12 @@ struct FieldReader {
     at += bytes;
   }
 };
+
+/// A tick that takes a patch over neither forgets what was before nor changes a setting, and there is a field.
+bool is_move_alone(const Input& in) {
+  const bool alone = (in.requests & kRequestRestart) == 0 && in.change.setting == TickSetting::kNone && in.field_generation != 0;
+  return (in.requests & kRequestMoved) == 0 || alone;
+}
 
 /// What parts of a field are called.
 void name_part(const Field& field, std::size_t byte, FieldName& name) {
@@ -177,7 +183,7 @@ Result<TraceRecord> decode_record(std::span<const std::uint8_t, kRecordBytes> by
   const Input& in = record.input;
   const bool defined = in.kind <= InputKind::kPacket && (in.requests & ~kAllRequests) == 0 &&
                        static_cast<std::size_t>(guard_verdict(in.lines)) < kGuardVerdicts && in.late <= kMaxLate && in.buttons <= 0x0F &&
-                       is_valid(in.change);
+                       is_valid(in.change) && is_move_alone(in);
   if (!reader.good || !defined || (in.fresh && in.age != 0)) return Error::kBadRecord;
   return record;
 }

@@ -73,6 +73,8 @@ constexpr void record_fields(Record& r, Use& use) {
   use("input.age", r.input.age);
   if ((r.input.requests & kRequestRestart) != 0 && r.input.change.setting == TickSetting::kNone) {
     use("input.heat", r.input.heat);
+  } else if ((r.input.requests & kRequestMoved) != 0) {
+    use("input.moved_to", r.input.moved_to);
   } else {
     use("input.value", r.input.change.raw);
   }

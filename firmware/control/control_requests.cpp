@@ -55,8 +55,8 @@ void ControlRequests::forget(const ControlClient& client) {
 
 /// What the field worker would do, or what touches its memory, comes after what it does now.
 bool ControlRequests::must_wait(const protocol::Frame& frame) const {
-  const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kCommit || frame.kind == Kind::kFields ||
-                            frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
+  const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kBeginPatch || frame.kind == Kind::kCommit ||
+                            frame.kind == Kind::kFields || frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
   return needs_worker && !worker_.is_idle();
 }
 
@@ -71,6 +71,10 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = protocol::decode<protocol::Begin>(frame.body);
+      return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised, neighbours_.clock.now_ns())) : malformed();
+    }
+    case Kind::kBeginPatch: {
+      const auto promised = protocol::decode<protocol::BeginPatch>(frame.body);
       return promised ? done_or_refused(client, frame.kind, upload_.begin(client, *promised, neighbours_.clock.now_ns())) : malformed();
     }
     case Kind::kChunk: {
@@ -157,8 +161,10 @@ void ControlRequests::log(std::uint32_t user, const std::string& change) const {
 
 void ControlRequests::commit(ControlClient& client) {
   protocol::Begin promised;
-  const Refusal refusal = upload_.complete(client, promised);
-  refusal ? client.refuse(Kind::kCommit, refusal.sentence()) : start_work(client, FieldWork::Kind::kAccept, promised);
+  bool is_patch = false;
+  const Refusal refusal = upload_.complete(client, promised, is_patch);
+  if (refusal) return client.refuse(Kind::kCommit, refusal.sentence());
+  start_work(client, is_patch ? FieldWork::Kind::kPatch : FieldWork::Kind::kAccept, promised);
 }
 
 void ControlRequests::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
@@ -179,7 +185,7 @@ void ControlRequests::finish_work() {
   if (done->kind == FieldWork::Kind::kCalibrate) return done_or_refused(*client, Kind::kCalibrate, done->outcome.refusal);
   if (done->kind != FieldWork::Kind::kList) {
     if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.field.accepted());
-    return client->refuse(done->kind == FieldWork::Kind::kAccept ? Kind::kCommit : Kind::kSelect, done->outcome.refusal.sentence());
+    return client->refuse(done->kind == FieldWork::Kind::kSelect ? Kind::kSelect : Kind::kCommit, done->outcome.refusal.sentence());
   }
   protocol::BodyWriter entries(scratch_);
   protocol::FieldList list;
@@ -197,6 +203,7 @@ void ControlRequests::finish_work() {
 void ControlRequests::log_done(const FieldDone& done) const {
   if (done.kind == FieldWork::Kind::kCalibrate) log(done.user, "other angles were stored for the device");
   if (done.kind == FieldWork::Kind::kList || done.kind == FieldWork::Kind::kCalibrate) return;
+  if (done.kind == FieldWork::Kind::kPatch) return;  // thirty a second are no news
   const store::PublishedField& field = done.outcome.field;
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), " %016llx is active, generation %u", static_cast<unsigned long long>(field.image_hash),

@@ -60,6 +60,7 @@ FieldDone FieldWorker::work(const FieldWork& wanted) {
   FieldDone done{wanted.kind, wanted.user, {}, {}};
   switch (wanted.kind) {
     case FieldWork::Kind::kAccept: done.outcome = intake_.accept(wanted.field, author_of(wanted.user)); break;
+    case FieldWork::Kind::kPatch: done.outcome = intake_.patch(wanted.field.packed_bytes, author_of(wanted.user)); break;
     case FieldWork::Kind::kSelect: done.outcome = intake_.select(wanted.field.image_hash, author_of(wanted.user)); break;
     case FieldWork::Kind::kList: done.stored = intake_.stored(); break;
     case FieldWork::Kind::kCalibrate: done.outcome.refusal = calibration_->keep(wanted.measured); break;

@@ -1,4 +1,4 @@
-/// The thread in which uploads are unpacked, checked and stored, and calibrations kept, so that nobody who wants to stop the device waits for a disk.
+/// The thread in which uploads are unpacked, patches applied, checked and stored, and calibrations kept, so that nobody who wants to stop the device waits for a disk.
 #pragma once
 
 #include <condition_variable>
@@ -16,9 +16,9 @@
 namespace isotouch::control {
 
 struct FieldWork {
-  enum class Kind : std::uint8_t { kAccept, kSelect, kList, kCalibrate };
+  enum class Kind : std::uint8_t { kAccept, kPatch, kSelect, kList, kCalibrate };
   Kind kind{};
-  protocol::Begin field;         ///< kSelect: its hash alone
+  protocol::Begin field;         ///< kPatch: its bytes alone; kSelect: its hash alone
   protocol::Calibrate measured;  ///< kCalibrate
   std::uint32_t user = 0;        ///< who wants it
 };
@@ -26,7 +26,7 @@ struct FieldWork {
 struct FieldDone {
   FieldWork::Kind kind{};
   std::uint32_t user = 0;
-  store::IntakeOutcome outcome;            ///< of kAccept and kSelect; of kCalibrate its refusal alone
+  store::IntakeOutcome outcome;            ///< of kAccept, kPatch and kSelect; of kCalibrate its refusal alone
   std::vector<store::StoredField> stored;  ///< of kList
 };
 

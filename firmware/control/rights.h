@@ -15,6 +15,7 @@ constexpr protocol::Role role_for(protocol::Kind request) {
   using protocol::Kind, protocol::Role;
   switch (request) {
     case Kind::kBegin:
+    case Kind::kBeginPatch:
     case Kind::kChunk:
     case Kind::kCommit:
     case Kind::kAbort:

@@ -104,6 +104,8 @@ void TickFeed::give_recording(ControlClient& client, std::span<const loop::TickR
       next_ = tick.number;
     }
     if (tick.number != next_) return end(kTooSlow);
+    if ((tick.in.requests & kRequestMoved) != 0)
+      return end("the recording ended: the field was patched; record again when no patches come");
     if (tick.in.field_generation != generation_) return end("the recording ended: another field was loaded; record again");
     if (used_ + kRecordBytes > bytes_.size() && !flush(client, first, 1)) return end(kTooSlow);
     if (used_ == 0) first = tick.number;

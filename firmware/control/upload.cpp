@@ -10,10 +10,30 @@ namespace {
 constexpr const char* kNoneHere = "no upload is under way on this connection; begin one";
 }
 
-Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns) {
+/// No other client sends; what this one sent before is void.
+Refusal Upload::claim(const ControlClient& client, std::int64_t now_ns) {
   if (is_under_way() && !is_from(client)) return std::string(kSomebodySends);
   if (!is_from(client)) due_ns_ = now_ns + patience_ns_;  // to begin again is no progress
   drop(client);
+  return {};
+}
+
+Refusal Upload::begin(const ControlClient& client, const protocol::BeginPatch& promised, std::int64_t now_ns) {
+  if (Refusal refusal = claim(client, now_ns)) return refusal;
+  if (promised.bytes > fields_.upload().size()) {
+    return "the patch takes " + std::to_string(promised.bytes) + " bytes, more than the " + std::to_string(fields_.upload().size()) +
+           " that the largest field may take; send the whole field";
+  }
+  sender_ = &client;
+  promised_ = {};
+  promised_.packed_bytes = promised.bytes;
+  is_patch_ = true;
+  received_ = 0;
+  return {};
+}
+
+Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns) {
+  if (Refusal refusal = claim(client, now_ns)) return refusal;
   if (promised.image_bytes > fields_.image_limit()) return store::too_large(promised.image_bytes, fields_.image_limit());
   if (promised.packed_bytes > fields_.upload().size()) {
     return "the packed field takes " + std::to_string(promised.packed_bytes) + " bytes, more than the " +
@@ -21,6 +41,7 @@ Refusal Upload::begin(const ControlClient& client, const protocol::Begin& promis
   }
   sender_ = &client;
   promised_ = promised;
+  is_patch_ = false;
   received_ = 0;
   return {};
 }
@@ -40,7 +61,7 @@ Refusal Upload::add(const ControlClient& client, const protocol::Chunk& piece, s
   return {};
 }
 
-Refusal Upload::complete(const ControlClient& client, protocol::Begin& promised) {
+Refusal Upload::complete(const ControlClient& client, protocol::Begin& promised, bool& is_patch) {
   if (!is_from(client)) return kNoneHere;
   drop(client);
   if (received_ != promised_.packed_bytes) {
@@ -48,6 +69,7 @@ Refusal Upload::complete(const ControlClient& client, protocol::Begin& promised)
            " bytes; send it again from the beginning";
   }
   promised = promised_;
+  is_patch = is_patch_;
   return {};
 }
 

@@ -1,4 +1,4 @@
-/// The upload under way: what a client has promised, and how much of it is there. One at a time.
+/// The upload under way, a field or a patch: what a client has promised, and how much of it is there. One at a time.
 ///
 /// tick      no
 #pragma once
@@ -29,6 +29,8 @@ class Upload {
   /// now_ns    of the caller's clock
   /// returns   why not: another client sends, or there is no room for it
   Refusal begin(const ControlClient& client, const protocol::Begin& promised, std::int64_t now_ns);
+  /// The same of a patch.
+  Refusal begin(const ControlClient& client, const protocol::BeginPatch& promised, std::int64_t now_ns);
 
   /// Whether this client's upload gets on by less than 10,000 bytes a second, and its patience is used up: it would keep everybody else from sending one.
   bool is_too_slow(const ControlClient& client, std::int64_t now_ns) const;
@@ -36,18 +38,21 @@ class Upload {
   /// Takes the next piece. One that does not follow the piece before ends the upload.
   Refusal add(const ControlClient& client, const protocol::Chunk& piece, std::int64_t now_ns);
 
-  /// Ends it, as complete: `promised` is then all there.
+  /// Ends it, as complete: `promised` is then all there; of a patch it says the bytes alone.
   ///
   /// returns   why not; then it has ended too
-  Refusal complete(const ControlClient& client, protocol::Begin& promised);
+  Refusal complete(const ControlClient& client, protocol::Begin& promised, bool& is_patch);
 
   /// Ends it, if it is this client's.
   void drop(const ControlClient& client);
 
  private:
+  Refusal claim(const ControlClient& client, std::int64_t now_ns);
+
   store::FieldIntake& fields_;
   const ControlClient* sender_ = nullptr;
   protocol::Begin promised_;
+  bool is_patch_ = false;
   std::uint64_t received_ = 0;
   std::int64_t patience_ns_;
   std::int64_t due_ns_ = 0;  ///< when the upload is too slow; each byte puts it off, but never beyond the patience

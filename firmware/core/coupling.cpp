@@ -6,6 +6,14 @@ namespace isotouch::core {
 
 namespace {
 
+/// How far a spring is stretched that gives this force.
+Vec3<Mm> stretch_of(const Vec3<Newton>& force, Stiffness stiffness) {
+  constexpr int kBits = Stiffness::kFractionBits + Mm::kFractionBits - Newton::kFractionBits;
+  const Reciprocal over = reciprocal32(static_cast<std::uint32_t>(stiffness.raw()));  // below 2^31, its shift is 31 at least
+  const auto part = [&](Newton f) { return Mm::from_raw(saturate32((std::int64_t{f.raw()} * over.mantissa) >> (over.shift - kBits))); };
+  return {part(force.x), part(force.y), part(force.z)};
+}
+
 struct Limited {
   Vec3<Newton> newton;
   bool limited;
@@ -13,8 +21,8 @@ struct Limited {
 };
 
 /// Shortens a force to the limit, direction kept, to within two units of the last place. Components are clamped to ±8191 N first (2^29), so that
-/// three squares fit 63 bits.
-Limited limited_length(const Vec3<Newton>& force, Newton limit) {
+/// three squares fit 63 bits. Inline: a call would cost every tick 30 instructions.
+[[gnu::always_inline]] inline Limited limited_length(const Vec3<Newton>& force, Newton limit) {
   const Vec3<Newton> f = within(force, Newton::of(8191));
   const std::int64_t square = dot_raw(f, f);
   const bool limited = square > std::int64_t{limit.raw()} * limit.raw();
@@ -58,6 +66,30 @@ Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupli
   const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();  // at most 2^30: ramp <= ramp_ticks
   const Limited force = limited_length(in_ramp ? part_of(full, RampPart::from_raw(part)) : full, coupling.force_limit);
   return {force.newton, force.limited, in_ramp, deflection, spring, force.kept};
+}
+
+void begin_lag(Stiffness stiffness, const Coupling& coupling, CouplingState& state) {
+  const auto part = static_cast<std::int32_t>(state.ramp) * coupling.ramp_part.raw();
+  const Vec3<Newton> spring = mul<Newton>(state.last_deflection, stiffness);
+  const Vec3<Newton> given = state.ramp < coupling.ramp_ticks ? part_of(spring, RampPart::from_raw(part)) : spring;
+  surface_moved(limited_length(given, coupling.force_limit).newton, state.lag);
+}
+
+Force couple_lagging(const Contact& contact, const Vec3<Mm>& way, bool arriving, Stiffness stiffness, const Coupling& coupling,
+                     CouplingState& state, const Vec3<Newton>& damping) {
+  const Vec3<Mm> deflection = mul<Mm>(contact.deflection, coupling.edge);
+  const Vec3<Mm> change = deflection - state.last_deflection;
+  state.last_deflection = deflection;
+  state.ramp = coupling.ramp_ticks;
+
+  const LagInput in = {mul<Newton>(deflection, stiffness), mul<Newton>(change, stiffness), mul<Newton>(way, stiffness), contact.touching,
+                       arriving};
+  const Vec3<Newton> spring = follow_target(in, state.lag);
+  const Vec3<Newton> damper =
+      state.lag.settling > 0 ? Vec3<Newton>{} : mul<Newton>(change, coupling.damping);  // what the surface did is no speed
+  const Vec3<Newton> full = contact.touching ? spring + damper + damping : spring;
+  const Limited force = limited_length(full, coupling.force_limit);
+  return {force.newton, force.limited, false, stretch_of(spring, stiffness), spring, force.kept};
 }
 
 }  // namespace isotouch::core

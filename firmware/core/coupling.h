@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "firmware/core/lag.h"
 #include "firmware/core/proxy.h"
 #include "shared/tick_io.h"
 #include "shared/units.h"
@@ -37,6 +38,7 @@ struct Coupling {
 struct CouplingState {
   Vec3<Mm> last_deflection;
   std::uint32_t ramp = 0;  ///< ticks of the ramp done; ramp_ticks = full force
+  Lag lag;
 };
 
 struct Force {
@@ -68,5 +70,20 @@ Coupling for_field(const Coupling& prepared, const FieldView& field);
 /// fails     never: shortens to the limit and keeps the direction, exactly for springs below 8191 N and deflections below 2047 mm; larger ones saturate
 /// tick      yes: constant cost, no division
 Force couple(const Contact& contact, Stiffness stiffness, const Coupling& coupling, CouplingState& state, const Vec3<Newton>& damping = {});
+
+/// The surface has moved by itself: from now on the force follows it by `couple_lagging`, as long as the lag is on.
+///
+/// stiffness of the surface at the proxy in the last tick
+/// tick      yes
+void begin_lag(Stiffness stiffness, const Coupling& coupling, CouplingState& state);
+
+/// `couple` while the force lags. Without contact the force that was given is released; the lag takes the place of the ramp.
+///
+/// way       of the HIP in this tick
+/// arriving  the proxy has not settled yet
+/// returns   deflection and spring are those that are felt
+/// tick      yes: constant cost, no division
+Force couple_lagging(const Contact& contact, const Vec3<Mm>& way, bool arriving, Stiffness stiffness, const Coupling& coupling,
+                     CouplingState& state, const Vec3<Newton>& damping = {});
 
 }  // namespace isotouch::core

@@ -2,6 +2,7 @@
 
 #include "firmware/core/descent_proxy.h"
 #include "firmware/core/index_frame.h"
+#include "firmware/core/moved_surface.h"
 
 namespace isotouch::core {
 
@@ -68,15 +69,24 @@ Rendering feel(Contact& contact, const Motion& motion, const FieldView& field, c
   add_friction(part_of(model.coupling.stiffness, state.spring.felt.part), model.friction, state.friction, contact);
   const Stiffness stiffness = felt_stiffness(contact, field, model.coupling.stiffness, state.spring);
   const Damped damped = damp(motion.quiet, model, state.passivity);
-  const Force force = couple(contact, stiffness, model.coupling, state.coupling, damped.force);
+  const bool lagging = state.coupling.lag.on;
+  const Force force = lagging ? couple_lagging(contact, motion.way, contact.following || state.proxy.unsettled, stiffness, model.coupling,
+                                               state.coupling, damped.force)
+                              : couple(contact, stiffness, model.coupling, state.coupling, damped.force);
   if (model.passivity.is_on()) book_energy(motion.way, force, damped.injected, model.passivity, state.passivity);
 
   const std::uint32_t status = when(contact.touching, kContact) | when(contact.following, kFollowing) |
                                when(contact.outside_grid, kOutsideGrid) | when(contact.held_inside, kHeldInside) |
                                when(force.ramping, kRamping) | when(force.limited, kForceLimited) |
-                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped);
+                               when(contact.touching && !(damped.injected == Vec3<Newton>{}), kDamped) | when(lagging, kLagging);
   const bool away = contact.touching || contact.following;
   return {away ? to_workspace(contact.proxy, field) : motion.hip, force.newton, contact.touching, status};
+}
+
+void move_surface(const FieldView& field, const RenderModel& model, RenderState& state) {
+  begin_lag(part_of(model.coupling.stiffness, state.spring.felt.part), model.coupling, state.coupling);
+  state.spring.holds = false;  // its energy is that of the old surface; a grip stays where it is
+  keep_side(field, state.proxy);
 }
 
 // Flat: a call of `feel` would cost the tick 30 instructions.
@@ -92,6 +102,7 @@ PositionModel make_position_model(const DeviceModel& device, const TickSettings&
 }
 
 Output render_position(const Input& in, const FieldView& field, const PositionModel& model, PositionState& state) {
+  if ((in.requests & kRequestMoved) != 0) move_surface(field, model.render, state.render);
   const Vec3<Mm> hip = within(in.hip, kReach);
   const Motion motion = track_motion(hip, in.fresh, model.render.damps(), model.motion, state.motion);
   const Rendering felt = render(motion, field, model.render, state.render);

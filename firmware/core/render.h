@@ -64,11 +64,17 @@ struct Rendering {
 /// Renders the contact: proxy, friction, stiffness there, damping, coupling, energy balance.
 ///
 /// motion    of the hand, HIP within kReach
-/// field     a checked view, the same in every tick of a state's life
-/// returns   proxy, force and status; the force is zero in every tick without contact
+/// field     a checked view, the same in every tick of a state's life; another one on the same grid after `move_surface`
+/// returns   proxy, force and status; the force is zero in every tick without contact, unless one is being released (kLagging)
 /// fails     never
 /// tick      yes: constant loop counts, no division, no allocation
 Rendering render(const Motion& motion, const FieldView& field, const RenderModel& model, RenderState& state);
+
+/// Before the tick in which the surface has moved by itself: the proxy stays on its side of it, and the force begins to follow.
+///
+/// field     patched, of the default method, on the grid of the one before
+/// tick      yes: constant cost, four samples
+void move_surface(const FieldView& field, const RenderModel& model, RenderState& state);
 
 /// The second half of `render`: what a hand feels of a contact that is known. The proxy may be anybody's.
 ///
@@ -93,7 +99,7 @@ struct PositionState {
 /// tick         no: divides
 PositionModel make_position_model(const DeviceModel& device, const TickSettings& settings, std::uint32_t period_ns, const FieldView& field);
 
-/// in        a position; beyond kReach it is clamped and kInputClamped is set
+/// in        a position; beyond kReach it is clamped and kInputClamped is set. With kRequestMoved the field is the patched one from here on
 /// tick      yes
 Output render_position(const Input& in, const FieldView& field, const PositionModel& model, PositionState& state);
 

@@ -28,10 +28,17 @@ void take_settings(const SettingChange& change, const TickModel& model, TickStat
   if (advance_settings(change, !felt, state.felt.coupling, state.settings)) take_over(state.settings, state.felt);
 }
 
-/// Another field: nothing that was felt before holds, and the proxy begins at the HIP. returns whether there is one
-bool take_field(const FieldView* field, std::uint32_t generation, const TickModel& model, TickState& state) {
-  if (generation == state.field_generation) return false;
-  state.field_generation = generation;
+/// Another field: nothing that was felt before holds, and the proxy begins at the HIP. The same one, patched, goes on being felt.
+///
+/// returns   whether there is another
+bool take_field(const FieldView* field, const Input& in, const TickModel& model, TickState& state) {
+  if (in.field_generation == state.field_generation) return false;
+  const bool had_one = state.field_generation != 0;
+  state.field_generation = in.field_generation;
+  if ((in.requests & kRequestMoved) != 0 && had_one && field != nullptr && field->method == Method::kDefault) {
+    move_surface(*field, state.felt, state.render);
+    return false;
+  }
   state.render = {};
   forget_quiet(state.motion);
   finish_settings(state.settings);
@@ -67,22 +74,31 @@ bool is_too_fast(const Motion& motion, const TickModel& model) {
   return motion.leapt || is_longer(motion.velocity, model.device.speed_limit);
 }
 
+/// A hand deeper than the device's limit; on a surface that has moved by itself, as deep as it feels.
+bool is_too_deep(const Rendering& felt, const Motion& motion, const TickModel& model, const TickState& state) {
+  if (!felt.touching) return false;
+  const Mm limit = model.device.penetration_limit;
+  if ((felt.status & kLagging) == 0) return is_longer(felt.proxy - motion.hip, limit);
+  const Stiffness stiffness = part_of(state.felt.coupling.stiffness, state.render.spring.felt.part);
+  return is_longer(state.render.coupling.lag.felt, mul<Newton>(limit, stiffness));
+}
+
 /// What the supervisor judges by.
 Observations observe(const Input& in, const Reading& reading, const Pose& pose, const Motion& motion, const Rendering& felt, bool has_field,
-                     bool new_field, const TickModel& model, const ReplyState& reply) {
+                     bool new_field, const TickModel& model, const TickState& state) {
   Observations seen;
-  seen.heard = reply.heard;
-  seen.homed = reply.homed;
+  seen.heard = state.reply.heard;
+  seen.homed = state.reply.homed;
   seen.jumped = reading.jumped;
   seen.pose_settled = pose.settled;
   seen.has_field = has_field;
   seen.new_field = new_field;
-  seen.too_deep = felt.touching && is_longer(felt.proxy - motion.hip, model.device.penetration_limit);
+  seen.too_deep = is_too_deep(felt, motion, model, state);
   seen.too_fast = is_too_fast(motion, model);
-  seen.stale_ticks = reply.stale;
+  seen.stale_ticks = state.reply.stale;
   seen.late = in.late;
   seen.lines = in.lines;
-  seen.buttons = reply.buttons;
+  seen.buttons = state.reply.buttons;
   seen.requests = in.requests;
   return seen;
 }
@@ -136,13 +152,13 @@ Output tick(const Input& in, const FieldView* field, const TickModel& model, Tic
     state.heat = heat_from(in.change.setting == TickSetting::kNone ? in.heat : 0);
   }
   take_settings(in.change, model, state);
-  const bool new_field = take_field(field, in.field_generation, model, state);
+  const bool new_field = take_field(field, in, model, state);
 
   const Reading reading = read_reply(in, model.device, state.reply);
   const Pose pose = find_pose(reading, model, state);
   const Motion motion = find_motion(pose, reading.fresh, model, state);
   const Rendering felt = render_contact(pose, motion, field, state);
-  const Observations seen = observe(in, reading, pose, motion, felt, field != nullptr, new_field, model, state.reply);
+  const Observations seen = observe(in, reading, pose, motion, felt, field != nullptr, new_field, model, state);
   const Permission permission = supervise(seen, model.supervision, state.supervisor);
   if (!permission.granted || permission.ramping) forget(state.render.passivity);  // the hand does not feel what the ledger would book
   const Drive drive = drive_motors(felt, permission, pose, model, state);

@@ -53,7 +53,8 @@ struct TickState {
 ///
 /// in        the newest packet with its age, and what is asked of the tick. A malformed packet counts as none
 /// field     a checked view, or nullptr as long as there is none: then, and only then, `in.field_generation` is 0. Another field comes with another
-///           generation: the proxy starts at the HIP and the force rises from zero by a ramp
+///           generation: the proxy starts at the HIP and the force rises from zero by a ramp. A patched one comes with another generation and
+///           kRequestMoved: it is on the same grid, and what is felt goes on
 /// returns   motor commands and flags for the next command packet, and everything that a trace records. Commands are zero in every state but kActive
 /// fails     never: the resting output needs no permission
 /// tick      yes: constant loop counts, no division, no allocation

@@ -129,6 +129,7 @@ Refusal Controller::begin_recording() {
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16,
                                                 mark_ && mark_->crashed()},
                     trace_, settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+  intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
 

@@ -24,11 +24,13 @@ MotorCommands DeviceGuard::pass(const loop::Command& command, std::int64_t now_n
     const std::int32_t now = requests_.newest(static_cast<TickSetting>(i + 1), largest);
     if (std::abs(now) > std::abs(largest)) largest = now;
   }
+  const loop::ActiveField field = fields_.field_of(command.field_generation);
   const Evidence evidence{now_ns,
                           lines_.lines(),
                           requests_.stops(),
                           requests_.is_stopped(),
-                          fields_.field_of(command.field_generation),
+                          field.view,
+                          field.surface,
                           with_live(constants_.settings, memory.largest)};
   MotorCommands passes = constants_.guard.judge(command, evidence, memory);
   if (!put(memory)) passes = {};

@@ -24,6 +24,8 @@ constexpr double kStep = 0.2;                                    // mm: a hand t
 constexpr double kFreeMargin = 0.5;                              // mm
 constexpr double kLag = 4;                                       // of the hand's steps that a proxy may be behind
 constexpr double kPullWay = 3, kPullSlack = 1, kPullPart = 0.5;  // mm; beyond this way an object may bend round the hand
+constexpr double kRise = 4;                                      // voxels in a patch; the proxy keeps its place in front of 3
+constexpr double kFollow = 0.075;                                // N a tick; the force follows by 0.05
 constexpr std::uint64_t kRepeats = 5;
 constexpr double kRepeatForce = 0.1;      // N: elsewhere the same commands are another force, which nobody asks for to the bit
 constexpr std::int64_t kLongestGap = 16;  // ticks for which a hand's way is allowed to add up
@@ -45,6 +47,16 @@ int largest_change(const std::array<std::int16_t, 3>& from, const std::array<std
 
 /// Was it computed from this sample, or a later one?
 bool knows(const loop::Command& command, std::uint64_t since) { return since != 0 && command.sample >= since; }
+
+/// Either may have held.
+double largest_stiffness(const Evidence& evidence) {
+  return std::max(to_double(evidence.largest.stiffness), to_double(evidence.field->stiffness));
+}
+
+void be_free(Memory& memory) {
+  memory.near = memory.moved = false;
+  memory.risen = memory.may_rise = 0;
+}
 
 void mark(bool now, std::uint64_t sample, std::uint64_t& since) { since = !now ? 0 : since == 0 ? sample : since; }
 
@@ -112,15 +124,24 @@ GuardVerdict Guard::contradiction(const loop::Command& command, const Evidence& 
 /// Where the hand is in the field, once a sample.
 void Guard::place(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
   if (memory.field_generation != command.field_generation) {
+    const bool moves = evidence.surface != 0 && evidence.surface == memory.surface;
     memory.field_generation = command.field_generation;
-    memory.near = false;
+    memory.surface = evidence.surface;
     memory.placed = 0;
+    if (moves) {
+      memory.moved = true;
+      memory.may_rise += kRise * to_double(evidence.field->edge) * largest_stiffness(evidence);
+    } else {
+      be_free(memory);
+    }
   }
+  const std::uint64_t ticks = std::min(command.tick - std::min(memory.tick, command.tick), std::uint64_t{kLongestGap});
+  memory.risen = std::min(memory.risen + kFollow * static_cast<double>(ticks), memory.may_rise);
   if (!memory.has_grip || memory.placed == memory.replies) return;
   const Point& hip = memory.grip.at;
   const double clear = clear_way(command, evidence, hip);
   const bool free = clear > kFreeMargin + kLag * memory.step, felt = is_felt(command.falcon.words, evidence, memory);
-  if (free && !felt) memory.near = false;
+  if (free && !felt) be_free(memory);
   if (!free && (!memory.near || (clear > 0 && !felt))) {  // it begins where the hand may be inside
     memory.near = true;
     memory.began = memory.last = hip;
@@ -154,13 +175,13 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
   const double other = weight + damping + kForceSlack + arms_.rounding(memory.grip);  // all that is not the spring
   if (!memory.near) return knows(command, memory.since.free) && is_felt(command.falcon.words, evidence, memory) ? kFree : kNone;
   if (evidence.field == nullptr) return kNone;
-  const double stiffness = std::max(to_double(most.stiffness), to_double(evidence.field->stiffness));  // either may have held
+  const double stiffness = largest_stiffness(evidence);
   const double way =
       std::min(kWayPart * (memory.way + length(memory.grip.at - memory.last)) + kWaySlack, to_double(device_.penetration_limit));
-  const double spring = std::min(stiffness * way, to_double(most.force_limit));
+  const double spring = std::min(stiffness * way + memory.risen, to_double(most.force_limit));
   if (strength > kForcePart * (spring + other)) return kStrong;
   const Point back = memory.began - memory.grip.at;
-  const double inwards = memory.way < kPullWay && length(back) > kStep ? -dot(force, back) / length(back) : 0;
+  const double inwards = !memory.moved && memory.way < kPullWay && length(back) > kStep ? -dot(force, back) / length(back) : 0;
   return inwards > stiffness * kPullSlack + kPullPart * strength + other ? kPull : kNone;
 }
 

@@ -13,7 +13,8 @@
 /// - the same again and again while the hand moves.
 ///
 /// The hand's way bounds the spring: in contact the proxy only ever comes nearer to the HIP, so the distance between both grows by the HIP's movement
-/// at most. Energy is no bound here: force that returns by a ramp pushes a hand that went in while there was none, and so gives what it never took.
+/// at most. A surface that moves by itself adds what it may rise by, as gently as the force may follow it; where out is, is then not known any more. Energy
+/// is no bound here: force that returns by a ramp pushes a hand that went in while there was none, and so gives what it never took.
 #pragma once
 
 #include <array>
@@ -62,6 +63,9 @@ struct Memory {
   Point began{};                       ///< the last HIP that was surely outside, or the first that was near
   Point last{};                        ///< the HIP when its way was last added to
   double way = 0;                      ///< mm, of the HIP since then
+  std::uint32_t surface = 0;           ///< of that field
+  bool moved = false;                  ///< the surface has moved by itself since there may be contact
+  double risen = 0, may_rise = 0;      ///< N, by which the spring may be stronger for that: now, and when the force has followed
 
   // Of the commands.
   std::uint64_t tick = 0;            ///< of the newest command
@@ -89,6 +93,7 @@ struct Evidence {
   std::uint32_t stops = 0;           ///< that were asked for since the start
   bool stopped = false;              ///< no resume was asked for since
   const FieldView* field = nullptr;  ///< of the generation that the command names; nullptr: there is none, or it is not known
+  std::uint32_t surface = 0;         ///< the same number as of another generation: the same surface, which has moved; 0 = not known
   TickSettings largest;              ///< of every setting the largest since the start
 };
 

@@ -49,11 +49,19 @@ Result<const FieldView*> FieldSlots::verify() {
   return &views_[slot];
 }
 
-Result<std::uint32_t> FieldSlots::commit(std::uint32_t author) {
+Result<std::uint32_t> FieldSlots::commit(std::uint32_t author) { return commit(Origin{author}); }
+
+Result<std::uint32_t> FieldSlots::commit_patched(std::uint64_t hash, std::uint32_t author) {
+  const ActiveField before = published();
+  return commit(Origin{author, 0, before.generation, before.surface, hash});
+}
+
+Result<std::uint32_t> FieldSlots::commit(Origin origin) {
   if (!verified_) return Error::kTruncated;
   const std::uint32_t slot = receiving_slot();
   abandon();
-  authors_[slot] = author;
+  origin.generation = next_generation();
+  origins_[slot] = origin;
   publish(slot);
   return generation_;
 }
@@ -78,7 +86,14 @@ ActiveField FieldSlots::published() const { return field_in(published_.load(std:
 ActiveField FieldSlots::field_in(std::uint32_t word) const {
   const std::uint32_t slot = word & kSlot;
   if (slot == kNone) return {};
-  return {&views_[slot], word >> 2, authors_[slot], &sums_[slot]};
+  const Origin& origin = origins_[slot];
+  ActiveField field{&views_[slot], word >> 2, origin.author, &sums_[slot], 0, word >> 2, 0};
+  if (origin.patched_from != 0 && origin.generation == field.generation) {
+    field.patched_from = origin.patched_from;
+    field.surface = origin.surface;
+    field.hash = origin.hash;
+  }
+  return field;
 }
 
 ActiveField FieldSlots::field() {
@@ -103,18 +118,18 @@ std::uint32_t FieldSlots::damaged_in(std::size_t part) {
   return whole ? 0 : word >> 2;
 }
 
-const FieldView* FieldSlots::field_of(std::uint32_t generation) {
+ActiveField FieldSlots::field_of(std::uint32_t generation) {
   const auto is_of = [generation](std::uint32_t word) { return generation_in(word) == generation; };
   const std::uint32_t word = published_.load(std::memory_order_acquire);
   if (is_of(word) && word != guarded_field_) {
     guarded_field_ = word;
     guard_acknowledged_.store(word, std::memory_order_release);
   }
-  return is_of(guarded_field_) && generation != 0 ? &views_[guarded_field_ & kSlot] : nullptr;
+  return is_of(guarded_field_) && generation != 0 ? field_in(guarded_field_) : ActiveField{};
 }
 
 void FieldSlots::publish(std::uint32_t slot) {
-  generation_ = generation_ % ((1U << 30) - 1) + 1;
+  generation_ = next_generation();
   published_.store(generation_ << 2 | slot, std::memory_order_release);
 }
 

@@ -2,7 +2,7 @@
 ///
 ///   empty      upload: `begin` with a size that fits        → receiving
 ///   receiving  upload: `verify`, FieldView::parse succeeded  → verified
-///   verified   upload: `commit`                             → published by a generation
+///   verified   upload: `commit`, or of a patch `commit_patched` → published by a generation
 ///   published  tick: `field` at the start of a tick         → active; the other one retires
 ///   retiring   upload: has seen the acknowledgements        → empty
 ///   published  upload: `take_back`, the tick does not come  → retiring; the active one is published anew
@@ -29,9 +29,12 @@ namespace isotouch::loop {
 /// The field of one tick.
 struct ActiveField {
   const FieldView* view = nullptr;  ///< nullptr: none
-  std::uint32_t generation = 0;     ///< 0 = none; another number = another field
+  std::uint32_t generation = 0;     ///< 0 = none; another number = another field, or a patched one
   std::uint32_t author = kNobody;   ///< who sent or chose it
   const BlockSums* sums = nullptr;  ///< of its image
+  std::uint32_t patched_from = 0;   ///< the generation that a patch made this one from; 0 = it is a field of its own
+  std::uint32_t surface = 0;        ///< the generation of the field that all patches since were made to; 0 = none
+  std::uint64_t hash = 0;           ///< of the image; only of a patched one, else 0
 };
 
 class FieldSlots {
@@ -64,6 +67,11 @@ class FieldSlots {
   /// returns   the generation by which the tick will know it
   /// fails     kTruncated: nothing was verified
   Result<std::uint32_t> commit(std::uint32_t author = kNobody);
+
+  /// The same of a patched image: the surface that is felt has moved. What was published last, and has been taken over, is what it was made from.
+  ///
+  /// hash      of the image
+  Result<std::uint32_t> commit_patched(std::uint64_t hash, std::uint32_t author = kNobody);
 
   /// Takes back what `commit` handed over and the tick did not take: it goes on with the field before, by a new generation.
   ///
@@ -113,23 +121,31 @@ class FieldSlots {
 
   /// The field with which a tick made a command; the guard keeps it until it asks for another. One thread, which may be the tick's.
   ///
-  /// returns   nullptr: none, or one that the upload has taken back
+  /// returns   without a view: there is none, or the upload has taken it back
   /// tick      yes
-  const FieldView* field_of(std::uint32_t generation);
+  ActiveField field_of(std::uint32_t generation);
 
  private:
   static constexpr std::uint32_t kSlot = 3, kNone = 2;  // a word: generation * 4 + slot
 
+  /// Of the image of a place, and the generation by which it was published first: published again, it is another field.
+  struct Origin {
+    std::uint32_t author = kNobody, generation = 0, patched_from = 0, surface = 0;
+    std::uint64_t hash = 0;
+  };
+
   static std::uint32_t generation_in(std::uint32_t word) { return (word & kSlot) == kNone ? 0 : word >> 2; }
   ActiveField field_in(std::uint32_t word) const;
   std::uint32_t receiving_slot() const { return (published_.load(std::memory_order_relaxed) & kSlot) == 0 ? 1 : 0; }
+  Result<std::uint32_t> commit(Origin origin);
+  std::uint32_t next_generation() const { return generation_ % ((1U << 30) - 1) + 1; }
   void publish(std::uint32_t slot);
 
   std::size_t capacity_;
   std::vector<std::uint64_t> memory_;
   std::array<std::uint8_t*, 2> places_{};
   std::array<FieldView, 2> views_{};
-  std::array<std::uint32_t, 2> authors_{};
+  std::array<Origin, 2> origins_{};
   std::array<BlockSums, 2> sums_;  ///< of the images as they were verified
   std::array<Seal, 2> seals_{};    ///< of the views
   std::mutex reused_;              ///< a place is not used again while it is read

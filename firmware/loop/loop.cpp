@@ -53,7 +53,7 @@ bool Loop::step() {
   const ActiveField field = take_field();
   const Damage damage = this->damage();
   if (damage != Damage::kNone) found_.store(damage, std::memory_order_relaxed);
-  hear(field.generation != generation_before ? field.author : kNobody, damage == Damage::kState, record.in);
+  hear(field.generation != generation_before ? field : ActiveField{}, generation_before, damage == Damage::kState, record.in);
   record.in.lines = neighbours_.lines != nullptr ? neighbours_.lines->get() : std::uint8_t{0};
   if (damage != Damage::kNone) record.in.lines |= kLineMemory;
   record.in.field_generation = field.generation;
@@ -113,12 +113,13 @@ Damage Loop::damage() const {
 /// What people want of this tick. A restart is no way out of a fault: there it comes with a stop. A tick has one author: a change waits for the next
 /// tick where somebody asks for something else.
 ///
-/// sender        of the field, where it is another one than before
+/// taken         the field, where this tick takes one over. A patched one is the same surface, unless the tick forgets what it felt or has left out a patch
+/// before        the generation of the tick before
 /// begins_anew   the state is damaged: the tick is told by its lines, and nobody knows what state it was
-void Loop::hear(std::uint32_t sender, bool begins_anew, Input& in) {
+void Loop::hear(const ActiveField& taken, std::uint32_t before, bool begins_anew, Input& in) {
   const Asked asked = neighbours_.requests.take();
   in.requests = asked.bits;
-  in.author = asked.author != kNobody ? asked.author : sender;
+  in.author = asked.author != kNobody ? asked.author : taken.author;
   if (begins_anew) {
     in.requests |= kRequestRestart;
   } else if ((asked.bits & kRequestRestart) != 0) {
@@ -127,6 +128,9 @@ void Loop::hear(std::uint32_t sender, bool begins_anew, Input& in) {
   }
   if ((in.requests & kRequestRestart) != 0) {
     neighbours_.requests.repeat_changes();
+  } else if (taken.patched_from != 0 && taken.patched_from == before) {
+    in.requests |= kRequestMoved;
+    in.moved_to = static_cast<std::uint32_t>(taken.hash);
   } else if (in.author == kNobody) {
     const AskedChange set = neighbours_.requests.take_change();
     in.change = set.change;

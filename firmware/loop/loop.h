@@ -74,7 +74,7 @@ class Loop {
  private:
   ActiveField take_field();
   Damage damage() const;
-  void hear(std::uint32_t sender, bool begins_anew, Input& in);
+  void hear(const ActiveField& taken, std::uint32_t before, bool begins_anew, Input& in);
   Input look(const Sample& sample, std::uint32_t missed);
   void count_own_costs();
 

@@ -64,6 +64,7 @@ Refusal Recorder::start(const std::string& path) {
   generation_ = 0;
   hash_ = 0;
   if (Refusal refusal = writer_.begin(path, settings_.header)) return refusal;
+  patch_writer_.begin(path);
   requests_.ask(kRequestRestart);
   return {};
 }
@@ -71,6 +72,12 @@ Refusal Recorder::start(const std::string& path) {
 void Recorder::stop() {
   const std::lock_guard guard(mutex_);
   if (writer_.is_open()) end("as asked");
+}
+
+void Recorder::tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch) {
+  const std::lock_guard guard(patches_mutex_);
+  if (patches_.size() == kPatchesKept) patches_.pop_front();
+  patches_.push_back({hash_after, {patch.begin(), patch.end()}});
 }
 
 void Recorder::drain() {
@@ -93,10 +100,29 @@ void Recorder::record(const loop::TickRecord& tick) {
   if (tick.number != next_) return end("ticks were lost because the recorder was too slow");
   ++next_;
   const std::uint32_t generation = tick.in.field_generation;
+  if ((tick.in.requests & kRequestMoved) != 0) {
+    if (const Refusal refusal = record_patch(tick.in.moved_to)) return end(refusal.sentence());
+    generation_ = generation;
+  }
   if (generation_ != 0 && generation != 0 && generation != generation_) return end("another field was loaded");
   if (generation != 0) generation_ = generation;
   if (generation_ != 0 && hash_ == 0) writer_.name_field(hash_ = hash_of_(generation_));
   if (const Refusal refusal = writer_.append(tick)) end(refusal.sentence());
+}
+
+/// The patch that leads there; those before it were never taken over.
+Refusal Recorder::record_patch(std::uint32_t moved_to) {
+  Patch patch;
+  {
+    const std::lock_guard guard(patches_mutex_);
+    const auto found = std::find_if(patches_.begin(), patches_.end(),
+                                    [=](const Patch& one) { return static_cast<std::uint32_t>(one.hash_after) == moved_to; });
+    if (found == patches_.end()) return "a patch was not kept until its tick came";
+    patch = std::move(*found);
+    patches_.erase(patches_.begin(), found + 1);
+  }
+  if (hash_ == 0) return "the field was patched before its name was known";  // the trace must name the field before
+  return patch_writer_.append(patch.bytes);
 }
 
 void Recorder::remember(const loop::TickRecord& tick) {
@@ -119,6 +145,7 @@ void Recorder::remember(const loop::TickRecord& tick) {
 
 void Recorder::end(const std::string& why) {
   const std::string& path = writer_.path();
+  if (const Refusal refusal = patch_writer_.finish()) tell_(refusal.sentence());
   const Refusal refusal = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
   if (refusal) return tell_(refusal.sentence());

@@ -2,15 +2,18 @@
 /// ticks. When the supervisor enters fault, it is saved to a file with what was before and shortly after.
 ///
 /// A recording begins with a tick that forgot everything before it, so that it replays; one that the ring lost a tick of, or that another field came
-/// into, ends there. What is saved at a fault holds the fault whatever came after it. It begins in the middle: it shows what happened, its first ticks
+/// into, ends there. A patch of its field goes into a file beside it. What is saved at a fault holds the fault whatever came after it, and neither
+/// before nor after it a patch. It begins in the middle: it shows what happened, its first ticks
 /// do not replay. The same seconds are in a file that survives a kill, `last_ticks.h`; the next run saves them.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +21,7 @@
 #include "firmware/loop/requests.h"
 #include "firmware/loop/tick_record.h"
 #include "firmware/recording/last_ticks.h"
+#include "firmware/recording/patch_writer.h"
 #include "firmware/recording/tick_writer.h"
 #include "shared/files/refusal.h"
 #include "shared/files/state_text.h"
@@ -53,6 +57,9 @@ class Recorder {
   /// Ends the recording. Any thread.
   void stop();
 
+  /// A patch is going to be handed to the tick. It is kept until the tick that takes it over comes, or many others were told since. Any thread.
+  void tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch);
+
   /// The recorder's thread, every 50 ms or so: takes what the ring holds.
   void drain();
 
@@ -64,6 +71,7 @@ class Recorder {
  private:
   void take(const loop::TickRecord& tick);
   void record(const loop::TickRecord& tick);
+  Refusal record_patch(std::uint32_t moved_to);
   void remember(const loop::TickRecord& tick);
   void end(const std::string& why);
   void save();
@@ -83,6 +91,15 @@ class Recorder {
   std::uint64_t next_ = 0;        ///< tick that the recording goes on with
   std::uint32_t generation_ = 0;  ///< of the recording's field
   std::uint64_t hash_ = 0;
+  PatchWriter patch_writer_;
+
+  struct Patch {
+    std::uint64_t hash_after = 0;
+    std::vector<std::uint8_t> bytes;
+  };
+  static constexpr std::size_t kPatchesKept = 64;
+  std::mutex patches_mutex_;
+  std::deque<Patch> patches_;  ///< the newest last
 
   LastTicks last_ticks_;                  ///< the same for a kill
   LastTick newest_;                       ///< its field, so that its hash is asked for once

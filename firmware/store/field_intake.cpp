@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdio>
 #include <utility>
 
 #include "shared/packed_field.h"
@@ -17,6 +18,12 @@ constexpr std::int64_t kNap = 1'000'000;
 
 /// The packed form of any image of so many bytes: what cannot be compressed is a little longer.
 std::size_t packed_limit(std::size_t image_bytes) { return packed_layout::kHeaderBytes + ZSTD_compressBound(image_bytes); }
+
+std::string hash_text(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
 
 std::string unusable(Error error) {
   return std::string("the field is not usable: ") + describe(error) + "; build it again and send it again";
@@ -49,6 +56,15 @@ IntakeOutcome FieldIntake::accept(const protocol::Begin& promised, std::uint32_t
   Refusal refusal = unpack(packed, promised.image_hash);
   if (!refusal && store_ != nullptr) refusal = keep(promised, packed);
   return activate({promised.image_hash, promised.name, author}, std::move(refusal), before);
+}
+
+IntakeOutcome FieldIntake::patch(std::uint64_t bytes, std::uint32_t author) {
+  const std::lock_guard guard(exchanging_);
+  const Result<FieldPatch> patch = FieldPatch::parse(std::span(upload_).first(static_cast<std::size_t>(bytes)));
+  if (!patch) return {std::string("the patch is not usable: ") + describe(patch.error()) + "; send the whole field", published()};
+  Refusal refusal = apply(*patch);
+  if (!refusal && told_) told_(patch->hash_after, std::span(upload_).first(static_cast<std::size_t>(bytes)));
+  return activate({patch->hash_after, published().name, author, true}, std::move(refusal), {});
 }
 
 IntakeOutcome FieldIntake::select(std::uint64_t wanted, std::uint32_t author) {
@@ -148,6 +164,22 @@ Refusal FieldIntake::unpack(const PackedField& packed) {
   return view ? judge(**view) : unusable(view.error());
 }
 
+/// Into the slot that the tick does not use, from the one that it uses.
+Refusal FieldIntake::apply(const FieldPatch& patch) {
+  if (patch.image_bytes() > slots_.capacity()) return too_large(patch.image_bytes(), slots_.capacity());
+  if (!slots_.free()) return "the controller is still loading the previous field; try again in a moment";
+  const loop::ActiveField before = slots_.published();
+  if (before.view == nullptr) return "no field is loaded that the patch could change; send the whole field";
+  if (const std::uint64_t felt = published().image_hash; felt != patch.hash_before) {
+    return "this patch is for the field " + hash_text(patch.hash_before) + ", and the controller has " + hash_text(felt) +
+           "; send the whole field";
+  }
+  const auto image = isotouch::apply(patch, *before.view, slots_.begin(patch.image_bytes()));
+  if (!image) return std::string("the patch does not fit: ") + describe(image.error()) + "; send the whole field";
+  const Result<const FieldView*> view = slots_.verify();
+  return view ? judge(**view) : unusable(view.error());
+}
+
 /// Stored and chosen for the next start; when that fails the choice before stays.
 Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uint8_t> packed) {
   const std::optional<std::uint64_t> before = store_->active();
@@ -163,14 +195,14 @@ Refusal FieldIntake::keep(const protocol::Begin& field, std::span<const std::uin
 IntakeOutcome FieldIntake::activate(const Wish& wish, Refusal refusal, const Before& before) {
   const PublishedField felt = handed_over_[newest_];  // nobody else writes it while `exchanging_` is held
   if (!refusal) refusal = publish(wish);
-  if (!refusal && !was_taken_over()) refusal = take_back(wish.hash, felt, before);
+  if (!refusal && !was_taken_over()) refusal = take_back(wish, felt, before);
   slots_.abandon();
   return {std::move(refusal), published()};
 }
 
 Refusal FieldIntake::publish(const Wish& wish) {
   const std::lock_guard handing_over(handing_over_);
-  const Result<std::uint32_t> generation = slots_.commit(wish.author);
+  const Result<std::uint32_t> generation = wish.is_patched ? slots_.commit_patched(wish.hash, wish.author) : slots_.commit(wish.author);
   if (!generation) return unusable(generation.error());
   remember(wish.hash, wish.name);
   return {};
@@ -203,14 +235,15 @@ std::uint64_t FieldIntake::hash_of(std::uint32_t generation) const {
 }
 
 /// The tick does not come: as if nothing had been sent. returns no refusal: the tick has come after all
-Refusal FieldIntake::take_back(std::uint64_t hash, const PublishedField& felt, const Before& before) {
+Refusal FieldIntake::take_back(const Wish& wish, const PublishedField& felt, const Before& before) {
   {
     const std::lock_guard handing_over(handing_over_);
     if (!slots_.take_back()) return {};
     remember(felt.image_hash, felt.name);
   }
   std::string refusal = "the field is good, but the controller's loop does not run, so the field is not loaded";
-  if (store_ != nullptr && !store_->take_back(hash, before.active, !before.held)) refusal += ", although the next start may load it";
+  if (store_ != nullptr && !wish.is_patched && !store_->take_back(wish.hash, before.active, !before.held))
+    refusal += ", although the next start may load it";
   return refusal + "; restart the controller";
 }
 

@@ -16,6 +16,7 @@
 #include "firmware/loop/clock.h"
 #include "firmware/loop/field_slots.h"
 #include "firmware/store/field_store.h"
+#include "shared/field_patch.h"
 #include "shared/field_view.h"
 #include "shared/files/refusal.h"
 #include "shared/packed_field.h"
@@ -57,6 +58,9 @@ class FieldIntake {
   FieldIntake(const FieldIntake&) = delete;
   FieldIntake& operator=(const FieldIntake&) = delete;
 
+  /// From now on every patch is told before the tick may feel it: the hash of the image after, and its bytes. Before the first patch.
+  void tell_patches(std::function<void(std::uint64_t, std::span<const std::uint8_t>)> told) { told_ = std::move(told); }
+
   bool keeps_fields() const { return store_ != nullptr; }
   std::size_t image_limit() const { return slots_.capacity(); }
   /// Where an upload is put together, by whoever lets no other function run meanwhile. Room for the packed form of every image that there may be.
@@ -68,6 +72,13 @@ class FieldIntake {
   /// promised  what was said before the bytes came: they must keep it
   /// author    who sent it
   IntakeOutcome accept(const protocol::Begin& promised, std::uint32_t author = kNobody);
+
+  /// Applies the patch that stands at the front of `upload()` to the field that is felt. It waits as `accept` does. Nothing is stored: the next start
+  /// begins with the field that was stored last. What is refused changes nothing.
+  ///
+  /// bytes     of the patch, at most `upload().size()`
+  /// author    who sent it
+  IntakeOutcome patch(std::uint64_t bytes, std::uint32_t author = kNobody);
 
   /// The same for a stored field.
   IntakeOutcome select(std::uint64_t wanted, std::uint32_t author = kNobody);
@@ -112,11 +123,13 @@ class FieldIntake {
     std::uint64_t hash = 0;
     protocol::Text name;
     std::uint32_t author = kNobody;
+    bool is_patched = false;  ///< from the field that is felt; stored nowhere
   };
 
   Before store_before(std::uint64_t hash);
   Refusal unpack(std::span<const std::uint8_t> bytes, std::uint64_t hash);
   Refusal unpack(const PackedField& packed);
+  Refusal apply(const FieldPatch& patch);
   Refusal judge(const FieldView& field) const;
   Refusal keep(const protocol::Begin& field, std::span<const std::uint8_t> packed);
   IntakeOutcome activate(const Wish& wish, Refusal refusal, const Before& before);
@@ -124,12 +137,13 @@ class FieldIntake {
   void remember(std::uint64_t hash, const protocol::Text& name);
   protocol::Text stored_name(std::uint64_t hash);
   bool was_taken_over();
-  Refusal take_back(std::uint64_t hash, const PublishedField& felt, const Before& before);
+  Refusal take_back(const Wish& wish, const PublishedField& felt, const Before& before);
 
   loop::FieldSlots& slots_;
   FieldStore* store_;
   loop::Clock& clock_;
   FieldCheck check_;
+  std::function<void(std::uint64_t, std::span<const std::uint8_t>)> told_;
   std::vector<std::uint8_t> upload_, residuals_;
   ZSTD_DCtx_s* context_;
   std::mutex exchanging_;  ///< held while the slots or the store change

@@ -66,6 +66,16 @@ Histogram Controller::histogram(protocol::Measure measure) {
 
 protocol::Accepted Controller::upload(const protocol::Begin& field, std::span<const std::uint8_t> packed) {
   connection_.send(Kind::kBegin, field);
+  return send_upload(packed);
+}
+
+protocol::Accepted Controller::patch(std::span<const std::uint8_t> patch) {
+  connection_.send(Kind::kBeginPatch, protocol::BeginPatch{patch.size()});
+  return send_upload(patch);
+}
+
+/// What was announced, its end, and what becomes of it.
+protocol::Accepted Controller::send_upload(std::span<const std::uint8_t> packed) {
   (void)expect(Kind::kDone, kAnswer);
   std::size_t unanswered = 0;
   for (std::size_t at = 0; at < packed.size(); at += protocol::kMaxChunk) {

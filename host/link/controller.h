@@ -46,6 +46,10 @@ class Controller {
   ///
   /// packed    as `field` promises
   protocol::Accepted upload(const protocol::Begin& field, std::span<const std::uint8_t> packed);
+  /// Sends a patch (SPEC.md, section 7) of the field that the controller uses. Returns once the tick feels it; whoever has more waits for that.
+  ///
+  /// fails     as every request: the controller refuses it where it uses another field
+  protocol::Accepted patch(std::span<const std::uint8_t> patch);
 
   std::vector<protocol::FieldEntry> fields();
   protocol::Accepted select(std::uint64_t image_hash);
@@ -92,6 +96,7 @@ class Controller {
                 const std::function<bool()>& enough);
 
  private:
+  protocol::Accepted send_upload(std::span<const std::uint8_t> packed);
   protocol::Frame expect(protocol::Kind kind, int patience_ms);
   std::optional<protocol::Records> more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
                                                 std::string& ended);

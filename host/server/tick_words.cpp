@@ -13,7 +13,7 @@ struct Limit {
 };
 
 /// What a limit did, and the next step.
-constexpr std::array<Limit, 8> kLimits = {{
+constexpr std::array<Limit, 9> kLimits = {{
     {kForceLimited, "the force was shortened to its limit; press less, or raise force_limit_n with 'isotouch set'"},
     {kCommandsLimited, "the motor commands were shortened to their limit; press less"},
     {kSlewLimited, "the motor commands change as fast as they may; move more gently"},
@@ -21,6 +21,7 @@ constexpr std::array<Limit, 8> kLimits = {{
     {kNearSingular, "the arms are nearly stretched; move the grip towards the middle"},
     {kInputClamped, "the hand is outside the range of positions; move it towards the middle"},
     {kHeldInside, "the hand began inside the object; move it out, then there is force"},
+    {kLagging, "the surface has moved by itself, and the force follows it gently"},
     {kDamped, "the passivity controller adds damping, because the stiffness is near what the device bears"},
 }};
 

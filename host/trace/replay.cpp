@@ -14,8 +14,10 @@ namespace {
 void check_inputs(const Trace& trace) {
   std::uint32_t generation = 0;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    const std::uint32_t loaded = trace.record(tick).input.field_generation;
-    if (generation != 0 && loaded != 0 && loaded != generation) {
+    const Input input = trace.record(tick).input;
+    const std::uint32_t loaded = input.field_generation;
+    const bool moved = (input.requests & kRequestMoved) != 0;
+    if (generation != 0 && loaded != 0 && loaded != generation && !moved) {
       throw InputError(trace.path() + ": another field was loaded at record " + std::to_string(tick) +
                        ", but a trace names one field; record it in two parts");
     }
@@ -77,6 +79,17 @@ ReplayReport run_all(Renderer& renderer, const Trace& trace, bool check, TraceWr
 
 }  // namespace
 
+namespace {
+
+std::array<std::span<std::uint8_t>, 2> places(std::array<std::vector<std::uint64_t>, 2>& memory) {
+  const auto of = [](std::vector<std::uint64_t>& words) {
+    return std::span(reinterpret_cast<std::uint8_t*>(words.data()), 8 * words.size());
+  };
+  return {of(memory[0]), of(memory[1])};
+}
+
+}  // namespace
+
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   TraceHeader header = inputs;
   header.field_hash = field.hash();
@@ -84,8 +97,9 @@ TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   return header;
 }
 
-Run::Run(const FieldView& field, const TraceHeader& header)
-    : field_(field),
+Run::Run(const FieldView& field, const TraceHeader& header, const RecordedPatches* patches)
+    : memory_(patches != nullptr ? patches->memory() : std::array<std::vector<std::uint64_t>, 2>{}),
+      field_(field, patches != nullptr ? std::span<const std::uint8_t>(patches->bytes) : std::span<const std::uint8_t>{}, places(memory_)),
       header_(replay_header(field, header)),
       tick_model_(core::make_tick_model(header.device, header.settings, header.period_ns)),
       position_model_(core::make_position_model(header.device, header.settings, header.period_ns, field)),
@@ -94,16 +108,24 @@ Run::Run(const FieldView& field, const TraceHeader& header)
 TraceRecord Run::step(const Input& input) {
   TraceRecord record;
   record.input = input;
+  if ((input.requests & kRequestMoved) != 0) {
+    if (const Result<void> moved = field_.advance(input.moved_to); !moved) {
+      throw InputError(std::string("a tick takes a patch over, and ") + describe(moved.error()) +
+                       "; keep the file of patches that was written beside the trace with it");
+    }
+  }
+  const FieldView& felt = field_.field();
   record.output = input.kind == InputKind::kPosition
-                      ? core::render_position(input, field_, position_model_, position_state_)
-                      : core::tick(input, input.field_generation == 0 ? nullptr : &field_, tick_model_, tick_state_);
+                      ? core::render_position(input, felt, position_model_, position_state_)
+                      : core::tick(input, input.field_generation == 0 ? nullptr : &felt, tick_model_, tick_state_);
   record.chain = chain_.extend(record.input, record.output);
   return record;
 }
 
 ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out, RenderingDifference* difference) {
   check_usable(field, trace, check);
-  Run run(field, trace.header());
+  const std::optional<RecordedPatches> patches = read_patches(trace, field);
+  Run run(field, trace.header(), patches ? &*patches : nullptr);
   return run_all(run, trace, check, out, difference);
 }
 

@@ -1,14 +1,18 @@
 /// The core over a recorded run: the same inputs on the same field give the same answers, to the bit, on every machine.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "firmware/core/tick.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/rendering_difference.h"
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
 #include "shared/field_view.h"
+#include "shared/patch_chain.h"
 
 namespace isotouch::trace {
 
@@ -30,8 +34,12 @@ class Run final : public Renderer {
  public:
   /// field     stays alive as long as the run; loaded in the ticks whose input names a field
   /// header    device, period and settings of the run
-  Run(const FieldView& field, const TraceHeader& header);
+  /// patches   of a field that was patched meanwhile; they stay alive as long as the run
+  Run(const FieldView& field, const TraceHeader& header, const RecordedPatches* patches = nullptr);
+  Run(Run&&) = default;
+  Run(const Run&) = delete;  // the patched images stand in its memory
 
+  /// fails     InputError: the tick takes a patch over that is not there
   TraceRecord step(const Input& input) override;
   std::uint64_t hash() const override { return chain_.value(); }
   /// With outputs, of this field.
@@ -48,7 +56,8 @@ class Run final : public Renderer {
   }
 
  private:
-  const FieldView& field_;
+  std::array<std::vector<std::uint64_t>, 2> memory_;  ///< of patched images
+  PatchChain field_;
   TraceHeader header_;
   core::TickModel tick_model_;
   core::PositionModel position_model_;
@@ -70,7 +79,9 @@ struct ReplayReport {
 ///             output's name; "input" when the record's input was changed after recording, "chain" when only the stored chain was
 /// out         nullptr, or takes every record, with the input's arrival times
 /// difference  nullptr, or takes in every tick beside the recorded one
-/// fails       InputError: a second field where the trace names one; with `check`, no outputs or no records, or another field; with `difference`,
+/// The patches of a field that was patched are read from the file beside the trace.
+///
+/// fails       InputError: patches that are not those of the trace, or are not there; a second field where the trace names one; with `check`, no outputs or no records, or another field; with `difference`,
 ///             no outputs
 ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr,
                     RenderingDifference* difference = nullptr);

@@ -70,6 +70,76 @@ TEST(Guard, StopsCommandsThatRepeat) {
   EXPECT_EQ(through.verdict, GuardVerdict::kRepeat) << name_of(through.verdict);
 }
 
+/// Balls on one grid, from the smallest to the largest.
+const std::vector<std::vector<std::uint8_t>>& balls() {
+  static const std::vector<std::vector<std::uint8_t>> all = [] {
+    std::vector<std::vector<std::uint8_t>> made;
+    for (int n = 0; n <= 20; ++n) made.push_back(ball_image(23 + 0.2 * n));
+    return made;
+  }();
+  return all;
+}
+
+/// As the controller applies a patch.
+void patch(FaultBench& bench, const std::vector<std::uint8_t>& image) {
+  const auto room = bench.fields.begin(image.size());
+  if (room.size() < image.size()) return;
+  std::copy(image.begin(), image.end(), room.begin());
+  const auto view = bench.fields.verify();
+  ASSERT_TRUE(view && bench.fields.commit_patched((*view)->hash()));
+}
+
+TEST(Guard, LetsASurfaceMoveUnderTheHand) {
+  for (const int every : {33, 100, 7}) {
+    const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+    ASSERT_TRUE(bench->begin());
+    int forces = 0, patches = 0, lags = 0;
+    std::size_t now = 10, step = 1;
+    for (int t = 0; t < 6000; ++t) {
+      if (t % every == 0) {
+        if (now == 0 || now == 20 || t % 700 < every) step = -step;
+        now = std::min<std::size_t>(now + step, 20);
+        patch(*bench, balls()[now]);
+        ++patches;
+      }
+      bench->tick();
+      ASSERT_EQ(bench->line_state.verdict(), GuardVerdict::kNone) << name_of(bench->line_state.verdict()) << " in tick " << t;
+      ASSERT_NE(bench->state(), SupervisorState::kFault) << t;
+      forces += has_force(*bench) ? 1 : 0;
+      lags += (bench->last.out.status & kLagging) != 0 ? 1 : 0;
+    }
+    EXPECT_GT(forces, 1000) << every;
+    EXPECT_GT(lags, 500) << every;
+    EXPECT_GT(patches, 50);
+  }
+}
+
+/// By steps that the proxy cannot follow, and away altogether.
+TEST(Guard, LetsASurfaceJumpUnderTheHand) {
+  const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+  ASSERT_TRUE(bench->begin());
+  const std::vector<std::vector<std::uint8_t>> far = {ball_image(25), ball_image(5), ball_image(24), ball_image(33), ball_image(26)};
+  for (int t = 0; t < 4000; ++t) {
+    if (t % 400 == 0) patch(*bench, far[static_cast<std::size_t>(t / 400) % far.size()]);
+    bench->tick();
+    ASSERT_EQ(bench->line_state.verdict(), GuardVerdict::kNone) << name_of(bench->line_state.verdict()) << " in tick " << t;
+  }
+}
+
+TEST(Guard, StopsAForceThatIsTooStrongOnASurfaceThatMoves) {
+  const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});
+  ASSERT_TRUE(bench->begin());
+  patch(*bench, balls()[11]);
+  for (int t = 0; t < 50; ++t) bench->tick();
+  bench->tamper = [](Command& c) { times(8, c); };
+  double most = 0;
+  for (int t = 0; t < 1500 && bench->line_state.verdict() == GuardVerdict::kNone; ++t) {
+    bench->tick();
+    if (has_force(*bench)) most = std::max(most, 8 * newton(bench->last.out.force));
+  }
+  EXPECT_NE(bench->line_state.verdict(), GuardVerdict::kNone) << "of " << most << " N";
+}
+
 TEST(Guard, StopsOnceItsOwnMemoryWasDamaged) {
   for (std::uint64_t bit = 0; bit < 8 * sizeof(guard::Memory); bit += 331) {
     const auto bench = std::make_unique<FaultBench>(FaultBench::Options{});

@@ -29,6 +29,7 @@ void read_body(const Frame& frame) {
   switch (frame.kind) {
     case Kind::kHello: return read<Hello>(frame);
     case Kind::kBegin: return read<Begin>(frame);
+    case Kind::kBeginPatch: return read<BeginPatch>(frame);
     case Kind::kChunk: return read<Chunk>(frame);
     case Kind::kHistogram: return read<HistogramRequest>(frame);
     case Kind::kSubscribe: return read<Subscribe>(frame);

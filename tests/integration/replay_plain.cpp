@@ -1,6 +1,6 @@
 /// A replay for processors and compilers that have no host tool: hil/plain_replay.h on files.
 ///
-///     replay_plain FIELD TRACE
+///     replay_plain FIELD TRACE [PATCHES]
 ///
 /// Prints {"ticks", "seconds", "hash", "first_difference"} as `isotouch replay --json` does, the difference as a tick number. Exit codes as the
 /// tool's: 0 equal to what was recorded, 1 bad input, 2 wrong usage, 3 different.
@@ -16,6 +16,7 @@
 
 #include "hil/plain_replay.h"
 #include "shared/field_view.h"
+#include "shared/patch_chain.h"
 
 namespace {
 
@@ -50,13 +51,22 @@ int refuse(const char* file, Error why) {
   return 1;
 }
 
-int replay_files(const char* field_name, const char* trace_name) {
+int replay_files(const char* field_name, const char* trace_name, const char* patches_name) {
   const Image image(read_file(field_name)), trace(read_file(trace_name));
   const Result<FieldView> field = FieldView::parse(image.span());
   if (!field) return refuse(field_name, field.error());
+  const Image patches(patches_name != nullptr ? read_file(patches_name) : std::vector<char>{});
+  const Result<Patches> checked = check_patches(patches.span(), field->hash());
+  if (!checked) return refuse(patches_name, checked.error());
+  std::array<std::vector<std::uint64_t>, 2> words;
+  replay::Moves moves{patches.span(), {}};
+  for (std::size_t place = 0; place < words.size(); ++place) {
+    words[place].resize((checked->largest_image + 7) / 8);
+    moves.memory[place] = {reinterpret_cast<std::uint8_t*>(words[place].data()), checked->largest_image};
+  }
 
   const auto started = std::chrono::steady_clock::now();
-  const Result<replay::Report> report = replay::run(*field, trace.span());
+  const Result<replay::Report> report = replay::run(*field, trace.span(), moves);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   if (!report) return refuse(trace_name, report.error());
   const std::string first_difference = report->equal ? "null" : std::to_string(report->first_difference);
@@ -69,9 +79,9 @@ int replay_files(const char* field_name, const char* trace_name) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: replay_plain FIELD TRACE\n");
+  if (argc != 3 && argc != 4) {
+    std::fprintf(stderr, "usage: replay_plain FIELD TRACE [PATCHES]\n");
     return 2;
   }
-  return replay_files(argv[1], argv[2]);
+  return replay_files(argv[1], argv[2], argc == 4 ? argv[3] : nullptr);
 }

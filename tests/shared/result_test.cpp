@@ -36,7 +36,7 @@ TEST(Result, NoBooleanOrValueSlipsInOrOut) {
 
 TEST(Result, EveryErrorHasASentenceOfItsOwn) {
   std::set<std::string> sentences;
-  constexpr int kErrors = static_cast<int>(Error::kBadSample) + 1;
+  constexpr int kErrors = static_cast<int>(Error::kBadPatch) + 1;
   for (int i = 0; i < kErrors; ++i) sentences.insert(describe(static_cast<Error>(i)));
   EXPECT_EQ(sentences.size(), static_cast<std::size_t>(kErrors));
   EXPECT_EQ(sentences.count("unknown error"), 0U);

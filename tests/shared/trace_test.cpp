@@ -117,6 +117,32 @@ TEST(Trace, ARestartWithoutAChangeHoldsTheHeat) {
   }
 }
 
+TEST(Trace, APatchIsNamedByTheImageAfter) {
+  for (const InputKind kind : kKinds) {
+    TraceRecord record = some_record(kind);
+    record.input.requests = kRequestMoved | kRequestStop;
+    record.input.change = {};
+    record.input.moved_to = 0xF1020304;
+    record.input.field_generation = 5;
+    record.input.buttons = kind == InputKind::kPosition ? std::uint8_t{3} : std::uint8_t{0};
+    TraceRecordBytes bytes = encode(record);
+    EXPECT_EQ(bytes[4], 0b1001);
+    EXPECT_EQ(load_le<std::uint32_t>(bytes.data() + 8), 0xF1020304);
+    const auto read = decode_record(bytes);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, record);
+    const auto refused = [&](std::size_t at, std::uint8_t value) {
+      TraceRecordBytes bad = bytes;
+      bad[at] = value;
+      return !decode_record(bad);
+    };
+    EXPECT_TRUE(refused(4, 0b1100)) << "with a restart";
+    EXPECT_TRUE(refused(4, 0b11000)) << "an unknown request";
+    EXPECT_TRUE(refused(5, 1)) << "with a change of a setting";
+    EXPECT_TRUE(refused(12, 0)) << "without a field";
+  }
+}
+
 TEST(Trace, TheRecordStandsAsTheSpecificationDrawsIt) {
   for (const InputKind kind : kKinds) {
     const TraceRecordBytes bytes = encode(some_record(kind));

@@ -46,7 +46,7 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
   std::vector<std::uint32_t> root;
   std::vector<std::uint8_t> parts(2);
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    root.push_back(static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
+    std::vector<std::uint32_t> node;
     const std::array<std::size_t, 3> corner = {16 * (cell % roots[0]), 16 * (cell / roots[0] % roots[1]),
                                                16 * (cell / roots[0] / roots[1])};
     for (std::size_t slot = 0; slot < kBricksPerNode; ++slot) {
@@ -63,15 +63,21 @@ FieldImage::FieldImage(std::array<std::uint32_t, 3> size, const DistanceFunction
       }
       const bool constant = std::all_of(brick.begin(), brick.end(), [&](std::int16_t c) { return c == brick[0]; });
       if (constant && (brick[0] == far || brick[0] == -far)) {
-        nodes.push_back(brick[0] == far ? kOutside : kInside);
+        node.push_back(brick[0] == far ? kOutside : kInside);
       } else {
-        nodes.push_back(static_cast<std::uint32_t>(bricks.size() / kSamplesPerBrick));
+        node.push_back(static_cast<std::uint32_t>(bricks.size() / kSamplesPerBrick));
         bricks.insert(bricks.end(), brick.begin(), brick.end());
         Point centre{};
         for (std::size_t axis = 0; axis < 3; ++axis)
           centre[axis] = 1.5 + static_cast<double>(corner[axis] + 4 * ((slot >> (2 * axis)) & 3));
         if (options.stiffness_part) parts.push_back(static_cast<std::uint8_t>(options.stiffness_part(centre)));
       }
+    }
+    if (node[0] <= kInside && std::all_of(node.begin(), node.end(), [&](std::uint32_t number) { return number == node[0]; })) {
+      root.push_back(node[0]);
+    } else {
+      root.push_back(static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
+      nodes.insert(nodes.end(), node.begin(), node.end());
     }
   }
 

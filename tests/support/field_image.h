@@ -25,7 +25,7 @@ struct FieldOptions {
   Interpolation interpolation = Interpolation::kSpline;  ///< kTrilinear wants no `prefilter`
 };
 
-/// An image and the checked view on it.
+/// A canonical image and the checked view on it.
 class FieldImage {
  public:
   /// size      samples along each axis; the body must stay away from the border by more than the band

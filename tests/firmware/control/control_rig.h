@@ -62,6 +62,7 @@ class FakeTick {
       record.in.fresh = true;
       const loop::Asked asked = commands.take();
       record.in.requests = asked.bits;
+      if (field.patched_from != 0 && field.patched_from == generation) record.in.requests |= kRequestMoved;
       record.out.faults = faults;
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);

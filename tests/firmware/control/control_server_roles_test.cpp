@@ -49,6 +49,8 @@ std::vector<bool> allowed(Speaker& speaker) {
   all.push_back(is_allowed(ask(speaker, Kind::kChunk, protocol::Chunk{0, ball.bytes})));
   all.push_back(is_allowed(ask(speaker, Kind::kCommit)));
   all.push_back(is_allowed(ask(speaker, Kind::kAbort)));
+  all.push_back(is_allowed(ask(speaker, Kind::kBeginPatch, protocol::BeginPatch{100})));
+  (void)ask(speaker, Kind::kAbort);
   all.push_back(is_allowed(ask(speaker, Kind::kSelect, protocol::Select{1})));
   all.push_back(is_allowed(ask(speaker, Kind::kSet, protocol::Set{protocol::Text::of("friction"), protocol::Text::of("1")})));
   all.push_back(is_allowed(ask(speaker, Kind::kResume)));
@@ -82,7 +84,7 @@ TEST(ControlServerRoles, WhoOperatesDoesEverythingButCalibrate) {
   RoleRig rig(Role::kOperate);
   Speaker speaker(rig.settings.path);
   speaker.greet();
-  EXPECT_THAT(allowed(speaker), ElementsAre(true, true, true, true, true, true, true, true, false, false, true));
+  EXPECT_THAT(allowed(speaker), ElementsAre(true, true, true, true, true, true, true, true, true, false, false, true));
 }
 
 TEST(ControlServerRoles, WhoServicesDoesEverything) {

@@ -10,6 +10,7 @@
 
 #include "tests/firmware/control/control_rig.h"
 #include "tests/firmware/store/packed_field.h"
+#include "tests/support/field_patch.h"
 
 namespace isotouch::control {
 namespace {
@@ -171,6 +172,104 @@ TEST(ControlServer, TwoSendersDoNotMixTheirFields) {
   Heard heard;
   for (int tries = 0; tries < 100 && heard.kind != Kind::kAccepted; ++tries) heard = upload(second, two);
   EXPECT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+}
+
+/// The frames of a patch, without a greeting.
+std::vector<std::vector<std::uint8_t>> patch_frames(const std::vector<std::uint8_t>& patch, std::size_t chunk) {
+  auto frames = frames_of({patch, {}}, chunk);
+  frames[1].resize(protocol::kMaxFrame);
+  frames[1].resize(protocol::encode(Kind::kBeginPatch, protocol::BeginPatch{patch.size()}, frames[1]));
+  frames.erase(frames.begin());
+  return frames;
+}
+
+Heard send_patch(Speaker& speaker, const std::vector<std::uint8_t>& patch, std::size_t chunk = 4096) {
+  Heard heard;
+  for (const auto& frame : patch_frames(patch, chunk)) {
+    speaker.send(frame);
+    heard = speaker.hear();
+    if (heard.kind == Kind::kRefused) break;
+  }
+  return heard;
+}
+
+std::vector<std::uint8_t> patch_of_balls(int before, int after) {
+  return test::make_patch(store::ball_image(before).view(), store::ball_image(after).view());
+}
+
+TEST(ControlServer, PatchesAreFeltOneAfterTheOther) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  ASSERT_EQ(upload(speaker, store::packed_ball(1)).kind, Kind::kAccepted);
+  for (int which = 2; which < 8; ++which) {
+    const Heard heard = send_patch(speaker, patch_of_balls(which - 1, which), 700);
+    ASSERT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
+    const auto accepted = protocol::decode<protocol::Accepted>(heard.body);
+    EXPECT_EQ(accepted->image_hash, store::ball_image(which).view().hash());
+    EXPECT_EQ(rig.tick.felt, accepted->image_hash);
+    EXPECT_EQ(rig.tick.generation, accepted->generation);
+  }
+  expect_sentence(send_patch(speaker, patch_of_balls(2, 3)), "this patch is for the field ");
+  EXPECT_EQ(rig.tick.felt, store::ball_image(7).view().hash());
+  EXPECT_EQ(send_patch(speaker, patch_of_balls(7, 1)).kind, Kind::kAccepted);
+}
+
+TEST(ControlServer, APatchCutAtAnyFrameLeavesTheFieldBefore) {
+  ControlRig rig;
+  const std::uint64_t before = store::ball_image(1).view().hash();
+  {
+    Speaker speaker(rig.settings.path);
+    ASSERT_EQ(upload(speaker, store::packed_ball(1)).kind, Kind::kAccepted);
+  }
+  const auto frames = patch_frames(patch_of_balls(1, 2), 700);
+  ASSERT_GT(frames.size(), 4U);
+  for (std::size_t whole = 0; whole < frames.size(); ++whole) {
+    Speaker speaker(rig.settings.path);
+    speaker.greet();
+    for (std::size_t i = 0; i < whole; ++i) speaker.send(frames[i]);
+    speaker.send(std::span(frames[whole]).first(frames[whole].size() / 2));
+    EXPECT_TRUE(whole == 0 || speaker.hear().kind == Kind::kDone);
+    ASSERT_EQ(rig.tick.felt, before) << "cut after " << whole << " frames";
+  }
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  EXPECT_EQ(send_patch(speaker, patch_of_balls(1, 2)).kind, Kind::kAccepted);
+}
+
+TEST(ControlServer, TwoSendersOfPatchesDoNotMixThem) {
+  ControlRig rig;
+  Speaker one(rig.settings.path), other(rig.settings.path);
+  ASSERT_EQ(upload(one, store::packed_ball(1)).kind, Kind::kAccepted);
+  other.greet();
+  const auto frames = patch_frames(patch_of_balls(1, 2), 700);
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) one.send(frames[i]), one.hear();
+  expect_sentence(send_patch(other, patch_of_balls(1, 3)), "another client is sending a field");
+  one.send(frames.back());
+  EXPECT_EQ(one.hear().kind, Kind::kAccepted);
+  expect_sentence(send_patch(other, patch_of_balls(1, 3)), "this patch is for the field ");
+  EXPECT_EQ(send_patch(other, patch_of_balls(2, 3)).kind, Kind::kAccepted);
+}
+
+TEST(ControlServer, ARecordingOfAClientEndsAtAPatch) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path), recorder(rig.settings.path);
+  ASSERT_EQ(upload(speaker, store::packed_ball(1)).kind, Kind::kAccepted);
+  recorder.greet();
+  recorder.say(Kind::kRecord);
+  ASSERT_EQ(recorder.hear().kind, Kind::kRecording);
+  ASSERT_EQ(send_patch(speaker, patch_of_balls(1, 2)).kind, Kind::kAccepted);
+  Heard heard;
+  do heard = recorder.hear();
+  while (heard.kind == Kind::kRecords);
+  expect_sentence(heard, "the recording ended: the field was patched");
+}
+
+TEST(ControlServer, ATooLargePatchIsRefused) {
+  ControlRig rig;
+  Speaker speaker(rig.settings.path);
+  speaker.greet();
+  speaker.say(Kind::kBeginPatch, protocol::BeginPatch{UINT64_MAX});
+  expect_sentence(speaker.hear(), "the patch takes");
 }
 
 TEST(ControlServer, AnotherVersionIsToldWhatToDo) {

@@ -130,6 +130,83 @@ TEST(DeviceTick, AnotherFieldBeginsAtTheHipWithARamp) {
   EXPECT_EQ(out.status, std::uint32_t{kContact});
 }
 
+TEST(DeviceTick, APatchedFieldGoesOnBeingFelt) {
+  for (const bool moved : {true, false}) {
+    Bench bench;
+    bench.begin();
+    bench.press(6);
+    const Point hand = kCentre + Point{6, 0, 0};
+    const Point before = newton(bench.rest(hand, 100).force);
+    ASSERT_GT(before.x, 1.0);
+    bench.generation = 2;
+    Input in = packet(bench.counts_at(hand));
+    in.requests = moved ? kRequestMoved : 0;
+    const Output out = bench(in);
+    EXPECT_EQ(state_of(out), SupervisorState::kActive);
+    EXPECT_EQ((out.status & kLagging) != 0, moved);
+    EXPECT_EQ(length(newton(out.force) - before) < 0.05, moved);
+    const Output later = bench.rest(hand, 100);
+    EXPECT_EQ(later.status & kLagging, 0U);
+    EXPECT_EQ(length(newton(later.force) - before) < 0.05, moved) << "another field begins with the hand inside";
+  }
+}
+
+TEST(DeviceTick, APatchOfNoFieldIsAnotherField) {
+  Bench bench;
+  bench.rest(kCentre + Point{10, 0, 0}, 240);
+  bench.generation = 1;
+  Input in = packet(bench.counts_at(kCentre + Point{10, 0, 0}));
+  in.requests = kRequestMoved;
+  EXPECT_EQ(state_of(bench(in)), SupervisorState::kReady);
+  EXPECT_FALSE(bench.state.render.coupling.lag.on);
+}
+
+TEST(DeviceTick, APatchDoesNotEndASettingsRamp) {
+  Bench bench;
+  bench.begin();
+  bench.press(6);
+  const Point hand = kCentre + Point{6, 0, 0};
+  Input in = packet(bench.counts_at(hand));
+  in.change = {TickSetting::kStiffness, Stiffness::of(0.2).raw()};
+  bench(in);
+  bench.rest(hand, 10);
+  const Stiffness before = bench.state.felt.coupling.stiffness;
+  bench.generation = 2;
+  in = packet(bench.counts_at(hand));
+  in.requests = kRequestMoved;
+  bench(in);
+  EXPECT_GT(bench.state.felt.coupling.stiffness, Stiffness::of(0.3));
+  EXPECT_LT(bench.state.felt.coupling.stiffness, before);
+}
+
+/// A surface that rises past a hand is no hand that goes too deep.
+TEST(DeviceTick, TheDepthIsJudgedAsFarAsItIsFelt) {
+  DeviceModel device = test::falcon_sets()[0].model;
+  device.penetration_limit = Mm::of(1.0);
+  const auto ball_of = [](double radius) {
+    return test::FieldImage({64, 64, 64},
+                            [=](const Point& p) {
+                              return (length(p * 0.4 - Point{12, 12, 12} - kCentre) - radius) / 0.4;
+                            },
+                            {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}});
+  };
+  const test::FieldImage small = ball_of(8), large = ball_of(8.8);
+  for (const bool moved : {true, false}) {
+    Bench bench(test::falcon_sets()[0], device);
+    bench.begin();
+    bench.press(7.3);
+    const Input in = packet(bench.counts_at(kCentre + Point{7.3, 0, 0}));
+    Input patched = in;
+    patched.field_generation = 2;
+    if (moved) patched.requests = kRequestMoved;
+    if (!moved) bench.state.field_generation = 2;  // as if nobody had said that it moved
+    Output out = tick(patched, &large.view(), bench.model, bench.state);
+    patched.requests = 0;
+    for (int t = 0; t < 3; ++t) out = tick(patched, &large.view(), bench.model, bench.state);
+    EXPECT_EQ(state_of(out) == SupervisorState::kFault, !moved);
+  }
+}
+
 TEST(DeviceTick, ARestartForgetsEverything) {
   Bench used, fresh;
   used.begin();

@@ -108,6 +108,50 @@ TEST(FieldSlots, AFieldCanBeTakenAway) {
   EXPECT_NE(slots.field().view, nullptr);
 }
 
+Result<std::uint32_t> patch(FieldSlots& slots, const Bytes& bytes) {
+  const auto place = slots.begin(bytes.size());
+  if (place.empty()) return Error::kBadSize;
+  std::copy(bytes.begin(), bytes.end(), place.begin());
+  const Result<const FieldView*> view = slots.verify();
+  if (!view) return view.error();
+  return slots.commit_patched((*view)->hash(), author_of(3));
+}
+
+TEST(FieldSlots, APatchedFieldIsTheSameSurface) {
+  FieldSlots slots(1 << 20);
+  const std::uint32_t first = *upload(slots, image(0));
+  EXPECT_EQ(slots.field().surface, first);
+  EXPECT_EQ(slots.field().patched_from, 0U);
+  std::uint32_t before = first;
+  for (int which = 1; which < 5; ++which) {
+    const std::uint32_t generation = *patch(slots, image(which));
+    const ActiveField field = slots.field();
+    EXPECT_EQ(field.generation, generation);
+    EXPECT_EQ(field.patched_from, before);
+    EXPECT_EQ(field.surface, first);
+    EXPECT_EQ(field.hash, field.view->hash());
+    EXPECT_EQ(field.author, author_of(3));
+    before = generation;
+  }
+  const std::uint32_t other = *upload(slots, image(5));
+  EXPECT_EQ(slots.field().surface, other);
+  EXPECT_EQ(slots.field().patched_from, 0U);
+}
+
+TEST(FieldSlots, APatchThatIsTakenBackLeavesAFieldOfItsOwn) {
+  FieldSlots slots(1 << 20);
+  ASSERT_TRUE(upload(slots, image(0)));
+  slots.field();
+  ASSERT_TRUE(patch(slots, image(1)));
+  const std::uint64_t felt = slots.field().view->hash();
+  ASSERT_TRUE(patch(slots, image(2)));
+  EXPECT_TRUE(slots.take_back());
+  const ActiveField field = slots.field();
+  EXPECT_EQ(field.view->hash(), felt);
+  EXPECT_EQ(field.patched_from, 0U) << "nobody knows what the tick has felt meanwhile";
+  EXPECT_EQ(field.surface, field.generation);
+}
+
 TEST(FieldSlots, WhatTheTickDidNotTakeIsTakenBack) {
   FieldSlots slots(1 << 20);
   ASSERT_TRUE(upload(slots, image(1)));
@@ -170,20 +214,20 @@ TEST(FieldSlots, AGuardHoldsAFieldOnlyUntilACommandOfAnother) {
   slots.field();
   EXPECT_FALSE(slots.free()) << "the guard has not seen it";
   EXPECT_NE(slots.acknowledged(), *one);
-  EXPECT_EQ(slots.field_of(*one), slots.published().view);
+  EXPECT_EQ(slots.field_of(*one).view, slots.published().view);
   EXPECT_TRUE(slots.free());
   EXPECT_EQ(slots.acknowledged(), *one);
 
   const auto two = upload(slots, image(2));
   ASSERT_TRUE(two);
-  EXPECT_NE(slots.field_of(*one), nullptr) << "a command of the field before";
+  EXPECT_NE(slots.field_of(*one).view, nullptr) << "a command of the field before";
   slots.field();
-  EXPECT_NE(slots.field_of(*two), nullptr);
-  EXPECT_EQ(slots.field_of(*one), nullptr);
+  EXPECT_NE(slots.field_of(*two).view, nullptr);
+  EXPECT_EQ(slots.field_of(*one).view, nullptr);
 
   ASSERT_TRUE(slots.clear());
   slots.field();
-  EXPECT_EQ(slots.field_of(0), nullptr) << "a command without a field";
+  EXPECT_EQ(slots.field_of(0).view, nullptr) << "a command without a field";
   EXPECT_TRUE(slots.free()) << "else no field could ever be loaded again";
   EXPECT_TRUE(upload(slots, image(3)));
 }

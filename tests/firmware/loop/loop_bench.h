@@ -19,10 +19,10 @@ using test::Point;
 
 inline constexpr Point kOrigin = {0, 0, 125};
 
-inline std::vector<std::uint8_t> ball() {
+inline std::vector<std::uint8_t> ball(double radius = 20.0) {
   return test::FieldImage({64, 64, 64},
-                          [](const Point& p) {
-                            return test::length(p * 0.4 - Point{12, 12, 12}) / 0.4 - 20.0;
+                          [radius](const Point& p) {
+                            return test::length(p * 0.4 - Point{12, 12, 12}) / 0.4 - radius;
                           },
                           {.edge_mm = 0.4, .origin_mm = {-12, -12, -12}})
       .bytes();
@@ -60,6 +60,13 @@ struct Bench {
     std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
     ASSERT_TRUE(fields.verify());
     ASSERT_TRUE(fields.commit(author));
+  }
+  /// The same as a patch of the field that is felt.
+  void patch(const std::vector<std::uint8_t>& image, std::uint32_t author = kNobody) {
+    std::copy(image.begin(), image.end(), fields.begin(image.size()).begin());
+    const auto view = fields.verify();
+    ASSERT_TRUE(view);
+    ASSERT_TRUE(fields.commit_patched((*view)->hash(), author));
   }
   SupervisorState state() { return static_cast<SupervisorState>(shown.get().out.state); }
 };

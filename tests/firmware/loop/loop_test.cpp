@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "shared/trace.h"
 #include "tests/firmware/loop/loop_bench.h"
 #include "tests/support/alloc_guard.h"
 
@@ -192,6 +193,58 @@ TEST(Loop, ATickNamesWhoeverChangedSomethingInIt) {
   bench.requests.ask(kRequestRestart, author_of(9));
   EXPECT_EQ(bench.step().in.author, author_of(9)) << "who began a recording";
   EXPECT_EQ(bench.step().in.author, author_of(7)) << "whose setting is set again";
+}
+
+TEST(Loop, APatchIsToldToTheTickThatTakesItOver) {
+  Bench bench;
+  bench.load(ball());
+  EXPECT_EQ(bench.step().in.requests, 0);
+  bench.patch(ball(20.5), author_of(8));
+  bench.requests.set({TickSetting::kFriction, 1000}, author_of(7));
+  TickRecord record = bench.step();
+  EXPECT_EQ(record.in.requests, kRequestMoved);
+  EXPECT_EQ(record.in.moved_to, static_cast<std::uint32_t>(bench.fields.field().view->hash()));
+  EXPECT_EQ(record.in.author, author_of(8));
+  EXPECT_EQ(record.in.change, SettingChange{});
+  EXPECT_TRUE(decode_record(encode(TraceRecord{record.in, record.out, 0, 0})));
+  record = bench.step();
+  EXPECT_EQ(record.in.requests, 0);
+  EXPECT_EQ(record.in.moved_to, 0U);
+  EXPECT_EQ(record.in.change.setting, TickSetting::kFriction) << "it waited";
+
+  bench.patch(ball(20.4));  // by nobody who is known
+  bench.requests.set({TickSetting::kFriction, 2000}, author_of(7));
+  EXPECT_EQ(bench.step().in.change, SettingChange{});
+  EXPECT_EQ(bench.step().in.change.setting, TickSetting::kFriction);
+}
+
+TEST(Loop, ATickThatForgetsTakesAPatchAsAnotherField) {
+  Bench bench;
+  bench.load(ball());
+  bench.step();
+  bench.patch(ball(20.5));
+  bench.requests.ask(kRequestRestart);
+  const TickRecord record = bench.step();
+  EXPECT_EQ(record.in.requests, kRequestRestart);
+  EXPECT_TRUE(decode_record(encode(TraceRecord{record.in, record.out, 0, 0})));
+  bench.load(ball(20.6));
+  EXPECT_EQ(bench.step().in.requests, 0);
+}
+
+TEST(Loop, PatchesUnderAHandAllocateNothing) {
+  Bench bench;
+  bench.load(ball());
+  const std::vector<std::uint8_t> one = ball(20.3), other = ball(20.0);
+  bench.steps(100);
+  const test::AllocGuard guard;
+  std::uint64_t counted = 0;
+  for (int n = 0; n < 20; ++n) {
+    bench.patch(n % 2 == 0 ? one : other);
+    const std::uint64_t before = guard.count();
+    for (int t = 0; t < 33; ++t) (void)bench.loop.step();
+    counted += guard.count() - before;
+  }
+  EXPECT_EQ(counted, 0U);
 }
 
 TEST(Loop, ASettingChangesInOneTickAndAgainInTheTickAfterARestart) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "shared/files/trace_file.h"
 #include "tests/support/scratch_folder.h"
@@ -73,6 +75,59 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   EXPECT_EQ(trace.record(0).input.requests, kRequestRestart);
   EXPECT_EQ(trace.header().field_hash, 0U);
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
+}
+
+/// A tick that takes a patch over which leads to an image of this hash.
+void moved_tick(Bench& bench, std::uint32_t generation, std::uint32_t moved_to) {
+  loop::TickRecord tick;
+  tick.number = ++bench.number;
+  tick.in.requests = kRequestMoved;
+  tick.in.moved_to = moved_to;
+  tick.in.field_generation = generation;
+  bench.ring.push(tick);
+  bench.recorder->drain();
+}
+
+std::vector<std::uint8_t> bytes_of(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Recorder, PatchesStandBesideTheRecordingInTheOrderOfTheirTicks) {
+  Bench bench;
+  const std::vector<std::uint8_t> one = {1, 2, 3}, never = {9, 9}, two = {4, 5};
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(5, 1);
+  bench.recorder->tell_patch(0xA00000001, one);
+  moved_tick(bench, 2, 1);
+  bench.ticks(3, 2);
+  bench.recorder->tell_patch(0xB00000002, never);  // taken back
+  bench.recorder->tell_patch(0xC00000003, two);
+  moved_tick(bench, 4, 3);
+  bench.ticks(3, 4);
+  bench.recorder->stop();
+  const files::TraceFile trace = bench.read(bench.path);
+  EXPECT_EQ(trace.size(), 13U);
+  EXPECT_EQ(trace.header().field_hash, 1000U) << "the field before the first patch";
+  EXPECT_EQ(bytes_of(patches_of(bench.path)), (std::vector<std::uint8_t>{1, 2, 3, 4, 5}));
+  EXPECT_FALSE(std::filesystem::exists(patches_of(bench.path) + ".part"));
+}
+
+TEST(Recorder, EndsAtAPatchThatIsMissing) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(5, 1);
+  moved_tick(bench, 2, 1);
+  bench.ticks(5, 2);
+  EXPECT_EQ(bench.read(bench.path).size(), 5U);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 5 ticks recorded; a patch was not kept until its tick came"});
+  EXPECT_FALSE(std::filesystem::exists(patches_of(bench.path)));
+}
+
+TEST(Recorder, ThePatchesOfATraceHaveItsName) {
+  EXPECT_EQ(patches_of("/a.b/c.trace"), "/a.b/c.patches");
+  EXPECT_EQ(patches_of("/a.b/c"), "/a.b/c.patches");
+  EXPECT_EQ(patches_of("c.d.trace"), "c.d.patches");
 }
 
 TEST(Recorder, OneRecordingAtATime) {

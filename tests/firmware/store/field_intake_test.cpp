@@ -14,6 +14,7 @@
 #include "shared/crc32.h"
 #include "tests/firmware/store/crashing_folder.h"
 #include "tests/firmware/store/packed_field.h"
+#include "tests/support/field_patch.h"
 #include "tests/support/random.h"
 
 namespace isotouch::store {
@@ -76,6 +77,97 @@ TEST(FieldIntake, AGoodFieldIsFeltStoredAndThereAtTheNextStart) {
   EXPECT_EQ(next.begin_with_active().sentence(), "");
   EXPECT_EQ(slots.field().view->hash(), ball.promise.image_hash);
   EXPECT_EQ(next.published().name, ball.promise.name) << "the store keeps it";
+}
+
+IntakeOutcome patch(Rig& rig, const std::vector<std::uint8_t>& bytes) {
+  std::copy(bytes.begin(), bytes.end(), rig.intake.upload().begin());
+  return rig.intake.patch(bytes.size(), author_of(5));
+}
+
+TEST(FieldIntake, APatchIsFeltAndNotStored) {
+  Rig rig;
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
+  const std::uint32_t surface = rig.slots.field().surface;
+  for (int which = 2; which < 6; ++which) {
+    const test::FieldImage before = ball_image(which - 1), after = ball_image(which);
+    const std::uint32_t generation = rig.slots.field().generation;
+    const IntakeOutcome outcome = patch(rig, test::make_patch(before.view(), after.view()));
+    ASSERT_EQ(outcome.refusal.sentence(), "");
+    EXPECT_EQ(outcome.field.image_hash, after.view().hash());
+    EXPECT_EQ(rig.felt(), after.view().hash());
+    EXPECT_EQ(rig.slots.field().patched_from, generation);
+    EXPECT_EQ(rig.slots.field().surface, surface);
+    EXPECT_EQ(rig.intake.hash_of(outcome.field.generation), after.view().hash());
+    EXPECT_EQ(outcome.field.name, packed_ball(1).promise.name);
+  }
+  EXPECT_EQ(rig.store.active(), packed_ball(1).promise.image_hash) << "the next start begins with what was stored";
+  EXPECT_EQ(rig.intake.stored().size(), 1U);
+}
+
+TEST(FieldIntake, APatchThatDoesNotFitLeavesTheFieldBefore) {
+  Rig rig;
+  const test::FieldImage one = ball_image(1), two = ball_image(2), three = ball_image(3);
+  const auto refused = [&](const std::vector<std::uint8_t>& bytes, const std::string& why) {
+    const std::uint64_t before = rig.felt();
+    const std::uint32_t generation = rig.slots.field().generation;
+    const IntakeOutcome outcome = patch(rig, bytes);
+    EXPECT_THAT(outcome.refusal.sentence(), HasSubstr(why));
+    EXPECT_THAT(outcome.refusal.sentence(), HasSubstr("; "));
+    EXPECT_EQ(rig.felt(), before);
+    EXPECT_EQ(rig.slots.field().generation, generation);
+    EXPECT_EQ(outcome.field.image_hash, before);
+    EXPECT_TRUE(rig.slots.free());
+  };
+  const auto good = test::make_patch(one.view(), two.view());
+  refused(good, "no field is loaded");
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
+  refused(test::make_patch(two.view(), three.view()), "this patch is for the field ");
+  refused({good.data(), good.data() + good.size() - 7}, "the patch is not usable: ");
+  for (std::size_t at = 0; at < good.size(); at += 97) {
+    auto bad = good;
+    bad[at] ^= 0x10;
+    refused(bad, "the patch ");
+  }
+  auto lies = good;  // names another image than it gives
+  lies[33] ^= 1;
+  store_le(lies.data() + 12, crc32(lies.data() + 16, lies.size() - 16));
+  refused(lies, "the patch does not fit: ");
+  EXPECT_EQ(patch(rig, good).refusal.sentence(), "");
+  EXPECT_EQ(rig.felt(), two.view().hash());
+  refused(good, "this patch is for the field ");
+}
+
+TEST(FieldIntake, APatchIsJudgedLikeAField) {
+  bool strict = false;
+  Rig rig([&](const FieldView&) { return strict ? Refusal("too stiff; be softer") : Refusal(); });
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
+  strict = true;
+  EXPECT_EQ(patch(rig, test::make_patch(ball_image(1).view(), ball_image(2).view())).refusal.sentence(), "too stiff; be softer");
+  EXPECT_EQ(rig.felt(), packed_ball(1).promise.image_hash);
+}
+
+/// A flipped bit in the image must not be copied into the next one and pass there as good.
+TEST(FieldIntake, ADamagedImageIsNotPatched) {
+  Rig rig;
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
+  const auto image = rig.slots.field().view->image;
+  const_cast<std::uint8_t*>(image.data())[image.size() - 5] ^= 1;
+  EXPECT_THAT(patch(rig, test::make_patch(ball_image(1).view(), ball_image(2).view())).refusal.sentence(), HasSubstr("does not fit"));
+}
+
+TEST(FieldIntake, APatchThatTheLoopDoesNotTakeIsTakenBack) {
+  Rig rig;
+  ASSERT_EQ(rig.upload(packed_ball(1)).refusal.sentence(), "");
+  const auto bytes = test::make_patch(ball_image(1).view(), ball_image(2).view());
+  rig.clock.runs = false;
+  const IntakeOutcome outcome = patch(rig, bytes);
+  EXPECT_THAT(outcome.refusal.sentence(), HasSubstr("the controller's loop does not run"));
+  EXPECT_EQ(outcome.field.image_hash, packed_ball(1).promise.image_hash);
+  EXPECT_EQ(rig.store.active(), packed_ball(1).promise.image_hash);
+  rig.clock.runs = true;
+  EXPECT_EQ(rig.felt(), packed_ball(1).promise.image_hash);
+  EXPECT_EQ(rig.slots.field().patched_from, 0U);
+  EXPECT_EQ(patch(rig, bytes).refusal.sentence(), "");
 }
 
 TEST(FieldIntake, AStoredFieldIsSelected) {

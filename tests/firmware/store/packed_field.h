@@ -21,13 +21,18 @@ struct PackedField {
 };
 
 /// Balls in a box of so many samples a side; each `which` is another one.
-inline PackedField packed_ball(int which, std::uint32_t side = 16) {
+inline test::FieldImage ball_image(int which, std::uint32_t side = 16) {
   const double middle = side / 2.0, radius = middle - 6 + 0.3 * (which % 10);
-  const test::FieldImage image({side, side, side},
-                               [&](const test::Point& p) {
-                                 return test::length(p - test::Point{middle, middle, middle}) - radius;
-                               },
-                               {.band = 2.0});
+  return test::FieldImage({side, side, side},
+                          [&](const test::Point& p) {
+                            return test::length(p - test::Point{middle, middle, middle}) - radius;
+                          },
+                          {.band = 2.0});
+}
+
+/// The same, packed.
+inline PackedField packed_ball(int which, std::uint32_t side = 16) {
+  const test::FieldImage image = ball_image(which, side);
   const FieldView& view = image.view();
   std::vector<std::uint8_t> residuals(view.image.size() - image_layout::kHeaderBytes);
   std::vector<std::uint32_t> codes(image_layout::kSamplesPerBrick * std::size_t{view.brick_count});

@@ -1,0 +1,94 @@
+#include "firmware/core/lag.h"
+
+#include <algorithm>
+
+#include "shared/roots.h"
+
+namespace isotouch::core {
+
+namespace {
+
+constexpr Newton kMostForce =
+    Newton::of(4095);  // a component: 2^28, so that the sum of squares is below 2^58, and that of a difference below 2^60
+
+constexpr Newton kStill = Newton::of(0.002);  // smaller steps of the target are those of a proxy that has settled
+
+std::int64_t square_of(const Vec3<Newton>& v) { return dot_raw(v, v); }
+std::int64_t square_of(Newton length) { return std::int64_t{length.raw()} * length.raw(); }
+
+/// The part that `length` is of a vector that is no shorter.
+Ratio part_in(Newton length, std::int64_t square) {
+  const Reciprocal inverse = inverse_root_of_positive(static_cast<std::uint64_t>(square));
+  return Ratio::from_raw(static_cast<std::int32_t>(share_of_root(length.raw(), inverse)));
+}
+
+Newton length_of(std::int64_t square) {
+  if (square == 0) return {};
+  return Newton::from_raw(static_cast<std::int32_t>(roots_of(static_cast<std::uint64_t>(square)).root));
+}
+
+Vec3<Newton> no_longer(const Vec3<Newton>& v, Newton most) {
+  const std::int64_t square = square_of(v);
+  return square <= square_of(most) ? v : part_of(v, part_in(most, square));
+}
+
+Vec3<Newton> shorter(const Vec3<Newton>& v, Newton by) {
+  const std::int64_t square = square_of(v);
+  return square <= square_of(by) ? Vec3<Newton>{} : v - part_of(v, part_in(by, square));
+}
+
+/// The unit vector; zero for zero.
+Vec3<Ratio> direction_of(const Vec3<Newton>& v) {
+  const Reciprocal inverse = inverse_root(static_cast<std::uint64_t>(square_of(v)));
+  const auto part = [&](Newton q) { return Ratio::from_raw(static_cast<std::int32_t>(share_of_root(q.raw(), inverse))); };
+  return {part(v.x), part(v.y), part(v.z)};
+}
+
+Newton along(const Vec3<Newton>& v, const Vec3<Ratio>& unit) {
+  return Newton::from_raw(saturate32(dot_raw(v, unit) >> Ratio::kFractionBits));
+}
+
+Vec3<Newton> reaching(Newton length, const Vec3<Ratio>& unit) {
+  return {part_of(length, unit.x), part_of(length, unit.y), part_of(length, unit.z)};
+}
+
+/// What is left of a force when the hand goes along with it; against it, all of it.
+Vec3<Newton> used_up(const Vec3<Newton>& felt, const Vec3<Newton>& by_hand) {
+  return shorter(felt, std::max(along(by_hand, direction_of(felt)), Newton{}));
+}
+
+/// The force without what it pulls the hand into the surface by.
+Vec3<Newton> without_pull(const Vec3<Newton>& force, const Vec3<Ratio>& outwards) {
+  return force - reaching(std::min(along(force, outwards), Newton{}), outwards);
+}
+
+}  // namespace
+
+void surface_moved(const Vec3<Newton>& given, Lag& lag) {
+  if (!lag.on) lag.felt = within(given, kMostForce);
+  lag.on = lag.moved = true;
+  lag.settling = kSettlingTicks;
+}
+
+Vec3<Newton> follow_target(const LagInput& in, Lag& lag) {
+  const Vec3<Newton> target = within(in.target, kMostForce), step = within(in.step, kMostForce), by_hand = within(in.by_hand, kMostForce);
+  const Vec3<Newton> before = lag.felt;
+  const Newton longest = length_of(square_of(by_hand));  // of a step that the hand alone can make
+  if (in.arriving || (in.touching && square_of(step) > square_of(longest + kStill))) lag.settling = kSettlingTicks;
+
+  const bool goes_on = in.touching && !lag.moved;
+  const Vec3<Newton> led = goes_on ? before + (lag.settling > 0 ? no_longer(step, longest) : step) : used_up(before, by_hand);
+  Vec3<Newton> felt = target - shorter(target - within(led, kMostForce), kFollow);
+  const Vec3<Ratio> outwards = direction_of(target);
+  if (along(before, outwards) >= Newton{}) felt = without_pull(felt, outwards);
+  const std::int64_t larger = std::max(square_of(target), square_of(before));
+  if (square_of(felt) > larger) felt = no_longer(felt, length_of(larger));
+
+  lag.felt = felt;
+  lag.moved = false;
+  if (lag.settling > 0) --lag.settling;
+  lag.on = lag.settling > 0 || !(felt == target);
+  return felt;
+}
+
+}  // namespace isotouch::core

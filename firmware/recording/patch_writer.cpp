@@ -1,0 +1,69 @@
+#include "firmware/recording/patch_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace isotouch::recording {
+
+namespace {
+
+std::string because(const std::string& path, const char* what, int error) { return path + ": " + what + ": " + std::strerror(error); }
+
+bool write_all(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t taken = ::write(file, bytes.data(), bytes.size());
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken == 0) errno = ENOSPC;
+    if (taken <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(taken));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string patches_of(const std::string& trace) {
+  const std::size_t name = trace.rfind('/') + 1, dot = trace.rfind('.');  // npos + 1 is 0
+  return (dot != std::string::npos && dot > name ? trace.substr(0, dot) : trace) + ".patches";
+}
+
+PatchWriter::~PatchWriter() { discard(); }
+
+void PatchWriter::begin(const std::string& trace) {
+  discard();
+  path_ = patches_of(trace);
+  bytes_ = 0;
+}
+
+Refusal PatchWriter::append(std::span<const std::uint8_t> patch) {
+  if (file_ < 0) file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file_ >= 0 && write_all(file_, patch)) {
+    bytes_ += patch.size();
+    return {};
+  }
+  Refusal refusal = because(path_, "the recording ends at a patch that cannot be written", errno);
+  if (file_ >= 0) (void)!::ftruncate(file_, static_cast<off_t>(bytes_));
+  return refusal;
+}
+
+Refusal PatchWriter::finish() {
+  if (file_ < 0) return {};
+  const bool written = ::fsync(file_) == 0;
+  const bool closed = ::close(file_) == 0;
+  file_ = -1;
+  if (written && closed && std::rename(part().c_str(), path_.c_str()) == 0) return {};
+  return because(path_, "the patches of the recording cannot be written", errno);
+}
+
+void PatchWriter::discard() {
+  if (file_ < 0) return;
+  ::close(file_);
+  ::unlink(part().c_str());
+  file_ = -1;
+}
+
+}  // namespace isotouch::recording

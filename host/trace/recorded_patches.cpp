@@ -1,0 +1,38 @@
+#include "host/trace/recorded_patches.h"
+
+#include <string>
+
+#include "host/error.h"
+#include "host/files/whole_file.h"
+#include "shared/patch_chain.h"
+
+namespace isotouch::trace {
+
+std::filesystem::path patches_of(const std::filesystem::path& trace) {
+  if (trace.extension() == ".part") return patches_of(std::filesystem::path(trace).replace_extension()) += ".part";
+  return std::filesystem::path(trace).replace_extension(".patches");
+}
+
+std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field) {
+  std::size_t moves = 0;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    if ((trace.record(tick).input.requests & kRequestMoved) != 0) ++moves;
+  }
+  if (moves == 0) return std::nullopt;
+  const std::filesystem::path file = patches_of(trace.path());
+  if (!std::filesystem::exists(file)) {
+    throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() +
+                     " is not there; keep that file beside the trace");
+  }
+  RecordedPatches patches{read_file(file), 0};
+  const Result<Patches> found = check_patches(patches.bytes, field.hash());
+  if (!found) throw InputError(file.string() + ": " + describe(found.error()) + "; give the file that was written beside the trace");
+  if (found->count < moves) {
+    throw InputError(file.string() + ": it holds " + std::to_string(found->count) + " patches, and the trace takes " +
+                     std::to_string(moves) + " over; give the file that was written beside the trace");
+  }
+  patches.largest_image = found->largest_image;
+  return patches;
+}
+
+}  // namespace isotouch::trace

@@ -1,0 +1,35 @@
+/// The file of patches beside a trace of a field that was patched meanwhile (SPEC.md, section 3.2).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "host/trace/trace_file.h"
+#include "shared/field_view.h"
+
+namespace isotouch::trace {
+
+struct RecordedPatches {
+  std::vector<std::uint8_t> bytes;
+  std::size_t largest_image = 0;
+
+  /// For the images that they lead to.
+  std::array<std::vector<std::uint64_t>, 2> memory() const {
+    const std::size_t words = (largest_image + 7) / 8;
+    return {std::vector<std::uint64_t>(words), std::vector<std::uint64_t>(words)};
+  }
+};
+
+/// Where they are: the trace's name with the extension `.patches`; of an unfinished `NAME.trace.part`, `NAME.patches.part`.
+std::filesystem::path patches_of(const std::filesystem::path& trace);
+
+/// Reads and checks them. A trace without a tick that takes a patch over has none.
+///
+/// field     that the trace was recorded on
+/// fails     InputError: the file is not there, or a patch in it is missing, cut, changed or out of order
+std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field);
+
+}  // namespace isotouch::trace

@@ -1,0 +1,54 @@
+/// The patches of a recording (SPEC.md, section 3.2): a field, and what becomes of it patch by patch, in memory of the caller's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "shared/field_view.h"
+#include "shared/result.h"
+
+namespace isotouch {
+
+/// What a file of patches holds.
+struct Patches {
+  std::size_t count = 0;
+  std::size_t largest_image = 0;  ///< bytes, of all the images after
+};
+
+/// Checks each patch by itself, and that each follows the one before.
+///
+/// bytes     of the file; none is a file without patches
+/// field     the hash of the image that the first patch is for
+/// fails     as FieldPatch::parse; kTruncated also for a last patch that is cut; kOtherField: a patch does not follow
+/// tick      no
+Result<Patches> check_patches(std::span<const std::uint8_t> bytes, std::uint64_t field);
+
+class PatchChain {
+ public:
+  /// field     of the recording; lives longer
+  /// bytes     of the file, as `check_patches` takes them; live longer
+  /// memory    8-byte aligned, each place with `Patches::largest_image` bytes
+  PatchChain(const FieldView& field, std::span<const std::uint8_t> bytes, const std::array<std::span<std::uint8_t>, 2>& memory)
+      : view_(field), left_(bytes), memory_(memory) {}
+
+  /// As it is now: the first one, or the image after the last patch that was applied.
+  const FieldView& field() const { return view_; }
+
+  /// Applies the next patch.
+  ///
+  /// moved_to  Input::moved_to of the tick that takes it over
+  /// fails     kNoPatches (none is left), kOtherField (it does not lead there), and as FieldPatch::parse, `apply` and FieldView::parse; the field is then
+  ///           the one before
+  /// tick      no: it writes a whole image. It allocates nothing
+  Result<void> advance(std::uint32_t moved_to);
+
+ private:
+  FieldView view_;
+  std::span<const std::uint8_t> left_;
+  std::array<std::span<std::uint8_t>, 2> memory_;
+  std::size_t next_ = 0;  ///< place
+};
+
+}  // namespace isotouch

@@ -1,0 +1,79 @@
+#include "host/field_file/make_patch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "host/error.h"
+#include "host/field_file/image.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
+#include "shared/field_patch.h"
+#include "tests/support/field_image.h"
+
+namespace isotouch::field_file {
+namespace {
+
+using test::FieldImage;
+using test::FieldOptions;
+using Bytes = std::vector<std::uint8_t>;
+
+FieldImage ball(double radius, const FieldOptions& options) {
+  return FieldImage(
+      {40, 36, 21},
+      [=](const test::Point& at) {
+        return length(at - test::Point{20, 18, 10}) - radius;
+      },
+      options);
+}
+
+FieldOptions trilinear() {
+  FieldOptions options;
+  options.band = 2.0;
+  options.prefilter = false;
+  options.interpolation = Interpolation::kTrilinear;
+  return options;
+}
+
+Bytes apply_to(const FieldView& before, const Bytes& bytes) {
+  const auto patch = FieldPatch::parse(bytes);
+  Image image(patch ? patch->image_bytes() : 0);
+  if (!patch || !apply(*patch, before, {image.data(), image.size()})) return {};
+  return {image.data(), image.data() + image.size()};
+}
+
+TEST(MakePatch, RefusesOtherGrids) {
+  const FieldImage before = ball(4, trilinear());
+  FieldOptions spline = trilinear(), soft = trilinear();
+  spline.interpolation = Interpolation::kSpline;
+  soft.stiffness = 0.5;
+  EXPECT_THROW(make_patch(before.view(), ball(5, spline).view()), InputError);
+  EXPECT_THROW(make_patch(before.view(), ball(5, soft).view()), InputError);
+}
+
+TEST(MakePatch, RefusesEqualFields) { EXPECT_THROW(make_patch(ball(4, trilinear()).view(), ball(4, trilinear()).view()), InputError); }
+
+TEST(MakePatch, OnlyTheImageAfterMustBeCanonical) {
+  const FieldImage good = ball(4, trilinear());
+  const FieldView& view = good.view();
+  Image renumbered(view.image.size());  // the last two bricks change their numbers
+  std::copy(view.image.begin(), view.image.end(), renumbered.data());
+  const std::uint32_t last = view.brick_count - 1;
+  std::uint8_t* nodes = renumbered.data() + load_le<std::uint32_t>(renumbered.data() + 96);
+  for (std::size_t n = 0; n < 64 * std::size_t{view.node_count}; ++n) {
+    const auto number = load_le<std::uint32_t>(nodes + 4 * n);
+    if (number >= last - 1) store_le(nodes + 4 * n, 2 * last - 1 - number);
+  }
+  std::uint8_t* bricks = renumbered.data() + load_le<std::uint32_t>(renumbered.data() + 100);
+  std::swap_ranges(bricks + 128 * (last - 1), bricks + 128 * last, bricks + 128 * last);
+  store_le(renumbered.data() + 12, crc32(renumbered.data() + 16, renumbered.size() - 16));
+  const auto other = FieldView::parse(renumbered.bytes());
+  ASSERT_TRUE(other);
+
+  EXPECT_THROW(make_patch(view, *other), InputError);
+  EXPECT_EQ(apply_to(*other, make_patch(*other, view)), good.bytes());
+}
+
+}  // namespace
+}  // namespace isotouch::field_file
