@@ -69,27 +69,7 @@ float steepest_at_most(const Apron& coefficients) {
   return at_most;
 }
 
-/// A bound of |∇φ|² in the same cells: of each cell its own steps. A cell reaches half a sample to each side and knows 3x3x3 coefficients. It is never
-/// above `steepest_at_most`.
-float steepest(const Apron& coefficients) {
-  std::array<Apron, 3> rise;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    rise[axis] = spread(spread(rises(coefficients, kStep[axis]), kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
-  Four most{};
-  for (int z = 0; z < 4; ++z) {
-    for (int y = 0; y < 4; ++y) {
-      Four sum{};
-      for (const Apron& along : rise) {
-        const Four row = load(&along[apron_number(0, y, z)]);
-        sum += row * row;
-      }
-      most = larger(most, sum);
-    }
-  }
-  return largest(most);
-}
-
-/// The largest `steepest` of all bricks. Those that may be the steepest are asked first; few others can then be steeper.
+/// The largest `squared_slope` of all bricks. Those that may be the steepest are asked first; few others can then be steeper.
 float steepest_of_all(const std::vector<Samples>& splines, const std::vector<Neighbours>& around) {
   std::vector<float> at_most(splines.size());
   field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -100,18 +80,15 @@ float steepest_of_all(const std::vector<Samples>& splines, const std::vector<Nei
   const auto first = order.begin() + static_cast<std::ptrdiff_t>(std::min(kGrain, order.size()));
   std::nth_element(order.begin(), first, order.end(), [&](std::uint32_t a, std::uint32_t b) { return at_most[a] > at_most[b]; });
   float known = 0.0F;
-  for (auto brick = order.begin(); brick != first; ++brick) known = std::max(known, steepest(gather(splines, around[*brick])));
+  for (auto brick = order.begin(); brick != first; ++brick) known = std::max(known, squared_slope(gather(splines, around[*brick])));
 
   const auto last = std::remove_if(first, order.end(), [&](std::uint32_t brick) { return at_most[brick] <= known; });
   std::vector<float> slopes(static_cast<std::size_t>(last - first), known);
   field::in_parallel(slopes.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) slopes[n] = steepest(gather(splines, around[first[static_cast<std::ptrdiff_t>(n)]]));
+    for (std::size_t n = begin; n < end; ++n) slopes[n] = squared_slope(gather(splines, around[first[static_cast<std::ptrdiff_t>(n)]]));
   });
   return std::accumulate(slopes.begin(), slopes.end(), known, [](float a, float b) { return std::max(a, b); });
 }
-
-/// A brick with two rings around it, 8 samples a side.
-using Surroundings = std::array<float, 512>;
 
 constexpr std::ptrdiff_t surroundings_number(int x, int y, int z) { return ((z + 2) * 8 + y + 2) * 8 + x + 2; }
 
@@ -164,9 +141,32 @@ bool has_inside(const Samples& distance) {
   return std::any_of(distance.begin(), distance.end(), [](float d) { return d < 0.0F; });
 }
 
+}  // namespace
+
+/// A bound of |∇φ|² in the same cells: of each cell its own steps. A cell reaches half a sample to each side and knows 3x3x3 coefficients. It is never
+/// above `steepest_at_most`.
+float squared_slope(const Apron& coefficients) {
+  std::array<Apron, 3> rise;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rise[axis] = spread(spread(rises(coefficients, kStep[axis]), kStep[(axis + 1) % 3]), kStep[(axis + 2) % 3]);
+  Four most{};
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      Four sum{};
+      for (const Apron& along : rise) {
+        const Four row = load(&along[apron_number(0, y, z)]);
+        sum += row * row;
+      }
+      most = larger(most, sum);
+    }
+  }
+  return largest(most);
+}
+
 /// The least thickness of a wall whose middle lies beside one of the brick's samples, or what is given. Across a wall the distance falls by the
 /// way, and behind its middle it rises by the way.
-float thinnest(const Surroundings& distance, const std::array<Direction, 13>& ways, float thickness) {
+float thinnest_wall(const Surroundings& distance, float thickness) {
+  static const std::array<Direction, 13> ways = directions();
   constexpr float kOpposed = 0.9F;  // of the way: at the edge of a box it is 0.7, between sides 130 degrees apart 0.9
   Four thin = all(thickness);
   for (int z = 0; z < 4; ++z) {
@@ -188,8 +188,6 @@ float thinnest(const Surroundings& distance, const std::array<Direction, 13>& wa
   return least(thin);
 }
 
-}  // namespace
-
 double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, std::uint32_t period_ns) {
   return 2.0 * damping_ns_per_mm / ((2.0 * delay_ticks + 1.0) * 1e-9 * period_ns);
 }
@@ -203,21 +201,22 @@ Certificate certify(const field::BandField& field, const std::vector<Neighbours>
                      [](std::int16_t c) { return static_cast<float>(c) / (1 << Distance::kFractionBits); });
     }
   });
-  const auto ways = directions();
   const float none = 2.0F * static_cast<float>(field.band);
   field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     float wall = none;
     for (std::size_t b = begin; b < end; ++b) {
-      if (has_inside(field.bricks[b].distance)) wall = thinnest(surroundings(field.bricks, around[b]), ways, wall);
+      if (has_inside(field.bricks[b].distance)) wall = thinnest_wall(surroundings(field.bricks, around[b]), wall);
       walls[b] = wall;
     }
   });
+  if (walls.empty()) return certificate_from(0.0F, none, field.band);
+  return certificate_from(steepest_of_all(splines, around), *std::min_element(walls.begin(), walls.end()), field.band);
+}
+
+Certificate certificate_from(float squared_slope, float wall, double band) {
   Certificate certificate;
-  if (!walls.empty()) {
-    const float wall = *std::min_element(walls.begin(), walls.end());
-    certificate.largest_slope = std::sqrt(static_cast<double>(steepest_of_all(splines, around)));
-    certificate.thinnest_wall_voxel = wall < none ? static_cast<double>(std::max(wall, 0.0F)) : 0.0;
-  }
+  certificate.largest_slope = std::sqrt(static_cast<double>(squared_slope));
+  certificate.thinnest_wall_voxel = wall < 2.0F * static_cast<float>(band) ? static_cast<double>(std::max(wall, 0.0F)) : 0.0;
   certificate.quantisation_voxel = 0.5 / (1 << Distance::kFractionBits);  // the spline is a mean of coefficients
   certificate.stiffness_n_per_mm = advisable_stiffness(certificate.damping_ns_per_mm, certificate.delay_ticks, certificate.period_ns);
   return certificate;

@@ -34,6 +34,20 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 /// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
 
+/// The parts of it, for whoever keeps them brick by brick.
+///
+/// The largest |∇φ|² in the cells around a brick's samples, from above; steps to samples that are no number do not count.
+float squared_slope(const Apron& coefficients);
+
+/// A brick with two rings around it, 8 samples a side, x fastest; NaN where nothing is known.
+using Surroundings = std::array<float, 512>;
+/// The least thickness of a wall whose middle lies beside one of the brick's samples, or `most` where it has none that is thinner.
+float thinnest_wall(const Surroundings& distance, float most);
+
+/// squared_slope   the largest of all bricks
+/// wall            the least of all bricks, voxels; twice the band or more = none
+Certificate certificate_from(float squared_slope, float wall, double band);
+
 /// What a checked image says; all zero where it says nothing (version 1.0).
 Certificate certificate_of(const FieldView& view);
 
