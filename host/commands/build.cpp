@@ -33,6 +33,7 @@ void print_text(const BuildReport& report, const FieldView& view, const std::fil
   std::fprintf(to, "grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
   std::fprintf(to, "inside nodes  %zu\n", report.inside_nodes);
   if (report.verdict) std::fprintf(to, "verdict       %s\n", in_words(*report.verdict).c_str());
+  if (report.live_verdict) std::fprintf(to, "verdict       %s\n", in_words(*report.live_verdict).c_str());
   std::fprintf(to, "seconds       %.3f:", report.seconds);
   for (const auto& [stage, seconds] : report.stages) std::fprintf(to, " %s %.3f", stage.c_str(), seconds);
   std::fprintf(to, "\nfield          %s, hash %s\n", out.string().c_str(), trace::hash_text(view.hash()).c_str());
@@ -61,8 +62,12 @@ void add_build(CLI::App& app) {
   add_output(*command, "-o,--out", options->out, {&forms::kField}, "the field file to write",
              "build it first, then write other forms with `isotouch export`")
       ->required();
-  const std::map<std::string, Method> methods = {{"default", Method::kDefault}, {"published", Method::kPublished}};
-  command->add_option("--method", options->method, "'published' builds integer levels, which are felt as the paper describes")
+  const std::map<std::string, BuildMethod> methods = {
+      {"default", BuildMethod::kDefault}, {"published", BuildMethod::kPublished}, {"live", BuildMethod::kLive}};
+  command
+      ->add_option("--method", options->method,
+                   "'published' builds integer levels, which are felt as the paper describes; 'live' builds what a stream of the same "
+                   "points leads to")
       ->transform(one_of(methods));
   const std::map<std::string, Interpolation> interpolations = {{"spline", Interpolation::kSpline},
                                                                {"trilinear", Interpolation::kTrilinear}};
@@ -116,11 +121,14 @@ void add_build(CLI::App& app) {
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, camera, json, interpolation] {
     options->sensor.camera = camera->camera();
-    if (options->method == Method::kPublished && options->band) {
+    if (options->method == BuildMethod::kPublished && options->band) {
       throw CLI::ValidationError("--band", "the published levels have a band of their own, 7 voxels");
     }
-    if (options->method == Method::kPublished && interpolation->count() > 0 && options->interpolation == Interpolation::kSpline) {
+    if (options->method == BuildMethod::kPublished && interpolation->count() > 0 && options->interpolation == Interpolation::kSpline) {
       throw CLI::ValidationError("--interpolation", "the published levels are trilinear");
+    }
+    if (options->method == BuildMethod::kLive && interpolation->count() > 0 && options->interpolation == Interpolation::kSpline) {
+      throw CLI::ValidationError("--interpolation", "a live field is trilinear");
     }
     require_apart(options->out, *json);
     const BuiltField built = [&] {

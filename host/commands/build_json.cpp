@@ -37,6 +37,7 @@ nlohmann::ordered_json to_json(const BuildReport& report, const FieldView& view)
                                  {"hash", trace::hash_text(view.hash())},
                                  {"warnings", report.warnings}};
   if (report.verdict) json["verdict"] = to_json(*report.verdict);
+  if (report.live_verdict) json["live_verdict"] = to_json(*report.live_verdict);
   return json;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <future>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@
 #include "host/field/scan_voxel.h"
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
+#include "host/live/live_field.h"
 #include "host/published/build.h"
 #include "host/to_double.h"
 #include "host/vdb/level_set.h"
@@ -41,14 +43,15 @@ namespace isotouch::commands {
 namespace {
 
 /// How long the stages of a build take on two processors: of 120,000 points, of a mesh of 100,000 faces, of a level set of a million voxels.
-std::vector<PlannedStage> plan_for(InputKind kind, Method method) {
+std::vector<PlannedStage> plan_for(InputKind kind, BuildMethod method) {
   switch (kind) {
     case InputKind::kCloud: break;
     case InputKind::kMesh:
       return {{"read", 0.1}, {"check", 0.2}, {"tree", 0.3}, {"bricks", 2}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
     case InputKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   }
-  if (method == Method::kPublished)
+  if (method == BuildMethod::kLive) return {{"read", 0.1}, {"live", 1}, {"pack", 0.1}, {"write", 0.02}};
+  if (method == BuildMethod::kPublished)
     return {{"read", 0.1}, {"outside", 1}, {"radii", 0.1}, {"indicator", 6}, {"levels", 3}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   return {{"read", 0.1}, {"outside", 1},   {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
           {"blob", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
@@ -58,8 +61,10 @@ std::vector<PlannedStage> plan_for(InputKind kind, Method method) {
 struct Made {
   field::BandField field;
   std::optional<std::size_t> inside_nodes = {};
-  std::optional<field::SoundScan> scan = {};  ///< of a cloud; workspace, mm
-  std::optional<field::Repair> repair = {};   ///< of a scan that is to be judged
+  std::optional<field::SoundScan> scan = {};       ///< of a cloud; workspace, mm
+  std::optional<field::Repair> repair = {};        ///< of a scan that is to be judged
+  std::optional<field_file::OpenField> live = {};  ///< instead of `field`
+  cloud::OrientedPoints live_points = {};          ///< workspace, mm
 };
 
 cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
@@ -84,11 +89,11 @@ field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vecto
   return grid_round(options.voxel_mm.value_or(sides.maxCoeff() / options.grid.value_or(field::default_grid(sides, 0))), positions, margin);
 }
 
-/// fails     InputError when the published method was asked for something else than points
+/// fails     InputError when a method of points was asked for something else
 void require_default_method(const BuildOptions& options, const char* what) {
-  if (options.method == Method::kPublished) {
-    throw InputError(options.input.string() + ": the published method works on points with normals, this is " + what +
-                     "; leave --method out");
+  if (options.method != BuildMethod::kDefault) {
+    throw InputError(options.input.string() + ": the " + (options.method == BuildMethod::kLive ? "live" : "published") +
+                     " method works on points with normals, this is " + what + "; leave --method out");
   }
 }
 
@@ -97,6 +102,51 @@ std::string sensor_sentence(const Eigen::Vector3d& place) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
   return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
+}
+
+/// A live field takes the points as they are: whatever a whole scan would say of one of them is not known while it is scanned.
+Made from_live_points(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
+  cloud::CloudReport read;
+  cloud::OrientedPoints points = cloud::read_cloud(source, read);
+  if (options.estimate_normals.value_or(false) || !read.has_normals) {
+    throw InputError(options.input.string() +
+                     (read.has_normals ? ": the live method estimates no normals, it takes those of the file; leave --normals estimate out"
+                                       : ": its points have no normals, which the live method takes as they are; leave --method out"));
+  }
+  progress.begin("live");
+  std::optional<Eigen::Vector3d> viewpoint = options.sensor.viewpoint;
+  if (!viewpoint && read.edges) viewpoint = read.viewpoint;
+  for (std::size_t i = 0; viewpoint && i < points.size(); ++i) {
+    if (points.normals[i].dot(*viewpoint - points.positions[i]) < 0.0) points.normals[i] = -points.normals[i];
+  }
+  report.placement = placement(options, points.positions);
+  report.format = read.format;
+  report.points = read.points;
+  report.warnings = read.warnings();
+  if (!points.stiffness.empty())
+    report.warnings.emplace_back("the live method has one stiffness for all, those of the points are left out");
+  for (Eigen::Vector3d& position : points.positions) position = report.placement.to_workspace(position);
+
+  const double band = options.band_voxels();
+  const double side = box_of(points.positions).sizes().maxCoeff();
+  const double edge = options.voxel_mm.value_or(side / options.grid.value_or(field::kCoarseGrid));
+  const field::Grid grid = grid_round(edge, points.positions, live::margin(band));
+  encoding::FieldInfo info;
+  info.stiffness_n_per_mm = options.stiffness.value_or(info.stiffness_n_per_mm);
+  info.placement = report.placement;
+  live::LiveField field(grid, band, info);
+  live::Batch batch;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (const auto point = live::point_in(grid, points.positions[i], points.normals[i])) batch.added.push_back(*point);
+  }
+  field.apply(batch);
+  report.live_verdict = field.verdict();
+  report.source_hash = field.source_hash();
+  Made made;
+  made.live = field_file::open_field(field.image(), options.input.string());
+  made.live_points = std::move(points);
+  progress.end();
+  return made;
 }
 
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
@@ -118,13 +168,13 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
   if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint));
   const Eigen::Vector3d sides = box_of(measured).sizes();
-  const int usual = options.method == Method::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
+  const int usual = options.method == BuildMethod::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
   const auto [edge, too_fine] = field::scan_voxel(sound, sides, report.placement.scale, {options.voxel_mm, options.grid}, usual);
   if (!too_fine.empty()) report.warnings.push_back(too_fine);
   sound.place(report.placement);
   for (const std::string& warning : sound.warnings()) report.warnings.push_back(warning);
 
-  if (options.method == Method::kPublished) {
+  if (options.method == BuildMethod::kPublished) {
     sound.drop_invented();
     const published::Built built = published::build(sound.points, grid_round(edge, sound.points.positions, published::kMargin), progress);
     Made made{published::to_band_field(built.levels), built.inside_nodes, std::move(sound)};
@@ -227,6 +277,7 @@ Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& b
   const cloud::SourceFile source(options.input, std::move(bytes), options.sensor);
   report.kind = options.as ? *options.as : source.is_mesh() ? InputKind::kMesh : InputKind::kCloud;
   bar.plan(plan_for(report.kind, options.method));
+  if (report.kind == InputKind::kCloud && options.method == BuildMethod::kLive) return from_live_points(source, options, report, progress);
   return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
 }
 
@@ -260,16 +311,16 @@ void warn_of_limits(const FieldView& view, const BuildOptions& options, BuildRep
 }
 
 /// One sentence with every reason.
-std::string refusal(const std::string& input, const field::Verdict& verdict) {
+std::string refusal(const std::string& input, const std::vector<std::string>& reasons) {
   std::string text = input + ": the field would probably be wrong: ";
-  for (const std::string& reason : verdict.reasons) text += reason + "; ";
+  for (const std::string& reason : reasons) text += reason + "; ";
   return text + "--accept-implausible builds it all the same";
 }
 
 }  // namespace
 
 Implausible::Implausible(const std::string& input, BuildReport judged)
-    : InputError(refusal(input, *judged.verdict)), report(std::move(judged)) {}
+    : InputError(refusal(input, judged.verdict->reasons)), report(std::move(judged)) {}
 
 BuiltField built_field(const BuildOptions& options) {
   const field::ThreadLimit limit(options.threads);
@@ -285,18 +336,24 @@ BuiltField built_field(const BuildOptions& options) {
       std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
   }
 
+  std::optional<field_file::OpenField> live = std::move(made.live);
+  if (report.live_verdict) {
+    const std::vector<std::string> reasons = report.live_verdict->reasons();
+    if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
+  }
   // A scan is judged while its image is written; the verdict is the first to be heard.
   const field::BuiltScan built{made.repair ? made.field : field::BandField{}, made.repair.value_or(field::Repair{})};
   const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;
   std::future<field::JudgedScan> judged;
   if (made.repair) judged = std::async(policy, [&] { return field::judged_scan(built, *made.scan); });
-  progress.begin("blob");
+  if (!live) progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
-  const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, options.method, options.interpolation,
+  const Method method = options.method == BuildMethod::kPublished ? Method::kPublished : Method::kDefault;
+  const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
   std::packaged_task<field_file::OpenField()> write([&] { return encoding::write_field(std::move(made.field), info); });
-  write();
+  if (!live) write();
   std::vector<Eigen::Vector3i> invented;  // cells of bricks
   if (made.repair) {
     progress.begin("verdict");
@@ -305,7 +362,7 @@ BuiltField built_field(const BuildOptions& options) {
     invented = std::move(surface.cells);
     if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   }
-  field_file::OpenField field = write.get_future().get();
+  field_file::OpenField field = live ? std::move(*live) : write.get_future().get();
   for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)
@@ -339,6 +396,8 @@ BuiltField built_field(const BuildOptions& options) {
     }
     done.points = std::move(made.scan->points);
     done.rim = std::move(made.scan->rim.links);
+  } else {
+    done.points = std::move(made.live_points);
   }
   return done;
 }

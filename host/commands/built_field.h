@@ -19,17 +19,21 @@
 #include "host/error.h"
 #include "host/field/verdict.h"
 #include "host/field_file/open_field.h"
+#include "host/live/verdict.h"
 
 namespace isotouch::commands {
 
 enum class InputKind { kCloud, kMesh, kLevelSet };
+
+/// How a field is made. A live field is made of points as a stream makes it (host/live), and is otherwise a field like that of the default method.
+enum class BuildMethod { kDefault, kPublished, kLive };
 
 struct BuildOptions {
   std::filesystem::path input;
   std::optional<InputKind> as = {};  ///< not given: as the file looks
   std::string grid_name = {};        ///< of a level set's file; empty = the first
   std::filesystem::path out;         ///< empty: no file is written
-  Method method = Method::kDefault;
+  BuildMethod method = BuildMethod::kDefault;
   Interpolation interpolation = Interpolation::kSpline;
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; by default host/field/default_grid.h
@@ -58,7 +62,8 @@ struct BuildReport {
   std::size_t packed_bytes = 0;  ///< of the file
   double seconds = 0;
   std::vector<std::pair<std::string, double>> stages;
-  std::optional<field::Verdict> verdict;  ///< of a cloud
+  std::optional<field::Verdict> verdict;      ///< of a cloud
+  std::optional<live::Verdict> live_verdict;  ///< of a live field
 };
 
 /// The field is probably not that of the scan.

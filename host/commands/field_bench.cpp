@@ -12,7 +12,7 @@ namespace isotouch::commands {
 
 namespace {
 
-double seconds_of(BuildOptions options, Method method) {
+double seconds_of(BuildOptions options, BuildMethod method) {
   options.method = method;
   return built_field(options).report.seconds;
 }
@@ -32,9 +32,9 @@ std::vector<FieldTimes> time_fields(ProgressBar& bar) {
     cloud::write_ply(options.input, cloud::sample_shape(shape, shape.default_points), "isotouch bench field");
 
     std::array<double, kFieldRuns> runs;
-    for (double& run : runs) run = seconds_of(options, Method::kDefault);
+    for (double& run : runs) run = seconds_of(options, BuildMethod::kDefault);
     std::nth_element(runs.begin(), runs.begin() + kFieldRuns / 2, runs.end());
-    all.push_back({shape.name, shape.default_points, runs[kFieldRuns / 2], seconds_of(options, Method::kPublished)});
+    all.push_back({shape.name, shape.default_points, runs[kFieldRuns / 2], seconds_of(options, BuildMethod::kPublished)});
   }
   return all;
 }

@@ -41,4 +41,22 @@ std::string in_words(const field::Verdict& verdict) {
   return text;
 }
 
+nlohmann::ordered_json to_json(const live::Verdict& verdict) {
+  const std::vector<std::string> reasons = verdict.reasons();
+  return {{"plausible", reasons.empty()},
+          {"reasons", reasons},
+          {"samples", verdict.samples},
+          {"lonely_share", verdict.lonely_share()},
+          {"unexplained_share", verdict.unexplained_share()}};
+}
+
+std::string in_words(const live::Verdict& verdict) {
+  const std::vector<std::string> reasons = verdict.reasons();
+  std::string text = reasons.empty() ? "plausible" : "probably wrong";
+  text += "; of " + std::to_string(verdict.samples) + " samples, " + per_cent(verdict.lonely_share()) + " have too few neighbours and " +
+          per_cent(verdict.unexplained_share()) + " contradict them";
+  for (const std::string& reason : reasons) text += "\n              " + reason;
+  return text;
+}
+
 }  // namespace isotouch::commands

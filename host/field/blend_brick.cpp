@@ -29,12 +29,7 @@ Patch as_floats(const ToroidalPatch& patch, const Eigen::Vector3d& sample) {
 }
 
 Model as_floats(const Eigen::Vector3d& sample, const LocalModel& model, const EmptyBalls& balls) {
-  Model result{};
-  for (std::size_t k = 0; k < model.count; ++k) result.pieces[k] = as_floats(model.pieces[k], sample);
-  result.count = model.count;
-  result.concave = model.concave;
-  result.reach = model.reach > 0.0 ? static_cast<float>(model.reach) : std::numeric_limits<float>::max();
-  result.trust = static_cast<float>(model.trust);
+  Model result = BrickBlend::model_of(sample, model);
   result.inner = as_floats(balls.inner - sample);
   result.outer = as_floats(balls.outer - sample);
   result.inner_radius = static_cast<float>(balls.inner_radius - balls.slack);
@@ -43,6 +38,16 @@ Model as_floats(const Eigen::Vector3d& sample, const LocalModel& model, const Em
 }
 
 }  // namespace
+
+Model BrickBlend::model_of(const Eigen::Vector3d& sample, const LocalModel& model) {
+  Model result{};
+  for (std::size_t k = 0; k < model.count; ++k) result.pieces[k] = as_floats(model.pieces[k], sample);
+  result.count = model.count;
+  result.concave = model.concave;
+  result.reach = model.reach > 0.0 ? static_cast<float>(model.reach) : std::numeric_limits<float>::max();
+  result.trust = static_cast<float>(model.trust);
+  return result;
+}
 
 BrickBlend::BrickBlend(std::vector<Eigen::Vector3d> positions, const std::vector<LocalModel>& models, const std::vector<EmptyBalls>& balls)
     : positions_(std::move(positions)) {
@@ -58,6 +63,12 @@ std::array<float, 64> BrickBlend::operator()(const Eigen::Vector3d& first, std::
   static const std::size_t lanes = vector_lanes();
   static const auto blend = lanes == 16 ? blend_by_sixteens : lanes == 8 ? blend_by_eights : blend_by_fours;
   return blend(near, doubt);
+}
+
+std::array<float, 64> blend_body(std::span<const BlendCandidate> candidates, float reach, float depth) {
+  static const std::size_t lanes = vector_lanes();
+  static const auto blend = lanes == 16 ? blend_body_by_sixteens : lanes == 8 ? blend_body_by_eights : blend_body_by_fours;
+  return blend(candidates, reach, depth);
 }
 
 }  // namespace isotouch::field

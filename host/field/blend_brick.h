@@ -55,7 +55,10 @@ class BrickBlend {
     float reach, trust;
     Point inner, outer;                ///< centres of its empty balls
     float inner_radius, outer_radius;  ///< less their slack
+    float body;                        ///< how far from the sample there may be body; only `blend_body_...` asks
   };
+  /// What a model is in a blend, without its balls.
+  static Model model_of(const Eigen::Vector3d& sample, const LocalModel& model);
 
  private:
   std::vector<Eigen::Vector3d> positions_;
@@ -73,5 +76,19 @@ struct BlendCandidate {
 std::array<float, 64> blend_by_fours(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 std::array<float, 64> blend_by_eights(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
 std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt);
+
+/// The same without balls and doubt, of a body that ends where its samples do. To the sides of a sample there is body up to its `body`, straight
+/// behind it up to `depth`, and in between up to in between. How far behind a place lies is its blended distance over the nearest sample's, or over
+/// reach - depth where that is less. `body` is blended as the distance is, so the result is continuous.
+///
+/// candidates   any number; all that are among the kBlended + 1 nearest of one of the 64 places and within `reach` of it. More of them change nothing
+///              as long as those in common keep their order
+/// reach        samples farther away from a place do not count there; `depth` and the band
+/// depth        at least every `body`
+/// returns      distances; `reach` - `depth` or more where no sample is in reach
+std::array<float, 64> blend_body(std::span<const BlendCandidate> candidates, float reach, float depth);
+std::array<float, 64> blend_body_by_fours(std::span<const BlendCandidate> candidates, float reach, float depth);
+std::array<float, 64> blend_body_by_eights(std::span<const BlendCandidate> candidates, float reach, float depth);
+std::array<float, 64> blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth);
 
 }  // namespace isotouch::field

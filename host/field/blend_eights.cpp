@@ -6,4 +6,8 @@ std::array<float, 64> blend_by_eights(std::span<const BlendCandidate> candidates
   return blend_blocks(candidates, doubt);
 }
 
+std::array<float, 64> blend_body_by_eights(std::span<const BlendCandidate> candidates, float reach, float depth) {
+  return body_blocks(candidates, reach, depth);
+}
+
 }  // namespace isotouch::field

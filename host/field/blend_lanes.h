@@ -121,10 +121,11 @@ struct Neighbourhood {
   Rows nearest, border;    ///< of the first and of the last of these
 
   /// candidates   relative to the block's middle after `shift`; the nearer ones first makes it quick
-  void gather(std::span<const BlendCandidate> candidates, const Point& shift) {
+  /// farthest     squared distance from which on a sample does not count at a place
+  void gather(std::span<const BlendCandidate> candidates, const Point& shift, float farthest) {
     near.clear();
     std::array<std::array<Lanes, kBlended + 1>, kRows> least;
-    for (auto& row : least) row.fill(all<Lanes>(kFar));
+    for (auto& row : least) row.fill(all<Lanes>(farthest));
     for (const BlendCandidate& c : candidates) {
       const Point own = c.own - shift;
       Rows away;
@@ -141,8 +142,10 @@ struct Neighbourhood {
   }
 };
 
-Rows blended(const Neighbourhood& around) {
-  Rows scale, light, sum{}, weights{};
+/// bodies    where given, is told the mean of the models' `body`
+template <bool kBodies = false>
+Rows blended(const Neighbourhood& around, Rows* bodies = nullptr) {
+  Rows scale, light, sum{}, body{}, weights{};
   for (std::size_t r = 0; r < kRows; ++r) {
     scale[r] = 1.0F / larger(around.border[r], all<Lanes>(1e-12F));
     const Lanes share = 1.0F - around.nearest[r] * scale[r];
@@ -157,9 +160,13 @@ Rows blended(const Neighbourhood& around) {
       const Lanes weight = counts ? n.model->trust * nearness + kNoWeight : Lanes{};
       sum[r] += weight * model_distance(*n.model, row_of_block(r) - n.own, n.away[r], counts);
       weights[r] += weight;
+      if constexpr (kBodies) body[r] += weight * n.model->body;
     }
   }
   for (std::size_t r = 0; r < kRows; ++r) sum[r] /= weights[r];
+  if constexpr (kBodies) {
+    for (std::size_t r = 0; r < kRows; ++r) (*bodies)[r] = body[r] / weights[r];
+  }
   return sum;
 }
 
@@ -210,19 +217,52 @@ BrickBlend::Doubt doubt_of(const Neighbourhood& around, const Rows& value, doubl
   return doubt;
 }
 
+/// Puts a block's rows where they belong in a brick.
+void store_block(const Rows& value, std::size_t y, std::size_t z, std::array<float, 64>& brick) {
+  for (std::size_t n = 0; n < kBlock; n += 4) {
+    const std::size_t place = ((z + (n >> 3)) * 4 + y + (n >> 2 & 1)) * 4;
+    std::memcpy(&brick[place], reinterpret_cast<const float*>(&value) + n, 4 * sizeof(float));
+  }
+}
+
+/// What `blend_body` does.
+__attribute__((flatten)) std::array<float, 64> body_blocks(std::span<const BlendCandidate> candidates, float reach, float depth) {
+  thread_local Neighbourhood around;  // keeps its memory
+  std::array<float, 64> result;
+  for (std::size_t z = 0; z < 4; z += 2) {
+    for (std::size_t y = 0; y < 4; y += 2) {
+      around.gather(candidates, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F}, reach * reach);
+      Rows value;
+      if (around.near.empty()) {
+        value.fill(all<Lanes>(reach));
+      } else {
+        Rows body;
+        value = blended<true>(around, &body);
+        for (std::size_t r = 0; r < kRows; ++r) {
+          const Lanes nearest = root(larger(around.nearest[r], all<Lanes>(1e-12F)));
+          const Lanes behind = lesser(larger(-value[r] / lesser(nearest, all<Lanes>(reach - depth)), Lanes{}), all<Lanes>(1.0F));
+          value[r] = larger(nearest - body[r] - (depth - body[r]) * behind, value[r]);
+        }
+      }
+      store_block(value, y, z, result);
+    }
+  }
+  return result;
+}
+
 /// What `BrickBlend` does, of the candidates found. Inline in each source that is compiled for a width of its own.
 __attribute__((flatten)) std::array<float, 64> blend_blocks(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt) {
   thread_local Neighbourhood around;  // keeps its memory
   std::array<float, 64> result;
   for (std::size_t z = 0; z < 4; z += 2) {
     for (std::size_t y = 0; y < 4; y += 2) {
-      around.gather(candidates, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F});
+      around.gather(candidates, {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F}, kFar);
       Rows value = blended(around);
       hold_by_balls(around, value);
+      store_block(value, y, z, result);
       const BrickBlend::Doubt doubts = doubt_of(around, value, doubt.beyond);
       for (std::size_t n = 0; n < kBlock; n += 4) {
         const std::size_t place = ((z + (n >> 3)) * 4 + y + (n >> 2 & 1)) * 4;
-        std::memcpy(&result[place], reinterpret_cast<const float*>(&value) + n, 4 * sizeof(float));
         doubt.far |= (doubts.far >> n & 15U) << place;
         doubt.suspect |= (doubts.suspect >> n & 15U) << place;
       }

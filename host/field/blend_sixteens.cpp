@@ -6,4 +6,8 @@ std::array<float, 64> blend_by_sixteens(std::span<const BlendCandidate> candidat
   return blend_blocks(candidates, doubt);
 }
 
+std::array<float, 64> blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth) {
+  return body_blocks(candidates, reach, depth);
+}
+
 }  // namespace isotouch::field

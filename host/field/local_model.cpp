@@ -143,7 +143,9 @@ LocalModel joined(const LocalModel& model, const Joining& joining) {
   return result;
 }
 
-LocalModel best_model(const Samples& samples) {
+}  // namespace
+
+LocalModel fit_model(const std::vector<WeightedSample>& samples) {
   static const std::array<std::vector<Joining>, kMaxPieces + 1> kJoinings = {{{}, joinings(1), joinings(2), joinings(3), joinings(4)}};
   const auto equations = static_cast<double>(3 * samples.size());  // one offset and two directions a sample
   LocalModel best;
@@ -202,7 +204,10 @@ LocalModel best_model(const Samples& samples) {
   return best;
 }
 
-}  // namespace
+bool is_unexplained(const LocalModel& model) {
+  // As `fit_model` compares and stores it, of the least error.
+  return 1.0 / (model.trust * model.trust) - kExplained * kExplained > kHopeless;
+}
 
 void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::vector<LocalModel>& models) {
   in_parallel(scan.size(), 64, [&](std::size_t begin, std::size_t end) {
@@ -217,7 +222,7 @@ void fit_models(const Scan& scan, const std::vector<std::uint8_t>& known, std::v
         const double weight = reach > 0.0 ? std::max(1e-3, 1.0 - f.squared_distance / reach) : 1.0;
         samples.push_back({scan.positions()[f.index], scan.normals()[f.index], weight});
       }
-      models[i] = best_model(samples);
+      models[i] = fit_model(samples);
     }
   });
 }

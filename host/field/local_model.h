@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "host/field/patch_fit.h"
 #include "host/field/scan.h"
 #include "host/field/toroidal_patch.h"
 
@@ -50,6 +51,15 @@ struct LocalModel {
 
 /// Of a sample's list, those that its model may depend on, itself among them.
 inline constexpr std::size_t kModelled = 14;
+
+/// The model of one sample.
+///
+/// samples   the sample itself first, with weight 1, then its nearest neighbours by distance, at most 12, with weights 0 to 1 that fall with the
+///           distance; at least 2
+LocalModel fit_model(const std::vector<WeightedSample>& samples);
+
+/// Did no surface explain the neighbours? The model is the tangent plane then, which is all that is known.
+bool is_unexplained(const LocalModel& model);
 
 /// One model a sample, by looking at its 12 nearest neighbours.
 ///

@@ -1,0 +1,39 @@
+/// The points of one voxel whose normals look the same way, as sums: one sample of a live field.
+///
+/// Integers add and subtract exactly, so the order in which points come and go leaves no trace.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "host/live/point.h"
+
+namespace isotouch::live {
+
+/// Which bucket a point belongs to: the voxel that it lies in, and the axis and sign of its normal's largest component. Sorts by z, y, x, side.
+std::uint64_t bucket_key(const Point& point);
+
+/// Mean position and normal of a bucket. They are rounded, so that one more point among many mostly changes nothing.
+struct Mean {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< index coordinates, within the bucket's voxel
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, outward
+
+  bool operator==(const Mean& o) const { return position == o.position && normal == o.normal; }
+};
+
+class Bucket {
+ public:
+  void add(const Point& point);
+  /// fails     never; but only what was added may be removed
+  void remove(const Point& point);
+  std::uint32_t count() const { return count_; }
+  /// Of at least one point.
+  Mean mean() const;
+
+ private:
+  std::uint32_t count_ = 0;
+  std::array<std::int64_t, 3> position_{}, normal_{};
+};
+
+}  // namespace isotouch::live

@@ -1,0 +1,416 @@
+#include "host/live/live_field.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "host/encoding/lay_out_image.h"
+#include "host/error.h"
+#include "host/field/parallel.h"
+#include "host/live/brick_surroundings.h"
+
+namespace isotouch::live {
+
+namespace {
+
+using encoding::BrickKind;
+
+constexpr double kModelReach = 12.0;      ///< voxels: neighbours farther away than that do not count
+constexpr std::size_t kFewestListed = 7;  ///< a sample with fewer, itself among them, is not felt
+constexpr double kBodyOfSpacing = 1.25;   ///< a sample's body reaches this many spacings to the sides,
+constexpr double kLeastBody = 2.0;        ///< but at least so many voxels
+
+/// From a brick's middle to its corners.
+const double kBrickReach = 1.5 * std::sqrt(3.0);
+
+/// A neighbour of a sample.
+struct Near {
+  double squared_distance;
+  const Entry* entry;
+
+  bool operator<(const Near& o) const {
+    return squared_distance != o.squared_distance ? squared_distance < o.squared_distance : entry->key < o.entry->key;
+  }
+};
+
+/// The same rounding wherever two positions are compared.
+double squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return field::squared_distance(a, b); }
+
+/// Rounded up by more than a float loses.
+float float_above(double value) { return static_cast<float>(value * (1.0 + 1e-5)); }
+
+std::size_t brick_in_node(const Eigen::Vector3i& cell) {
+  return static_cast<std::size_t>((cell.x() & 3) | (cell.y() & 3) << 2 | (cell.z() & 3) << 4);
+}
+
+}  // namespace
+
+/// The changed samples of a batch, and what is dirty because of them.
+struct LiveField::Dirt {
+  struct Touched {
+    Node* node;
+    std::size_t brick;
+    std::uint64_t key;
+    bool existed;
+  };
+  std::vector<Touched> touched;
+  std::vector<Eigen::Vector3d> places;  ///< of samples that changed, as they were and as they are
+  std::vector<Entry*> models;           ///< to be fitted
+  std::vector<Eigen::Vector3d> felt;    ///< places of samples that bricks depended on, or do now
+};
+
+LiveField::LiveField(const field::Grid& grid, double band, const encoding::FieldInfo& info)
+    : grid_(grid),
+      reach_(band),
+      info_(info),
+      nodes_(grid.size, (reach_.blend + kBrickReach) * (reach_.blend + kBrickReach) * (1.0 + 1e-5)) {
+  info_.method = Method::kDefault;
+  info_.interpolation = Interpolation::kTrilinear;
+  encoding::image_header(grid_, band, info_);  // it refuses what does not fit
+}
+
+void LiveField::take_point(const Point& point, bool removed, Dirt& dirt) {
+  const std::uint64_t key = bucket_key(point);
+  Eigen::Vector3i cell;
+  for (std::size_t axis = 0; axis < 3; ++axis) cell[static_cast<Eigen::Index>(axis)] = point.position[axis] >> (kPositionBits + 2);
+  Node& node = nodes_.make(cell.x() >> 2, cell.y() >> 2, cell.z() >> 2);
+  const std::size_t brick = brick_in_node(cell);
+  auto& entries = node.samples[brick];
+  auto entry = std::find_if(entries.begin(), entries.end(), [key](const Entry& e) { return e.key == key; });
+  if (entry == entries.end()) {
+    if (removed) throw InputError("a point is to be removed that the live field does not hold");
+    Entry added;
+    added.key = key;
+    if (free_.empty()) {
+      added.slot = static_cast<std::uint32_t>(samples_.size());
+      samples_.emplace_back();
+    } else {
+      added.slot = free_.back();
+      free_.pop_back();
+      samples_[added.slot] = {};
+    }
+    entries.push_back(added);
+    entry = entries.end() - 1;
+    node.occupied |= NodeMask{1} << brick;
+  }
+  Sample& sample = samples_[entry->slot];
+  if (!sample.touched) {
+    sample.touched = true;
+    dirt.touched.push_back({&node, brick, key, sample.bucket.count() > 0});
+  }
+  if (removed) {
+    if (sample.bucket.count() == 0) throw InputError("a point is to be removed that the live field does not hold");
+    sample.bucket.remove(point);
+    source_hash_ -= hash_of(point);
+    --verdict_.points;
+  } else {
+    sample.bucket.add(point);
+    source_hash_ += hash_of(point);
+    ++verdict_.points;
+  }
+}
+
+/// Adds what a sample counts in the verdict, or takes it back.
+void LiveField::count(const Entry& entry, bool present) {
+  const auto change = [present](std::size_t& number) { number += present ? std::size_t{1} : ~std::size_t{0}; };
+  change(verdict_.samples);
+  if (!entry.felt) change(verdict_.lonely);
+  if (samples_[entry.slot].unexplained) change(verdict_.unexplained);
+}
+
+void LiveField::take_means(Dirt& dirt) {
+  std::vector<const Dirt::Touched*> changed;
+  for (const Dirt::Touched& touched : dirt.touched) {
+    auto& entries = touched.node->samples[touched.brick];
+    const auto entry = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == touched.key; });
+    Sample& sample = samples_[entry->slot];
+    sample.touched = false;
+    const bool stays = sample.bucket.count() > 0;
+    const Mean mean = stays ? sample.bucket.mean() : Mean{};
+    if (touched.existed && stays && mean == entry->mean) continue;
+    if (touched.existed) {
+      dirt.places.push_back(entry->mean.position);
+      if (entry->felt) dirt.felt.push_back(entry->mean.position);
+      count(*entry, false);
+    }
+    if (stays) {
+      entry->mean = mean;
+      dirt.places.push_back(mean.position);
+      changed.push_back(&touched);
+      continue;
+    }
+    free_.push_back(entry->slot);
+    *entry = entries.back();
+    entries.pop_back();
+    if (entries.empty()) touched.node->occupied &= ~(NodeMask{1} << touched.brick);
+  }
+  // Entries do not move any more.
+  for (const Dirt::Touched* touched : changed) {
+    for (Entry& entry : touched->node->samples[touched->brick]) {
+      if (entry.key != touched->key) continue;
+      samples_[entry.slot].dirty = true;
+      entry.felt = false;
+      dirt.models.push_back(&entry);
+    }
+  }
+}
+
+/// The samples whose neighbours changed.
+void LiveField::find_models(Dirt& dirt) {
+  for (const Eigen::Vector3d& place : dirt.places) {
+    nodes_.occupied_in_ball(place, kModelReach, [&](Node& node, std::size_t brick) {
+      for (Entry& entry : node.samples[brick]) {
+        if (squared_distance(entry.mean.position, place) > entry.influence) continue;
+        Sample& sample = samples_[entry.slot];
+        if (sample.dirty) continue;
+        sample.dirty = true;
+        count(entry, false);
+        if (entry.felt) dirt.felt.push_back(entry.mean.position);
+        entry.felt = false;
+        dirt.models.push_back(&entry);
+      }
+    });
+  }
+}
+
+/// A sample's model from the nearest samples within reach.
+void LiveField::fit(Entry& entry) {
+  thread_local std::vector<Near> near;  // keeps its memory
+  const Eigen::Vector3d& own = entry.mean.position;
+  const auto gather = [&](double radius) {
+    near.clear();
+    const double square = radius * radius;
+    nodes_.occupied_in_ball(own, radius, [&](const Node& node, std::size_t brick) {
+      for (const Entry& other : node.samples[brick]) {
+        const double away = squared_distance(other.mean.position, own);
+        if (away <= square) near.push_back({away, &other});
+      }
+    });
+  };
+  // Any radius that is large enough gives the same.
+  double radius = entry.influence > 0.0 ? std::sqrt(entry.influence) + 0.1 : 4.0;
+  while (gather(std::min(radius, kModelReach)), near.size() < field::kModelled && radius < kModelReach) radius *= 1.5;
+  const std::size_t listed = std::min(near.size(), field::kModelled);
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(listed), near.end());
+  const double reach = listed == field::kModelled ? near[listed - 1].squared_distance : kModelReach * kModelReach;
+
+  Sample& sample = samples_[entry.slot];
+  entry.influence = reach;
+  entry.felt = listed >= kFewestListed;
+  sample.unexplained = false;
+  if (!entry.felt) return;
+  thread_local std::vector<field::WeightedSample> neighbours;
+  neighbours.assign(1, {own, entry.mean.normal, 1.0});
+  for (std::size_t n = 0; n < listed && neighbours.size() < field::kModelled - 1; ++n) {
+    if (near[n].entry == &entry) continue;
+    const Mean& mean = near[n].entry->mean;
+    neighbours.push_back({mean.position, mean.normal, std::max(1e-3, 1.0 - near[n].squared_distance / reach)});
+  }
+  sample.live.model = field::fit_model(neighbours);
+  sample.live.blended = field::BrickBlend::model_of(own, sample.live.model);
+  const double spacing = std::sqrt(near[kFewestListed - 1].squared_distance);
+  sample.live.blended.body = static_cast<float>(std::clamp(kBodyOfSpacing * spacing, kLeastBody, reach_.depth));
+  sample.unexplained = field::is_unexplained(sample.live.model);
+}
+
+void LiveField::fit_models(Dirt& dirt) {
+  field::in_parallel(dirt.models.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) fit(*dirt.models[n]);
+  });
+  for (Entry* entry : dirt.models) {
+    samples_[entry->slot].dirty = false;
+    count(*entry, true);
+    if (entry->felt) dirt.felt.push_back(entry->mean.position);
+  }
+}
+
+/// Marks the bricks whose values may depend on one of these places.
+void LiveField::find_bricks(const Dirt& dirt) {
+  const double farthest = reach_.blend + kBrickReach + 1e-3;
+  for (const Eigen::Vector3d& place : dirt.felt) {
+    const Eigen::Vector3i low = ((place.array() - farthest) / 16.0).floor().cast<int>().cwiseMax(0);
+    const Eigen::Vector3i high = ((place.array() + farthest) / 16.0).floor().cast<int>().min(nodes_.size().array() - 1);
+    for (int z = low.z(); z <= high.z(); ++z) {
+      for (int y = low.y(); y <= high.y(); ++y) {
+        for (int x = low.x(); x <= high.x(); ++x) {
+          Node& node = nodes_.make(x, y, z);
+          const Eigen::Vector3f from_first = (place - middle_of(node, 0)).cast<float>();
+          std::array<float, 4> along_x, along_y, along_z;
+          for (std::size_t n = 0; n < 4; ++n) {
+            const auto step = 4.0F * static_cast<float>(n);
+            along_x[n] = (from_first.x() - step) * (from_first.x() - step);
+            along_y[n] = (from_first.y() - step) * (from_first.y() - step);
+            along_z[n] = (from_first.z() - step) * (from_first.z() - step);
+          }
+          NodeMask reached = 0;
+          for (std::size_t n = 0; n < 64; ++n) {
+            const float square = along_x[n & 3] + along_y[n >> 2 & 3] + along_z[n >> 4];
+            reached |= NodeMask{square <= node.influence[n]} << n;
+          }
+          node.dirty |= reached;
+        }
+      }
+    }
+  }
+}
+
+BrickValue LiveField::compute(Node& node, std::size_t brick) const {
+  thread_local std::vector<Candidate> candidates;  // keeps its memory
+  const Eigen::Vector3d middle = middle_of(node, brick);
+  const auto gather = [&](double radius) {
+    candidates.clear();
+    const double square = radius * radius;
+    nodes_.occupied_in_ball(middle, radius, [&](const Node& other, std::size_t of) {
+      for (const Entry& entry : other.samples[of]) {
+        const double away = squared_distance(entry.mean.position, middle);
+        if (entry.felt && away <= square) candidates.push_back({away, entry.key, &entry.mean.position, &samples_[entry.slot].live});
+      }
+    });
+  };
+  constexpr std::size_t kCounted = field::kBlended + 1;
+  const double farthest = reach_.blend + kBrickReach;
+  const auto needed = [&] {  // among these are the nine nearest of every place
+    if (candidates.size() < kCounted) return farthest;
+    std::nth_element(candidates.begin(), candidates.begin() + (kCounted - 1), candidates.end());
+    return std::min(farthest, std::sqrt(candidates[kCounted - 1].squared_distance) + 2.0 * kBrickReach);
+  };
+  // Any radius that is large enough gives the same.
+  double radius = std::min(farthest, std::sqrt(static_cast<double>(node.influence[brick])) + 0.1);
+  gather(radius);
+  const double reach = needed();
+  if (reach > radius) gather(reach);
+  const double square = reach * reach;
+  std::erase_if(candidates, [square](const Candidate& c) { return c.squared_distance > square; });
+  std::sort(candidates.begin(), candidates.end());
+  node.influence[brick] = float_above(square);
+  const Eigen::Vector3i first = (middle.array() - 1.5).cast<int>();
+  return brick_value(first, grid_.size, reach_, candidates);
+}
+
+Work LiveField::compute_bricks() {
+  std::vector<Node*> dirty;
+  for (Node* node : nodes_.all()) {
+    if (node->dirty != 0) dirty.push_back(node);
+  }
+  std::vector<NodeMask> changed(dirty.size());
+  std::vector<std::size_t> computed(dirty.size());
+  field::in_parallel(dirty.size(), 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<encoding::Coefficients> bricks;
+    for (std::size_t n = begin; n < end; ++n) {
+      Node& node = *dirty[n];
+      bricks.clear();
+      NodeMask stored = 0, inside = 0;
+      for (std::size_t brick = 0; brick < 64; ++brick) {
+        const NodeMask bit = NodeMask{1} << brick;
+        const bool was_stored = (node.stored & bit) != 0, was_inside = (node.inside & bit) != 0;
+        if ((node.dirty & bit) == 0) {
+          if (was_stored) bricks.push_back(node.values(brick));
+          stored |= node.stored & bit;
+          inside |= node.inside & bit;
+          continue;
+        }
+        ++computed[n];
+        const BrickValue value = compute(node, brick);
+        const bool is_stored = value.kind == BrickKind::kStored, is_inside = value.kind == BrickKind::kInside;
+        if (is_stored != was_stored || is_inside != was_inside || (is_stored && value.values != node.values(brick))) changed[n] |= bit;
+        if (is_stored) bricks.push_back(value.values), stored |= bit;
+        if (is_inside) inside |= bit;
+      }
+      node.dirty = 0;
+      if (changed[n] == 0) continue;
+      node.bricks.assign(bricks.begin(), bricks.end());
+      node.stored = stored;
+      node.inside = inside;
+    }
+  });
+  Work work;
+  for (std::size_t n = 0; n < dirty.size(); ++n) {
+    work.bricks += computed[n];
+    work.changed += static_cast<std::size_t>(std::popcount(changed[n]));
+    if (changed[n] != 0) mark_around(*dirty[n], changed[n], nodes_);
+  }
+  return work;
+}
+
+/// Slope and wall of the bricks that changed and of those around them.
+void LiveField::certify() {
+  std::vector<Node*> stale;
+  for (Node* node : nodes_.all()) {
+    if (node->stale != 0) stale.push_back(node);
+  }
+  const float none = 2.0F * static_cast<float>(reach_.band);
+  const auto band = static_cast<std::int16_t>(std::floor(reach_.band * (1 << Distance::kFractionBits) + 0.5));
+  field::in_parallel(stale.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      Node& node = *stale[n];
+      const BrickSurroundings surroundings(node, nodes_, band);
+      for (NodeMask left = node.stale; left != 0; left &= left - 1) {
+        const auto brick = static_cast<std::size_t>(std::countr_zero(left));
+        node.slope[brick] = 0.0F;
+        node.wall[brick] = none;
+        if (((node.stored | node.inside) & (left & -left)) == 0) continue;
+        const encoding::Surroundings values = surroundings.of(brick);
+        node.slope[brick] = encoding::squared_slope(apron_of(values));
+        node.wall[brick] = encoding::thinnest_wall(values, none);
+      }
+      node.stale = 0;
+    }
+  });
+}
+
+Work LiveField::apply(const Batch& batch) {
+  Dirt dirt;
+  for (const Point& point : batch.added) take_point(point, false, dirt);
+  for (const Point& point : batch.removed) take_point(point, true, dirt);
+  take_means(dirt);
+  find_models(dirt);
+  fit_models(dirt);
+  find_bricks(dirt);
+  Work work = compute_bricks();
+  certify();
+  work.samples = dirt.touched.size();
+  work.models = dirt.models.size();
+  return work;
+}
+
+field_file::Image LiveField::image() const {
+  using namespace image_layout;
+  std::vector<std::uint32_t> root, nodes(2 * kBricksPerNode, kOutside);
+  std::fill(nodes.begin() + kBricksPerNode, nodes.end(), kInside);
+  std::vector<const Node*> written;
+  std::uint32_t bricks = 2;
+  float slope = 0.0F, wall = 2.0F * static_cast<float>(reach_.band);
+  root.reserve(nodes_.by_place().size());
+  for (const auto& node : nodes_.by_place()) {
+    if (!node || (node->stored | node->inside) == 0) {
+      root.push_back(kOutside);
+      continue;
+    }
+    slope = std::max(slope, *std::max_element(node->slope.begin(), node->slope.end()));
+    for (NodeMask left = node->stored | node->inside; left != 0; left &= left - 1)
+      wall = std::min(wall, node->wall[static_cast<std::size_t>(std::countr_zero(left))]);
+    if (node->inside == ~NodeMask{0}) {
+      root.push_back(kInside);
+      continue;
+    }
+    root.push_back(static_cast<std::uint32_t>(nodes.size() / kBricksPerNode));
+    for (std::size_t brick = 0; brick < kBricksPerNode; ++brick)
+      nodes.push_back((node->stored >> brick & 1U) != 0 ? bricks++ : (node->inside >> brick & 1U) != 0 ? kInside : kOutside);
+    written.push_back(node.get());
+  }
+  encoding::FieldInfo info = info_;
+  info.source_hash = source_hash_;
+  info.point_count = static_cast<std::uint32_t>(verdict_.points);
+  encoding::ImageHeader header = encoding::image_header(grid_, reach_.band, info);
+  encoding::store_certificate(encoding::certificate_from(slope, wall, reach_.band), header);
+  return encoding::lay_out_image(header, {root, nodes, bricks - 2, {}}, [&](std::uint8_t* at) {
+    for (const Node* node : written) {
+      const std::size_t bytes = node->bricks.size() * sizeof(encoding::Coefficients);
+      std::memcpy(at, node->bricks.data(), bytes);
+      at += bytes;
+    }
+  });
+}
+
+}  // namespace isotouch::live
