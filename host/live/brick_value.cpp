@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "shared/field_view.h"
 
@@ -18,60 +20,63 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 constexpr double kSlope = 1.5;
 
 /// The distance at the brick's middle, by the formulas of the blend, in doubles: enough to leave out what is far outside.
-double middle_value(const Eigen::Vector3d& middle, const Reach& reach, std::span<const Candidate> candidates) {
+double middle_value(const Eigen::Vector3d& middle, const Reach& reach, std::span<const NearSamples::Nearest> nearest) {
   const double farthest = reach.blend * reach.blend;
-  const double border = candidates.size() > field::kBlended ? std::min(candidates[field::kBlended].squared_distance, farthest) : farthest;
+  const double border =
+      nearest.size() > field::kBlended ? std::min(static_cast<double>(nearest[field::kBlended].squared_distance), farthest) : farthest;
   double sum = 0.0, body = 0.0, weights = 0.0;
-  for (std::size_t k = 0; k < std::min(candidates.size(), field::kBlended); ++k) {
-    const double share = 1.0 - candidates[k].squared_distance / border;
+  for (std::size_t k = 0; k < std::min(nearest.size(), field::kBlended); ++k) {
+    const double share = 1.0 - static_cast<double>(nearest[k].squared_distance) / border;
     if (!(share > 0.0)) break;
-    const double weight = candidates[k].live->model.trust * (share * share) * (share * share);
-    sum += weight * candidates[k].live->model.distance(middle);
-    body += weight * static_cast<double>(candidates[k].live->blended.body);
+    const double weight = nearest[k].live->model.trust * (share * share) * (share * share);
+    sum += weight * nearest[k].live->model.distance(middle);
+    body += weight * static_cast<double>(nearest[k].live->blended.body);
     weights += weight;
   }
   if (!(weights > 0.0)) return -reach.band;  // not known: the places are computed
-  const double nearest = std::sqrt(candidates.front().squared_distance), blend = sum / weights, side = body / weights;
-  const double behind = nearest > 0.0 ? std::clamp(-blend / std::min(nearest, reach.band), 0.0, 1.0) : 0.0;
-  return std::max(blend, nearest - side - (reach.depth - side) * behind);
+  const double away = std::sqrt(static_cast<double>(nearest.front().squared_distance)), blend = sum / weights, side = body / weights;
+  const double behind = away > 0.0 ? std::clamp(-blend / std::min(away, reach.band), 0.0, 1.0) : 0.0;
+  return std::max(blend, away - side - (reach.depth - side) * behind);
 }
 
-std::int16_t rounded(float distance, float band) {
-  return static_cast<std::int16_t>(std::floor(std::clamp(distance, -band, band) * (1 << Distance::kFractionBits) + 0.5F));
+constexpr float kScale = 1 << Distance::kFractionBits;
+
+/// To the nearest 1/4096, without a call of the library: processors round many at once.
+///
+/// distance  within ±8
+std::int16_t rounded(float distance) {
+  constexpr int kAbove = 8 << Distance::kFractionBits;
+  return static_cast<std::int16_t>(static_cast<std::int32_t>(distance * kScale + (kAbove + 0.5F)) - kAbove);
+}
+
+/// The body ends before the border: its distance counts where it is larger.
+void close(const Eigen::Vector3i& first, const Eigen::Vector3i& size, float band, std::array<float, 64>& distance) {
+  for (int n = 0; n < 64; ++n) {
+    const Eigen::Array3i place = first.array() + Eigen::Array3i(n & 3, n >> 2 & 3, n >> 4);
+    const int layers = std::min(place.minCoeff(), (size.array() - 1 - place).minCoeff());  // to the outermost one
+    float& value = distance[static_cast<std::size_t>(n)];
+    value = std::max(value, band + 1.0F - static_cast<float>(layers));
+  }
 }
 
 }  // namespace
 
-BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size, const Reach& reach,
-                       std::span<const Candidate> candidates) {
+BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size, const Reach& reach, const NearSamples& near) {
   BrickValue result;
-  if (candidates.empty()) return result;
+  if (near.nearest().empty()) return result;
   const Eigen::Vector3d middle = first.cast<double>() + Eigen::Vector3d::Constant(1.5);
-  if (middle_value(middle, reach, candidates) > reach.band + kSlope * kBrickReach) return result;
+  if (middle_value(middle, reach, near.nearest()) > reach.band + kSlope * kBrickReach) return result;
 
-  thread_local std::vector<field::BlendCandidate> near;  // keeps its memory
-  near.clear();
-  for (const Candidate& c : candidates) {
-    const Eigen::Vector3f own = (*c.position - middle).cast<float>();
-    near.push_back({&c.live->blended, {own.x(), own.y(), own.z()}});
-  }
-  const std::array<float, 64> distance = field::blend_body(near, static_cast<float>(reach.blend), static_cast<float>(reach.depth));
-
+  std::array<float, 64> distance = field::blend_body(near.candidates(), static_cast<float>(reach.blend), static_cast<float>(reach.depth));
   const auto band = static_cast<float>(reach.band);
-  for (std::size_t n = 0; n < 64; ++n) result.values[n] = rounded(distance[n], band);
-  const int closing = static_cast<int>(std::ceil(reach.band)) + 2;  // layers in which the border's distance counts
-  if ((first.array() < closing).any() || (first.array() + 4 > size.array() - closing).any()) {
-    for (int n = 0; n < 64; ++n) {
-      const Eigen::Array3i place = first.array() + Eigen::Array3i(n & 3, n >> 2 & 3, n >> 4);
-      const int layers = std::min(place.minCoeff(), (size.array() - 1 - place).minCoeff());  // to the outermost one
-      auto& value = result.values[static_cast<std::size_t>(n)];
-      value = std::max(value, rounded(band + 1.0F - static_cast<float>(layers), band));
-    }
-  }
-  const auto all = [&](float value) {
-    return std::all_of(result.values.begin(), result.values.end(), [v = rounded(value, band)](std::int16_t c) { return c == v; });
-  };
-  result.kind = all(band) ? BrickKind::kOutside : all(-band) ? BrickKind::kInside : BrickKind::kStored;
+  const int closing = static_cast<int>(std::ceil(2.0 * reach.band)) + 2;  // layers in which the border's distance may be above -band
+  if ((first.array() < closing).any() || (first.array() + 4 > size.array() - closing).any()) close(first, size, band, distance);
+
+  for (float& d : distance) d = d < -band ? -band : d > band ? band : d;
+  for (std::size_t n = 0; n < 64; ++n) result.values[n] = rounded(distance[n]);
+  std::int16_t least = result.values[0], largest = result.values[0];
+  for (const std::int16_t value : result.values) least = std::min(least, value), largest = std::max(largest, value);
+  result.kind = least == rounded(band) ? BrickKind::kOutside : largest == rounded(-band) ? BrickKind::kInside : BrickKind::kStored;
   return result;
 }
 

@@ -8,7 +8,10 @@
 #include "host/encoding/lay_out_image.h"
 #include "host/error.h"
 #include "host/field/parallel.h"
+#include "host/field/simd.h"
 #include "host/live/brick_surroundings.h"
+#include "host/live/brick_value.h"
+#include "host/live/near_samples.h"
 
 namespace isotouch::live {
 
@@ -20,9 +23,6 @@ constexpr double kModelReach = 12.0;      ///< voxels: neighbours farther away t
 constexpr std::size_t kFewestListed = 7;  ///< a sample with fewer, itself among them, is not felt
 constexpr double kBodyOfSpacing = 1.25;   ///< a sample's body reaches this many spacings to the sides,
 constexpr double kLeastBody = 2.0;        ///< but at least so many voxels
-
-/// From a brick's middle to its corners.
-const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 /// A neighbour of a sample.
 struct Near {
@@ -36,9 +36,6 @@ struct Near {
 
 /// The same rounding wherever two positions are compared.
 double squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return field::squared_distance(a, b); }
-
-/// Rounded up by more than a float loses.
-float float_above(double value) { return static_cast<float>(value * (1.0 + 1e-5)); }
 
 std::size_t brick_in_node(const Eigen::Vector3i& cell) {
   return static_cast<std::size_t>((cell.x() & 3) | (cell.y() & 3) << 2 | (cell.z() & 3) << 4);
@@ -61,10 +58,7 @@ struct LiveField::Dirt {
 };
 
 LiveField::LiveField(const field::Grid& grid, double band, const encoding::FieldInfo& info)
-    : grid_(grid),
-      reach_(band),
-      info_(info),
-      nodes_(grid.size, (reach_.blend + kBrickReach) * (reach_.blend + kBrickReach) * (1.0 + 1e-5)) {
+    : grid_(grid), reach_(band), info_(info), nodes_(grid.size, static_cast<float>(reach_.influence() * reach_.influence())) {
   info_.method = Method::kDefault;
   info_.interpolation = Interpolation::kTrilinear;
   encoding::image_header(grid_, band, info_);  // it refuses what does not fit
@@ -90,8 +84,9 @@ void LiveField::take_point(const Point& point, bool removed, Dirt& dirt) {
       free_.pop_back();
       samples_[added.slot] = {};
     }
-    entries.push_back(added);
-    entry = entries.end() - 1;
+    added.live = &samples_[added.slot].live;
+    entry = entries.insert(std::upper_bound(entries.begin(), entries.end(), key, [](std::uint64_t k, const Entry& e) { return k < e.key; }),
+                           added);
     node.occupied |= NodeMask{1} << brick;
   }
   Sample& sample = samples_[entry->slot];
@@ -141,8 +136,7 @@ void LiveField::take_means(Dirt& dirt) {
       continue;
     }
     free_.push_back(entry->slot);
-    *entry = entries.back();
-    entries.pop_back();
+    entries.erase(entry);
     if (entries.empty()) touched.node->occupied &= ~(NodeMask{1} << touched.brick);
   }
   // Entries do not move any more.
@@ -225,67 +219,36 @@ void LiveField::fit_models(Dirt& dirt) {
   }
 }
 
+/// The bricks of a node that are not beyond their influence from a place.
+static NodeMask reached(const Node& node, const Eigen::Vector3d& place) {
+  using field::Four;
+  const Eigen::Vector3f at = (place - middle_of(node, 0)).cast<float>();  // exact
+  const Eigen::Vector3f outside = (at.array() - 12.0F).max(-at.array()).max(0.0F);
+  if (squared(outside.x(), outside.y(), outside.z()) > node.largest_influence) return 0;
+  const Four x = at.x() - Four{0.0F, 4.0F, 8.0F, 12.0F}, along_x = x * x;
+  NodeMask mask = 0;
+  for (std::size_t row = 0; row < 16; ++row) {
+    const float y = at.y() - 4.0F * static_cast<float>(row & 3), z = at.z() - 4.0F * static_cast<float>(row >> 2);
+    const Four square = (along_x + y * y) + z * z;
+    mask |= NodeMask{field::true_lanes(square <= field::load(&node.influence[4 * row]))} << (4 * row);
+  }
+  return mask;
+}
+
 /// Marks the bricks whose values may depend on one of these places.
 void LiveField::find_bricks(const Dirt& dirt) {
-  const double farthest = reach_.blend + kBrickReach + 1e-3;
   for (const Eigen::Vector3d& place : dirt.felt) {
-    const Eigen::Vector3i low = ((place.array() - farthest) / 16.0).floor().cast<int>().cwiseMax(0);
-    const Eigen::Vector3i high = ((place.array() + farthest) / 16.0).floor().cast<int>().min(nodes_.size().array() - 1);
+    const Eigen::Vector3i low = ((place.array() - reach_.influence()) / 16.0).floor().cast<int>().cwiseMax(0);
+    const Eigen::Vector3i high = ((place.array() + reach_.influence()) / 16.0).floor().cast<int>().min(nodes_.size().array() - 1);
     for (int z = low.z(); z <= high.z(); ++z) {
       for (int y = low.y(); y <= high.y(); ++y) {
         for (int x = low.x(); x <= high.x(); ++x) {
           Node& node = nodes_.make(x, y, z);
-          const Eigen::Vector3f from_first = (place - middle_of(node, 0)).cast<float>();
-          std::array<float, 4> along_x, along_y, along_z;
-          for (std::size_t n = 0; n < 4; ++n) {
-            const auto step = 4.0F * static_cast<float>(n);
-            along_x[n] = (from_first.x() - step) * (from_first.x() - step);
-            along_y[n] = (from_first.y() - step) * (from_first.y() - step);
-            along_z[n] = (from_first.z() - step) * (from_first.z() - step);
-          }
-          NodeMask reached = 0;
-          for (std::size_t n = 0; n < 64; ++n) {
-            const float square = along_x[n & 3] + along_y[n >> 2 & 3] + along_z[n >> 4];
-            reached |= NodeMask{square <= node.influence[n]} << n;
-          }
-          node.dirty |= reached;
+          if (node.dirty != ~NodeMask{0}) node.dirty |= reached(node, place);
         }
       }
     }
   }
-}
-
-BrickValue LiveField::compute(Node& node, std::size_t brick) const {
-  thread_local std::vector<Candidate> candidates;  // keeps its memory
-  const Eigen::Vector3d middle = middle_of(node, brick);
-  const auto gather = [&](double radius) {
-    candidates.clear();
-    const double square = radius * radius;
-    nodes_.occupied_in_ball(middle, radius, [&](const Node& other, std::size_t of) {
-      for (const Entry& entry : other.samples[of]) {
-        const double away = squared_distance(entry.mean.position, middle);
-        if (entry.felt && away <= square) candidates.push_back({away, entry.key, &entry.mean.position, &samples_[entry.slot].live});
-      }
-    });
-  };
-  constexpr std::size_t kCounted = field::kBlended + 1;
-  const double farthest = reach_.blend + kBrickReach;
-  const auto needed = [&] {  // among these are the nine nearest of every place
-    if (candidates.size() < kCounted) return farthest;
-    std::nth_element(candidates.begin(), candidates.begin() + (kCounted - 1), candidates.end());
-    return std::min(farthest, std::sqrt(candidates[kCounted - 1].squared_distance) + 2.0 * kBrickReach);
-  };
-  // Any radius that is large enough gives the same.
-  double radius = std::min(farthest, std::sqrt(static_cast<double>(node.influence[brick])) + 0.1);
-  gather(radius);
-  const double reach = needed();
-  if (reach > radius) gather(reach);
-  const double square = reach * reach;
-  std::erase_if(candidates, [square](const Candidate& c) { return c.squared_distance > square; });
-  std::sort(candidates.begin(), candidates.end());
-  node.influence[brick] = float_above(square);
-  const Eigen::Vector3i first = (middle.array() - 1.5).cast<int>();
-  return brick_value(first, grid_.size, reach_, candidates);
 }
 
 Work LiveField::compute_bricks() {
@@ -296,9 +259,11 @@ Work LiveField::compute_bricks() {
   std::vector<NodeMask> changed(dirty.size());
   std::vector<std::size_t> computed(dirty.size());
   field::in_parallel(dirty.size(), 1, [&](std::size_t begin, std::size_t end) {
+    thread_local NearSamples near;  // keeps its memory
     std::vector<encoding::Coefficients> bricks;
     for (std::size_t n = begin; n < end; ++n) {
       Node& node = *dirty[n];
+      near.gather(node, node.dirty, nodes_, reach_);
       bricks.clear();
       NodeMask stored = 0, inside = 0;
       for (std::size_t brick = 0; brick < 64; ++brick) {
@@ -311,13 +276,16 @@ Work LiveField::compute_bricks() {
           continue;
         }
         ++computed[n];
-        const BrickValue value = compute(node, brick);
+        near.choose(brick, 1.2F * node.influence[brick]);
+        node.influence[brick] = near.influence();
+        const BrickValue value = brick_value(first_place(node, brick), grid_.size, reach_, near);
         const bool is_stored = value.kind == BrickKind::kStored, is_inside = value.kind == BrickKind::kInside;
         if (is_stored != was_stored || is_inside != was_inside || (is_stored && value.values != node.values(brick))) changed[n] |= bit;
         if (is_stored) bricks.push_back(value.values), stored |= bit;
         if (is_inside) inside |= bit;
       }
       node.dirty = 0;
+      node.largest_influence = *std::max_element(node.influence.begin(), node.influence.end());
       if (changed[n] == 0) continue;
       node.bricks.assign(bricks.begin(), bricks.end());
       node.stored = stored;

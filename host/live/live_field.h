@@ -15,14 +15,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <deque>
 #include <vector>
 
 #include "host/encoding/write_image.h"
 #include "host/field/band_field.h"
 #include "host/field_file/image.h"
-#include "host/live/brick_value.h"
 #include "host/live/bucket.h"
+#include "host/live/live_model.h"
 #include "host/live/nodes.h"
 #include "host/live/point.h"
 #include "host/live/verdict.h"
@@ -84,14 +84,13 @@ class LiveField {
   void count(const Entry& entry, bool present);
   void find_bricks(const Dirt& dirt);
   Work compute_bricks();
-  BrickValue compute(Node& node, std::size_t brick) const;
   void certify();
 
   field::Grid grid_;
   Reach reach_;
   encoding::FieldInfo info_;
   Nodes nodes_;
-  std::vector<Sample> samples_;  ///< by slot
+  std::deque<Sample> samples_;  ///< by slot; they stay where they are
   std::vector<std::uint32_t> free_;
   std::uint64_t source_hash_ = 0;
   Verdict verdict_;

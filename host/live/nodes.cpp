@@ -1,14 +1,11 @@
 #include "host/live/nodes.h"
 
-#include <cmath>
-#include <limits>
-
 namespace isotouch::live {
 
-Nodes::Nodes(const Eigen::Vector3i& size, double influence)
+Nodes::Nodes(const Eigen::Vector3i& size, float influence)
     : size_((size.array() + 15) / 16),
       bricks_((size.array() + 3) / 4),
-      influence_(std::nextafter(static_cast<float>(influence), std::numeric_limits<float>::max())),
+      influence_(influence),
       nodes_(static_cast<std::size_t>(size_.x()) * static_cast<std::size_t>(size_.y()) * static_cast<std::size_t>(size_.z())) {}
 
 Node* Nodes::find(int x, int y, int z) const {
@@ -22,6 +19,7 @@ Node& Nodes::make(int x, int y, int z) {
     node = std::make_unique<Node>();
     node->cell = 4 * Eigen::Vector3i(x, y, z);
     node->influence.fill(influence_);
+    node->largest_influence = influence_;
     all_.push_back(node.get());
   }
   return *node;

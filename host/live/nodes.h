@@ -11,6 +11,7 @@
 
 #include "host/encoding/spline.h"
 #include "host/live/bucket.h"
+#include "host/live/live_model.h"
 
 namespace isotouch::live {
 
@@ -20,10 +21,11 @@ using NodeMask = std::uint64_t;
 /// A sample as its neighbours see it.
 struct Entry {
   Mean mean;
-  std::uint64_t key = 0;   ///< of its bucket
-  std::uint32_t slot = 0;  ///< where the rest of it is
-  bool felt = false;       ///< it has a model
-  double influence = 0.0;  ///< squared: a sample beyond that does not change its model
+  std::uint64_t key = 0;            ///< of its bucket
+  std::uint32_t slot = 0;           ///< where the rest of it is
+  bool felt = false;                ///< it has a model,
+  const LiveModel* live = nullptr;  ///< this one; it stays where it is
+  double influence = 0.0;           ///< squared: a sample beyond that does not change its model
 };
 
 struct Node {
@@ -33,8 +35,9 @@ struct Node {
   NodeMask stale = 0;                          ///< slope and wall are to be computed
   NodeMask stored = 0, inside = 0;             ///< kinds; the other bricks are outside
   std::array<float, 64> influence{};           ///< squared, from the brick's middle: a sample beyond that does not change its values
+  float largest_influence = 0.0F;              ///< of them
   std::array<float, 64> slope{}, wall{};       ///< squared, voxels a voxel; voxels
-  std::array<std::vector<Entry>, 64> samples;  ///< those that lie in each brick
+  std::array<std::vector<Entry>, 64> samples;  ///< those that lie in each brick, by key
   std::vector<encoding::Coefficients> bricks;  ///< the values of the stored ones, one after the other
 
   /// Of a stored brick.
@@ -46,8 +49,8 @@ struct Node {
 class Nodes {
  public:
   /// size        of the grid, samples along each axis
-  /// influence   of a brick that was never computed
-  Nodes(const Eigen::Vector3i& size, double influence);
+  /// influence   of a brick that was never computed, squared
+  Nodes(const Eigen::Vector3i& size, float influence);
 
   /// Nodes along each axis.
   const Eigen::Vector3i& size() const { return size_; }
@@ -61,11 +64,15 @@ class Nodes {
   /// One for each place, x fastest.
   const std::vector<std::unique_ptr<Node>>& by_place() const { return nodes_; }
 
-  /// Calls visit(node, brick number) for bricks of existing nodes, among them all that hold samples and meet the ball.
+  /// Calls visit(node, brick number) for bricks of existing nodes, among them all that hold samples and meet the ball; always in the same order.
   template <class Visit>
   void occupied_in_ball(const Eigen::Vector3d& middle, double radius, const Visit& visit) const {
-    const Eigen::Vector3i low = bricks_at(middle.array() - radius).cwiseMax(0);
-    const Eigen::Vector3i high = bricks_at(middle.array() + radius).cwiseMin(bricks_ - Eigen::Vector3i::Ones());
+    occupied_in_box(middle.array() - radius, middle.array() + radius, visit);
+  }
+  template <class Visit>
+  void occupied_in_box(const Eigen::Array3d& lowest, const Eigen::Array3d& highest, const Visit& visit) const {
+    const Eigen::Vector3i low = bricks_at(lowest).cwiseMax(0);
+    const Eigen::Vector3i high = bricks_at(highest).cwiseMin(bricks_ - Eigen::Vector3i::Ones());
     for (int z = low.z() >> 2; z <= high.z() >> 2; ++z) {
       for (int y = low.y() >> 2; y <= high.y() >> 2; ++y) {
         for (int x = low.x() >> 2; x <= high.x() >> 2; ++x) {
@@ -103,11 +110,14 @@ class Nodes {
   std::vector<Node*> all_;
 };
 
-/// The middle of a brick, index coordinates.
+/// The first place of a brick, index coordinates.
+inline Eigen::Vector3i first_place(const Node& node, std::size_t brick) {
+  return 4 * (node.cell + Eigen::Vector3i(static_cast<int>(brick & 3), static_cast<int>(brick >> 2 & 3), static_cast<int>(brick >> 4)));
+}
+
+/// Its middle.
 inline Eigen::Vector3d middle_of(const Node& node, std::size_t brick) {
-  const Eigen::Vector3i cell =
-      node.cell + Eigen::Vector3i(static_cast<int>(brick & 3), static_cast<int>(brick >> 2 & 3), static_cast<int>(brick >> 4));
-  return 4.0 * cell.cast<double>() + Eigen::Vector3d::Constant(1.5);
+  return first_place(node, brick).cast<double>() + Eigen::Vector3d::Constant(1.5);
 }
 
 }  // namespace isotouch::live

@@ -1,0 +1,59 @@
+/// The felt samples near the bricks of one node, gathered once for all of them, and those that matter for each brick.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/field/blend_brick.h"
+#include "host/live/live_model.h"
+#include "host/live/nodes.h"
+
+namespace isotouch::live {
+
+/// Squared distance of a sample from a brick's middle, of their difference. Positions are whole 1/128 voxels, so the difference is exact in floats, and
+/// whoever asks gets the same bits.
+inline float squared(float x, float y, float z) { return (x * x + y * y) + z * z; }
+
+class NearSamples {
+ public:
+  /// One of the samples nearest to a brick's middle.
+  struct Nearest {
+    float squared_distance;
+    const LiveModel* live;
+  };
+
+  /// Gathers what may matter for some bricks of a node. Reuse keeps the memory.
+  void gather(const Node& node, NodeMask bricks, const Nodes& nodes, const Reach& reach);
+
+  /// Chooses for a brick: among them are the nine nearest of every place, as far as they are within `reach.blend` of it. Always in the same order,
+  /// whatever came first.
+  ///
+  /// bound     a guess of the influence, squared: it changes the time and not the result
+  void choose(std::size_t brick, float bound);
+  std::span<const field::BlendCandidate> candidates() const { return candidates_; }
+  /// The nine nearest to the middle, ascending; fewer where there are not as many.
+  std::span<const Nearest> nearest() const { return nearest_; }
+  /// Squared, from the middle: a sample beyond that would not change what was chosen.
+  float influence() const { return influence_; }
+
+ private:
+  struct Away {
+    float square;
+    std::uint32_t sample;
+  };
+
+  void choose_of(std::span<const Away> found, float farthest);
+
+  Reach reach_{1.0};
+  std::vector<float> x_, y_, z_;  ///< from the node's first place
+  std::vector<const LiveModel*> live_;
+  std::vector<Away> away_;
+  std::span<const Away> chosen_;
+  std::vector<Nearest> nearest_;
+  std::vector<field::BlendCandidate> candidates_;
+  float ninth_ = 0.0F, influence_ = 0.0F;
+};
+
+}  // namespace isotouch::live
