@@ -71,4 +71,12 @@ std::array<float, 64> blend_body(std::span<const BlendCandidate> candidates, flo
   return blend(candidates, reach, depth);
 }
 
+std::array<float, 64> nearest_distances(std::span<const BlendCandidate> candidates) {
+  static const std::size_t lanes = vector_lanes();
+  static const auto distances = lanes == 16  ? nearest_distances_by_sixteens
+                                : lanes == 8 ? nearest_distances_by_eights
+                                             : nearest_distances_by_fours;
+  return distances(candidates);
+}
+
 }  // namespace isotouch::field

@@ -91,4 +91,12 @@ std::array<float, 64> blend_body_by_fours(std::span<const BlendCandidate> candid
 std::array<float, 64> blend_body_by_eights(std::span<const BlendCandidate> candidates, float reach, float depth);
 std::array<float, 64> blend_body_by_sixteens(std::span<const BlendCandidate> candidates, float reach, float depth);
 
+/// How far the nearest of the candidates is from each of the 64 places.
+///
+/// candidates   at least one; among them the nearest of every place
+std::array<float, 64> nearest_distances(std::span<const BlendCandidate> candidates);
+std::array<float, 64> nearest_distances_by_fours(std::span<const BlendCandidate> candidates);
+std::array<float, 64> nearest_distances_by_eights(std::span<const BlendCandidate> candidates);
+std::array<float, 64> nearest_distances_by_sixteens(std::span<const BlendCandidate> candidates);
+
 }  // namespace isotouch::field

@@ -10,4 +10,6 @@ std::array<float, 64> blend_body_by_fours(std::span<const BlendCandidate> candid
   return body_blocks(candidates, reach, depth);
 }
 
+std::array<float, 64> nearest_distances_by_fours(std::span<const BlendCandidate> candidates) { return nearest_blocks(candidates); }
+
 }  // namespace isotouch::field

@@ -250,6 +250,25 @@ __attribute__((flatten)) std::array<float, 64> body_blocks(std::span<const Blend
   return result;
 }
 
+/// What `nearest_distances` does.
+__attribute__((flatten)) std::array<float, 64> nearest_blocks(std::span<const BlendCandidate> candidates) {
+  std::array<float, 64> result;
+  for (std::size_t z = 0; z < 4; z += 2) {
+    for (std::size_t y = 0; y < 4; y += 2) {
+      const Point shift = {0.0F, static_cast<float>(y) - 1.0F, static_cast<float>(z) - 1.0F};
+      Rows least;
+      least.fill(all<Lanes>(kFar));
+      for (const BlendCandidate& c : candidates) {
+        const Point own = c.own - shift;
+        for (std::size_t r = 0; r < kRows; ++r) least[r] = lesser((row_of_block(r) - own).squared_length(), least[r]);
+      }
+      for (Lanes& row : least) row = root(row);
+      store_block(least, y, z, result);
+    }
+  }
+  return result;
+}
+
 /// What `BrickBlend` does, of the candidates found. Inline in each source that is compiled for a width of its own.
 __attribute__((flatten)) std::array<float, 64> blend_blocks(std::span<const BlendCandidate> candidates, BrickBlend::Doubt& doubt) {
   thread_local Neighbourhood around;  // keeps its memory

@@ -19,8 +19,13 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 /// By how much a value changes a voxel, as the default method assumes of its blend.
 constexpr double kSlope = 1.5;
 
-/// The distance at the brick's middle, by the formulas of the blend, in doubles: enough to leave out what is far outside.
-double middle_value(const Eigen::Vector3d& middle, const Reach& reach, std::span<const NearSamples::Nearest> nearest) {
+/// The blended distance at the brick's middle, and the brick's value there.
+struct Middle {
+  double blend, value;
+};
+
+/// By the formulas of the blend, in doubles: enough to leave out what is far outside or deep inside.
+Middle middle_value(const Eigen::Vector3d& middle, const Reach& reach, std::span<const NearSamples::Nearest> nearest) {
   const double farthest = reach.blend * reach.blend;
   const double border =
       nearest.size() > field::kBlended ? std::min(static_cast<double>(nearest[field::kBlended].squared_distance), farthest) : farthest;
@@ -33,10 +38,10 @@ double middle_value(const Eigen::Vector3d& middle, const Reach& reach, std::span
     body += weight * static_cast<double>(nearest[k].live->blended.body);
     weights += weight;
   }
-  if (!(weights > 0.0)) return -reach.band;  // not known: the places are computed
+  if (!(weights > 0.0)) return {0.0, 0.0};  // not known: the places are computed
   const double away = std::sqrt(static_cast<double>(nearest.front().squared_distance)), blend = sum / weights, side = body / weights;
   const double behind = away > 0.0 ? std::clamp(-blend / std::min(away, reach.band), 0.0, 1.0) : 0.0;
-  return std::max(blend, away - side - (reach.depth - side) * behind);
+  return {blend, std::max(blend, away - side - (reach.depth - side) * behind)};
 }
 
 constexpr float kScale = 1 << Distance::kFractionBits;
@@ -65,9 +70,17 @@ BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size
   BrickValue result;
   if (near.nearest().empty()) return result;
   const Eigen::Vector3d middle = first.cast<double>() + Eigen::Vector3d::Constant(1.5);
-  if (middle_value(middle, reach, near.nearest()) > reach.band + kSlope * kBrickReach) return result;
-
-  std::array<float, 64> distance = field::blend_body(near.candidates(), static_cast<float>(reach.blend), static_cast<float>(reach.depth));
+  const Middle at_middle = middle_value(middle, reach, near.nearest());
+  const double far = reach.band + kSlope * kBrickReach;  // then all places are beyond the band
+  if (at_middle.value > far) return result;
+  const auto depth = static_cast<float>(reach.depth);
+  std::array<float, 64> distance;
+  if (at_middle.blend < -far) {  // all places are straight behind their nearest sample
+    distance = field::nearest_distances(near.candidates());
+    for (float& d : distance) d -= depth;
+  } else {
+    distance = field::blend_body(near.candidates(), static_cast<float>(reach.blend), depth);
+  }
   const auto band = static_cast<float>(reach.band);
   const int closing = static_cast<int>(std::ceil(2.0 * reach.band)) + 2;  // layers in which the border's distance may be above -band
   if ((first.array() < closing).any() || (first.array() + 4 > size.array() - closing).any()) close(first, size, band, distance);

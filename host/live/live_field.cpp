@@ -28,14 +28,36 @@ constexpr double kLeastBody = 2.0;        ///< but at least so many voxels
 struct Near {
   double squared_distance;
   const Entry* entry;
+};
 
-  bool operator<(const Near& o) const {
-    return squared_distance != o.squared_distance ? squared_distance < o.squared_distance : entry->key < o.entry->key;
+/// The nearest of all that are added, ascending; of two at one distance, the first.
+class NearestFew {
+ public:
+  explicit NearestFew(double most) : worst_(most) {}
+  void add(double squared_distance, const Entry& entry) {
+    if (!(squared_distance <= worst_) || (full() && squared_distance == worst_)) return;
+    std::size_t place = full() ? count_ - 1 : count_++;
+    for (; place > 0 && squared_distance < near_[place - 1].squared_distance; --place) near_[place] = near_[place - 1];
+    near_[place] = {squared_distance, &entry};
+    if (full()) worst_ = near_[count_ - 1].squared_distance;
   }
+  bool full() const { return count_ == near_.size(); }
+  std::span<const Near> list() const { return std::span(near_).first(count_); }
+
+ private:
+  std::array<Near, field::kModelled> near_{};
+  std::size_t count_ = 0;
+  double worst_;
 };
 
 /// The same rounding wherever two positions are compared.
 double squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return field::squared_distance(a, b); }
+
+/// From the box of a brick's samples.
+double squared_distance_to(const Node& node, std::size_t brick, const Eigen::Vector3d& place) {
+  const Eigen::Array3d at = place.array() - first_place(node, brick).cast<double>().array();
+  return (at - 4.0).max(-at).max(0.0).matrix().squaredNorm();
+}
 
 std::size_t brick_in_node(const Eigen::Vector3i& cell) {
   return static_cast<std::size_t>((cell.x() & 3) | (cell.y() & 3) << 2 | (cell.z() & 3) << 4);
@@ -53,8 +75,13 @@ struct LiveField::Dirt {
   };
   std::vector<Touched> touched;
   std::vector<Eigen::Vector3d> places;  ///< of samples that changed, as they were and as they are
-  std::vector<Entry*> models;           ///< to be fitted
-  std::vector<Eigen::Vector3d> felt;    ///< places of samples that bricks depended on, or do now
+  struct Model {
+    Node* node;
+    std::size_t brick;
+    Entry* entry;
+  };
+  std::vector<Model> models;          ///< to be fitted
+  std::vector<Eigen::Vector3d> felt;  ///< places of samples that bricks depended on, or do now
 };
 
 LiveField::LiveField(const field::Grid& grid, double band, const encoding::FieldInfo& info)
@@ -145,7 +172,7 @@ void LiveField::take_means(Dirt& dirt) {
       if (entry.key != touched->key) continue;
       samples_[entry.slot].dirty = true;
       entry.felt = false;
-      dirt.models.push_back(&entry);
+      dirt.models.push_back({touched->node, touched->brick, &entry});
     }
   }
 }
@@ -154,6 +181,7 @@ void LiveField::take_means(Dirt& dirt) {
 void LiveField::find_models(Dirt& dirt) {
   for (const Eigen::Vector3d& place : dirt.places) {
     nodes_.occupied_in_ball(place, kModelReach, [&](Node& node, std::size_t brick) {
+      if (squared_distance_to(node, brick, place) > node.model_influence[brick]) return;
       for (Entry& entry : node.samples[brick]) {
         if (squared_distance(entry.mean.position, place) > entry.influence) continue;
         Sample& sample = samples_[entry.slot];
@@ -162,7 +190,7 @@ void LiveField::find_models(Dirt& dirt) {
         count(entry, false);
         if (entry.felt) dirt.felt.push_back(entry.mean.position);
         entry.felt = false;
-        dirt.models.push_back(&entry);
+        dirt.models.push_back({&node, brick, &entry});
       }
     });
   }
@@ -170,24 +198,21 @@ void LiveField::find_models(Dirt& dirt) {
 
 /// A sample's model from the nearest samples within reach.
 void LiveField::fit(Entry& entry) {
-  thread_local std::vector<Near> near;  // keeps its memory
   const Eigen::Vector3d& own = entry.mean.position;
   const auto gather = [&](double radius) {
-    near.clear();
-    const double square = radius * radius;
+    NearestFew few(radius * radius);
     nodes_.occupied_in_ball(own, radius, [&](const Node& node, std::size_t brick) {
-      for (const Entry& other : node.samples[brick]) {
-        const double away = squared_distance(other.mean.position, own);
-        if (away <= square) near.push_back({away, &other});
-      }
+      for (const Entry& other : node.samples[brick]) few.add(squared_distance(other.mean.position, own), other);
     });
+    return few;
   };
   // Any radius that is large enough gives the same.
   double radius = entry.influence > 0.0 ? std::sqrt(entry.influence) + 0.1 : 4.0;
-  while (gather(std::min(radius, kModelReach)), near.size() < field::kModelled && radius < kModelReach) radius *= 1.5;
-  const std::size_t listed = std::min(near.size(), field::kModelled);
-  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(listed), near.end());
-  const double reach = listed == field::kModelled ? near[listed - 1].squared_distance : kModelReach * kModelReach;
+  NearestFew few = gather(std::min(radius, kModelReach));
+  while (!few.full() && radius < kModelReach) few = gather(std::min(radius *= 1.5, kModelReach));
+  const std::span<const Near> near = few.list();
+  const std::size_t listed = near.size();
+  const double reach = few.full() ? near.back().squared_distance : kModelReach * kModelReach;
 
   Sample& sample = samples_[entry.slot];
   entry.influence = reach;
@@ -210,9 +235,11 @@ void LiveField::fit(Entry& entry) {
 
 void LiveField::fit_models(Dirt& dirt) {
   field::in_parallel(dirt.models.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) fit(*dirt.models[n]);
+    for (std::size_t n = begin; n < end; ++n) fit(*dirt.models[n].entry);
   });
-  for (Entry* entry : dirt.models) {
+  for (const auto& [node, brick, entry] : dirt.models) {
+    double& largest = node->model_influence[brick];
+    largest = std::max(largest, entry->influence);  // it may stay larger than it is: that costs time alone
     samples_[entry->slot].dirty = false;
     count(*entry, true);
     if (entry->felt) dirt.felt.push_back(entry->mean.position);

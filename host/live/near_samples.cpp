@@ -52,7 +52,9 @@ void NearSamples::choose(std::size_t brick, float bound) {
     if (influence_ <= bound) break;
   }
   candidates_.clear();
-  const auto add = [&](std::size_t n) { candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x, y_[n] - middle_y, z_[n] - middle_z}}); };
+  const auto add = [&](std::size_t n) {
+    candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x, y_[n] - middle_y, z_[n] - middle_z}});
+  };
   for (const Away& a : chosen_) {
     if (a.square <= ninth_) add(a.sample);
   }

@@ -36,6 +36,7 @@ struct Node {
   NodeMask stored = 0, inside = 0;             ///< kinds; the other bricks are outside
   std::array<float, 64> influence{};           ///< squared, from the brick's middle: a sample beyond that does not change its values
   float largest_influence = 0.0F;              ///< of them
+  std::array<double, 64> model_influence{};    ///< squared: a sample farther away from the brick changes the model of none of its samples
   std::array<float, 64> slope{}, wall{};       ///< squared, voxels a voxel; voxels
   std::array<std::vector<Entry>, 64> samples;  ///< those that lie in each brick, by key
   std::vector<encoding::Coefficients> bricks;  ///< the values of the stored ones, one after the other
