@@ -16,8 +16,9 @@ using encoding::BrickKind;
 /// From a brick's middle to its corners.
 const double kBrickReach = 1.5 * std::sqrt(3.0);
 
-/// By how much a value changes a voxel, as the default method assumes of its blend.
-constexpr double kSlope = 1.5;
+/// By how much a value changes a voxel, at most, where a brick is left out because its middle is far outside. Behind the surface the models' own slope
+/// will do: a place that is a little less than the band deep then counts as that deep.
+constexpr double kSlope = 1.25, kSlopeBehind = 1.0;
 
 /// The blended distance at the brick's middle, and the brick's value there.
 struct Middle {
@@ -71,11 +72,10 @@ BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size
   if (near.nearest().empty()) return result;
   const Eigen::Vector3d middle = first.cast<double>() + Eigen::Vector3d::Constant(1.5);
   const Middle at_middle = middle_value(middle, reach, near.nearest());
-  const double far = reach.band + kSlope * kBrickReach;  // then all places are beyond the band
-  if (at_middle.value > far) return result;
+  if (at_middle.value > reach.band + kSlope * kBrickReach) return result;
   const auto depth = static_cast<float>(reach.depth);
   std::array<float, 64> distance;
-  if (at_middle.blend < -far) {  // all places are straight behind their nearest sample
+  if (at_middle.blend < -reach.band - kSlopeBehind * kBrickReach) {  // all places are straight behind their nearest sample
     distance = field::nearest_distances(near.candidates());
     for (float& d : distance) d -= depth;
   } else {

@@ -55,12 +55,14 @@ void NearSamples::choose(std::size_t brick, float bound) {
   const auto add = [&](std::size_t n) {
     candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x, y_[n] - middle_y, z_[n] - middle_z}});
   };
+  for (const Nearest& n : nearest_) add(n.sample);
   for (const Away& a : chosen_) {
-    if (a.square <= ninth_) add(a.sample);
+    if (a.square >= ninth_ && a.square <= influence_ && (a.square > ninth_ || !is_nearest(a.sample))) add(a.sample);
   }
-  for (const Away& a : chosen_) {
-    if (a.square > ninth_ && a.square <= influence_) add(a.sample);
-  }
+}
+
+bool NearSamples::is_nearest(std::uint32_t sample) const {
+  return std::any_of(nearest_.begin(), nearest_.end(), [sample](const Nearest& n) { return n.sample == sample; });
 }
 
 /// The nearest of what was found, and how far what matters may lie.
@@ -73,7 +75,7 @@ void NearSamples::choose_of(std::span<const Away> found, float farthest) {
     if (nearest_.size() < kCounted) nearest_.emplace_back();
     std::size_t place = nearest_.size() - 1;
     for (; place > 0 && a.square < nearest_[place - 1].squared_distance; --place) nearest_[place] = nearest_[place - 1];
-    nearest_[place] = {a.square, live_[a.sample]};
+    nearest_[place] = {a.square, a.sample, live_[a.sample]};
     if (nearest_.size() == kCounted) worst = nearest_.back().squared_distance;
   }
   const bool enough = nearest_.size() == kCounted;

@@ -21,6 +21,7 @@ class NearSamples {
   /// One of the samples nearest to a brick's middle.
   struct Nearest {
     float squared_distance;
+    std::uint32_t sample;
     const LiveModel* live;
   };
 
@@ -44,6 +45,7 @@ class NearSamples {
     std::uint32_t sample;
   };
 
+  bool is_nearest(std::uint32_t sample) const;
   void choose_of(std::span<const Away> found, float farthest);
 
   Reach reach_{1.0};
