@@ -115,6 +115,17 @@ TEST(LiveField, EndsWhereItsPointsEnd) {
   EXPECT_GT(inside, 1000U);
 }
 
+TEST(LiveField, HasTheSameBytesOnEveryMachine) {
+  const cloud::Shape shape = cloud::shape("owl");
+  const cloud::OrientedPoints points = cloud::sample_shape(shape, 1000);
+  const field::Grid grid = field::make_grid(shape.low, shape.high, (shape.high - shape.low).maxCoeff() / 48, margin(field::kBand));
+  Batch batch;
+  for (std::size_t i = 0; i < points.size(); ++i) batch.added.push_back(*point_in(grid, points.positions[i], points.normals[i]));
+  LiveField field(grid, field::kBand, {});
+  field.apply(batch);
+  EXPECT_EQ(FieldView::parse(field.image().bytes())->hash(), 0xac6f22f75cc3d680ULL);
+}
+
 TEST(LiveField, OfNothingIsEmptyAgain) {
   const Ball ball;
   LiveField field(ball.grid, field::kBand, {}), empty(ball.grid, field::kBand, {});

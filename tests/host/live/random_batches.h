@@ -32,7 +32,7 @@ class RandomBatches {
   /// The next batch; `present` is then what it leads to.
   live::Batch next() {
     live::Batch batch;
-    const std::size_t parts = 1 + random_.bits() % 3;
+    const std::size_t parts = 1 + below(3);
     for (std::size_t part = 0; part < parts; ++part) {
       switch (random_.bits() % 6) {
         case 0: add(below(200), false, batch); break;
@@ -50,13 +50,13 @@ class RandomBatches {
   live::Batch whole() {
     live::Batch batch;
     batch.added.assign(present_.begin(), present_.end());
-    for (std::size_t n = batch.added.size(); n > 1; --n) std::swap(batch.added[n - 1], batch.added[random_.bits() % n]);
+    for (std::size_t n = batch.added.size(); n > 1; --n) std::swap(batch.added[n - 1], batch.added[below(n)]);
     return batch;
   }
 
  private:
   static cloud::OrientedPoints points_of(const cloud::Shape& shape, std::uint64_t seed) {
-    return cloud::scatter_on_shape(shape, 200 + 300 * (seed % 8), seed);
+    return cloud::scatter_on_shape(shape, static_cast<std::size_t>(200 + 300 * (seed % 8)), seed);
   }
 
   std::size_t below(std::size_t limit) { return static_cast<std::size_t>(random_.bits() % limit); }
@@ -82,8 +82,11 @@ class RandomBatches {
       const std::size_t i = below(source_.size());
       if (clustered && (source_.positions[i] - middle).norm() > radius) continue;
       --count;
-      const Eigen::Vector3d normal = source_.normals[i] + off(0.2);
-      put(source_.positions[i] + off(noise_ + 1e-9), random_.uniform() < turned ? Eigen::Vector3d(-normal) : normal, batch);
+      // One after the other: arguments of one call would come in the compiler's order.
+      Eigen::Vector3d normal = source_.normals[i] + off(0.2);
+      if (random_.uniform() < turned) normal = -normal;
+      const Eigen::Vector3d position = source_.positions[i] + off(noise_ + 1e-9);
+      put(position, normal, batch);
     }
   }
 
