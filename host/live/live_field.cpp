@@ -12,6 +12,7 @@
 #include "host/live/brick_surroundings.h"
 #include "host/live/brick_value.h"
 #include "host/live/near_samples.h"
+#include "shared/hash64.h"
 
 namespace isotouch::live {
 
@@ -109,7 +110,9 @@ void LiveField::take_point(const Point& point, bool removed, Dirt& dirt) {
     } else {
       added.slot = free_.back();
       free_.pop_back();
-      samples_[added.slot] = {};
+      Sample& old = samples_[added.slot];
+      old.bucket = {};
+      old.touched = old.dirty = old.unexplained = false;
     }
     added.live = &samples_[added.slot].live;
     entry = entries.insert(std::upper_bound(entries.begin(), entries.end(), key, [](std::uint64_t k, const Entry& e) { return k < e.key; }),
@@ -367,6 +370,19 @@ Work LiveField::apply(const Batch& batch) {
   work.samples = dirt.touched.size();
   work.models = dirt.models.size();
   return work;
+}
+
+std::uint64_t LiveField::certificate_hash() const {
+  std::uint64_t hash = 0;
+  for (const auto& node : nodes_.by_place()) {
+    if (!node) continue;
+    for (NodeMask left = node->stored | node->inside; left != 0; left &= left - 1) {
+      const auto brick = static_cast<std::size_t>(std::countr_zero(left));
+      const auto bytes = std::bit_cast<std::array<std::uint8_t, 8>>(std::array{node->slope[brick], node->wall[brick]});
+      hash = hash64(bytes.data(), bytes.size(), hash);
+    }
+  }
+  return hash;
 }
 
 field_file::Image LiveField::image() const {

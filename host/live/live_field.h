@@ -62,6 +62,9 @@ class LiveField {
   /// The sum of the hashes of its points.
   std::uint64_t source_hash() const { return source_hash_; }
 
+  /// Of slope and wall of every brick: the image has only the largest and the least of them, which would hide that others are out of date.
+  std::uint64_t certificate_hash() const;
+
   /// The image (shared/SPEC.md, section 2): trilinear. Its time grows with the field: it is
   /// copied, and its checksum covers all of it.
   field_file::Image image() const;

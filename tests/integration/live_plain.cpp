@@ -39,11 +39,13 @@ bool run(int history, int voxels, Tally& tally) {
     const field_file::Image image = field.image(), expected = whole.image();
     const auto view = FieldView::parse(image.bytes());
     const bool equal = image.size() == expected.size() && std::memcmp(image.data(), expected.data(), image.size()) == 0;
-    if (!equal || !view || !(field.verdict() == whole.verdict())) {
+    const bool certified = field.certificate_hash() == whole.certificate_hash();
+    if (!equal || !view || !certified || !(field.verdict() == whole.verdict())) {
       std::printf("history %d on %s, batch %d: %s\n", history, name.c_str(), n,
-                  !view   ? "the field is refused"
-                  : equal ? "the verdict differs"
-                          : "the bytes differ");
+                  !view        ? "the field is refused"
+                  : !equal     ? "the bytes differ"
+                  : !certified ? "the certificate of a brick differs"
+                               : "the verdict differs");
       return false;
     }
     ++tally.fields;

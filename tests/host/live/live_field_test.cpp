@@ -33,6 +33,7 @@ void expect_whole(unsigned threads) {
       ASSERT_TRUE(same(image, whole.image())) << cloud::shape_names()[history] << ", batch " << n;
       ASSERT_EQ(field.verdict(), whole.verdict());
       ASSERT_EQ(field.source_hash(), whole.source_hash());
+      ASSERT_EQ(field.certificate_hash(), whole.certificate_hash()) << cloud::shape_names()[history] << ", batch " << n;
       const auto view = FieldView::parse(image.bytes());
       ASSERT_TRUE(view.has_value());
       bricks += view->brick_count - 2;
