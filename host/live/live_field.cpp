@@ -11,46 +11,13 @@
 #include "host/live/brick_surroundings.h"
 #include "host/live/brick_value.h"
 #include "host/live/near_samples.h"
+#include "host/live/sample_fit.h"
 
 namespace isotouch::live {
 
 namespace {
 
 using encoding::BrickKind;
-
-constexpr double kModelReach = 12.0;      ///< voxels: neighbours farther away than that do not count
-constexpr std::size_t kFewestListed = 7;  ///< a sample with fewer, itself among them, is not felt
-constexpr double kBodyOfSpacing = 1.25;   ///< a sample's body reaches this many spacings to the sides,
-constexpr double kLeastBody = 2.0;        ///< but at least so many voxels
-
-/// A neighbour of a sample.
-struct Near {
-  double squared_distance;
-  const Entry* entry;
-};
-
-/// The nearest of all that are added, ascending; of two at one distance, the first.
-class NearestFew {
- public:
-  explicit NearestFew(double most) : worst_(most) {}
-  void add(double squared_distance, const Entry& entry) {
-    if (!(squared_distance <= worst_) || (full() && squared_distance == worst_)) return;
-    std::size_t place = full() ? count_ - 1 : count_++;
-    for (; place > 0 && squared_distance < near_[place - 1].squared_distance; --place) near_[place] = near_[place - 1];
-    near_[place] = {squared_distance, &entry};
-    if (full()) worst_ = near_[count_ - 1].squared_distance;
-  }
-  bool full() const { return count_ == near_.size(); }
-  std::span<const Near> list() const { return std::span(near_).first(count_); }
-
- private:
-  std::array<Near, field::kModelled> near_{};
-  std::size_t count_ = 0;
-  double worst_;
-};
-
-/// The same rounding wherever two positions are compared.
-double squared_distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return field::squared_distance(a, b); }
 
 /// From the box of a brick's samples.
 double squared_distance_to(const Node& node, std::size_t brick, const Eigen::Vector3d& place) {
@@ -184,7 +151,7 @@ void LiveField::find_models(Dirt& dirt) {
     nodes_.occupied_in_ball(place, kModelReach, [&](Node& node, std::size_t brick) {
       if (squared_distance_to(node, brick, place) > node.model_influence[brick]) return;
       for (Entry& entry : node.samples[brick]) {
-        if (squared_distance(entry.mean.position, place) > entry.influence) continue;
+        if (field::squared_distance(entry.mean.position, place) > entry.influence) continue;
         Sample& sample = samples_[entry.slot];
         if (sample.dirty) continue;
         sample.dirty = true;
@@ -197,46 +164,16 @@ void LiveField::find_models(Dirt& dirt) {
   }
 }
 
-/// A sample's model from the nearest samples within reach.
-void LiveField::fit(Entry& entry) {
-  const Eigen::Vector3d& own = entry.mean.position;
-  const auto gather = [&](double radius) {
-    NearestFew few(radius * radius);
-    nodes_.occupied_in_ball(own, radius, [&](const Node& node, std::size_t brick) {
-      for (const Entry& other : node.samples[brick]) few.add(squared_distance(other.mean.position, own), other);
-    });
-    return few;
-  };
-  // Any radius that is large enough gives the same.
-  double radius = entry.influence > 0.0 ? std::sqrt(entry.influence) + 0.1 : 4.0;
-  NearestFew few = gather(std::min(radius, kModelReach));
-  while (!few.full() && radius < kModelReach) few = gather(std::min(radius *= 1.5, kModelReach));
-  const std::span<const Near> near = few.list();
-  const std::size_t listed = near.size();
-  const double reach = few.full() ? near.back().squared_distance : kModelReach * kModelReach;
-
-  Sample& sample = samples_[entry.slot];
-  entry.influence = reach;
-  entry.felt = listed >= kFewestListed;
-  sample.unexplained = false;
-  if (!entry.felt) return;
-  thread_local std::vector<field::WeightedSample> neighbours;
-  neighbours.assign(1, {own, entry.mean.normal, 1.0});
-  for (std::size_t n = 0; n < listed && neighbours.size() < field::kModelled - 1; ++n) {
-    if (near[n].entry == &entry) continue;
-    const Mean& mean = near[n].entry->mean;
-    neighbours.push_back({mean.position, mean.normal, std::max(1e-3, 1.0 - near[n].squared_distance / reach)});
-  }
-  sample.live.model = field::fit_model(neighbours);
-  sample.live.blended = field::BrickBlend::model_of(own, sample.live.model);
-  const double spacing = std::sqrt(near[kFewestListed - 1].squared_distance);
-  sample.live.blended.body = static_cast<float>(std::clamp(kBodyOfSpacing * spacing, kLeastBody, reach_.depth));
-  sample.unexplained = field::is_unexplained(sample.live.model);
-}
-
 void LiveField::fit_models(Dirt& dirt) {
   field::in_parallel(dirt.models.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) fit(*dirt.models[n].entry);
+    for (std::size_t n = begin; n < end; ++n) {
+      Entry& entry = *dirt.models[n].entry;
+      Sample& sample = samples_[entry.slot];
+      const SampleFit fit = fit_sample(entry, nodes_, reach_, sample.live);
+      entry.felt = fit.felt;
+      entry.influence = fit.influence;
+      sample.unexplained = fit.unexplained;
+    }
   });
   for (const auto& [node, brick, entry] : dirt.models) {
     double& largest = node->model_influence[brick];

@@ -83,7 +83,6 @@ class LiveField {
   void take_means(Dirt& dirt);
   void find_models(Dirt& dirt);
   void fit_models(Dirt& dirt);
-  void fit(Entry& entry);
   void count(const Entry& entry, bool present);
   void find_bricks(const Dirt& dirt);
   Work compute_bricks();
