@@ -336,7 +336,6 @@ BuiltField built_field(const BuildOptions& options) {
       std::fprintf(stderr, "isotouch: %s: %s\n", options.input.string().c_str(), warning.c_str());
   }
 
-  std::optional<field_file::OpenField> live = std::move(made.live);
   if (report.live_verdict) {
     const std::vector<std::string> reasons = report.live_verdict->reasons();
     if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
@@ -346,14 +345,15 @@ BuiltField built_field(const BuildOptions& options) {
   const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;
   std::future<field::JudgedScan> judged;
   if (made.repair) judged = std::async(policy, [&] { return field::judged_scan(built, *made.scan); });
-  if (!live) progress.begin("blob");
+  if (!made.live) progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
   const Method method = options.method == BuildMethod::kPublished ? Method::kPublished : Method::kDefault;
   const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
-  std::packaged_task<field_file::OpenField()> write([&] { return encoding::write_field(std::move(made.field), info); });
-  if (!live) write();
+  std::packaged_task<field_file::OpenField()> write(
+      [&] { return made.live ? std::move(*made.live) : encoding::write_field(std::move(made.field), info); });
+  write();
   std::vector<Eigen::Vector3i> invented;  // cells of bricks
   if (made.repair) {
     progress.begin("verdict");
@@ -362,7 +362,7 @@ BuiltField built_field(const BuildOptions& options) {
     invented = std::move(surface.cells);
     if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   }
-  field_file::OpenField field = live ? std::move(*live) : write.get_future().get();
+  field_file::OpenField field = write.get_future().get();
   for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
   if (report.inside_nodes == 0)

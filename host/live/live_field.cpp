@@ -105,6 +105,7 @@ void LiveField::take_point(const Point& point, bool removed, Dirt& dirt) {
 void LiveField::count(const Entry& entry, bool present) {
   const auto change = [present](std::size_t& number) { number += present ? std::size_t{1} : ~std::size_t{0}; };
   change(verdict_.samples);
+  verdict_.facing.add(entry.mean.position, entry.mean.normal, present);
   if (!entry.felt) change(verdict_.lonely);
   if (samples_[entry.slot].unexplained) change(verdict_.unexplained);
 }

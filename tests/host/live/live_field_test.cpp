@@ -187,6 +187,27 @@ TEST(LiveField, SaysThatNormalsContradict) {
   EXPECT_TRUE(right.verdict().reasons().empty());
 }
 
+TEST(LiveField, SaysThatABodyIsInsideOutAndNotThatAHollowIs) {
+  const Ball ball;
+  const auto reasons = [&](bool turned, bool half) {
+    Batch batch;
+    for (Point point : ball.points(3000).added) {
+      if (half && point.normal[2] < 0) continue;
+      if (turned) {
+        for (std::int16_t& x : point.normal) x = static_cast<std::int16_t>(-x);
+      }
+      batch.added.push_back(point);
+    }
+    LiveField field(ball.grid, field::kBand, {});
+    field.apply(batch);
+    return field.verdict().reasons().size();
+  };
+  EXPECT_EQ(reasons(false, false), 0U);
+  EXPECT_EQ(reasons(true, false), 1U);
+  EXPECT_EQ(reasons(false, true), 0U);
+  EXPECT_EQ(reasons(true, true), 0U) << "the inside of a bowl";
+}
+
 TEST(LiveField, RefusesToRemoveWhatIsNotThere) {
   const Ball ball;
   LiveField field(ball.grid, field::kBand, {});
