@@ -69,7 +69,7 @@ TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
   const std::string build = answer({"build", "--help"}).out;
   EXPECT_THAT(build, testing::HasSubstr("  --grid NUMBER             voxels along"));
   EXPECT_THAT(build, testing::HasSubstr("; 8 to 4000"));
-  EXPECT_THAT(build, testing::HasSubstr("one of default published"));
+  EXPECT_THAT(build, testing::HasSubstr("of default live published"));
   EXPECT_THAT(build, testing::HasSubstr("(required)"));
   for (const char* raw : {"ENUM", "FLOAT", "->", " in ["}) EXPECT_THAT(build, testing::Not(testing::HasSubstr(raw)));
   EXPECT_THAT(help.out, testing::Not(testing::HasSubstr("Subcommands:"))) << "a command without a task";
