@@ -407,7 +407,8 @@ void wander(const Pool& pool, bool are_plates, std::uint64_t seed, std::uint64_t
       const double before = middle();
       const long step = static_cast<long>(random.bits() % (are_plates ? 17 : 5)) - (are_plates ? 8 : 2);
       const bool far = random.bits() % 40 == 0;
-      now = far ? random.bits() % pool.size() : static_cast<std::size_t>(std::clamp<long>(static_cast<long>(now) + step, 0, 59));
+      now = far ? static_cast<std::size_t>(random.bits() % pool.size())
+                : static_cast<std::size_t>(std::clamp<long>(static_cast<long>(now) + step, 0, 59));
       hand.patch(pool.fields[now]);
       ++patches;
       if (std::abs(middle() - before) > kMostRise) may_change_side = true;  // a body may have appeared round the hand, or passed it
