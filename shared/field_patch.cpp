@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "shared/bytes.h"
-#include "shared/crc32.h"
 #include "shared/hash64.h"
 
 namespace isotouch {
@@ -153,9 +152,7 @@ class ImageWriter {
 
 }  // namespace
 
-bool FieldPatch::has_magic(std::span<const std::uint8_t> bytes) {
-  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
-}
+bool FieldPatch::has_magic(std::span<const std::uint8_t> bytes) { return isotouch::has_magic(kForm, bytes); }
 
 std::size_t FieldPatch::image_bytes() const {
   return static_cast<std::size_t>(load_le<std::uint64_t>(image_header.data() + image_layout::kTotalBytesAt));
@@ -164,15 +161,8 @@ std::size_t FieldPatch::image_bytes() const {
 std::uint32_t FieldPatch::stiffness_at() const { return load_le<std::uint32_t>(image_header.data() + image_layout::kStiffnessTableAt); }
 
 Result<FieldPatch> FieldPatch::parse(std::span<const std::uint8_t> bytes) {
-  if (!has_magic(bytes)) return Error::kBadMagic;
-  if (bytes.size() < kHeaderBytes) return Error::kTruncated;
+  if (const auto error = refused(kForm, bytes)) return *error;
   const std::uint8_t* at = bytes.data();
-  if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
-  if (load_le<std::uint32_t>(at + kHeaderBytesAt) != kHeaderBytes) return Error::kBadHeader;
-  const auto total = load_le<std::uint64_t>(at + kTotalBytesAt);
-  if (total > bytes.size()) return Error::kTruncated;
-  if (total != bytes.size()) return Error::kBadSize;
-  if (crc32(at + kTotalBytesAt, bytes.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
 
   FieldPatch patch;
   patch.hash_before = load_le<std::uint64_t>(at + kHashBeforeAt);
@@ -186,7 +176,7 @@ Result<FieldPatch> FieldPatch::parse(std::span<const std::uint8_t> bytes) {
 
   const std::uint64_t cells = load_le<std::uint32_t>(at + kCellsAt), stored = load_le<std::uint32_t>(at + kStoredAt);
   const std::uint64_t parts = patch.stiffness_at() != 0 ? stored : 0;
-  if (total != kHeaderBytes + 4 * cells + kBrickBytes * stored + parts) return Error::kBadSize;
+  if (bytes.size() != kHeaderBytes + 4 * cells + kBrickBytes * stored + parts) return Error::kBadSize;
   auto part = [&bytes, from = kHeaderBytes](std::uint64_t size) mutable {
     const auto span = bytes.subspan(from, static_cast<std::size_t>(size));
     from += span.size();

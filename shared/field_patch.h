@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shared/envelope.h"
 #include "shared/field_view.h"
 #include "shared/result.h"
 
@@ -13,20 +14,14 @@ namespace isotouch {
 
 /// Byte offsets of the header's fields, in the order of SPEC.md 7.1.
 namespace patch_layout {
-inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'D'};
-inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 0;
-inline constexpr std::size_t kMajorAt = 4;
-inline constexpr std::size_t kMinorAt = 6;
-inline constexpr std::size_t kHeaderBytesAt = 8;
-inline constexpr std::size_t kChecksumAt = 12;
-inline constexpr std::size_t kTotalBytesAt = 16;
+using namespace envelope_layout;
 inline constexpr std::size_t kHashBeforeAt = 24;
 inline constexpr std::size_t kHashAfterAt = 32;
 inline constexpr std::size_t kCellsAt = 40;
 inline constexpr std::size_t kStoredAt = 44;
 inline constexpr std::size_t kImageHeaderAt = 64;
 inline constexpr std::size_t kHeaderBytes = 320;
+inline constexpr Envelope kForm = {{'I', 'T', 'F', 'D'}, 1, 0, kHeaderBytes};
 
 inline constexpr std::uint32_t kKindBits = 2;  ///< the lowest of a cell's word
 inline constexpr std::uint32_t kStored =

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shared/envelope.h"
 #include "shared/result.h"
 #include "shared/units.h"
 #include "shared/vec3.h"
@@ -20,11 +21,7 @@ inline constexpr std::uint16_t kMajor = 1;
 inline constexpr std::uint16_t kMinor = 1;  ///< of an image without a stiffness table
 inline constexpr std::uint16_t kMinorWithTable = 2;
 inline constexpr std::uint16_t kMinorTrilinear = 3;  ///< with or without a table; the newest
-inline constexpr std::size_t kMajorAt = 4;
-inline constexpr std::size_t kMinorAt = 6;
-inline constexpr std::size_t kHeaderBytesAt = 8;
-inline constexpr std::size_t kChecksumAt = 12;
-inline constexpr std::size_t kTotalBytesAt = 16;
+using namespace envelope_layout;
 inline constexpr std::size_t kSourceHashAt = 24;
 inline constexpr std::size_t kOriginAt = 32;
 inline constexpr std::size_t kEdgeAt = 44;

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "shared/bytes.h"
-#include "shared/crc32.h"
 #include "shared/field_view.h"
 #include "shared/image_parts.h"
 #include "shared/zstd_frame.h"
@@ -24,20 +23,11 @@ bool are_marks(std::span<const std::uint8_t> marks, std::uint32_t bricks) {
 
 }  // namespace
 
-bool PackedField::has_magic(std::span<const std::uint8_t> bytes) {
-  return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
-}
+bool PackedField::has_magic(std::span<const std::uint8_t> bytes) { return isotouch::has_magic(kForm, bytes); }
 
 Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
-  if (!has_magic(bytes)) return Error::kBadMagic;
-  if (bytes.size() < kHeaderBytes) return Error::kTruncated;
+  if (const auto error = refused(kForm, bytes)) return *error;
   const std::uint8_t* at = bytes.data();
-  if (load_le<std::uint16_t>(at + kMajorAt) != kMajor) return Error::kBadVersion;
-  if (load_le<std::uint32_t>(at + kHeaderBytesAt) != kHeaderBytes) return Error::kBadHeader;
-  const auto total = load_le<std::uint64_t>(at + kTotalBytesAt);
-  if (total > bytes.size()) return Error::kTruncated;
-  if (total != bytes.size()) return Error::kBadSize;
-  if (crc32(at + kTotalBytesAt, bytes.size() - kTotalBytesAt) != load_le<std::uint32_t>(at + kChecksumAt)) return Error::kBadChecksum;
 
   PackedField packed;
   packed.image_bytes = load_le<std::uint64_t>(at + kImageBytesAt);
@@ -69,17 +59,12 @@ Result<PackedField> PackedField::parse(std::span<const std::uint8_t> bytes) {
 void seal_packed(const FieldView& image, const StreamSizes& sizes, std::span<std::uint8_t> packed, std::size_t mark_bytes) {
   std::uint8_t* at = packed.data();
   std::fill_n(at, kHeaderBytes, std::uint8_t{0});
-  std::copy(kMagic.begin(), kMagic.end(), at);
-  store_le(at + kMajorAt, kMajor);
-  store_le(at + kMinorAt, kMinor);
-  store_le(at + kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
-  store_le(at + kTotalBytesAt, std::uint64_t{packed.size()});
   store_le(at + kImageBytesAt, std::uint64_t{image.image.size()});
   store_le(at + kImageHashAt, image.hash());
   for (std::size_t stream = 0; stream < sizes.size(); ++stream) store_le(at + kStreamSizesAt + 4 * stream, sizes[stream]);
   store_le(at + kMarkBytesAt, static_cast<std::uint32_t>(mark_bytes));
   std::copy_n(image.image.begin(), image_layout::kHeaderBytes, at + kImageHeaderAt);
-  store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, packed.size() - kTotalBytesAt));
+  seal(kForm, packed);
 }
 
 }  // namespace isotouch

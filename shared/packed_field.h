@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shared/envelope.h"
 #include "shared/field_view.h"
 #include "shared/hash64.h"
 #include "shared/residuals.h"
@@ -16,20 +17,14 @@ namespace isotouch {
 
 /// Byte offsets of the header's fields, in the order of SPEC.md 4.1.
 namespace packed_layout {
-inline constexpr std::array<std::uint8_t, 4> kMagic = {'I', 'T', 'F', 'P'};
-inline constexpr std::uint16_t kMajor = 1;
-inline constexpr std::uint16_t kMinor = 0;
-inline constexpr std::size_t kMajorAt = 4;
-inline constexpr std::size_t kMinorAt = 6;
-inline constexpr std::size_t kHeaderBytesAt = 8;
-inline constexpr std::size_t kChecksumAt = 12;
-inline constexpr std::size_t kTotalBytesAt = 16;
+using namespace envelope_layout;
 inline constexpr std::size_t kImageBytesAt = 24;
 inline constexpr std::size_t kImageHashAt = 32;
 inline constexpr std::size_t kStreamSizesAt = 40;
 inline constexpr std::size_t kMarkBytesAt = 56;
 inline constexpr std::size_t kImageHeaderAt = 64;
 inline constexpr std::size_t kHeaderBytes = 320;
+inline constexpr Envelope kForm = {{'I', 'T', 'F', 'P'}, 1, 0, kHeaderBytes};
 inline constexpr int kWindowShift = 17;    ///< of the frame: a reader may hold so little of it at a time
 inline constexpr int kMaxRatioShift = 15;  ///< no frame expands further
 }  // namespace packed_layout

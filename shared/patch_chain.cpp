@@ -13,7 +13,7 @@ namespace {
 Result<FieldPatch> first_of(std::span<const std::uint8_t> bytes) {
   using namespace patch_layout;
   if (bytes.size() < kHeaderBytes)
-    return FieldPatch::has_magic(bytes) || bytes.size() < kMagic.size() ? Error::kTruncated : Error::kBadMagic;
+    return FieldPatch::has_magic(bytes) || bytes.size() < kForm.magic.size() ? Error::kTruncated : Error::kBadMagic;
   const auto size = load_le<std::uint64_t>(bytes.data() + kTotalBytesAt);
   return FieldPatch::parse(bytes.first(static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.size()))));
 }

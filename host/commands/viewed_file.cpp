@@ -21,7 +21,7 @@ Viewed viewed_file(const std::filesystem::path& file) {
     throw InputError(file.string() + ": cannot be read; name a field, a scan or a recording");
   stream.read(reinterpret_cast<char*>(first.data()), first.size());
   if (first == trace_layout::kMagic) return Viewed::kTrace;
-  return first == image_layout::kMagic || first == packed_layout::kMagic ? Viewed::kField : Viewed::kSource;
+  return first == image_layout::kMagic || first == packed_layout::kForm.magic ? Viewed::kField : Viewed::kSource;
 }
 
 }  // namespace isotouch::commands

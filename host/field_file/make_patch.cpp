@@ -5,7 +5,6 @@
 
 #include "host/error.h"
 #include "shared/bytes.h"
-#include "shared/crc32.h"
 #include "shared/field_patch.h"
 
 namespace isotouch::field_file {
@@ -96,17 +95,12 @@ std::vector<std::uint8_t> write_patch(std::uint64_t hash_before, std::uint64_t h
   patch.insert(patch.end(), stiffness.begin(), stiffness.end());
 
   std::uint8_t* at = patch.data();
-  std::copy(kMagic.begin(), kMagic.end(), at);
-  store_le(at + kMajorAt, kMajor);
-  store_le(at + kMinorAt, kMinor);
-  store_le(at + kHeaderBytesAt, static_cast<std::uint32_t>(kHeaderBytes));
-  store_le(at + kTotalBytesAt, std::uint64_t{patch.size()});
   store_le(at + kHashBeforeAt, hash_before);
   store_le(at + kHashAfterAt, hash_after);
   store_le(at + kCellsAt, static_cast<std::uint32_t>(cells.size()));
   store_le(at + kStoredAt, stored);
   std::copy_n(after.image.begin(), image_layout::kHeaderBytes, at + kImageHeaderAt);
-  store_le(at + kChecksumAt, crc32(at + kTotalBytesAt, patch.size() - kTotalBytesAt));
+  seal(kForm, patch);
   return patch;
 }
 

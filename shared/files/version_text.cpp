@@ -21,7 +21,7 @@ std::string short_version_text(const std::string& program) { return program + " 
 
 std::string version_text(const std::string& program) {
   return short_version_text(program) + "; formats: " + format("field", image_layout::kMajor, image_layout::kMinorTrilinear) + ", " +
-         format("packed field", packed_layout::kMajor, packed_layout::kMinor) + ", " +
+         format("packed field", packed_layout::kForm.major, packed_layout::kForm.minor) + ", " +
          format("trace", trace_layout::kMajor, trace_layout::kMinor) + ", " + format("protocol", protocol::kMajor, protocol::kMinor) +
          "; " ISOTOUCH_COMPILER;
 }

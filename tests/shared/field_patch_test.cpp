@@ -21,6 +21,7 @@ namespace {
 
 using test::FieldImage;
 using test::FieldOptions;
+using test::trilinear_options;
 using test::make_patch;
 using test::Point;
 using Bytes = std::vector<std::uint8_t>;
@@ -43,14 +44,6 @@ FieldImage random_field(test::Random& random, const FieldOptions& options, int b
         return nearest;
       },
       options);
-}
-
-FieldOptions trilinear() {
-  FieldOptions options;
-  options.band = 2.0;
-  options.prefilter = false;
-  options.interpolation = Interpolation::kTrilinear;
-  return options;
 }
 
 struct Memory {
@@ -83,7 +76,7 @@ TEST(FieldPatch, LeadsFromAnyImageToAnyOtherOnItsGridToTheByte) {
   test::Random random(1);
   int compared = 0, with_cells = 0;
   for (int kind = 0; kind < 3; ++kind) {
-    FieldOptions options = kind == 0 ? trilinear() : FieldOptions{};
+    FieldOptions options = kind == 0 ? trilinear_options() : FieldOptions{};
     options.band = 2.0;
     if (kind == 2) options.stiffness_part = [&](const Point&) { return 1 + static_cast<int>(random.bits() % 3); };
     for (int pair = 0; pair < 12; ++pair) {
@@ -102,7 +95,7 @@ TEST(FieldPatch, LeadsFromAnyImageToAnyOtherOnItsGridToTheByte) {
 }
 
 TEST(FieldPatch, HoldsTheCellsThatDifferAndNoOthers) {
-  FieldOptions options = trilinear();
+  FieldOptions options = trilinear_options();
   const auto with_ball = [&](double radius) {
     return FieldImage(
         kSize,
@@ -127,7 +120,7 @@ TEST(FieldPatch, HoldsTheCellsThatDifferAndNoOthers) {
 
 TEST(FieldPatch, AChangedByteIsRefusedOrDoesNotMatter) {
   test::Random random(2);
-  const FieldImage before = random_field(random, trilinear(), 1), after = random_field(random, trilinear(), 1);
+  const FieldImage before = random_field(random, trilinear_options(), 1), after = random_field(random, trilinear_options(), 1);
   const Bytes good = make_patch(before.view(), after.view());
   int refused = 0;
   for (const bool is_sealed : {false, true}) {
@@ -146,7 +139,7 @@ TEST(FieldPatch, AChangedByteIsRefusedOrDoesNotMatter) {
 
 TEST(FieldPatch, ACutOneIsRefused) {
   test::Random random(3);
-  const FieldImage before = random_field(random, trilinear(), 1), after = random_field(random, trilinear(), 1);
+  const FieldImage before = random_field(random, trilinear_options(), 1), after = random_field(random, trilinear_options(), 1);
   const Bytes good = make_patch(before.view(), after.view());
   for (std::size_t size = 0; size < good.size(); size += size < 400 ? 1 : 97) {
     EXPECT_TRUE(patched(Bytes(good.data(), good.data() + size), before.view()).refused) << size;
@@ -158,11 +151,11 @@ TEST(FieldPatch, ACutOneIsRefused) {
 
 TEST(FieldPatch, FitsNoOtherField) {
   test::Random random(4);
-  const FieldImage before = random_field(random, trilinear(), 2), after = random_field(random, trilinear(), 2);
+  const FieldImage before = random_field(random, trilinear_options(), 2), after = random_field(random, trilinear_options(), 2);
   const Bytes bytes = make_patch(before.view(), after.view());
   EXPECT_EQ(patched(bytes, after.view()).error, Error::kOtherField);
-  EXPECT_EQ(patched(bytes, random_field(random, trilinear(), 2).view()).error, Error::kOtherField);
-  FieldOptions elsewhere = trilinear();
+  EXPECT_EQ(patched(bytes, random_field(random, trilinear_options(), 2).view()).error, Error::kOtherField);
+  FieldOptions elsewhere = trilinear_options();
   elsewhere.edge_mm = 0.5;
   EXPECT_EQ(patched(bytes, random_field(random, elsewhere, 2).view()).error, Error::kOtherField);
 }
@@ -170,7 +163,7 @@ TEST(FieldPatch, FitsNoOtherField) {
 /// A patch with one thing wrong, sealed again so that only this can be why it is refused.
 TEST(FieldPatch, WhatIsWrongIsNamed) {
   test::Random random(5);
-  const FieldImage before = random_field(random, trilinear(), 1), after = random_field(random, trilinear(), 1);
+  const FieldImage before = random_field(random, trilinear_options(), 1), after = random_field(random, trilinear_options(), 1);
   const Bytes good = make_patch(before.view(), after.view());
   const auto cells = load_le<std::uint32_t>(&good[40]);
   ASSERT_GT(cells, 2U);
@@ -225,8 +218,8 @@ TEST(FieldPatch, WhatIsWrongIsNamed) {
 /// More bricks or nodes than the header counts must not be written beyond the image.
 TEST(FieldPatch, CountsThatDoNotFitAreRefused) {
   test::Random random(6);
-  const FieldImage before = random_field(random, trilinear(), 3), after = random_field(random, trilinear(), 3);
-  const FieldImage smaller = random_field(random, trilinear(), 0);
+  const FieldImage before = random_field(random, trilinear_options(), 3), after = random_field(random, trilinear_options(), 3);
+  const FieldImage smaller = random_field(random, trilinear_options(), 0);
   Bytes bytes = make_patch(before.view(), after.view());
   std::copy_n(smaller.view().image.begin(), 256, bytes.begin() + 64);
   seal(bytes);
@@ -239,7 +232,7 @@ TEST(FieldPatch, CountsThatDoNotFitAreRefused) {
 
 TEST(FieldPatch, ACellThatDoesNotChangeIsRefused) {
   test::Random random(9);
-  const FieldImage before = random_field(random, trilinear(), 2);
+  const FieldImage before = random_field(random, trilinear_options(), 2);
   const auto flipped = [&](std::size_t at) {  // before with one byte of its header changed, as the image after
     Bytes bytes = before.bytes();
     bytes[at]++;
@@ -279,7 +272,7 @@ TEST(FieldPatch, ACellThatDoesNotChangeIsRefused) {
 
 TEST(FieldPatch, AppliesWithoutAllocation) {
   test::Random random(7);
-  const FieldImage before = random_field(random, trilinear(), 2), after = random_field(random, trilinear(), 2);
+  const FieldImage before = random_field(random, trilinear_options(), 2), after = random_field(random, trilinear_options(), 2);
   const Bytes bytes = make_patch(before.view(), after.view());
   Memory memory(after.view().image.size());
   const test::AllocGuard guard;

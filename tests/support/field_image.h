@@ -25,6 +25,9 @@ struct FieldOptions {
   Interpolation interpolation = Interpolation::kSpline;  ///< kTrilinear wants no `prefilter`
 };
 
+/// Of a trilinear field with a band of 2 voxels: small images.
+inline FieldOptions trilinear_options() { return {.band = 2.0, .prefilter = false, .interpolation = Interpolation::kTrilinear}; }
+
 /// A canonical image and the checked view on it.
 class FieldImage {
  public:

@@ -17,6 +17,7 @@ namespace {
 
 using test::FieldImage;
 using test::FieldOptions;
+using test::trilinear_options;
 using Bytes = std::vector<std::uint8_t>;
 
 FieldImage ball(double radius, const FieldOptions& options) {
@@ -28,14 +29,6 @@ FieldImage ball(double radius, const FieldOptions& options) {
       options);
 }
 
-FieldOptions trilinear() {
-  FieldOptions options;
-  options.band = 2.0;
-  options.prefilter = false;
-  options.interpolation = Interpolation::kTrilinear;
-  return options;
-}
-
 Bytes apply_to(const FieldView& before, const Bytes& bytes) {
   const auto patch = FieldPatch::parse(bytes);
   Image image(patch ? patch->image_bytes() : 0);
@@ -44,18 +37,20 @@ Bytes apply_to(const FieldView& before, const Bytes& bytes) {
 }
 
 TEST(MakePatch, RefusesOtherGrids) {
-  const FieldImage before = ball(4, trilinear());
-  FieldOptions spline = trilinear(), soft = trilinear();
+  const FieldImage before = ball(4, trilinear_options());
+  FieldOptions spline = trilinear_options(), soft = trilinear_options();
   spline.interpolation = Interpolation::kSpline;
   soft.stiffness = 0.5;
   EXPECT_THROW(make_patch(before.view(), ball(5, spline).view()), InputError);
   EXPECT_THROW(make_patch(before.view(), ball(5, soft).view()), InputError);
 }
 
-TEST(MakePatch, RefusesEqualFields) { EXPECT_THROW(make_patch(ball(4, trilinear()).view(), ball(4, trilinear()).view()), InputError); }
+TEST(MakePatch, RefusesEqualFields) {
+  EXPECT_THROW(make_patch(ball(4, trilinear_options()).view(), ball(4, trilinear_options()).view()), InputError);
+}
 
 TEST(MakePatch, OnlyTheImageAfterMustBeCanonical) {
-  const FieldImage good = ball(4, trilinear());
+  const FieldImage good = ball(4, trilinear_options());
   const FieldView& view = good.view();
   Image renumbered(view.image.size());  // the last two bricks change their numbers
   std::copy(view.image.begin(), view.image.end(), renumbered.data());
