@@ -98,7 +98,7 @@ const std::map<std::string, Rule> kRules = {
      {{"host", "firmware/core", "hil/plain_replay.h", "shared", "tests/support", "tests/host/commands", "tests/host/evaluate",
        "tests/host/live"}}},
     {"tests/driver", {{"firmware", "hil/falcon_model", "shared", "tests/support"}}},
-    {"tests/integration/kill_trials.cpp", {{"host", "firmware", "shared", "tests/support", "tests/firmware/store"}}},
+    {"tests/integration/controller_writers.cpp", {{"firmware", "shared", "tests/firmware/store", "tests/integration/killed_writers.h"}}},
     {"tests/fuzz", {{"host", "firmware", "shared", "tests/support", "tests/firmware/store"}}},
     {"tests/stability", {{"firmware/core", "hil/falcon_model", "shared", "tests/support"}}},
     {"tests/integration/link",
