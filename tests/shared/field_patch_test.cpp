@@ -21,9 +21,9 @@ namespace {
 
 using test::FieldImage;
 using test::FieldOptions;
-using test::trilinear_options;
 using test::make_patch;
 using test::Point;
+using test::trilinear_options;
 using Bytes = std::vector<std::uint8_t>;
 
 constexpr std::array<std::uint32_t, 3> kSize = {40, 36, 21};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/error.h"
 #include "host/field/parallel.h"
@@ -221,8 +222,8 @@ TEST(LivePoint, OutsideTheGridOrWithoutANormalIsNone) {
   EXPECT_TRUE(point_in(ball.grid, {0, 0, 0}, {0, 0, 2}).has_value());
   EXPECT_FALSE(point_in(ball.grid, {0, 0, 100}, {0, 0, 1}).has_value());
   EXPECT_FALSE(point_in(ball.grid, {0, 0, 0}, {0, 0, 0}).has_value());
-  EXPECT_FALSE(point_in(ball.grid, {NAN, 0, 0}, {0, 0, 1}).has_value());
-  EXPECT_FALSE(point_in(ball.grid, {0, 0, 0}, {0, INFINITY, 1}).has_value());
+  EXPECT_FALSE(point_in(ball.grid, {std::numeric_limits<double>::quiet_NaN(), 0, 0}, {0, 0, 1}).has_value());
+  EXPECT_FALSE(point_in(ball.grid, {0, 0, 0}, {0, std::numeric_limits<double>::infinity(), 1}).has_value());
 }
 
 TEST(LiveBucket, ForgetsWhatIsRemoved) {
