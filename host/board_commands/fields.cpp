@@ -15,7 +15,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct FieldsOptions {
   std::string to, select;
   bool json = false;
 };
@@ -49,7 +49,7 @@ void print(const std::vector<protocol::FieldEntry>& fields, bool as_json) {
   if (as_json) std::printf("%s\n", nlohmann::ordered_json{{"fields", json}}.dump(2).c_str());
 }
 
-void run(const Options& options) {
+void run(const FieldsOptions& options) {
   link::Controller controller(options.to);
   if (!options.select.empty()) (void)controller.select(find(controller.fields(), options.select));
   print(controller.fields(), options.json);
@@ -58,7 +58,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_fields(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FieldsOptions>();
   CLI::App* command =
       app.add_subcommand("fields", "List the fields stored on a controller and mark the active one, or make another one active");
   add_address(*command, options->to);

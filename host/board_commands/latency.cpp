@@ -14,7 +14,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct LatencyOptions {
   std::string to;
   bool json = false;
 };
@@ -35,7 +35,7 @@ void print_text(const MeasureName& name, const link::Histogram& histogram, std::
   }
 }
 
-void run(const Options& options) {
+void run(const LatencyOptions& options) {
   link::Controller controller(options.to);
   const std::uint32_t period_ns = controller.welcome().period_ns;
   nlohmann::ordered_json json;
@@ -56,7 +56,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_latency(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<LatencyOptions>();
   CLI::App* command = app.add_subcommand("latency", "Print histograms of the tick times of a running controller since its start");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");

@@ -23,14 +23,14 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct RecordOptions {
   std::string to;
   std::filesystem::path out;
   double seconds = 10;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run(const RecordOptions& options) {
   using trace_layout::kRecordBytes;
   link::Controller controller(options.to);
   const double period = controller.welcome().period_ns / 1e9;
@@ -74,7 +74,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_record(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecordOptions>();
   CLI::App* command = app.add_subcommand(
       "record", "Record the ticks of a running controller as a trace that replays to the bit; Ctrl-C ends the recording and keeps it");
   add_address(*command, options->to);

@@ -30,7 +30,7 @@ constexpr const char* kField = "field";
 constexpr const char* kPublished = "published";
 constexpr const char* kGodObject = "god-object";
 
-struct Options {
+struct ReplayOptions {
   std::filesystem::path field;
   std::filesystem::path trace;
   std::string renderer;  ///< empty: the core, and nothing is measured
@@ -62,7 +62,7 @@ nlohmann::ordered_json to_json(const trace::RenderingFigures& figures) {
   return json;
 }
 
-nlohmann::ordered_json to_json(const Options& options, const Replayed& replayed) {
+nlohmann::ordered_json to_json(const ReplayOptions& options, const Replayed& replayed) {
   const trace::ReplayReport& report = replayed.report;
   nlohmann::ordered_json json{{"ticks", report.ticks}, {"seconds", report.seconds}, {"hash", trace::hash_text(report.hash)}};
   json["first_difference"] = nullptr;
@@ -107,7 +107,7 @@ void print_text(std::FILE* to, const std::string& renderer, const trace::Renderi
 }
 
 /// Says so where this field with these settings would feed energy into the hand, on the device that its certificate assumes.
-void warn(const Options& options, const FieldView& field, const TraceHeader& run) {
+void warn(const ReplayOptions& options, const FieldView& field, const TraceHeader& run) {
   Loop loop = assumed_loop(field);
   if (loop.damping == Damping{}) return;
   loop.period_ns = run.period_ns;
@@ -122,7 +122,7 @@ void warn(const Options& options, const FieldView& field, const TraceHeader& run
 }
 
 /// What can be refused before anything is computed.
-void check_renderer(const Options& options, const FieldView& field, const trace::Trace& trace) {
+void check_renderer(const ReplayOptions& options, const FieldView& field, const trace::Trace& trace) {
   if (options.renderer == kPublished && field.method != Method::kPublished) {
     throw InputError(options.field.string() +
                      ": the default method made it, and the paper's renderer needs a field of the paper's levels; build one with: "
@@ -147,7 +147,7 @@ void check_renderer(const Options& options, const FieldView& field, const trace:
   }
 }
 
-Replayed replayed(const Options& options, const FieldView& field, const trace::Trace& trace) {
+Replayed replayed(const ReplayOptions& options, const FieldView& field, const trace::Trace& trace) {
   std::unique_ptr<trace::Renderer> god_object;
   if (options.renderer == kGodObject) god_object = options.make_god_object(field, options.mesh, trace.header());
   std::optional<trace::TraceWriter> writer;
@@ -170,7 +170,7 @@ Replayed replayed(const Options& options, const FieldView& field, const trace::T
   return replayed;
 }
 
-void run(const Options& options) {
+void run(const ReplayOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const trace::Trace trace = trace::read_trace(options.trace);
   check_renderer(options, field.view, trace);
@@ -194,7 +194,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_replay(CLI::App& app, const MakeGodObject& god_object) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   options->make_god_object = god_object;
   std::vector<std::string> renderers = {kField, kPublished};
   if (god_object) renderers.emplace_back(kGodObject);

@@ -16,7 +16,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct StatusOptions {
   std::string to;
   std::string field;  ///< only this value of the JSON object
   bool json = false;
@@ -50,7 +50,7 @@ void print_text(const link::ControllerStatus& seen) {
   for (const auto& [setting, value] : seen.settings.different) std::printf("%-17s%s = %s\n", "", setting.c_str(), value.c_str());
 }
 
-void run(const Options& options) {
+void run(const StatusOptions& options) {
   link::Controller controller(options.to);
   const link::ControllerStatus seen = link::whole_status(controller);
   if (!options.field.empty()) return print_field(link::to_json(seen), options.field);
@@ -61,7 +61,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_status(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StatusOptions>();
   CLI::App* command = app.add_subcommand("status", "Print the state of a running controller, its faults, field and times");
   add_address(*command, options->to);
   command->add_flag("--json", options->json, "print one JSON object");

@@ -72,7 +72,7 @@ std::vector<std::string> column_names() {
   return names;
 }
 
-struct Options {
+struct TraceShowOptions {
   std::filesystem::path trace;
   std::vector<std::string> columns;
   bool csv = false;
@@ -81,7 +81,7 @@ struct Options {
 };
 
 /// nullptr: the packet.
-std::vector<const trace::Column*> chosen(const Options& options) {
+std::vector<const trace::Column*> chosen(const TraceShowOptions& options) {
   std::vector<const trace::Column*> columns;
   const std::span<const trace::Column> all = trace::columns();
   for (const trace::Column& column : all) {
@@ -137,7 +137,7 @@ void print_json(const trace::Trace& trace, const std::vector<const trace::Column
   std::printf("\n]}\n");
 }
 
-void run(const Options& options) {
+void run(const TraceShowOptions& options) {
   const std::vector<const trace::Column*> columns = chosen(options);
   const trace::Trace trace = trace::read_trace(options.trace);
   if (options.header_only) {
@@ -158,7 +158,7 @@ Json tick_json(const trace::Trace& trace, std::size_t tick) {
 }
 
 void add_show(CLI::App& trace) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceShowOptions>();
   CLI::App* command =
       trace.add_subcommand("show", "Print a trace as a table: one line per tick; values that the trace does not hold are empty, or null");
   command->add_option("TRACE", options->trace, "the trace to print (.trace)")->required();

@@ -19,7 +19,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct TraceStopLatencyOptions {
   std::filesystem::path trace;
   std::uint64_t most = 3;
   bool json = false;
@@ -59,7 +59,7 @@ void print_text(const Responses& responses) {
   }
 }
 
-void run(const Options& options) {
+void run(const TraceStopLatencyOptions& options) {
   const Responses responses = trace::fault_responses(trace::read_trace(options.trace, InputKind::kPacket));
   options.json ? print_json(responses) : print_text(responses);
   for (const trace::FaultResponse& response : responses) {
@@ -72,7 +72,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_stop_latency(CLI::App& trace) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceStopLatencyOptions>();
   CLI::App* command = trace.add_subcommand(
       "stop-latency",
       "Count the ticks from each input that forbids forces to motor commands of zero; exit code 3 when one took longer than allowed");

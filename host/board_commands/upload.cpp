@@ -22,13 +22,13 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct UploadOptions {
   std::filesystem::path field;
   std::string to, name;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run(const UploadOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);  // without its marks, which are for people
   const std::string file_name = is_standard(options.field) ? "field" : options.field.stem().string();
@@ -52,7 +52,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_upload(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<UploadOptions>();
   CLI::App* command =
       app.add_subcommand("upload", "Send a field to a running controller; if anything fails, the previous field stays active");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();

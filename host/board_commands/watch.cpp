@@ -20,7 +20,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct WatchOptions {
   std::string to;
   double rate = 10;
   double seconds = 0;
@@ -47,7 +47,7 @@ void print_line(std::uint64_t tick, const TraceRecord& record, bool json) {
   }
 }
 
-void run(const Options& options) {
+void run(const WatchOptions& options) {
   using trace_layout::kRecordBytes;
   link::Controller controller(options.to);
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
@@ -73,7 +73,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_watch(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<WatchOptions>();
   CLI::App* command =
       app.add_subcommand("watch", "Print the ticks of a running controller: state, positions and force, one line for each tick");
   add_address(*command, options->to);

@@ -111,7 +111,7 @@ void print(const std::string& what, const TickTimes& times) {
               times.p999_ns, times.ticks);
 }
 
-nlohmann::ordered_json to_json(const TickTimes& times) {
+nlohmann::ordered_json times_json(const TickTimes& times) {
   return {{"median_ns", times.median_ns}, {"p99_ns", times.p99_ns}, {"p999_ns", times.p999_ns}, {"ticks", times.ticks}};
 }
 
@@ -133,10 +133,10 @@ void bench_cold_tick(bool as_json) {
   bar.end();
   if (as_json) {
     const nlohmann::ordered_json json = {{"evicted_bytes", evicted_bytes()},
-                                         {"device_warm", to_json(warm)},
-                                         {"device_cold", to_json(cold)},
-                                         {"grid_1024_warm", to_json(large_warm)},
-                                         {"grid_1024_cold", to_json(large_cold)}};
+                                         {"device_warm", times_json(warm)},
+                                         {"device_cold", times_json(cold)},
+                                         {"grid_1024_warm", times_json(large_warm)},
+                                         {"grid_1024_cold", times_json(large_cold)}};
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }
@@ -217,7 +217,7 @@ void bench_field(bool as_json) {
   if (as_json) std::printf("%s\n", json.dump(2).c_str());
 }
 
-nlohmann::ordered_json to_json(const std::vector<GrowthRow>& rows) {
+nlohmann::ordered_json rows_json(const std::vector<GrowthRow>& rows) {
   auto json = nlohmann::ordered_json::array();
   for (const GrowthRow& row : rows) {
     nlohmann::ordered_json stages = nlohmann::ordered_json::object();
@@ -260,7 +260,7 @@ void bench_growth(bool quick, bool as_json) {
   const Growth growth = measure_growth(bar, quick);
   bar.end();
   if (as_json) {
-    const nlohmann::ordered_json json = {{"points", to_json(growth.points)}, {"grids", to_json(growth.grids)}};
+    const nlohmann::ordered_json json = {{"points", rows_json(growth.points)}, {"grids", rows_json(growth.grids)}};
     std::printf("%s\n", json.dump(2).c_str());
     return;
   }

@@ -53,7 +53,7 @@ void add_build(CLI::App& app) {
           "points with or without normals: PLY, OBJ, PCD, or text (.xyz, .pwn, .npts); a depth image: 16-bit PNG; a mesh: PLY, OBJ, "
           "STL; or an OpenVDB level set")
       ->required();
-  const std::map<std::string, InputKind> kinds = {{"cloud", InputKind::kCloud}, {"mesh", InputKind::kMesh}};
+  const std::map<std::string, SourceKind> kinds = {{"cloud", SourceKind::kCloud}, {"mesh", SourceKind::kMesh}};
   command
       ->add_option("--as", options->as,
                    "what INPUT is. By default a file with faces and without normals is a mesh, and a file with normals is a cloud, whose "

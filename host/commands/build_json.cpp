@@ -6,11 +6,11 @@
 
 namespace isotouch::commands {
 
-KindNames names_of(InputKind kind) {
+KindNames names_of(SourceKind kind) {
   switch (kind) {
-    case InputKind::kCloud: return {"cloud", "points"};
-    case InputKind::kMesh: return {"mesh", "vertices"};
-    case InputKind::kLevelSet: break;
+    case SourceKind::kCloud: return {"cloud", "points"};
+    case SourceKind::kMesh: return {"mesh", "vertices"};
+    case SourceKind::kLevelSet: break;
   }
   return {"level_set", "voxels"};
 }

@@ -12,7 +12,7 @@ struct KindNames {
   const char* items;  ///< what it is made of: "points"
 };
 
-KindNames names_of(InputKind kind);
+KindNames names_of(SourceKind kind);
 
 nlohmann::ordered_json to_json(const BuildReport& report, const FieldView& view);
 

@@ -69,7 +69,7 @@ Implausible::Implausible(const std::string& input, BuildReport judged)
 BuiltField built_field(const BuildOptions& options) {
   const field::ThreadLimit limit(options.threads);
   BuildReport report;
-  ProgressBar bar(plan_for(InputKind::kCloud, options.method), options.quiet ? ProgressBar::Drawn::kNever : ProgressBar::Drawn::kAlways);
+  ProgressBar bar(plan_for(SourceKind::kCloud, options.method), options.quiet ? ProgressBar::Drawn::kNever : ProgressBar::Drawn::kAlways);
   field::Progress progress([&](const std::string& stage, double fraction) {
     bar.show()(stage, fraction);
     if (options.on_progress && fraction < 1) options.on_progress(stage, bar.done_now());

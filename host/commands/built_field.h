@@ -23,16 +23,16 @@
 
 namespace isotouch::commands {
 
-enum class InputKind { kCloud, kMesh, kLevelSet };
+enum class SourceKind { kCloud, kMesh, kLevelSet };
 
 /// How a field is made. A live field is made of points as a stream makes it (host/live), and is otherwise a field like that of the default method.
 enum class BuildMethod { kDefault, kPublished, kLive };
 
 struct BuildOptions {
   std::filesystem::path input;
-  std::optional<InputKind> as = {};  ///< not given: as the file looks
-  std::string grid_name = {};        ///< of a level set's file; empty = the first
-  std::filesystem::path out;         ///< empty: no file is written
+  std::optional<SourceKind> as = {};  ///< not given: as the file looks
+  std::string grid_name = {};         ///< of a level set's file; empty = the first
+  std::filesystem::path out;          ///< empty: no file is written
   BuildMethod method = BuildMethod::kDefault;
   Interpolation interpolation = Interpolation::kSpline;
   std::optional<double> voxel_mm = {};
@@ -52,7 +52,7 @@ struct BuildOptions {
 };
 
 struct BuildReport {
-  InputKind kind = InputKind::kCloud;
+  SourceKind kind = SourceKind::kCloud;
   std::string format;  ///< "PLY, binary little-endian"
   std::uint64_t source_hash = 0;
   std::size_t points = 0;             ///< of a cloud; vertices of a mesh, active voxels of a level set

@@ -22,14 +22,14 @@ namespace {
 
 constexpr double kFarthestApartDeg = 1;  // some 1.2 mm at the grip
 
-struct Options {
+struct CalibrateOptions {
   std::string to;
   std::vector<std::tuple<double, double, double>> at;  ///< places, mm
   bool json = false;
 };
 
 /// Asks for a posture, waits for Enter (or for the end of the input), and lets the controller measure.
-evaluate::Posture hold(link::Controller& controller, const Options& options, std::size_t number, DeviceModel& model,
+evaluate::Posture hold(link::Controller& controller, const CalibrateOptions& options, std::size_t number, DeviceModel& model,
                        protocol::Text& serial) {
   const auto [x, y, z] = options.at[number];
   std::fprintf(stderr, "%zu of %zu: hold the middle of the grip still at x %.2f, y %.2f, z %.2f mm, then press Enter ", number + 1,
@@ -44,7 +44,7 @@ evaluate::Posture hold(link::Controller& controller, const Options& options, std
   return posture;
 }
 
-void print(const Options& options, const protocol::Calibrate& calibration, const evaluate::AngleCalibration& found) {
+void print(const CalibrateOptions& options, const protocol::Calibrate& calibration, const evaluate::AngleCalibration& found) {
   const std::string serial(calibration.serial.view());
   std::array<double, 3> degrees{};
   for (std::size_t i = 0; i < 3; ++i) degrees[i] = degrees_of(calibration.at_zero[i]);
@@ -85,7 +85,7 @@ void require_ready(link::Controller& controller, const std::string& to) {
   }
 }
 
-void run(Options options) {
+void run(CalibrateOptions options) {
   link::Controller controller(options.to);
   require_ready(controller, options.to);
   if (options.at.empty()) options.at = {{0, 0, 125}};
@@ -112,7 +112,7 @@ void run(Options options) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand(
       "calibrate", "Measure the angles of a device's arms while a hand holds the grip still at known places; no force is given");
   add_address(*command, options->to);

@@ -35,7 +35,7 @@ namespace {
 using evaluate::SurfaceError;
 using evaluate::TruthComparison;
 
-struct Options {
+struct CompareOptions {
   std::filesystem::path field;
   std::filesystem::path mesh;
   std::filesystem::path beside;  ///< another program's mesh, in the cloud's frame; empty: none
@@ -82,7 +82,7 @@ std::vector<PlannedStage> plan_for(bool floor, bool beside) {
   return all;
 }
 
-nlohmann::ordered_json to_json(const Measured& measured) {
+nlohmann::ordered_json measured_json(const Measured& measured) {
   const auto& [error, surface, whole] = measured;
   return {{"rms_mm", error.rms_mm},
           {"rms_voxel", error.rms_voxel},
@@ -123,7 +123,7 @@ void print(std::FILE* to, const char* name, const Measured& measured) {
                whole.pieces.size() == 1 ? "" : "s");
 }
 
-void run(const Options& options) {
+void run(const CompareOptions& options) {
   std::FILE* to = text_stream(options.worst);
   const field_file::OpenField field = field_file::open_field(options.field);
   const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
@@ -132,13 +132,13 @@ void run(const Options& options) {
   ProgressBar bar(plan_for(options.floor, !options.beside.empty()));
   const Measured measured = measure(field.view, mesh, bar);
 
-  nlohmann::ordered_json json = to_json(measured);
+  nlohmann::ordered_json json = measured_json(measured);
   if (!options.json) print(to, "field", measured);
   if (options.floor) {
     bar.begin("floor");
     const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
     const Measured floor = measure(exact.view, mesh, bar);
-    json["floor"] = to_json(floor);
+    json["floor"] = measured_json(floor);
     if (!options.json) print(to, "floor", floor);
   }
   if (!options.beside.empty()) {
@@ -148,7 +148,7 @@ void run(const Options& options) {
     const field_file::OpenField theirs = evaluate::field_of_mesh(cloud::placed(other, evaluate::placement_of(field.view)),
                                                                  to_double(field.view.edge), to_double(field.view.band));
     const Measured beside = measure(theirs.view, mesh, bar);
-    json["beside"] = to_json(beside);
+    json["beside"] = measured_json(beside);
     if (!options.json) print(to, "beside", beside);
   }
   if (!options.worst.empty()) {
@@ -162,7 +162,7 @@ void run(const Options& options) {
 }
 
 /// Draws the touch whose direction is worst.
-void draw_felt(const Options& options, const FieldView& field, const field::TriangleTree& tree, const evaluate::FeltPlace& worst) {
+void draw_felt(const CompareOptions& options, const FieldView& field, const field::TriangleTree& tree, const evaluate::FeltPlace& worst) {
   const cloud::TriangleMesh surface = evaluate::zero_surface(field);
   const double distance = field::TriangleTree(surface).nearest(worst.god).distance;
   const view::WorstTouch touch{worst.hip, worst.god, worst.proxy, words_of(worst)};
@@ -172,7 +172,7 @@ void draw_felt(const Options& options, const FieldView& field, const field::Tria
 }
 
 /// What hands feel of the field, beside the true surface.
-void run_felt(const Options& options) {
+void run_felt(const CompareOptions& options) {
   std::FILE* to = text_stream(options.worst);
   const field::ThreadLimit limit(options.threads);
   const field_file::OpenField field = field_file::open_field(options.field);
@@ -209,7 +209,7 @@ void run_felt(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare",
                                          "Compare a field with the closed mesh of its object: offsets at 20,000 points along the mesh's "
                                          "normals, the worst place of both surfaces, the volume on the wrong side");

@@ -192,7 +192,7 @@ void run(const DemoOptions& options) {
   say("building the field");
   BuildOptions build;
   build.input = cloud;
-  build.as = InputKind::kCloud;
+  build.as = SourceKind::kCloud;
   build.out = options.folder / (title + ".itf");
   const BuiltField built = built_field(build);
   say("feeling it along a tour");

@@ -72,7 +72,7 @@ ForceError judged(const std::vector<ForceError>& forces) {
   return worst;
 }
 
-Json to_json(const MethodResult& result) {
+Json method_json(const MethodResult& result) {
   Json json;
   json["shapes"] = Json::array();
   for (const ShapeRow& row : result.shapes) {
@@ -112,13 +112,13 @@ void print(const MethodResult& result, const char* title) {
   if (!result.damage.empty()) print(result.damage);
 }
 
-Json to_json(const evaluate::PaperRow& row) {
+Json row_json(const evaluate::PaperRow& row) {
   Json json{{"points", row.points}, {"inside_nodes", row.inside_nodes}, {"seconds", row.seconds}, {"grid", nullptr}};
   if (!row.grid.isZero()) json["grid"] = {row.grid.x(), row.grid.y(), row.grid.z()};
   return json;
 }
 
-Json to_json(const std::vector<evaluate::PublishedRow>& table) {
+Json table_json(const std::vector<evaluate::PublishedRow>& table) {
   Json json = Json::array();
   for (const evaluate::PublishedRow& row : table) {
     json.push_back({{"name", row.name},
@@ -126,12 +126,12 @@ Json to_json(const std::vector<evaluate::PublishedRow>& table) {
                     {"inside_nodes", row.inside_nodes},
                     {"seconds", row.seconds},
                     {"grid", {row.grid.x(), row.grid.y(), row.grid.z()}},
-                    {"paper", to_json(row.paper)}});
+                    {"paper", row_json(row.paper)}});
   }
   return json;
 }
 
-std::string words_of(const Eigen::Vector3i& grid) {
+std::string grid_text(const Eigen::Vector3i& grid) {
   if (grid.isZero()) return "-";
   return std::to_string(grid.x()) + " × " + std::to_string(grid.y()) + " × " + std::to_string(grid.z());
 }
@@ -143,9 +143,9 @@ void print(const std::vector<evaluate::PublishedRow>& table) {
   for (const auto& [paper, name, points, inside_nodes, seconds, grid] : table) {
     std::printf("  %-10s %6zu %6zu   %12zu %12zu   %14.2f %8.2f   ", name.c_str(), paper.points, points, paper.inside_nodes, inside_nodes,
                 paper.seconds, seconds);
-    const std::string theirs = words_of(paper.grid);
+    const std::string theirs = grid_text(paper.grid);
     const int sign_bytes = paper.grid.isZero() ? 0 : 2;  // each × takes two bytes and one column
-    std::printf("%-*s %s\n", 16 + sign_bytes, theirs.c_str(), words_of(grid).c_str());
+    std::printf("%-*s %s\n", 16 + sign_bytes, theirs.c_str(), grid_text(grid).c_str());
   }
 }
 
@@ -172,10 +172,10 @@ void run(bool json, bool published) {
   }
   bar.end();
   if (json) {
-    Json all = to_json(ours);
+    Json all = method_json(ours);
     if (theirs) {
-      all["published"] = to_json(*theirs);
-      all["published"]["table1"] = to_json(table);
+      all["published"] = method_json(*theirs);
+      all["published"]["table1"] = table_json(table);
     }
     std::printf("%s\n", all.dump(2).c_str());
     return;

@@ -109,14 +109,14 @@ std::vector<std::string> form_names() {
   return names;
 }
 
-struct Options {
+struct ExportOptions {
   std::filesystem::path field;
   std::filesystem::path out;
   std::string format;
   bool input_frame = false;
 };
 
-void run(const Options& options) {
+void run(const ExportOptions& options) {
   const Form& form = form_of(options.out, written_forms(), options.format);  // before the work
   const Writer& writer = *std::find_if(kWriters.begin(), kWriters.end(), [&](const Writer& w) { return w.form == &form; });
   if (options.input_frame && !writer.has_frames)
@@ -134,7 +134,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_export(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "Write a field in another format: its surface as a mesh, its distances as a level set");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command

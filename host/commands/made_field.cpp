@@ -231,12 +231,12 @@ Made from_level_set(std::span<const std::uint8_t> bytes, const BuildOptions& opt
 
 }  // namespace
 
-std::vector<PlannedStage> plan_for(InputKind kind, BuildMethod method) {
+std::vector<PlannedStage> plan_for(SourceKind kind, BuildMethod method) {
   switch (kind) {
-    case InputKind::kCloud: break;
-    case InputKind::kMesh:
+    case SourceKind::kCloud: break;
+    case SourceKind::kMesh:
       return {{"read", 0.1}, {"check", 0.2}, {"tree", 0.3}, {"bricks", 2}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
-    case InputKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
+    case SourceKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   }
   if (method == BuildMethod::kLive) return {{"read", 0.1}, {"live", 1}, {"pack", 0.1}, {"write", 0.02}};
   if (method == BuildMethod::kPublished)
@@ -248,9 +248,9 @@ std::vector<PlannedStage> plan_for(InputKind kind, BuildMethod method) {
 Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& bar, field::Progress& progress) {
   progress.begin("read");
   std::vector<std::uint8_t> bytes = read_file(options.input);
-  const bool is_level_set = options.as ? *options.as == InputKind::kLevelSet : vdb::is_vdb_file(options.input, bytes);
+  const bool is_level_set = options.as ? *options.as == SourceKind::kLevelSet : vdb::is_vdb_file(options.input, bytes);
   if (is_level_set) {
-    report.kind = InputKind::kLevelSet;
+    report.kind = SourceKind::kLevelSet;
     bar.plan(plan_for(report.kind, options.method));
     return from_level_set(bytes, options, report, progress);
   }
@@ -258,10 +258,10 @@ Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& b
     throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
   }
   const cloud::SourceFile source(options.input, std::move(bytes), options.sensor);
-  report.kind = options.as ? *options.as : source.is_mesh() ? InputKind::kMesh : InputKind::kCloud;
+  report.kind = options.as ? *options.as : source.is_mesh() ? SourceKind::kMesh : SourceKind::kCloud;
   bar.plan(plan_for(report.kind, options.method));
-  if (report.kind == InputKind::kCloud && options.method == BuildMethod::kLive) return from_live_points(source, options, report, progress);
-  return report.kind == InputKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
+  if (report.kind == SourceKind::kCloud && options.method == BuildMethod::kLive) return from_live_points(source, options, report, progress);
+  return report.kind == SourceKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
 }
 
 }  // namespace isotouch::commands

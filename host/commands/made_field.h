@@ -27,7 +27,7 @@ struct Made {
 };
 
 /// How long the stages of a whole build take on two processors: of 120,000 points, of a mesh of 100,000 faces, of a level set of a million voxels.
-std::vector<PlannedStage> plan_for(InputKind kind, BuildMethod method);
+std::vector<PlannedStage> plan_for(SourceKind kind, BuildMethod method);
 
 /// Reads the input and makes its field, as the options say.
 ///

@@ -21,7 +21,7 @@ namespace isotouch::commands {
 
 namespace {
 
-struct Options {
+struct QualifyOptions {
   std::string to;
   qualify::Wish wish;
   qualify::Limits limits;
@@ -56,7 +56,7 @@ void check_folder(const std::filesystem::path& file) {
     throw InputError(file.string() + ": there is no folder " + folder.string() + "; make it, or name another one");
 }
 
-void run(const Options& options) {
+void run(const QualifyOptions& options) {
   std::FILE* to = is_standard(options.json) ? stderr : text_stream(options.page);
   check_folder(options.page);
   check_folder(options.json);
@@ -74,7 +74,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_qualify(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<QualifyOptions>();
   CLI::App* command = app.add_subcommand(
       "qualify", "Check whether a board can render forces: measures its ticks, timers and temperature; exit code 3 if it cannot");
   add_address(*command, options->to);

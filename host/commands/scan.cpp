@@ -35,7 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ScanOptions {
   fs::path input;
   fs::path out;
   fs::path trace;
@@ -55,7 +55,7 @@ TraceHeader scan_header(double stiffness) {
   return header;
 }
 
-evaluate::MeshScanReport record_scan(const field::TriangleTree& tree, const Options& options) {
+evaluate::MeshScanReport record_scan(const field::TriangleTree& tree, const ScanOptions& options) {
   const TraceHeader header = scan_header(options.scan.stiffness_n_per_mm);
   trace::TraceWriter writer(options.trace, header);
   ProgressBar bar({{"strokes", 1}});
@@ -91,13 +91,13 @@ nlohmann::ordered_json to_json(const evaluate::TouchReport& report) {
           {"touches", report.touches}, {"places", report.places}, {"points", report.points}, {"spacing_mm", report.spacing_mm}};
 }
 
-void print(const Options& options, const evaluate::TouchReport& report) {
+void print(const ScanOptions& options, const evaluate::TouchReport& report) {
   std::fprintf(stderr, "%zu ticks: %zu free, %zu unfit (ramping, limited, following, stale), %zu weak, %zu touches at %zu places\n",
                report.ticks, report.free, report.unfit, report.weak, report.touches, report.places);
   std::fprintf(stderr, "%s: %zu points, about %.3f mm apart\n", options.out.string().c_str(), report.points, report.spacing_mm);
 }
 
-void scan_trace(const Options& options) {
+void scan_trace(const ScanOptions& options) {
   const auto trace = trace::read_trace(options.input);
   evaluate::TouchReport report;
   const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
@@ -109,7 +109,7 @@ void scan_trace(const Options& options) {
   }
 }
 
-void scan_mesh(const Options& options) {
+void scan_mesh(const ScanOptions& options) {
   if (options.trace.empty()) {
     throw InputError(options.input.string() + ": to scan a mesh name the trace to record with --trace");
   }
@@ -140,7 +140,7 @@ void scan_mesh(const Options& options) {
 }
 
 /// Standard input is a mesh where the trace to record is named, as a mesh wants it.
-bool is_trace(const Options& options) {
+bool is_trace(const ScanOptions& options) {
   const fs::path& file = options.input;
   if (is_standard(file)) return options.trace.empty();
   std::FILE* in = std::fopen(file.c_str(), "rb");
@@ -153,7 +153,7 @@ bool is_trace(const Options& options) {
 }  // namespace
 
 void add_scan(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ScanOptions>();
   CLI::App* command = app.add_subcommand(
       "scan", "Turn touches into oriented points: from a trace with forces, or from a mesh that a simulated hand strokes");
   command->add_option("INPUT", options->input, "a .trace with positions and forces, or a closed mesh: PLY, OBJ or STL")->required();

@@ -228,11 +228,11 @@ void import_table(const ImportOptions& options) {
   report(options.trace.out, ticks, options.trace.header());
 }
 
-struct ExportOptions {
+struct ToMcapOptions {
   fs::path trace, out;
 };
 
-void export_trace(const ExportOptions& options) {
+void export_trace(const ToMcapOptions& options) {
   const std::vector<std::uint8_t> whole = read_file(options.trace);
   const trace::Trace trace = trace::read_trace(options.trace);
   const bag::Bytes bytes = bag::trace_to_mcap(trace, options.trace.filename().string(), whole, files::short_version_text("isotouch"),
@@ -347,7 +347,7 @@ void add_import(CLI::App& trace) {
 }
 
 void add_export_of_trace(CLI::App& trace) {
-  auto options = std::make_shared<ExportOptions>();
+  auto options = std::make_shared<ToMcapOptions>();
   CLI::App* command =
       trace.add_subcommand("export", "Write a trace for Foxglove and ROS 2; isotouch trace import brings it back to the bit");
   command->add_option("TRACE", options->trace, "the trace (.trace)")->required();

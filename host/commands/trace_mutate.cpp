@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct TraceMutateOptions {
   std::string name;
   fs::path field;
   fs::path trace;
@@ -30,7 +30,7 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-motion::Recording read_inputs(const Options& options) {
+motion::Recording read_inputs(const TraceMutateOptions& options) {
   const motion::Mutation& mutation = *motion::find_mutation(options.name);
   const trace::Trace trace = trace::read_trace(options.trace);
   if (trace.kind() != mutation.of) {
@@ -70,7 +70,7 @@ void write_packets(const fs::path& out, const motion::Recording& recording, cons
   writer.finish();
 }
 
-void run(const Options& options) {
+void run(const TraceMutateOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
   const motion::Recording recording = read_inputs(options);
   motion::Recording mutated;
@@ -97,7 +97,7 @@ std::string list_of_mutations() {
 }  // namespace
 
 void add_mutate(CLI::App& trace) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TraceMutateOptions>();
   CLI::App* command = trace.add_subcommand("mutate", "Make a difficult trace out of a harmless one");
   command->alias("mine");
   command->footer(list_of_mutations());

@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ViewOptions {
   std::vector<fs::path> files;
   std::string to;
   std::uint16_t port = 0;
@@ -93,7 +93,7 @@ std::unique_ptr<server::Scene> built_scene(const fs::path& cloud) {
   return std::make_unique<server::Scene>(cloud.stem().string(), std::move(built.field), scan_of(built));
 }
 
-void write_page(const Options& options, const Named& named, server::ViewSite& site) {
+void write_page(const ViewOptions& options, const Named& named, server::ViewSite& site) {
   if (!options.to.empty() || !named.traces.empty())
     throw InputError("--export writes a page with a field and nothing else; leave out recordings and --to");
   if (!named.cloud.empty()) site.show(built_scene(named.cloud));
@@ -103,7 +103,7 @@ void write_page(const Options& options, const Named& named, server::ViewSite& si
                static_cast<double>(page.size()) * 1e-6);
 }
 
-void run(const Options& options) {
+void run(const ViewOptions& options) {
   const Named named = sorted_by_content(options.files);
   server::ViewSite site(build);
   if (!named.field.empty()) site.show(std::make_unique<server::Scene>(named.field.stem().string(), field_file::open_field(named.field)));
@@ -129,7 +129,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_view(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ViewOptions>();
   CLI::App* command = app.add_subcommand(
       "view", "Show a field, recordings and a running controller on a page in a browser of this machine; Ctrl-C ends it");
   command->add_option("FILE", options->files,

@@ -7,7 +7,7 @@
 namespace isotouch::view {
 namespace {
 
-constexpr double kFar = 1e5;      // mm: beyond everything
+constexpr double kBeyond = 1e5;   // mm: beyond everything
 constexpr double kSlanted = 55;   // degrees: the surface is seen, and so is what sticks out of it
 constexpr double kHidden = 1000;  // more than any angle costs
 
@@ -19,7 +19,7 @@ double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 double view_cost(const Touch& touch, const Direction& direction, const FieldRays& rays) {
   const Eigen::Vector3d eye = direction.towards_eye();
-  const bool hidden = rays.hit({touch.proxy + 2 * rays.edge() * touch.out(), eye}, 0, kFar).has_value();
+  const bool hidden = rays.hit({touch.proxy + 2 * rays.edge() * touch.out(), eye}, 0, kBeyond).has_value();
   return std::fabs(angle_deg(eye, touch.out()) - kSlanted) + (hidden ? kHidden : 0);
 }
 

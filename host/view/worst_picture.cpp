@@ -28,7 +28,7 @@ using Eigen::Vector3d;
 using field::TriangleTree;
 
 const Colour kMaterial = srgb(0xD4DEE8);
-const Colour kCutFace = srgb(0xD9C7A4);
+const Colour kSection = srgb(0xD9C7A4);
 const Colour kPlace = srgb(0x101418);
 constexpr double kWidestScale = 2;       // voxels: beyond, colours are full
 constexpr double kNarrowestScale = 0.5;  // voxels, where a touch is drawn
@@ -74,7 +74,7 @@ void draw_body(Canvas& canvas, const Rect& panel, const Body& body, const Shot& 
         if (!hit) {
           sum = sum + behind;
         } else if (hit->from_inside) {
-          sum = sum + kCutFace;
+          sum = sum + kSection;
         } else {
           if (!albedo) albedo = shot.full_mm > 0 ? distance_colour(body.error(ray.at(hit->t)) / shot.full_mm) : kMaterial;
           sum = sum + light.shade(*albedo, body.normal(ray.at(hit->t), *hit), -ray.direction);

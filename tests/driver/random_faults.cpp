@@ -122,6 +122,16 @@ class Judge {
   std::array<std::int16_t, 3> counts_{};
 };
 
+/// What a person needs to look for the cause.
+std::string describe(const loop::TickRecord& record) {
+  const auto mm = [](Mm v) { return static_cast<double>(v.raw()) / (1 << Mm::kFractionBits); };
+  const auto& commands = record.out.commands;
+  char text[200];
+  std::snprintf(text, sizeof text, "state %u, status %08x, HIP %.2f %.2f %.2f mm, commands %d %d %d", record.out.state, record.out.status,
+                mm(record.out.hip.x), mm(record.out.hip.y), mm(record.out.hip.z), commands[0], commands[1], commands[2]);
+  return text;
+}
+
 /// One run; the recorded inputs are replayed beside it, through the bytes of a trace.
 void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
   FaultBench::Options options;
@@ -167,7 +177,7 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
       if (!same && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + " does not replay";
     }
     const char* broken = judge.look(now, bench->last_left(), run.shown);
-    if (broken != nullptr && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + ": " + broken;
+    if (broken != nullptr && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + ": " + broken + ", " + describe(now);
     ++run.in_state[now.out.state];
     run.with_words += bench->has_words() ? 1U : 0U;
   }
