@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import os
+import runpy
 import signal
 import unittest
 
@@ -23,6 +24,18 @@ file shared/core.h
 +seen by test
 why a test sees it
 """
+
+
+class ListTest(unittest.TestCase):
+    def test_every_mutant_of_the_list_applies(self) -> None:
+        """Tried in seconds; what catches each is tried by ./dev mutants."""
+        script = runpy.run_path(str(fakes.ROOT / "hil/mutants/run"))
+        mutants = script["mutants_in"]((fakes.ROOT / "hil/mutants/list").read_text())
+        self.assertGreater(len(mutants), 100)
+        for mutant in mutants:
+            with self.subTest(mutant.name):
+                self.assertTrue(mutant.whole)
+                self.assertEqual((fakes.ROOT / mutant.file).read_text().count("\n".join(mutant.removed)), 1, f"write it anew for {mutant.file}")
 
 
 class MutantsTest(fakes.Tree):
