@@ -19,7 +19,6 @@ using enum GuardVerdict;
 constexpr std::uint64_t kTicksToNotice = 3;                      // beyond the tick in which it should have been zero
 constexpr std::int64_t kQuietNs = 100'000'000;                   // without a command until the guard believes the tick again
 constexpr double kForceSlack = 0.1, kForcePart = 1.05;           // N; the arms a sample further
-constexpr double kUnits = 8;                                     // of a command that lags: much force where elbows are nearly stretched
 constexpr double kWaySlack = 0.5, kWayPart = 1.5;                // mm; a proxy that slides round an edge
 constexpr double kStep = 0.2;                                    // mm: a hand that trembles less makes no way
 constexpr double kFreeMargin = 0.5;                              // mm
@@ -158,7 +157,7 @@ void Guard::place(const loop::Command& command, const Evidence& evidence, Memory
 /// Is there more force than what holds the handle's weight?
 bool Guard::is_felt(const MotorCommands& commands, const Evidence& evidence, const Memory& memory) const {
   const double weight = std::abs(to_double(evidence.largest.weight));
-  return length(arms_.force(commands, memory.grip)) > kForcePart * weight + kForceSlack + kUnits * arms_.rounding(memory.grip);
+  return length(arms_.force(commands, memory.grip)) > kForcePart * weight + kForceSlack + arms_.rounding(memory.grip);
 }
 
 GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
@@ -173,7 +172,7 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
   const TickSettings& most = evidence.largest;
   const double weight = std::abs(to_double(most.weight));
   const double damping = (2 * to_double(most.damping) + to_double(most.hand_damping) + to_double(most.passivity)) * memory.fastest;
-  const double other = weight + damping + kForceSlack + kUnits * arms_.rounding(memory.grip);  // all that is not the spring
+  const double other = weight + damping + kForceSlack + arms_.rounding(memory.grip);  // all that is not the spring
   if (!memory.near) return knows(command, memory.since.free) && is_felt(command.falcon.words, evidence, memory) ? kFree : kNone;
   if (evidence.field == nullptr) return kNone;
   const double stiffness = largest_stiffness(evidence);
