@@ -126,9 +126,11 @@ class Judge {
 std::string describe(const loop::TickRecord& record) {
   const auto mm = [](Mm v) { return static_cast<double>(v.raw()) / (1 << Mm::kFractionBits); };
   const auto& commands = record.out.commands;
-  char text[200];
-  std::snprintf(text, sizeof text, "state %u, status %08x, HIP %.2f %.2f %.2f mm, commands %d %d %d", record.out.state, record.out.status,
-                mm(record.out.hip.x), mm(record.out.hip.y), mm(record.out.hip.z), commands[0], commands[1], commands[2]);
+  const auto newton = [](Newton v) { return static_cast<double>(v.raw()) / (1 << Newton::kFractionBits); };
+  char text[240];
+  std::snprintf(text, sizeof text, "state %u, status %08x, late %d, HIP %.2f %.2f %.2f mm, force %.3f %.3f %.3f N, commands %d %d %d",
+                record.out.state, record.out.status, record.in.late, mm(record.out.hip.x), mm(record.out.hip.y), mm(record.out.hip.z),
+                newton(record.out.force.x), newton(record.out.force.y), newton(record.out.force.z), commands[0], commands[1], commands[2]);
   return text;
 }
 
@@ -145,6 +147,7 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
   core::TickState replayed;
   std::vector<std::size_t> field_of = {0};  // by generation
   int until_line = 0;
+  loop::TickRecord last;
   for (int t = 0; t < kTicksOfARun; ++t, ++run.ticks) {
     if (t == 100 || (t > 6000 && below(random, 4000) == 0)) {
       field_of.push_back(t == 100 ? 0U : static_cast<std::size_t>(below(random, 2)));
@@ -177,7 +180,9 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
       if (!same && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + " does not replay";
     }
     const char* broken = judge.look(now, bench->last_left(), run.shown);
-    if (broken != nullptr && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + ": " + broken + ", " + describe(now);
+    if (broken != nullptr && run.broken.empty())
+      run.broken = "tick " + std::to_string(run.ticks) + ": " + broken + ", " + describe(now) + "; before " + describe(last);
+    last = now;
     ++run.in_state[now.out.state];
     run.with_words += bench->has_words() ? 1U : 0U;
   }
