@@ -43,6 +43,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kCameraRate = 30;
+constexpr std::uint32_t kEnough = 16;  ///< points of a place: their mean has a quarter of the noise of one
 
 struct Options {
   std::vector<std::string> sources;
@@ -54,6 +55,7 @@ struct Options {
   std::string units;
   double fit_mm = 70;
   std::optional<double> rate, seconds, keep_s;
+  std::optional<std::uint32_t> enough;
   unsigned threads = 0;
   bool json = false;
 };
@@ -170,8 +172,9 @@ Json summary_json(const stream::Stream& of, const std::string& field_hash) {
 /// What a second brought, for whoever watches.
 void print_second(double now, std::uint64_t thinned, const stream::Tally& of, const stream::Stream& stream) {
   const Quantiles delay = of.delay_ms.quantiles();
-  std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points (%zu outside)", now, static_cast<unsigned long long>(of.frames),
-               static_cast<unsigned long long>(thinned), of.points.taken, of.points.outside);
+  std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points, %zu not needed, %zu outside", now,
+               static_cast<unsigned long long>(of.frames), static_cast<unsigned long long>(thinned), of.points.taken, of.points.surplus,
+               of.points.outside);
   if (of.unoriented > 0) std::fprintf(stderr, ", %llu frames without normals", static_cast<unsigned long long>(of.unoriented));
   if (delay.count > 0) std::fprintf(stderr, ", %zu patches, delay %.1f ms, at most %.1f ms", delay.count, delay.median, delay.max);
   if (stream.status() && stream.status()->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*stream.status()).c_str());
@@ -247,6 +250,8 @@ void run(Options& options) {
   if (options.keep_s) {
     options.stream.keep = std::chrono::duration_cast<stream::Clock::duration>(std::chrono::duration<double>(*options.keep_s));
   }
+  const bool waits = (kind == SourceKind::kFiles || kind == SourceKind::kRecording) && !options.rate;
+  options.stream.enough = options.enough.value_or(waits ? 0 : kEnough);
   if (!options.first.empty()) options.stream.on_first = [&options](const FieldView& view) { write_packed(options.first, view); };
   Scene scene;
   stream::Source source = source_of(kind, options, scene);

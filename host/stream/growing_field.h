@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "host/cloud/model.h"
@@ -21,12 +22,14 @@ struct PointCounts {
   std::size_t taken = 0;
   std::size_t outside = 0;  ///< of the box
   std::size_t useless = 0;  ///< without a normal
+  std::size_t surplus = 0;  ///< of places that have enough
   std::size_t expired = 0;  ///< taken, and removed again
 
   PointCounts& operator+=(const PointCounts& more) {
     taken += more.taken;
     outside += more.outside;
     useless += more.useless;
+    surplus += more.surplus;
     expired += more.expired;
     return *this;
   }
@@ -36,8 +39,10 @@ class GrowingField {
  public:
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
+  /// enough    so many points of a bucket count, and further ones are left out as long as they do; 0: all count
   /// fails     as LiveField
-  GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep);
+  GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
+               std::uint32_t enough = 0);
 
   /// Takes the points of a frame in. Those of a frame that is at least `keep` older than this one go.
   ///
@@ -61,6 +66,8 @@ class GrowingField {
   std::uint64_t kept_hash() const { return kept_hash_; }
 
  private:
+  bool has_enough(const live::Point& point);
+
   struct Old {
     Clock::time_point at;
     std::vector<live::Point> points;
@@ -69,6 +76,8 @@ class GrowingField {
   live::Space space_;
   live::LiveField field_;
   std::optional<Clock::duration> keep_;
+  std::uint32_t enough_;
+  std::unordered_map<std::uint64_t, std::uint32_t> held_;  ///< points of each bucket, where `enough_` counts them
   std::deque<Old> old_;
   live::Work work_;
   bool changed_ = false;

@@ -101,7 +101,7 @@ void Stream::work_on(const Frame& frame) {
 bool Stream::begin(const cloud::Model& model) {
   if (model.normals.empty()) return false;
   space_ = live::space_for(options_.box ? *options_.box : box_round_first(model.positions), options_.space);
-  field_.emplace(*space_, options_.space.band, options_.info, options_.keep);
+  field_.emplace(*space_, options_.space.band, options_.info, options_.keep, options_.enough);
   return true;
 }
 

@@ -25,6 +25,7 @@ struct StreamOptions {
   encoding::FieldInfo info = {};
   std::optional<Eigen::Vector3d> viewpoint = {};        ///< every normal is turned towards it
   std::optional<Clock::duration> keep = {};             ///< how long a point counts
+  std::uint32_t enough = 0;                             ///< so many points of a bucket count; 0: all
   std::function<void(const FieldView&)> on_first = {};  ///< called before the first field is sent
 };
 
@@ -41,8 +42,8 @@ struct Tally {
 /// Of a whole stream.
 struct StreamReport {
   Tally all;
-  std::uint64_t offered = 0, thinned = 0;                                 ///< frames
-  std::uint64_t upload_bytes = 0;                                         ///< of the first field, packed
+  std::uint64_t offered = 0, thinned = 0;                             ///< frames
+  std::uint64_t upload_bytes = 0;                                     ///< of the first field, packed
   Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
   Classes patch_bytes{0.01};
   double seconds = 0;

@@ -84,6 +84,25 @@ TEST(GrowingField, APointCountsForAsLongAsIsWanted) {
   EXPECT_EQ(bytes_of(field.keep_whole()), built({}));
 }
 
+TEST(GrowingField, APlaceThatHasEnoughTakesNoMoreUntilItsPointsExpire) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 20'000, 1);
+  GrowingField field(unit_space(), kBand, {}, 2s, 4);
+  const Clock::time_point begin{};
+  const PointCounts first = field.take(part(points, 0, 20'000), begin);
+  EXPECT_EQ(first.taken + first.surplus, 20'000U);
+  EXPECT_GT(first.surplus, 5000U);
+  EXPECT_GT(first.taken, 1000U);
+  const std::vector<std::uint8_t> image = bytes_of(field.keep_whole());
+  EXPECT_LE(field.take(part(points, 0, 20'000), begin + 1s).taken, first.taken);  // places that had fewer
+  const PointCounts again = field.take(part(points, 0, 20'000), begin + 5s);
+  EXPECT_EQ(again.taken, first.taken);
+  EXPECT_EQ(bytes_of(field.keep_whole()), image);
+
+  cloud::Model one = part(points, 0, 1);
+  GrowingField small(unit_space(), kBand, {}, {}, 3);
+  for (std::size_t n = 0; n < 10; ++n) EXPECT_EQ(small.take(one, begin).taken, n < 3 ? 1U : 0U);
+}
+
 TEST(GrowingField, CountsWhatItCannotUse) {
   const live::Space space = unit_space();
   GrowingField field(space, kBand, {}, {});
