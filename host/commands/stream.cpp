@@ -154,6 +154,7 @@ Json summary_json(const stream::Stream& of, const std::string& field_hash) {
            {{"taken", all.points.taken},
             {"outside", all.points.outside},
             {"useless", all.points.useless},
+            {"surplus", all.points.surplus},
             {"expired", all.points.expired},
             {"present", all.points.taken - all.points.expired}}},
           {"upload_bytes", report.upload_bytes},
@@ -189,8 +190,8 @@ void print_text(const stream::Stream& of, const Options& options, const std::str
                static_cast<unsigned long long>(report.offered), report.seconds, static_cast<unsigned long long>(all.frames),
                static_cast<unsigned long long>(report.thinned), static_cast<unsigned long long>(all.empty),
                static_cast<unsigned long long>(all.unoriented));
-  std::fprintf(to, "points        %zu taken, %zu outside the box, %zu without a normal, %zu expired\n", all.points.taken,
-               all.points.outside, all.points.useless, all.points.expired);
+  std::fprintf(to, "points        %zu taken, %zu not needed, %zu outside the box, %zu without a normal, %zu expired\n", all.points.taken,
+               all.points.surplus, all.points.outside, all.points.useless, all.points.expired);
   const auto& [scale, offset] = of.space().placement;
   std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   const field::Grid& grid = of.space().grid;
@@ -313,6 +314,11 @@ void add_stream(CLI::App& app) {
       ->excludes(fit);
   command->add_option("--keep", options->keep_s, "a point counts for so many seconds; by default for good")
       ->check(CLI::Range(0.01, 3600.0));
+  command
+      ->add_option("--enough", options->enough,
+                   "so many points of a place count, which is two voxels wide, and further ones are left out; 0: all count. By default 16, "
+                   "and all of files and recordings without --rate")
+      ->check(CLI::Range(0, 1000000));
   command
       ->add_option("--rate", options->rate,
                    "frames per second: by default 30 of a camera and of touches; files and recordings come as fast as they are taken")

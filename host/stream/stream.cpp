@@ -41,7 +41,7 @@ Stream::Stream(StreamOptions options) : options_(std::move(options)) {
   status_ = controller_->status();
 }
 
-void Stream::run(Inbox& inbox, const std::function<bool()>& enough, const std::function<void(const Tally&)>& second) {
+void Stream::run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second) {
   const Clock::time_point begin = Clock::now();
   Clock::time_point reported = begin;
   const auto count = [&](bool is_end) {
@@ -51,7 +51,7 @@ void Stream::run(Inbox& inbox, const std::function<bool()>& enough, const std::f
     report_.seconds = ms_since(begin) / 1e3;
   };
   try {
-    while (!enough() && !inbox.is_finished()) {
+    while (!is_over() && !inbox.is_finished()) {
       if (const auto frame = inbox.take(50ms)) work_on(*frame);
       count(false);
       if (Clock::now() - reported < 1s) continue;

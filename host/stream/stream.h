@@ -58,11 +58,11 @@ class Stream {
 
   /// Works until there are no more frames.
   ///
-  /// enough    asked ten times a second and oftener
+  /// is_over   asked ten times a second and oftener
   /// second    called each second with what it brought
   /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses or is gone. What the field held before it
   ///           still holds
-  void run(Inbox& inbox, const std::function<bool()>& enough, const std::function<void(const Tally&)>& second);
+  void run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second);
   /// Sends what has not been sent, if anything.
   void finish();
 
