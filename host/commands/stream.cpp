@@ -233,13 +233,17 @@ void work(stream::Stream& stream, stream::Inbox& inbox, const Options& options) 
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
   std::uint64_t thinned = 0;
-  stream.run(
-      inbox, [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
-      [&](const stream::Tally& second) {
-        print_second(seconds(), inbox.thinned() - thinned, second, stream);
-        thinned = inbox.thinned();
-      });
-  stream.finish();
+  try {
+    stream.run(
+        inbox, [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
+        [&](const stream::Tally& second) {
+          print_second(seconds(), inbox.thinned() - thinned, second, stream);
+          thinned = inbox.thinned();
+        });
+    stream.finish();
+  } catch (const InputError&) {
+    if (!interruption.has_come()) throw;  // what interrupts us interrupts the ssh beside us
+  }
 }
 
 void run(Options& options) {

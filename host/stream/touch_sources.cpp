@@ -58,7 +58,9 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
     for (std::size_t tick = 0; tick < trace.size(); ++tick) {
       touches.add(trace.record(tick));
       if ((tick + 1) % of_frame != 0 && tick + 1 < trace.size()) continue;
-      if (in_time && !inbox.wait_until(begin + std::chrono::nanoseconds((tick + 1) * trace.header().period_ns))) return;
+      if (in_time && !inbox.wait_until(
+                         begin + std::chrono::nanoseconds((std::int64_t{1} + static_cast<std::int64_t>(tick)) * trace.header().period_ns)))
+        return;
       if (!(in_time ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
     }
   };
