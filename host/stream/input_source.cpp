@@ -30,7 +30,7 @@ std::size_t read_some(std::span<std::uint8_t> into, const Inbox& inbox) {
 
 }  // namespace
 
-Source standard_input(cloud::SensorOptions sensor) {
+Source standard_input(const cloud::SensorOptions& sensor) {
   claim_standard_input();
   return [sensor](Inbox& inbox) {
     FrameReader reader("standard input", [&inbox](std::span<std::uint8_t> into) { return read_some(into, inbox); });

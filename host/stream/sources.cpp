@@ -7,7 +7,7 @@
 
 namespace isotouch::stream {
 
-Source files(std::vector<std::filesystem::path> files, std::optional<double> rate, cloud::SensorOptions sensor) {
+Source files(std::vector<std::filesystem::path> files, std::optional<double> rate, const cloud::SensorOptions& sensor) {
   return [files = std::move(files), rate, sensor](Inbox& inbox) {
     const Clock::time_point begin = Clock::now();
     std::uint64_t number = 0;

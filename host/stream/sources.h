@@ -22,10 +22,10 @@ using Source = std::function<void(Inbox&)>;
 /// One frame a file, in this order. At a pace, the inbox thins them; without one each waits until the one before was taken.
 ///
 /// rate      frames a second
-Source files(std::vector<std::filesystem::path> files, std::optional<double> rate, cloud::SensorOptions sensor);
+Source files(std::vector<std::filesystem::path> files, std::optional<double> rate, const cloud::SensorOptions& sensor);
 
 /// Standard input, in frames (frame_reader.h).
-Source standard_input(cloud::SensorOptions sensor);
+Source standard_input(const cloud::SensorOptions& sensor);
 
 /// What a recorded hand felt: a frame for each `1 / rate` s of its ticks, in workspace mm. It waits, or comes at its own pace.
 ///

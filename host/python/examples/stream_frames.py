@@ -11,6 +11,9 @@ import time
 from typing import BinaryIO
 
 import numpy as np
+import numpy.typing as npt
+
+Reals = npt.NDArray[np.float64]
 
 COLUMNS, ROWS = 120, 90
 RADIUS, DISTANCE, FOCAL = 25.0, 100.0, 130.0   # mm, mm, pixels
@@ -27,7 +30,7 @@ end_header
 """
 
 
-def write_frame(to: BinaryIO, points: np.ndarray, normals: np.ndarray) -> None:
+def write_frame(to: BinaryIO, points: Reals, normals: Reals) -> None:
     """One frame: a line with its size, and a PLY file of that many bytes."""
     header = HEADER.format(len(points)).encode()
     body = np.hstack([points, normals]).astype("<f4").tobytes()
@@ -35,7 +38,7 @@ def write_frame(to: BinaryIO, points: np.ndarray, normals: np.ndarray) -> None:
     to.flush()   # the field grows when the frame has arrived
 
 
-def seen(turn: float) -> tuple[np.ndarray, np.ndarray]:
+def seen(turn: float) -> tuple[Reals, Reals]:
     """Points and normals of the ball, as the camera sees them from one side."""
     forward = np.array([-np.cos(turn), 0, -np.sin(turn)])
     right, down = np.array([forward[2], 0, -forward[0]]), np.array([0.0, -1.0, 0.0])
