@@ -34,7 +34,7 @@ constexpr Command kCommands[] = {
     {"bench", commands::add_bench},     {"render", commands::add_render},   {"plot", commands::add_plot},
     {"demo", commands::add_demo},       {nullptr, commands::add_on_desk},   {"calibrate", commands::add_calibrate},
     {"qualify", commands::add_qualify}, {"view", commands::add_view},       {"farm", commands::add_farm},
-    {"fleet", commands::add_fleet}};
+    {"fleet", commands::add_fleet},     {"stream", commands::add_stream}};
 
 void add_all(CLI::App& app) {
   for (const Command& command : kCommands) command.add(app);

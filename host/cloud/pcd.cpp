@@ -219,7 +219,7 @@ Model read_pcd(const std::string& name, std::span<const std::uint8_t> bytes) {
       read_compressed(name, body, header, model);
       break;
   }
-  if (model.positions.empty() && header.points > 0)
+  if (model.positions.empty() && header.points > 0 && !header.is_organised())  // an image may show nothing
     throw InputError(name + ": none of its " + std::to_string(header.points) + " points has finite coordinates");
   if (header.has_normals) drop_without_normal(model);
   return model;

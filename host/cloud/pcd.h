@@ -15,7 +15,7 @@ namespace isotouch::cloud {
 /// returns   a model, with a grid when HEIGHT is above 1 and there are no normals. The sensor stood at the translation of VIEWPOINT, in the points'
 ///           own frame: PCL's normal estimation takes it so
 /// fails     InputError with the line, or with the point for binary files: as `read_pcd_header`; a body that is too short or too long, a packed body
-///           that does not unpack to what the header declares, no number, no point with finite coordinates
+///           that does not unpack to what the header declares, no number; no point with finite coordinates, unless it is an image
 /// source    "The PCD (Point Cloud Data) file format", pointclouds.org; PCL's PCDReader for the compressed form
 Model read_pcd(const std::string& name, std::span<const std::uint8_t> bytes);
 

@@ -11,6 +11,7 @@
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/output.h"
+#include "host/commands/box_option.h"
 #include "host/commands/build_json.h"
 #include "host/commands/built_field.h"
 #include "host/commands/camera_options.h"
@@ -117,6 +118,9 @@ void add_build(CLI::App& app) {
       ->expected(3);
   auto camera = std::make_shared<CameraOptions>();
   camera->add_to(*command);
+  add_box(*command, options->box,
+          "with --method live: the part of space that the field covers, two corners X,Y,Z,X,Y,Z in the file's coordinates; points outside "
+          "are left out");
   command->add_flag("--accept-implausible", options->accept_implausible, "write the field although it was judged to be probably wrong");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, camera, json, interpolation] {
@@ -130,6 +134,7 @@ void add_build(CLI::App& app) {
     if (options->method == BuildMethod::kLive && interpolation->count() > 0 && options->interpolation == Interpolation::kSpline) {
       throw CLI::ValidationError("--interpolation", "a live field is trilinear");
     }
+    if (options->box && options->method != BuildMethod::kLive) throw CLI::ValidationError("--box", "only --method live takes a part");
     require_apart(options->out, *json);
     const BuiltField built = [&] {
       try {

@@ -1,7 +1,7 @@
 /// What `isotouch build` does, for whoever else needs a field of something: input → field → file, with times.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,9 +38,10 @@ struct BuildOptions {
   std::optional<double> voxel_mm = {};
   std::optional<int> grid = {};  ///< voxels along the longest side, without `voxel_mm`; by default host/field/default_grid.h
   std::optional<double> band = {};
-  std::optional<double> stiffness = {};       ///< the largest, N/mm; 0.8 unless the points have one of their own
-  std::string units = {};                     ///< empty = fit
-  std::optional<bool> estimate_normals = {};  ///< not given: where the file has none
+  std::optional<Eigen::AlignedBox3d> box = {};  ///< of a live field: the part of the input that it covers; not given: all of it
+  std::optional<double> stiffness = {};         ///< the largest, N/mm; 0.8 unless the points have one of their own
+  std::string units = {};                       ///< empty = fit
+  std::optional<bool> estimate_normals = {};    ///< not given: where the file has none
   cloud::SensorOptions sensor = {};
   bool accept_implausible = false;  ///< write the field although it was judged to be wrong
   double fit_mm = 70.0;

@@ -23,6 +23,7 @@ void add_qualify(CLI::App& app);
 void add_view(CLI::App& app);
 void add_farm(CLI::App& app);
 void add_fleet(CLI::App& app);
+void add_stream(CLI::App& app);
 
 /// Those of `add_on_board`, with the renderer that only `isotouch` has.
 void add_on_desk(CLI::App& app);

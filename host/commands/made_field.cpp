@@ -27,6 +27,7 @@
 #include "host/field/scan_voxel.h"
 #include "host/files/whole_file.h"
 #include "host/live/live_field.h"
+#include "host/live/space.h"
 #include "host/published/build.h"
 #include "host/vdb/level_set.h"
 #include "host/vdb/level_set_field.h"
@@ -35,10 +36,14 @@ namespace isotouch::commands {
 
 namespace {
 
-cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
+cloud::PlacementOptions placement_options(const BuildOptions& options) {
   cloud::PlacementOptions size{std::nullopt, options.fit_mm};
   if (!options.units.empty()) size.mm_per_unit = cloud::mm_per_unit(options.units);
-  return cloud::place(positions, size);
+  return size;
+}
+
+cloud::Placement placement(const BuildOptions& options, std::span<const Eigen::Vector3d> positions) {
+  return cloud::place(positions, placement_options(options));
 }
 
 Eigen::AlignedBox3d box_of(std::span<const Eigen::Vector3d> positions) {
@@ -72,6 +77,22 @@ std::string sensor_sentence(const Eigen::Vector3d& place) {
   return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
 }
 
+/// Leaves the points outside out. Stiffness of points is not kept in step: a live field has none.
+///
+/// returns   how many are left
+std::size_t keep_within(const Eigen::AlignedBox3d& box, cloud::OrientedPoints& points, std::vector<std::string>& warnings) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!box.contains(points.positions[i])) continue;
+    points.positions[kept] = points.positions[i];
+    points.normals[kept++] = points.normals[i];
+  }
+  if (kept < points.size()) warnings.push_back(std::to_string(points.size() - kept) + " points lie outside the box and were left out");
+  points.positions.resize(kept);
+  points.normals.resize(kept);
+  return kept;
+}
+
 /// A live field takes the points as they are: whatever a whole scan would say of one of them is not known while it is scanned.
 Made from_live_points(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
@@ -87,25 +108,24 @@ Made from_live_points(const cloud::SourceFile& source, const BuildOptions& optio
   for (std::size_t i = 0; viewpoint && i < points.size(); ++i) {
     if (points.normals[i].dot(*viewpoint - points.positions[i]) < 0.0) points.normals[i] = -points.normals[i];
   }
-  report.placement = placement(options, points.positions);
   report.format = read.format;
   report.points = read.points;
   report.warnings = read.warnings();
   if (!points.stiffness.empty())
     report.warnings.emplace_back("the live method has one stiffness for all, those of the points are left out");
-  for (Eigen::Vector3d& position : points.positions) position = report.placement.to_workspace(position);
-
+  if (options.box) report.points = keep_within(*options.box, points, report.warnings);
   const double band = options.band_voxels();
-  const double side = box_of(points.positions).sizes().maxCoeff();
-  const double edge = options.voxel_mm.value_or(side / options.grid.value_or(field::kCoarseGrid));
-  const field::Grid grid = grid_round(edge, points.positions, live::margin(band));
+  const live::Space space = live::space_for(options.box.value_or(box_of(points.positions)),
+                                            {placement_options(options), false, options.voxel_mm, options.grid, band});
+  report.placement = space.placement;
+  for (Eigen::Vector3d& position : points.positions) position = report.placement.to_workspace(position);
   encoding::FieldInfo info;
   info.stiffness_n_per_mm = options.stiffness.value_or(info.stiffness_n_per_mm);
   info.placement = report.placement;
-  live::LiveField field(grid, band, info);
+  live::LiveField field(space.grid, band, info);
   live::Batch batch;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (const auto point = live::point_in(grid, points.positions[i], points.normals[i])) batch.added.push_back(*point);
+    if (const auto point = live::point_in(space.grid, points.positions[i], points.normals[i])) batch.added.push_back(*point);
   }
   field.apply(batch);
   report.live_verdict = field.verdict();

@@ -91,6 +91,12 @@ OrientedPoints averaged(const OrientedPoints& touches, double edge) {
 
 }  // namespace
 
+TouchKind touch_kind(const TraceRecord& record, double least_force_n) {
+  if ((record.output.status & kContact) == 0) return TouchKind::kFree;
+  if ((record.output.status & kUnfit) != 0 || !record.input.fresh) return TouchKind::kUnfit;
+  return to_double(record.output.force).norm() >= least_force_n ? TouchKind::kTouch : TouchKind::kWeak;
+}
+
 OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchReport& report) {
   const double area = touched_area(touches, points);
   report.spacing_mm = std::sqrt(area / static_cast<double>(points));
@@ -132,16 +138,15 @@ OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& optio
   OrientedPoints touches;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);
-    const Vector3d force = to_double(record.output.force);
-    if ((record.output.status & kContact) == 0) {
-      ++report.free;
-    } else if ((record.output.status & kUnfit) != 0 || !record.input.fresh) {
-      ++report.unfit;
-    } else if (!(force.norm() >= options.least_force_n)) {
-      ++report.weak;
-    } else {
-      touches.positions.push_back(to_double(record.output.hip) + force / stiffness);
-      touches.normals.push_back(force.normalized());
+    switch (touch_kind(record, options.least_force_n)) {
+      case TouchKind::kFree: ++report.free; break;
+      case TouchKind::kUnfit: ++report.unfit; break;
+      case TouchKind::kWeak: ++report.weak; break;
+      case TouchKind::kTouch: {
+        const Vector3d force = to_double(record.output.force);
+        touches.positions.push_back(to_double(record.output.hip) + force / stiffness);
+        touches.normals.push_back(force.normalized());
+      }
     }
   }
   report.touches = touches.size();

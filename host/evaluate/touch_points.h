@@ -6,8 +6,18 @@
 
 #include "host/cloud/oriented_points.h"
 #include "host/trace/trace_file.h"
+#include "shared/trace.h"
 
 namespace isotouch::evaluate {
+
+/// What a tick says of a surface.
+enum class TouchKind {
+  kFree,   ///< nothing is touched
+  kUnfit,  ///< ramping, limited, following, held inside, clamped, or with an old sample: the force tells no depth
+  kWeak,   ///< less than the least force
+  kTouch,
+};
+TouchKind touch_kind(const TraceRecord& record, double least_force_n);
 
 struct TouchOptions {
   double stiffness_n_per_mm = 0;  ///< of the wall that was felt; 0 = the trace's
@@ -18,10 +28,9 @@ struct TouchOptions {
 /// What became of the ticks, and of the touches.
 struct TouchReport {
   std::size_t ticks = 0;
-  std::size_t free = 0;  ///< nothing touched
-  std::size_t unfit =
-      0;  ///< touched, but ramping, limited, following, held inside, clamped, or with an old sample: the force tells no depth
-  std::size_t weak = 0;     ///< touched with less than the least force
+  std::size_t free = 0;
+  std::size_t unfit = 0;
+  std::size_t weak = 0;
   std::size_t touches = 0;  ///< the others
   std::size_t places = 0;   ///< after averaging what lies within a quarter of the spacing, by side
   std::size_t points = 0;   ///< after thinning

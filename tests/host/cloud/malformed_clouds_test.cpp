@@ -46,9 +46,9 @@ std::string with(std::string text, const std::string& what, const std::string& i
   return text.replace(text.find(what), what.size(), instead);
 }
 
-std::string pcd(const std::string& data, const std::string& body, std::size_t points = 8) {
-  return "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + std::to_string(points) +
-         "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string(points) + "\nDATA " + data + "\n" + body;
+std::string pcd(const std::string& data, const std::string& body, std::size_t width = 8, std::size_t height = 1) {
+  return "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " + std::to_string(width) + "\nHEIGHT " +
+         std::to_string(height) + "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string(width * height) + "\nDATA " + data + "\n" + body;
 }
 
 std::string range_grid(const std::string& columns, const std::string& rows, const std::string& cells, const std::string& body) {
@@ -198,6 +198,7 @@ std::vector<Malformed> all() {
       {"pcd binary too long", "a.pcd", pcd("binary", std::string(8 * 12, '\0') + "abc"),
        "3 bytes follow the last point that the header declares"},
       {"pcd of nan", "a.pcd", pcd("ascii", "nan nan nan\nnan nan nan\n", 2), "none of its 2 points has finite coordinates"},
+      {"pcd image of nan", "a.pcd", pcd("ascii", "nan nan nan\nnan nan nan\n", 1, 2), "there are no points in it"},
       {"pcd of nothing", "a.pcd", pcd("ascii", "", 0), "there are no points in it"},
       {"pcd compressed to nothing", "a.pcd", pcd("binary_compressed", "1234"), "the compressed points are not there; the file is damaged"},
       {"pcd compressed and cut", "a.pcd", pcd("binary_compressed", std::string("\x09\0\0\0\x60\0\0\0", 8) + "12345678"),

@@ -1,0 +1,29 @@
+/// --box: the part of space that a live field covers.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace isotouch::commands {
+
+/// box       stays alive as long as the command
+inline void add_box(CLI::App& command, std::optional<Eigen::AlignedBox3d>& box, const std::string& about) {
+  command
+      .add_option_function<std::vector<double>>(
+          "--box",
+          [&box](const std::vector<double>& of) {
+            const Eigen::Vector3d a(of[0], of[1], of[2]), b(of[3], of[4], of[5]);
+            if (!a.allFinite() || !b.allFinite() || !((a - b).cwiseAbs().array() > 0.0).all())
+              throw CLI::ValidationError("--box", "its two corners must be finite and differ in every coordinate");
+            box.emplace(a.cwiseMin(b), a.cwiseMax(b));
+          },
+          about)
+      ->delimiter(',')
+      ->expected(6);
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,372 @@
+/// isotouch stream: frames of points, as they come → a field that grows at a running controller, under the hand.
+#include <unistd.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "host/board_commands/choice.h"
+#include "host/board_commands/controller_options.h"
+#include "host/board_commands/interruption.h"
+#include "host/board_commands/output.h"
+#include "host/board_commands/quantiles_json.h"
+#include "host/cloud/read_mesh.h"
+#include "host/commands/box_option.h"
+#include "host/commands/camera_options.h"
+#include "host/commands/commands.h"
+#include "host/commands/quantities.h"
+#include "host/commands/verdict_text.h"
+#include "host/error.h"
+#include "host/field/parallel.h"
+#include "host/field_file/packed.h"
+#include "host/files/whole_file.h"
+#include "host/stream/sources.h"
+#include "host/stream/stream.h"
+#include "host/trace/hash_text.h"
+#include "shared/trace.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kCameraRate = 30;
+constexpr std::uint32_t kEnough = 16;  ///< points of a place: their mean has a quarter of the noise of one
+
+struct Options {
+  std::vector<std::string> sources;
+  fs::path mesh;
+  evaluate::DepthCameraOptions camera;
+  cloud::SensorOptions sensor;
+  stream::StreamOptions stream;
+  fs::path out, first;
+  std::string units;
+  double fit_mm = 70;
+  std::optional<double> rate, seconds, keep_s;
+  std::optional<std::uint32_t> enough;
+  unsigned threads = 0;
+  bool json = false;
+};
+
+enum class SourceKind { kFiles, kInput, kRecording, kController, kCamera };
+
+bool is_address(const std::string& word) { return word.starts_with("unix:") || word.starts_with("ssh://"); }
+
+bool is_recording(const fs::path& file) {
+  std::array<char, 4> begin{};
+  std::ifstream in(file, std::ios::binary);
+  return in.read(begin.data(), begin.size()) &&
+         std::equal(begin.begin(), begin.end(), trace_layout::kMagic.begin(), [](char a, auto b) { return a == static_cast<char>(b); });
+}
+
+/// fails     CLI::ValidationError: sources that do not go together
+SourceKind kind_of(const Options& options) {
+  const std::vector<std::string>& sources = options.sources;
+  if (!options.mesh.empty()) {
+    if (!sources.empty()) throw CLI::ValidationError("SOURCE", "the simulated camera is a source of its own; leave the others out");
+    return SourceKind::kCamera;
+  }
+  if (sources.empty() || sources == std::vector<std::string>{"-"}) {
+    if (isatty(STDIN_FILENO) != 0)
+      throw CLI::ValidationError("SOURCE", "name files, a recording or a controller; frames on standard input come from a program");
+    return SourceKind::kInput;
+  }
+  const auto single = [&](SourceKind kind, const char* what) {
+    if (sources.size() > 1) throw CLI::ValidationError("SOURCE", std::string(what) + " is a source of its own; leave the others out");
+    return kind;
+  };
+  for (const std::string& source : sources) {
+    if (is_standard(source)) return single(SourceKind::kInput, "standard input");
+    if (is_address(source)) return single(SourceKind::kController, "a controller");
+    if (is_recording(source)) return single(SourceKind::kRecording, "a recording");
+  }
+  return SourceKind::kFiles;
+}
+
+/// What stays alive as long as a source.
+struct Scene {
+  std::optional<cloud::TriangleMesh> mesh;
+  std::optional<field::TriangleTree> tree;
+};
+
+/// The object of the simulated camera, and a box with room for the camera's noise.
+stream::Source camera_source(Options& options, Scene& scene) {
+  const cloud::TriangleMesh in_file = cloud::read_mesh(options.mesh);
+  cloud::require_closed(in_file, options.mesh.string());
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : in_file.vertices) box.extend(vertex);
+  constexpr double kRoom = 0.05;
+  const Eigen::Vector3d more = Eigen::Vector3d::Constant(kRoom * box.sizes().maxCoeff());
+  if (!options.stream.box) options.stream.box = Eigen::AlignedBox3d(box.min() - more, box.max() + more);
+  const live::Space space = live::space_for(*options.stream.box, options.stream.space);
+  scene.mesh = cloud::placed(in_file, space.placement);
+  scene.tree.emplace(*scene.mesh);
+  options.camera.frames_per_second = options.rate.value_or(kCameraRate);
+  return stream::depth_camera(*scene.tree, space.placement, options.camera);
+}
+
+stream::Source source_of(SourceKind kind, Options& options, Scene& scene) {
+  const double rate = options.rate.value_or(kCameraRate);
+  if (kind == SourceKind::kRecording || kind == SourceKind::kController) {
+    if (!options.units.empty()) throw CLI::ValidationError("--units", "touches are in workspace mm; leave it out");
+    options.stream.space.stays = true;
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cloud::kFalconReach);
+    if (!options.stream.box) options.stream.box = Eigen::AlignedBox3d(-reach, reach);
+  }
+  switch (kind) {
+    case SourceKind::kFiles: return stream::files({options.sources.begin(), options.sources.end()}, options.rate, options.sensor);
+    case SourceKind::kInput: return stream::standard_input(options.sensor);
+    case SourceKind::kRecording: return stream::recording(options.sources[0], rate, options.rate.has_value());
+    case SourceKind::kController:
+      if (options.sources[0] == options.stream.to)
+        throw InputError(options.stream.to + ": the hand feels there what the stream has made; name another controller as the source");
+      return stream::controller(options.sources[0], rate);
+    case SourceKind::kCamera: return camera_source(options, scene);
+  }
+  return {};
+}
+
+using Json = nlohmann::ordered_json;
+
+Json summary_json(const stream::Stream& of, const std::string& field_hash) {
+  const stream::StreamReport& report = of.report();
+  const stream::Tally& all = report.all;
+  return {{"seconds", report.seconds},
+          {"frames",
+           {{"arrived", report.offered},
+            {"taken", all.frames},
+            {"thinned", report.thinned},
+            {"empty", all.empty},
+            {"without_normals", all.unoriented}}},
+          {"points",
+           {{"taken", all.points.taken},
+            {"outside", all.points.outside},
+            {"useless", all.points.useless},
+            {"surplus", all.points.surplus},
+            {"expired", all.points.expired},
+            {"present", all.points.taken - all.points.expired}}},
+          {"upload_bytes", report.upload_bytes},
+          {"patches", all.patches},
+          {"patch_bytes", quantiles_json(report.patch_bytes.quantiles())},
+          {"sent_bytes", report.upload_bytes + all.patch_bytes},
+          {"delay_ms", quantiles_json(all.delay_ms.quantiles())},
+          {"read_ms", quantiles_json(report.read_ms.quantiles())},
+          {"grow_ms", quantiles_json(report.grow_ms.quantiles())},
+          {"patch_ms", quantiles_json(report.patch_ms.quantiles())},
+          {"controller_ms", quantiles_json(report.controller_ms.quantiles())},
+          {"field_hash", field_hash},
+          {"live_verdict", to_json(of.field()->verdict())}};
+}
+
+/// What a second brought, for whoever watches.
+void print_second(double now, std::uint64_t thinned, const stream::Tally& of, const stream::Stream& stream) {
+  const Quantiles delay = of.delay_ms.quantiles();
+  std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points, %zu not needed, %zu outside", now,
+               static_cast<unsigned long long>(of.frames), static_cast<unsigned long long>(thinned), of.points.taken, of.points.surplus,
+               of.points.outside);
+  if (of.unoriented > 0) std::fprintf(stderr, ", %llu frames without normals", static_cast<unsigned long long>(of.unoriented));
+  if (delay.count > 0) std::fprintf(stderr, ", %zu patches, delay %.1f ms, at most %.1f ms", delay.count, delay.median, delay.max);
+  if (stream.status() && stream.status()->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*stream.status()).c_str());
+  std::fprintf(stderr, "\n");
+}
+
+void print_text(const stream::Stream& of, const Options& options, const std::string& field_hash) {
+  const stream::StreamReport& report = of.report();
+  const stream::Tally& all = report.all;
+  std::FILE* to = text_stream(options.out);
+  std::fprintf(to, "frames        %llu in %.1f s: %llu taken, %llu left out, %llu empty, %llu without normals\n",
+               static_cast<unsigned long long>(report.offered), report.seconds, static_cast<unsigned long long>(all.frames),
+               static_cast<unsigned long long>(report.thinned), static_cast<unsigned long long>(all.empty),
+               static_cast<unsigned long long>(all.unoriented));
+  std::fprintf(to, "points        %zu taken, %zu not needed, %zu outside the box, %zu without a normal, %zu expired\n", all.points.taken,
+               all.points.surplus, all.points.outside, all.points.useless, all.points.expired);
+  const auto& [scale, offset] = of.space().placement;
+  std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
+  const field::Grid& grid = of.space().grid;
+  std::fprintf(to, "grid          %d × %d × %d samples, voxel %.4f mm\n", grid.size.x(), grid.size.y(), grid.size.z(), grid.edge);
+  std::fprintf(to, "verdict       %s\n", in_words(of.field()->verdict()).c_str());
+  if (!options.stream.to.empty()) {
+    const Quantiles delay = all.delay_ms.quantiles(), bytes = report.patch_bytes.quantiles();
+    std::fprintf(to, "sent          %llu bytes for the first field, %llu patches of %.0f bytes (99 %% at most %.0f)\n",
+                 static_cast<unsigned long long>(report.upload_bytes), static_cast<unsigned long long>(all.patches), bytes.median,
+                 bytes.p99);
+    std::fprintf(to, "delay         %.1f ms from a frame to the hand, 99 %% at most %.1f ms, the longest %.1f ms\n", delay.median,
+                 delay.p99, delay.max);
+  }
+  std::fprintf(to, "field         hash %s\n", field_hash.c_str());
+}
+
+void write_packed(const fs::path& file, const FieldView& view) {
+  const std::vector<std::uint8_t> packed = field_file::pack(view);
+  write_file(file, packed.data(), packed.size());
+}
+
+/// Writes the field as it is now, and reports.
+void close(stream::Stream& of, const Options& options) {
+  const FieldView& view = of.whole().view;
+  if (!options.out.empty()) write_packed(options.out, view);
+  const std::string hash = trace::hash_text(view.hash());
+  if (options.json) {
+    std::printf("%s\n", summary_json(of, hash).dump(2).c_str());
+  } else {
+    print_text(of, options, hash);
+  }
+  for (const std::string& reason : of.field()->verdict().reasons())
+    std::fprintf(stderr, "isotouch: the field may be wrong: %s\n", reason.c_str());
+}
+
+/// Runs until the source ends, the time is over, or somebody wants an end.
+void work(stream::Stream& stream, stream::Inbox& inbox, const Options& options) {
+  const Interruption interruption;
+  const stream::Clock::time_point begin = stream::Clock::now();
+  const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
+  std::uint64_t thinned = 0;
+  try {
+    stream.run(
+        inbox, [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
+        [&](const stream::Tally& second) {
+          print_second(seconds(), inbox.thinned() - thinned, second, stream);
+          thinned = inbox.thinned();
+        });
+    stream.finish();
+  } catch (const InputError&) {
+    if (!interruption.has_come()) throw;  // what interrupts us interrupts the ssh beside us
+  }
+}
+
+void run(Options& options) {
+  const SourceKind kind = kind_of(options);
+  const field::ThreadLimit limit(options.threads);
+  if (!options.units.empty()) options.stream.space.size.mm_per_unit = cloud::mm_per_unit(options.units);
+  options.stream.space.size.fit_mm = options.fit_mm;
+  options.stream.viewpoint = options.sensor.viewpoint;
+  if (options.keep_s) {
+    options.stream.keep = std::chrono::duration_cast<stream::Clock::duration>(std::chrono::duration<double>(*options.keep_s));
+  }
+  const bool waits = (kind == SourceKind::kFiles || kind == SourceKind::kRecording) && !options.rate;
+  options.stream.enough = options.enough.value_or(waits ? 0 : kEnough);
+  if (!options.first.empty()) options.stream.on_first = [&options](const FieldView& view) { write_packed(options.first, view); };
+  Scene scene;
+  stream::Source source = source_of(kind, options, scene);
+  stream::Stream stream(options.stream);
+  std::string ended;
+  {
+    stream::Inbox inbox;
+    const std::jthread thread = stream::run(std::move(source), inbox);
+    struct Closed {
+      stream::Inbox& inbox;
+      ~Closed() { inbox.close(); }
+    } const closed{inbox};
+    try {
+      work(stream, inbox, options);
+    } catch (const InputError& error) {
+      if (stream.field() == nullptr || options.out.empty()) throw;
+      ended = error.what();
+    }
+  }
+  if (stream.field() == nullptr) throw InputError("no frame had points with normals within the box; nothing was built");
+  close(stream, options);
+  if (!ended.empty()) throw EndedEarly(ended + "; " + options.out.string() + " holds the field as it was then");
+}
+
+}  // namespace
+
+void add_stream(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "stream", "Let a field grow at a running controller while its object is scanned; Ctrl-C ends it, and the field stays");
+  command->add_option("SOURCE", options->sources,
+                      "one of: files of points, a frame each (PLY, PCD or any that build reads); a recording (.trace); another controller "
+                      "whose hand feels an object (unix:PATH or ssh://user@host); '-' or nothing: frames on standard input");
+  CLI::Option* mesh =
+      command->add_option("--camera", options->mesh, "instead of a SOURCE: a simulated depth camera that goes round this closed mesh");
+  CLI::Option* to = command->add_option("--to", options->stream.to,
+                                        "the controller: unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]");
+  add_output(*command, "-o,--out", options->out, {&forms::kField}, "also write the field as it is at the end");
+  add_output(*command, "--first", options->first, {&forms::kField},
+             "also write the field that is uploaded first: a recording that the controller began before it replays on it");
+  command->add_option("--name", options->stream.name, "name of the field at the controller")->capture_default_str();
+  add_box(*command, options->stream.box,
+          "the part of space that is scanned, two corners X,Y,Z,X,Y,Z in the input's coordinates; by default the box of the first frame "
+          "and half of its longest side more on each side");
+  CLI::Option* voxel = command->add_option("--voxel", options->stream.space.voxel_mm, "edge of a voxel, such as 0.34mm");
+  voxel->transform(quantity(kLength, 1.0 / 64, 16));
+  CLI::Option* grid = command->add_option("--grid", options->stream.space.grid, "voxels along the longest side of the box; by default 186");
+  grid->check(CLI::Range(8, 4000))->excludes(voxel);
+  command->add_option("--band", options->stream.space.band, "half width of the band around the surface that is stored, in voxels")
+      ->check(CLI::Range(1.0, 7.99))
+      ->capture_default_str();
+  command->add_option("--stiffness", options->stream.info.stiffness_n_per_mm, "stiffness of the surface")
+      ->transform(quantity(kStiffness, 0.001, 100))
+      ->capture_default_str();
+  CLI::Option* fit = command->add_option("--fit", options->fit_mm, "scale the longest side of the box to this length, such as 70mm");
+  fit->transform(quantity(kLength, 1, 1000))->capture_default_str();
+  command->add_option("--units", options->units, "keep the true size; the unit of the input's coordinates")
+      ->check(one_of({"mm", "cm", "m", "in"}))
+      ->excludes(fit);
+  command->add_option("--keep", options->keep_s, "a point counts for so many seconds; by default for good")
+      ->check(CLI::Range(0.01, 3600.0));
+  command
+      ->add_option("--enough", options->enough,
+                   "so many points of a place count, which is two voxels wide, and further ones are left out; 0: all count. By default 16, "
+                   "and all of files and recordings without --rate")
+      ->check(CLI::Range(0, 1000000));
+  command
+      ->add_option("--rate", options->rate,
+                   "frames per second: by default 30 of a camera and of touches; files and recordings come as fast as they are taken")
+      ->check(CLI::Range(0.1, 1000.0));
+  command->add_option("--seconds", options->seconds, "how long at most; by default until the source ends")
+      ->check(CLI::Range(0.001, 86400.0));
+  command
+      ->add_option_function<std::vector<double>>(
+          "--viewpoint",
+          [options](const std::vector<double>& place) { options->sensor.viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
+          "the sensor's place X Y Z in the input's coordinates: every normal is turned towards it")
+      ->expected(3);
+  auto intrinsics = std::make_shared<CameraOptions>();
+  intrinsics->add_to(*command);
+  command->add_option("--noise", options->camera.noise, "with --camera: standard deviation of a depth, such as 0.2mm")
+      ->transform(quantity(kLength, 0, 10))
+      ->needs(mesh);
+  command->add_option("--dropouts", options->camera.dropouts, "with --camera: share of the pixels that return nothing, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->needs(mesh);
+  command->add_option("--turn", options->camera.turn_seconds, "with --camera: seconds for once round the object")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->needs(mesh)
+      ->capture_default_str();
+  command->add_option("--columns", options->camera.columns, "with --camera: pixels across; it has three quarters as many rows")
+      ->check(CLI::Range(8, 4000))
+      ->needs(mesh)
+      ->capture_default_str();
+  command->add_option("--seed", options->camera.seed, "with --camera: seed of noise and dropouts")->needs(mesh)->capture_default_str();
+  command
+      ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--json", options->json, "print one JSON object at the end");
+  command->callback([options, intrinsics, to] {
+    if (to->count() == 0 && options->out.empty()) throw CLI::ValidationError("--to", "name a controller, or a file with -o, or both");
+    if (is_standard(options->first)) throw CLI::ValidationError("--first", "it is written while the stream runs; name a file");
+    if (!options->first.empty() && to->count() == 0) throw CLI::ValidationError("--first", "nothing is uploaded without --to");
+    require_apart(options->out, options->json);
+    options->sensor.camera = intrinsics->camera();
+    evaluate::DepthCameraOptions& camera = options->camera;
+    camera.rows = std::max<std::size_t>(camera.columns * 3 / 4, 2);
+    camera.focal_pixels = 1.125 * static_cast<double>(camera.columns);
+    run(*options);
+  });
+}
+
+}  // namespace isotouch::commands

@@ -1,0 +1,88 @@
+/// A live field with what a stream needs around it: points come in frames and may go again after a while, and each state leads to the next by a patch.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "host/cloud/model.h"
+#include "host/field_file/open_field.h"
+#include "host/live/live_field.h"
+#include "host/live/space.h"
+#include "host/stream/inbox.h"
+
+namespace isotouch::stream {
+
+/// What became of points.
+struct PointCounts {
+  std::size_t taken = 0;
+  std::size_t outside = 0;  ///< of the box
+  std::size_t useless = 0;  ///< without a normal
+  std::size_t surplus = 0;  ///< of places that have enough
+  std::size_t expired = 0;  ///< taken, and removed again
+
+  PointCounts& operator+=(const PointCounts& more) {
+    taken += more.taken;
+    outside += more.outside;
+    useless += more.useless;
+    surplus += more.surplus;
+    expired += more.expired;
+    return *this;
+  }
+};
+
+class GrowingField {
+ public:
+  /// info      its placement is that of the space
+  /// keep      how long a point counts; not given: for good
+  /// enough    so many points of a bucket count, and further ones are left out as long as they do; 0: all count
+  /// fails     as LiveField
+  GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
+               std::uint32_t enough = 0);
+
+  /// Takes the points of a frame in. Those of a frame that is at least `keep` older than this one go.
+  ///
+  /// model     input coordinates; with a normal for each position, or none of its points is taken
+  /// at        not earlier than that of the frame before
+  PointCounts take(const cloud::Model& model, Clock::time_point at);
+
+  /// Do bricks differ from those of the last state that was kept?
+  bool has_changed() const { return changed_; }
+  const live::Verdict& verdict() const { return field_.verdict(); }
+  const live::Work& work() const { return work_; }
+
+  /// Keeps this state: the next patch leads on from it.
+  const field_file::OpenField& keep_whole();
+  /// Keeps this state, and returns the patch (SPEC.md, section 7) from the last one that was kept.
+  ///
+  /// returns   nothing: they are equal
+  std::vector<std::uint8_t> keep_patch();
+  /// The state that was kept last.
+  const field_file::OpenField& kept() const { return *kept_; }
+  std::uint64_t kept_hash() const { return kept_hash_; }
+
+ private:
+  bool has_enough(const live::Point& point);
+
+  struct Old {
+    Clock::time_point at;
+    std::vector<live::Point> points;
+  };
+
+  live::Space space_;
+  live::LiveField field_;
+  std::optional<Clock::duration> keep_;
+  std::uint32_t enough_;
+  std::unordered_map<std::uint64_t, std::uint32_t> held_;  ///< points of each bucket, where `enough_` counts them
+  std::deque<Old> old_;
+  live::Work work_;
+  bool changed_ = false;
+  std::optional<field_file::OpenField> kept_;
+  std::uint64_t kept_hash_ = 0;
+};
+
+}  // namespace isotouch::stream

@@ -1,0 +1,158 @@
+#include "host/stream/stream.h"
+
+#include <span>
+#include <utility>
+
+#include "host/error.h"
+#include "host/field_file/packed.h"
+
+namespace isotouch::stream {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+double ms_since(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+
+void turn_towards(const Eigen::Vector3d& viewpoint, cloud::Model& model) {
+  for (std::size_t i = 0; i < model.normals.size(); ++i) {
+    if (model.normals[i].dot(viewpoint - model.positions[i]) < 0.0) model.normals[i] = -model.normals[i];
+  }
+}
+
+/// The box of a scan whose first frame shows a part of it: the frame's own and half of its longest side more on each side.
+///
+/// positions at least one
+Eigen::AlignedBox3d box_round_first(std::span<const Eigen::Vector3d> positions) {
+  constexpr double kMargin = 0.5;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : positions) box.extend(position);
+  const double longest = box.sizes().maxCoeff();
+  if (!(longest > 0)) throw InputError("the first frame shows a single place, which says nothing about the size of the object; give --box");
+  const Eigen::Vector3d more = Eigen::Vector3d::Constant(kMargin * longest);
+  return {box.min() - more, box.max() + more};
+}
+
+}  // namespace
+
+Stream::Stream(StreamOptions options) : options_(std::move(options)) {
+  if (options_.to.empty()) return;
+  controller_.emplace(options_.to);
+  status_ = controller_->status();
+}
+
+void Stream::run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second) {
+  const Clock::time_point begin = Clock::now();
+  Clock::time_point reported = begin;
+  const auto count = [&](bool is_end) {
+    if (is_end) inbox.close();
+    report_.offered = inbox.offered();
+    report_.thinned = inbox.thinned();
+    report_.seconds = ms_since(begin) / 1e3;
+  };
+  try {
+    while (!is_over() && !inbox.is_finished()) {
+      if (const auto frame = inbox.take(50ms)) work_on(*frame);
+      count(false);
+      if (Clock::now() - reported < 1s) continue;
+      reported = Clock::now();
+      if (controller_) status_ = controller_->status();  // it shows, too, whether it is still there
+      second(second_);
+      second_ = {};
+    }
+  } catch (...) {
+    count(true);
+    throw;
+  }
+  count(true);
+}
+
+void Stream::work_on(const Frame& frame) {
+  const Clock::time_point begin = Clock::now();
+  cloud::Model model = frame.read();
+  for (Tally* tally : {&report_.all, &second_}) {
+    ++tally->frames;
+    if (model.positions.empty()) {
+      ++tally->empty;
+    } else if (model.normals.empty()) {
+      ++tally->unoriented;
+    }
+  }
+  if (options_.viewpoint) {
+    turn_towards(*options_.viewpoint, model);
+  } else if (model.edges && model.viewpoint) {
+    turn_towards(*model.viewpoint, model);
+  }
+  report_.read_ms.add(ms_since(begin));
+  if (!field_ && !this->begin(model)) return;
+  const Clock::time_point grows = Clock::now();
+  const PointCounts points = field_->take(model, *frame.at);
+  report_.all.points += points;
+  second_.points += points;
+  report_.grow_ms.add(ms_since(grows));
+  if (!controller_ || !field_->has_changed()) return;
+  const bool is_patch = felt_.has_value();
+  send();
+  if (!is_patch) return;
+  for (Tally* tally : {&report_.all, &second_}) tally->delay_ms.add(ms_since(*frame.at));
+}
+
+/// Decides where the field lies. False where the frame does not show it.
+bool Stream::begin(const cloud::Model& model) {
+  if (model.normals.empty()) return false;
+  space_ = live::space_for(options_.box ? *options_.box : box_round_first(model.positions), options_.space);
+  field_.emplace(*space_, options_.space.band, options_.info, options_.keep, options_.enough);
+  return true;
+}
+
+void Stream::send() {
+  try {
+    felt_ ? patch() : upload();
+  } catch (const InputError& refused) {
+    explain_refusal(refused.what());
+  }
+}
+
+void Stream::upload() {
+  const field_file::OpenField& field = field_->keep_whole();
+  if (options_.on_first) options_.on_first(field.view);
+  const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  const protocol::Accepted accepted =
+      controller_->upload({packed.size(), field.view.image.size(), field_->kept_hash(), protocol::Text::of(options_.name)}, packed);
+  if (accepted.image_hash != field_->kept_hash()) throw InputError(options_.to + ": another field was taken over meanwhile; stream again");
+  felt_ = accepted.image_hash;
+  report_.upload_bytes = packed.size();
+}
+
+void Stream::patch() {
+  const Clock::time_point begin = Clock::now();
+  const std::vector<std::uint8_t> patch = field_->keep_patch();
+  if (patch.empty()) return;
+  report_.patch_ms.add(ms_since(begin));
+  const Clock::time_point sent = Clock::now();
+  felt_ = controller_->patch(patch).image_hash;
+  report_.controller_ms.add(ms_since(sent));
+  report_.patch_bytes.add(static_cast<double>(patch.size()));
+  for (Tally* tally : {&report_.all, &second_}) {
+    ++tally->patches;
+    tally->patch_bytes += patch.size();
+  }
+}
+
+/// The field of somebody else is no error of this program, and is not replaced.
+void Stream::explain_refusal(const std::string& sentence) {
+  if (!felt_) throw InputError(sentence);
+  try {
+    status_ = controller_->status();
+  } catch (const InputError&) {
+    throw InputError(sentence);  // it is gone
+  }
+  if (status_->field_hash == *felt_) throw InputError(sentence);
+  throw InputError(options_.to + ": another field was loaded while this one grew, and it stays; stream again to replace it");
+}
+
+void Stream::finish() {
+  if (controller_ && field_) send();
+}
+
+}  // namespace isotouch::stream

@@ -1,0 +1,96 @@
+/// The work of a stream: frames → a growing field → a controller, which gets the field once and then a patch for each frame that changes it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "host/cloud/source_file.h"
+#include "host/encoding/write_image.h"
+#include "host/link/controller.h"
+#include "host/live/space.h"
+#include "host/stream/classes.h"
+#include "host/stream/growing_field.h"
+#include "host/stream/inbox.h"
+
+namespace isotouch::stream {
+
+struct StreamOptions {
+  std::string to;                               ///< address of the controller; empty: the field only grows here
+  std::string name = "stream";                  ///< of the field, as the controller lists it
+  std::optional<Eigen::AlignedBox3d> box = {};  ///< input coordinates; not given: by the first frame
+  live::SpaceOptions space;
+  encoding::FieldInfo info = {};
+  std::optional<Eigen::Vector3d> viewpoint = {};        ///< every normal is turned towards it
+  std::optional<Clock::duration> keep = {};             ///< how long a point counts
+  std::uint32_t enough = 0;                             ///< so many points of a bucket count; 0: all
+  std::function<void(const FieldView&)> on_first = {};  ///< called before the first field is sent
+};
+
+/// Counts since some time.
+struct Tally {
+  std::uint64_t frames = 0;      ///< taken
+  std::uint64_t empty = 0;       ///< of them without a point
+  std::uint64_t unoriented = 0;  ///< of them with points, and without normals
+  PointCounts points;
+  std::uint64_t patches = 0, patch_bytes = 0;
+  Classes delay_ms{10};  ///< from the arrival of a frame until the controller has confirmed its patch
+};
+
+/// Of a whole stream.
+struct StreamReport {
+  Tally all;
+  std::uint64_t offered = 0, thinned = 0;                             ///< frames
+  std::uint64_t upload_bytes = 0;                                     ///< of the first field, packed
+  Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
+  Classes patch_bytes{0.01};
+  double seconds = 0;
+};
+
+class Stream {
+ public:
+  /// Connects to the controller.
+  ///
+  /// fails     InputError: as link::Controller
+  explicit Stream(StreamOptions options);
+
+  /// Works until there are no more frames.
+  ///
+  /// is_over   asked ten times a second and oftener
+  /// second    called each second with what it brought
+  /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses or is gone. What the field held before it
+  ///           still holds
+  void run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second);
+  /// Sends what has not been sent, if anything.
+  void finish();
+
+  /// Nothing before the first point.
+  const GrowingField* field() const { return field_ ? &*field_ : nullptr; }
+  const live::Space& space() const { return *space_; }
+  /// The field as it is now.
+  const field_file::OpenField& whole() { return field_->keep_whole(); }
+  const StreamReport& report() const { return report_; }
+  /// What the controller said last.
+  const std::optional<protocol::StatusReport>& status() const { return status_; }
+
+ private:
+  void work_on(const Frame& frame);
+  bool begin(const cloud::Model& model);
+  void send();
+  void upload();
+  void patch();
+  [[noreturn]] void explain_refusal(const std::string& sentence);
+
+  StreamOptions options_;
+  std::optional<link::Controller> controller_;
+  std::optional<protocol::StatusReport> status_;
+  std::optional<live::Space> space_;
+  std::optional<GrowingField> field_;
+  std::optional<std::uint64_t> felt_;  ///< hash of the field that the controller has from here
+  StreamReport report_;
+  Tally second_;
+};
+
+}  // namespace isotouch::stream

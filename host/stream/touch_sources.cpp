@@ -1,0 +1,90 @@
+/// Touches as sources: where the proxy is, there is a surface, and the hand shows its normal.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "host/error.h"
+#include "host/evaluate/touch_points.h"
+#include "host/link/controller.h"
+#include "host/stream/sources.h"
+#include "host/to_double.h"
+#include "host/trace/trace_file.h"
+#include "shared/trace.h"
+
+namespace isotouch::stream {
+
+namespace {
+
+constexpr double kLeastForce = 0.05;  // N, as `isotouch scan`: weaker touches have no direction worth keeping
+
+/// The points of a frame's ticks. Without a touch the hand may rest or be free: then the frame is empty.
+class Touches {
+ public:
+  void add(const TraceRecord& record) {
+    if (evaluate::touch_kind(record, kLeastForce) != evaluate::TouchKind::kTouch) return;
+    const Eigen::Vector3d proxy = to_double(record.output.proxy), out = proxy - to_double(record.output.hip);
+    const double depth = out.norm();
+    if (!(depth > 0)) return;
+    model_.positions.push_back(proxy);
+    model_.normals.emplace_back(out / depth);
+  }
+  /// They are gone from here.
+  Frame frame() {
+    return {++number_, [model = std::exchange(model_, {})]() mutable { return std::move(model); }, {}};
+  }
+
+ private:
+  cloud::Model model_;
+  std::uint64_t number_ = 0;
+};
+
+/// Ticks of a frame.
+std::uint64_t ticks(double rate, std::uint32_t period_ns) {
+  return static_cast<std::uint64_t>(std::max(1.0, std::round(1e9 / (rate * std::max(period_ns, 1U)))));
+}
+
+}  // namespace
+
+Source recording(std::filesystem::path file, double rate, bool in_time) {
+  return [file = std::move(file), rate, in_time](Inbox& inbox) {
+    const trace::Trace trace = trace::read_trace(file);
+    if (!trace.header().has_outputs)
+      throw InputError(file.string() + ": it holds no proxies and forces; record them with isotouch replay, or import them with --forces");
+    const std::uint64_t of_frame = ticks(rate, trace.header().period_ns);
+    const Clock::time_point begin = Clock::now();
+    Touches touches;
+    for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+      touches.add(trace.record(tick));
+      if ((tick + 1) % of_frame != 0 && tick + 1 < trace.size()) continue;
+      if (in_time && !inbox.wait_until(
+                         begin + std::chrono::nanoseconds((std::int64_t{1} + static_cast<std::int64_t>(tick)) * trace.header().period_ns)))
+        return;
+      if (!(in_time ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
+    }
+  };
+}
+
+Source controller(std::string address, double rate) {
+  return [address = std::move(address), rate](Inbox& inbox) {
+    using trace_layout::kRecordBytes;
+    link::Controller felt(address);
+    const std::uint64_t of_frame = ticks(rate, felt.welcome().period_ns);
+    Touches touches;
+    std::uint64_t next = 0;
+    const auto take = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
+      const auto record =
+          bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
+      if (!record) throw InputError(address + ": a record cannot be read; install the same release on both sides");
+      touches.add(*record);
+      if (tick < next) return;
+      next = tick + of_frame;
+      (void)inbox.offer(touches.frame());
+    };
+    const auto watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, [&inbox] { return inbox.is_closed(); });
+    if (!watched.ended.empty()) throw InputError(watched.ended);
+  };
+}
+
+}  // namespace isotouch::stream

@@ -1,0 +1,132 @@
+#include "host/stream/growing_field.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "host/cloud/shapes.h"
+#include "host/field_file/make_patch.h"
+#include "shared/field_patch.h"
+
+namespace isotouch::stream {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kBand = 3;
+
+live::Space unit_space() {
+  const cloud::Shape sphere = cloud::shape("sphere");
+  live::SpaceOptions options;
+  options.grid = 32;
+  return live::space_for({sphere.low, sphere.high}, options);
+}
+
+/// A part of a sphere's points, as a frame.
+cloud::Model part(const cloud::OrientedPoints& points, std::size_t begin, std::size_t end) {
+  cloud::Model model;
+  for (std::size_t i = begin; i < end; ++i) {
+    model.positions.push_back(points.positions[i]);
+    model.normals.push_back(points.normals[i]);
+  }
+  return model;
+}
+
+std::vector<std::uint8_t> bytes_of(const field_file::OpenField& field) { return {field.view.image.begin(), field.view.image.end()}; }
+
+/// The field of these points alone.
+std::vector<std::uint8_t> built(const cloud::Model& model) {
+  GrowingField field(unit_space(), kBand, {}, {});
+  field.take(model, {});
+  return bytes_of(field.keep_whole());
+}
+
+TEST(GrowingField, PatchesLeadFromEachStateToTheNext) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 2000, 1);
+  GrowingField field(unit_space(), kBand, {}, {});
+  EXPECT_EQ(field.take(part(points, 0, 500), {}).taken, 500U);
+  std::vector<std::uint8_t> image = bytes_of(field.keep_whole());
+  for (std::size_t at = 500; at < 2000; at += 500) {
+    field.take(part(points, at, at + 500), {});
+    EXPECT_TRUE(field.has_changed());
+    const std::vector<std::uint8_t> bytes = field.keep_patch();
+    EXPECT_FALSE(field.has_changed());
+    const auto patch = FieldPatch::parse(bytes);
+    ASSERT_TRUE(patch);
+    field_file::Image before(image.size()), after(patch->image_bytes());
+    std::copy(image.begin(), image.end(), before.data());
+    const auto view = FieldView::parse(before.bytes());
+    ASSERT_TRUE(view);
+    const auto made = apply(*patch, *view, {after.data(), after.size()});
+    ASSERT_TRUE(made);
+    image.assign(made->begin(), made->end());
+    EXPECT_EQ(image, bytes_of(field.kept()));
+    EXPECT_EQ(patch->hash_after, field.kept_hash());
+  }
+  EXPECT_EQ(image, built(part(points, 0, 2000)));
+  EXPECT_TRUE(field.keep_patch().empty());
+}
+
+TEST(GrowingField, APointCountsForAsLongAsIsWanted) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 3000, 1);
+  GrowingField field(unit_space(), kBand, {}, 2s);
+  const Clock::time_point begin{};
+  for (int second = 0; second < 3; ++second) {
+    const auto at = static_cast<std::size_t>(second) * 1000;
+    EXPECT_EQ(field.take(part(points, at, at + 1000), begin + second * 1s).expired, second == 2 ? 1000U : 0U);
+  }
+  EXPECT_EQ(bytes_of(field.keep_whole()), built(part(points, 1000, 3000)));
+  EXPECT_EQ(field.take({}, begin + 2999ms).expired, 0U);
+  EXPECT_EQ(field.take({}, begin + 3s).expired, 1000U);
+  EXPECT_EQ(bytes_of(field.keep_whole()), built(part(points, 2000, 3000)));
+  EXPECT_EQ(field.take({}, begin + 1h).expired, 1000U);
+  EXPECT_EQ(bytes_of(field.keep_whole()), built({}));
+}
+
+TEST(GrowingField, APlaceThatHasEnoughTakesNoMoreUntilItsPointsExpire) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 20'000, 1);
+  GrowingField field(unit_space(), kBand, {}, 2s, 4);
+  const Clock::time_point begin{};
+  const PointCounts first = field.take(part(points, 0, 20'000), begin);
+  EXPECT_EQ(first.taken + first.surplus, 20'000U);
+  EXPECT_GT(first.surplus, 5000U);
+  EXPECT_GT(first.taken, 1000U);
+  const std::vector<std::uint8_t> image = bytes_of(field.keep_whole());
+  EXPECT_LE(field.take(part(points, 0, 20'000), begin + 1s).taken, first.taken);  // places that had fewer
+  const PointCounts again = field.take(part(points, 0, 20'000), begin + 5s);
+  EXPECT_EQ(again.taken, first.taken);
+  EXPECT_EQ(bytes_of(field.keep_whole()), image);
+
+  cloud::Model one = part(points, 0, 1);
+  GrowingField small(unit_space(), kBand, {}, {}, 3);
+  for (std::size_t n = 0; n < 10; ++n) EXPECT_EQ(small.take(one, begin).taken, n < 3 ? 1U : 0U);
+}
+
+TEST(GrowingField, CountsWhatItCannotUse) {
+  const live::Space space = unit_space();
+  GrowingField field(space, kBand, {}, {});
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d inside = space.box.center(), up(0, 0, 1);
+  cloud::Model model;
+  const auto add = [&](const Eigen::Vector3d& position, const Eigen::Vector3d& normal) {
+    model.positions.push_back(position);
+    model.normals.push_back(normal);
+  };
+  add(inside, up);
+  add(inside, Eigen::Vector3d::Zero());
+  add(inside, {nan, 0, 0});
+  add(inside, {inf, 0, 0});
+  add(space.box.max() + Eigen::Vector3d(1e-9, 0, 0), up);
+  add({nan, 0, 0}, up);
+  add({1e300, 0, 0}, up);
+  const PointCounts counts = field.take(model, {});
+  EXPECT_EQ(counts.taken, 1U);
+  EXPECT_EQ(counts.useless, 3U);
+  EXPECT_EQ(counts.outside, 3U);
+  model.normals.clear();
+  EXPECT_EQ(field.take(model, {}).useless, 4U);
+}
+
+}  // namespace
+}  // namespace isotouch::stream
