@@ -11,9 +11,9 @@ using evaluate::FeltPlace;
 
 namespace {
 
-nlohmann::ordered_json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+nlohmann::ordered_json point_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-nlohmann::ordered_json to_json(const FeltFigures& figures) {
+nlohmann::ordered_json figures_json(const FeltFigures& figures) {
   return {{"direction_deg", quantiles_json(figures.errors.direction_deg)},
           {"force_n", quantiles_json(figures.errors.force_n)},
           {"contact_differs", figures.contact_differs},
@@ -27,14 +27,14 @@ nlohmann::ordered_json to_json(const FeltFigures& figures) {
           {"compared", figures.errors.direction_deg.count}};
 }
 
-nlohmann::ordered_json to_json(const FeltPlace& place) {
+nlohmann::ordered_json place_json(const FeltPlace& place) {
   return {{"kind", name_of(place.kind)},
           {"hand", place.hand},
           {"trace", place.from},
           {"tick", place.tick},
-          {"hip_mm", to_json(place.hip)},
-          {"god_object_mm", to_json(place.god)},
-          {"proxy_mm", to_json(place.proxy)},
+          {"hip_mm", point_json(place.hip)},
+          {"god_object_mm", point_json(place.god)},
+          {"proxy_mm", point_json(place.proxy)},
           {"direction_deg", place.direction_deg},
           {"force_n", place.force_n}};
 }
@@ -63,12 +63,12 @@ void print_worst(std::FILE* to, const char* what, const FeltPlace& place) {
 
 nlohmann::ordered_json felt_json(const evaluate::FeltComparison& comparison) {
   nlohmann::ordered_json kinds = nlohmann::ordered_json::object();
-  for (const auto& [kind, figures] : comparison.kinds) kinds[std::string(name_of(kind))] = to_json(figures);
+  for (const auto& [kind, figures] : comparison.kinds) kinds[std::string(name_of(kind))] = figures_json(figures);
   return {{"kinds", kinds},
-          {"all", to_json(comparison.all)},
+          {"all", figures_json(comparison.all)},
           {"wrong_side_mm", comparison.wrong_side_mm},
-          {"worst_direction", to_json(comparison.worst_direction)},
-          {"worst_force", to_json(comparison.worst_force)}};
+          {"worst_direction", place_json(comparison.worst_direction)},
+          {"worst_force", place_json(comparison.worst_force)}};
 }
 
 std::string words_of(const FeltPlace& place) {

@@ -90,7 +90,7 @@ bool has_invented(const DescribedField& field) { return field.whole && field.who
 
 double invented_share(const DescribedField& field) { return field_file::share_of(field.whole->invented, field.whole->view); }
 
-nlohmann::ordered_json to_json(const DescribedField& field, bool with_surface) {
+nlohmann::ordered_json field_json(const DescribedField& field, bool with_surface) {
   const FieldView& view = field.header;
   const encoding::Certificate promise = encoding::certificate_of(view);
   const nlohmann::ordered_json certificate = {{"largest_slope", promise.largest_slope},
@@ -184,9 +184,9 @@ void add_info(CLI::App& app) {
   command->callback([options] {
     const std::vector<std::uint8_t> file = read_file(options->field);
     const DescribedField field = field_file::describe_field(file, options->field.string(), options->surface);
-    if (!options->key.empty()) return print_field(to_json(field, options->surface), options->key);
+    if (!options->key.empty()) return print_field(field_json(field, options->surface), options->key);
     if (options->json) {
-      std::printf("%s\n", to_json(field, options->surface).dump(2).c_str());
+      std::printf("%s\n", field_json(field, options->surface).dump(2).c_str());
       return;
     }
     print_text(field);

@@ -86,7 +86,7 @@ double coverage(const cloud::TriangleMesh& mesh, const cloud::OrientedPoints& po
   return static_cast<double>(near) / kAsked;
 }
 
-nlohmann::ordered_json to_json(const evaluate::TouchReport& report) {
+nlohmann::ordered_json touch_json(const evaluate::TouchReport& report) {
   return {{"ticks", report.ticks},     {"free", report.free},     {"unfit", report.unfit},   {"weak", report.weak},
           {"touches", report.touches}, {"places", report.places}, {"points", report.points}, {"spacing_mm", report.spacing_mm}};
 }
@@ -103,7 +103,7 @@ void scan_trace(const ScanOptions& options) {
   const cloud::OrientedPoints points = evaluate::touch_points(trace, options.touch, report);
   cloud::write_ply(options.out, points, "isotouch scan of a trace, workspace mm");
   if (options.json) {
-    std::printf("%s\n", to_json(report).dump(2).c_str());
+    std::printf("%s\n", touch_json(report).dump(2).c_str());
   } else {
     print(options, report);
   }
@@ -126,7 +126,7 @@ void scan_mesh(const ScanOptions& options) {
   for (Eigen::Vector3d& position : points.positions) position = placement.to_cloud(position);
   cloud::write_ply(options.out, points, "isotouch scan of a mesh, in its frame, seed " + std::to_string(options.scan.seed));
   if (options.json) {
-    nlohmann::ordered_json json = to_json(report);
+    nlohmann::ordered_json json = touch_json(report);
     json["strokes"] = scan.strokes;
     json["deepest_mm"] = scan.deepest_mm;
     json["coverage"] = covered;

@@ -45,7 +45,7 @@ namespace fs = std::filesystem;
 constexpr double kCameraRate = 30;
 constexpr std::uint32_t kEnough = 16;  ///< points of a place: their mean has a quarter of the noise of one
 
-struct Options {
+struct StreamingOptions {
   std::vector<std::string> sources;
   fs::path mesh;
   evaluate::DepthCameraOptions camera;
@@ -60,7 +60,7 @@ struct Options {
   bool json = false;
 };
 
-enum class SourceKind { kFiles, kInput, kRecording, kController, kCamera };
+enum class FrameSource { kFiles, kInput, kRecording, kController, kCamera };
 
 bool is_address(const std::string& word) { return word.starts_with("unix:") || word.starts_with("ssh://"); }
 
@@ -72,27 +72,27 @@ bool is_recording(const fs::path& file) {
 }
 
 /// fails     CLI::ValidationError: sources that do not go together
-SourceKind kind_of(const Options& options) {
+FrameSource kind_of(const StreamingOptions& options) {
   const std::vector<std::string>& sources = options.sources;
   if (!options.mesh.empty()) {
     if (!sources.empty()) throw CLI::ValidationError("SOURCE", "the simulated camera is a source of its own; leave the others out");
-    return SourceKind::kCamera;
+    return FrameSource::kCamera;
   }
   if (sources.empty() || sources == std::vector<std::string>{"-"}) {
     if (isatty(STDIN_FILENO) != 0)
       throw CLI::ValidationError("SOURCE", "name files, a recording or a controller; frames on standard input come from a program");
-    return SourceKind::kInput;
+    return FrameSource::kInput;
   }
-  const auto single = [&](SourceKind kind, const char* what) {
+  const auto single = [&](FrameSource kind, const char* what) {
     if (sources.size() > 1) throw CLI::ValidationError("SOURCE", std::string(what) + " is a source of its own; leave the others out");
     return kind;
   };
   for (const std::string& source : sources) {
-    if (is_standard(source)) return single(SourceKind::kInput, "standard input");
-    if (is_address(source)) return single(SourceKind::kController, "a controller");
-    if (is_recording(source)) return single(SourceKind::kRecording, "a recording");
+    if (is_standard(source)) return single(FrameSource::kInput, "standard input");
+    if (is_address(source)) return single(FrameSource::kController, "a controller");
+    if (is_recording(source)) return single(FrameSource::kRecording, "a recording");
   }
-  return SourceKind::kFiles;
+  return FrameSource::kFiles;
 }
 
 /// What stays alive as long as a source.
@@ -102,7 +102,7 @@ struct Scene {
 };
 
 /// The object of the simulated camera, and a box with room for the camera's noise.
-stream::Source camera_source(Options& options, Scene& scene) {
+stream::Source camera_source(StreamingOptions& options, Scene& scene) {
   const cloud::TriangleMesh in_file = cloud::read_mesh(options.mesh);
   cloud::require_closed(in_file, options.mesh.string());
   Eigen::AlignedBox3d box;
@@ -117,23 +117,23 @@ stream::Source camera_source(Options& options, Scene& scene) {
   return stream::depth_camera(*scene.tree, space.placement, options.camera);
 }
 
-stream::Source source_of(SourceKind kind, Options& options, Scene& scene) {
+stream::Source source_of(FrameSource kind, StreamingOptions& options, Scene& scene) {
   const double rate = options.rate.value_or(kCameraRate);
-  if (kind == SourceKind::kRecording || kind == SourceKind::kController) {
+  if (kind == FrameSource::kRecording || kind == FrameSource::kController) {
     if (!options.units.empty()) throw CLI::ValidationError("--units", "touches are in workspace mm; leave it out");
     options.stream.space.stays = true;
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cloud::kFalconReach);
     if (!options.stream.box) options.stream.box = Eigen::AlignedBox3d(-reach, reach);
   }
   switch (kind) {
-    case SourceKind::kFiles: return stream::files({options.sources.begin(), options.sources.end()}, options.rate, options.sensor);
-    case SourceKind::kInput: return stream::standard_input(options.sensor);
-    case SourceKind::kRecording: return stream::recording(options.sources[0], rate, options.rate.has_value());
-    case SourceKind::kController:
+    case FrameSource::kFiles: return stream::files({options.sources.begin(), options.sources.end()}, options.rate, options.sensor);
+    case FrameSource::kInput: return stream::standard_input(options.sensor);
+    case FrameSource::kRecording: return stream::recording(options.sources[0], rate, options.rate.has_value());
+    case FrameSource::kController:
       if (options.sources[0] == options.stream.to)
         throw InputError(options.stream.to + ": the hand feels there what the stream has made; name another controller as the source");
       return stream::controller(options.sources[0], rate);
-    case SourceKind::kCamera: return camera_source(options, scene);
+    case FrameSource::kCamera: return camera_source(options, scene);
   }
   return {};
 }
@@ -182,7 +182,7 @@ void print_second(double now, std::uint64_t thinned, const stream::Tally& of, co
   std::fprintf(stderr, "\n");
 }
 
-void print_text(const stream::Stream& of, const Options& options, const std::string& field_hash) {
+void print_text(const stream::Stream& of, const StreamingOptions& options, const std::string& field_hash) {
   const stream::StreamReport& report = of.report();
   const stream::Tally& all = report.all;
   std::FILE* to = text_stream(options.out);
@@ -214,7 +214,7 @@ void write_packed(const fs::path& file, const FieldView& view) {
 }
 
 /// Writes the field as it is now, and reports.
-void close(stream::Stream& of, const Options& options) {
+void close(stream::Stream& of, const StreamingOptions& options) {
   const FieldView& view = of.whole().view;
   if (!options.out.empty()) write_packed(options.out, view);
   const std::string hash = trace::hash_text(view.hash());
@@ -228,7 +228,7 @@ void close(stream::Stream& of, const Options& options) {
 }
 
 /// Runs until the source ends, the time is over, or somebody wants an end.
-void work(stream::Stream& stream, stream::Inbox& inbox, const Options& options) {
+void work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& options) {
   const Interruption interruption;
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
@@ -246,8 +246,8 @@ void work(stream::Stream& stream, stream::Inbox& inbox, const Options& options) 
   }
 }
 
-void run(Options& options) {
-  const SourceKind kind = kind_of(options);
+void run(StreamingOptions& options) {
+  const FrameSource kind = kind_of(options);
   const field::ThreadLimit limit(options.threads);
   if (!options.units.empty()) options.stream.space.size.mm_per_unit = cloud::mm_per_unit(options.units);
   options.stream.space.size.fit_mm = options.fit_mm;
@@ -255,7 +255,7 @@ void run(Options& options) {
   if (options.keep_s) {
     options.stream.keep = std::chrono::duration_cast<stream::Clock::duration>(std::chrono::duration<double>(*options.keep_s));
   }
-  const bool waits = (kind == SourceKind::kFiles || kind == SourceKind::kRecording) && !options.rate;
+  const bool waits = (kind == FrameSource::kFiles || kind == FrameSource::kRecording) && !options.rate;
   options.stream.enough = options.enough.value_or(waits ? 0 : kEnough);
   if (!options.first.empty()) options.stream.on_first = [&options](const FieldView& view) { write_packed(options.first, view); };
   Scene scene;
@@ -284,7 +284,7 @@ void run(Options& options) {
 }  // namespace
 
 void add_stream(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StreamingOptions>();
   CLI::App* command = app.add_subcommand(
       "stream", "Let a field grow at a running controller while its object is scanned; Ctrl-C ends it, and the field stays");
   command->add_option("SOURCE", options->sources,
