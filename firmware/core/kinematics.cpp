@@ -123,6 +123,7 @@ Raw3 cross(const Raw3& a, const Raw3& b) {
 struct Inverse {
   std::array<Raw3, 3> columns;
   bool near_singular;
+  bool mirrored;  // beyond a singularity: the closures hold at another place than where the arms carry the grip
 };
 
 Inverse inverse_of(const Closures& legs) {
@@ -140,7 +141,7 @@ Inverse inverse_of(const Closures& legs) {
     const auto entry = [&](Narrow cofactor) { return static_cast<Narrow>(product(cofactor, mantissa) >> kFirstShift) >> shift; };
     return {entry(c[0]), entry(c[1]), entry(c[2])};
   };
-  return {{column(cofactors[0]), column(cofactors[1]), column(cofactors[2])}, size < kSmallestDeterminant};
+  return {{column(cofactors[0]), column(cofactors[1]), column(cofactors[2])}, size < kSmallestDeterminant, determinant >= 0};
 }
 
 /// Newton's step along an axis, no longer than kMaxStep: the sum's upper word tells, before anything is cut off.
@@ -195,7 +196,7 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
 
   const std::array<SquareMm, 3> levers = {lever_of(legs[0], arms[0], mechanism.arm), lever_of(legs[1], arms[1], mechanism.arm),
                                           lever_of(legs[2], arms[2], mechanism.arm)};
-  bool inside = true;
+  bool inside = !inverse.mirrored;
   for (std::size_t i = 0; i < 3; ++i) inside = inside && !legs[i].outside && levers[i] > SquareMm{};
   const bool confirmed = inside && is_short(step);
   state.confirmed = confirmed ? std::min<std::uint32_t>(state.confirmed + 1, 2) : 0;

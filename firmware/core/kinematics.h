@@ -7,6 +7,9 @@
 /// G is half the gradient of the closure, and J = G / d is the row ∂θ/∂p of the Jacobian. One inverse of the matrix of the three G therefore serves
 /// both: Newton's step on the closures and, with the levers d, the torques. No row has to be divided by its lever.
 ///
+/// The closures hold at up to two places that no movement of the arms connects. Between them the mechanism is singular, and the determinant of the three G
+/// changes its sign. It is negative in the whole workspace; the other place is none of the grip.
+///
 /// source    R. E. Stamper 1997, chapter 3; the z column with sinθ2·sinθ3 (his equation 4.12)
 #pragma once
 
@@ -68,7 +71,8 @@ struct PoseState {
 ///
 /// returns   where settled, HIP within 0.05 µm of the exact solution for |q| < 0.98 b and poses that are not nearly singular, 0.005 µm within 50 mm of
 ///           the workspace's centre; a hand of 1 mm a tick stays settled
-/// fails     never: outside the model (no solution, |q| beyond 0.99 b, an elbow turned in) it is not settled and begins again every 16 ticks
+/// fails     never: outside the model (no solution, |q| beyond 0.99 b, an elbow turned in, the determinant's other sign) it is not settled and begins
+///           again every 16 ticks
 /// tick      yes: constant cost, no division
 Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseState& state);
 

@@ -82,7 +82,8 @@ bool ArmGeometry::find_from(const Point& near, const std::array<std::int16_t, 3>
     const double far = length(move), part = far > kLongestStep ? kLongestStep / far : 1;
     if (!std::isfinite(far)) return false;
     if (far < kFound) {
-      if (!(reaches && levers[0] > 0 && levers[1] > 0 && levers[2] > 0)) return false;
+      const bool mirrored = determinant > 0;  // the closures hold, but a singularity lies between here and the middle
+      if (!(reaches && levers[0] > 0 && levers[1] > 0 && levers[2] > 0) || mirrored) return false;
       grip.at = at - origin_;
       for (std::size_t i = 0; i < 3; ++i) {
         grip.turns[i] = {gradients[i][0] / levers[i], gradients[i][1] / levers[i], gradients[i][2] / levers[i]};

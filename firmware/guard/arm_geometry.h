@@ -33,7 +33,7 @@ class ArmGeometry {
   /// counts    of the encoders
   /// near      where it looks first, mm, workspace frame; then it looks from the middle, from where every place of the workspace is found
   /// grip      changed only where it was found
-  /// returns   found, to 1 µm; false: no place that the arms reach, or the elbows point inwards
+  /// returns   found, to 1 µm; false: no place that the arms reach, the elbows point inwards, or a singularity lies between it and the workspace's middle
   bool find(const std::array<std::int16_t, 3>& counts, const Point& near, Grip& grip) const;
 
   /// By the principle of virtual work: the sum of each arm's torque times how it turns.

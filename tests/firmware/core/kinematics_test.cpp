@@ -210,6 +210,18 @@ TEST(Kinematics, AnglesThatNoGripHasAreNotTakenForAPose) {
   }
 }
 
+TEST(Kinematics, TheOtherPlaceWhereTheArmsMeetIsNotThatOfTheGrip) {
+  const DeviceModel device = libnifalcon_model();
+  const Mechanism mechanism = make_mechanism(device);
+  PoseState state;
+  state.hip = {Mm::of(27.6), Mm::of(-90.0),
+               Mm::of(139.0)};  // a solution of the closures, and there is a singularity between it and the middle
+  for (int t = 0; t < 100; ++t) {
+    const Pose pose = follow_pose(joint_angles({2336, 830, 816}, device), mechanism, state);
+    ASSERT_FALSE(pose.settled && pose.hip.z < Mm::of(150)) << t;
+  }
+}
+
 TEST(Kinematics, IsFoundAgainAfterItWasLost) {
   const DeviceModel model = libnifalcon_model();
   const Mechanism mechanism = make_mechanism(model);

@@ -52,6 +52,14 @@ TEST(ArmGeometry, ComputesTheForceOfCommands) {
   }
 }
 
+TEST(ArmGeometry, TheOtherPlaceWhereTheArmsMeetIsNotThatOfTheGrip) {
+  const ArmGeometry arms(libnifalcon_model());
+  Grip grip;
+  const Point beyond = {27.6, -90.0, 14.0};  // a solution of the closures, and there is a singularity between it and the middle
+  ASSERT_TRUE(arms.find({2340, 830, 816}, beyond, grip));
+  EXPECT_LT(length(grip.at - Point{20.5, -66.9, 33.3}), 0.5) << "by the inverse kinematics of that place";
+}
+
 TEST(ArmGeometry, FindsNoPlaceWhereTheArmsDoNotMeet) {
   const ArmGeometry arms(libnifalcon_model());
   Grip grip;
