@@ -62,20 +62,17 @@ class Walk {
         known = std::lower_bound(known, visited_.end(), Visited{key, false, 0});
         if (known == visited_.end() || known->key != key) unknown.push_back(key);
       }
-      std::vector<Look> looks(unknown.size());
+      std::vector<Look>& looks = looks_.emplace_back(unknown.size());
       in_parallel(unknown.size(), 16, [&](std::size_t begin, std::size_t end) {
         for (std::size_t n = begin; n < end; ++n) looks[n] = look_at(unknown[n]);
       });
       std::vector<Visited> seen;
-      std::vector<Key> next;
-      for (const auto& look : looks) {
+      front.clear();
+      for (const Look& look : looks) {
         seen.push_back(look.visited);
-        if (!look.visited.listed) continue;
-        bricks_.push_back(look.brick);
-        push_neighbours(look, next);
+        push_neighbours(look, front);
       }
       merge(seen);
-      front = std::move(next);
     }
   }
 
@@ -88,10 +85,11 @@ class Walk {
     forced.erase(std::unique(forced.begin(), forced.end()), forced.end());
     std::vector<Key> front;
     std::vector<Visited> seen;
+    std::vector<Look>& looks = looks_.emplace_back();
     for (const Key key : forced) {
       const auto known = std::lower_bound(visited_.begin(), visited_.end(), Visited{key, false, 0});
       const Look look = listed(key, *distance_.brick(cell_of(key), std::numeric_limits<double>::infinity()).samples, true);
-      bricks_.push_back(look.brick);
+      looks.push_back(look);
       if (known != visited_.end() && known->key == key)
         *known = look.visited;
       else
@@ -103,13 +101,17 @@ class Walk {
   }
 
   std::vector<Brick> bricks() const {
-    std::vector<std::pair<Key, std::size_t>> order;
-    order.reserve(bricks_.size());
-    for (std::size_t b = 0; b < bricks_.size(); ++b) order.emplace_back(key_of(bricks_[b].cell), b);
+    std::vector<std::pair<Key, const Brick*>> order;
+    order.reserve(visited_.size());
+    for (const std::vector<Look>& looks : looks_) {
+      for (const Look& look : looks) {
+        if (look.visited.listed) order.emplace_back(look.visited.key, &look.brick);
+      }
+    }
     std::sort(order.begin(), order.end());
     std::vector<Brick> sorted;
     sorted.reserve(order.size());
-    for (const auto& [key, b] : order) sorted.push_back(bricks_[b]);
+    for (const auto& [key, brick] : order) sorted.push_back(*brick);
     return sorted;
   }
 
@@ -117,7 +119,7 @@ class Walk {
   struct Look {
     Visited visited;
     Brick brick;             ///< when it is listed
-    std::uint8_t leads = 0;  ///< to which neighbours: bit 2 axis below, the next one above
+    std::uint8_t leads = 0;  ///< to which neighbours: bit 2 axis below, the next one above; none when it is not listed
   };
 
   Look look_at(Key key) const {
@@ -216,7 +218,8 @@ class Walk {
   Vector3i cells_;
   double band_;
   std::vector<Visited> visited_;  ///< sorted by key
-  std::vector<Brick> bricks_;     ///< in the order of finding
+  /// A brick stays where it was found until all are: one list that grows would copy them again and again.
+  std::vector<std::vector<Look>> looks_;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace isotouch::field {
 
 /// Signed distances of one brick, voxels.
 struct BrickDistances {
-  double middle = 0.0;                           ///< at its middle
+  double middle = 0.0;                           ///< at its middle, where there are no samples
   std::optional<std::array<float, 64>> samples;  ///< at its samples, x fastest; nothing when the middle is too far from the surface
   bool jumps = false;                            ///< towards its neighbours the distance may jump
 };
@@ -21,7 +21,7 @@ struct BrickDistances {
 /// A signed distance on a grid, voxels. Called from several threads at once.
 struct SampledDistance {
   std::function<double(const Eigen::Vector3d& index)> at;  ///< at a point in index coordinates
-  /// Of a brick; the samples only where the distance at its middle is within ±reach.
+  /// Of a brick; it may leave the samples out where the distance at its middle is beyond ±reach.
   std::function<BrickDistances(const Eigen::Vector3i& cell, double reach)> brick;
   double slope = 1.5;  ///< the distance changes by no more than this a voxel; a true distance by one, blended models by a little more
 };

@@ -11,6 +11,8 @@
 #include <span>
 #include <utility>
 
+#include "host/field/simd.h"
+
 namespace isotouch::field {
 
 namespace {
@@ -137,7 +139,8 @@ class NearestAndBeyond {
   Found found_;
 };
 
-/// Sorts some tens by counting how many are nearer than each: more comparisons, but hardly any that a processor has to foretell.
+/// Sorts some tens by counting how many are nearer than each: more comparisons, but hardly any that a processor has to foretell. They are compared as
+/// floats, four at once; what seems equal then is put in order at the end.
 void sort_few(std::span<const Neighbour> items, std::vector<Neighbour>& sorted) {
   constexpr std::size_t kFew = 80;
   if (items.size() > kFew) {
@@ -147,15 +150,15 @@ void sort_few(std::span<const Neighbour> items, std::vector<Neighbour>& sorted) 
   }
   constexpr double kFree = -1.0;
   sorted.assign(items.size(), {kFree, 0});
-  std::array<Two, kFew / 2 + 1> squares;
-  squares[items.size() / 2] = Two{} + std::numeric_limits<double>::max();
-  for (std::size_t i = 0; i < items.size(); ++i) squares[i / 2][i % 2] = items[i].squared_distance;
-  for (const Neighbour& item : items) {
-    decltype(Two{} < Two{}) nearer{};
-    for (std::size_t pair = 0; 2 * pair < items.size(); ++pair) nearer += squares[pair] < item.squared_distance;  // a true comparison is -1
-    auto place = static_cast<std::size_t>(-(nearer[0] + nearer[1]));
+  std::array<float, kFew + 3> squares;
+  for (std::size_t i = 0; i < items.size(); ++i) squares[i] = static_cast<float>(items[i].squared_distance);
+  std::fill_n(&squares[items.size()], 3, std::numeric_limits<float>::max());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    decltype(Four{} < Four{}) nearer{};
+    for (std::size_t four = 0; four < items.size(); four += 4) nearer += load(&squares[four]) < squares[i];  // a true comparison is -1
+    auto place = static_cast<std::size_t>(-(nearer[0] + nearer[1] + nearer[2] + nearer[3]));
     while (sorted[place].squared_distance != kFree) ++place;  // of equally near ones
-    sorted[place] = item;
+    sorted[place] = items[i];
   }
   for (std::size_t n = 1; n < sorted.size(); ++n) {
     for (std::size_t place = n; place > 0 && sorted[place] < sorted[place - 1]; --place) std::swap(sorted[place], sorted[place - 1]);

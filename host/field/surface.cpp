@@ -105,12 +105,17 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   scan_.tree().nearest_and_beyond(centre, kBlended + 1, 2.0 * kBrickReach, candidates);
   const auto nearest = std::span(candidates).first(std::min(kBlended + 1, candidates.size()));
   const bool doubtful = std::any_of(candidates.begin(), candidates.end(), [&](const Neighbour& c) { return level_.is_doubtful(c.index); });
-  BrickDistances result{blend(centre, nearest, false), {}};
-  const bool inside = result.middle < 0.0;
-  bool astray = !doubtful && contradicted(inside, centre, nearest);
-  if (astray || doubtful) result.middle = blend(centre, nearest, true);
-  if (doubtful) astray = (result.middle < 0.0) != inside;
-  if (std::abs(result.middle) > reach) return result;
+  BrickDistances result;
+  bool astray = false;
+  // Beside samples that explain each other the middle's distance would tell nothing that the places' own do not.
+  if (doubtful || in_doubt(nearest.front().squared_distance, nearest.back().squared_distance) || candidates.size() <= kBlended) {
+    const double free = blend(centre, nearest, false);
+    const bool inside = free < 0.0;
+    astray = !doubtful && contradicted(inside, centre, nearest);
+    result.middle = astray || doubtful ? blend(centre, nearest, true) : free;
+    if (doubtful) astray = (result.middle < 0.0) != inside;
+    if (std::abs(result.middle) > reach) return result;
+  }
 
   auto& samples = result.samples.emplace();
   if (candidates.size() <= kBlended) {
