@@ -52,7 +52,8 @@ class FaultBench final : public loop::Device {
 
   /// One tick with all that belongs to it; what it saw and said.
   const loop::TickRecord& tick();
-  void load(const std::vector<std::uint8_t>& image);
+  /// returns   loaded, by the next generation; false: the tick has not taken over the one before
+  bool load(const std::vector<std::uint8_t>& image);
   /// Ticks until the hand has pressed for a while; false: it never did.
   bool begin();
 

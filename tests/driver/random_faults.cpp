@@ -150,9 +150,9 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
   loop::TickRecord last;
   for (int t = 0; t < kTicksOfARun; ++t, ++run.ticks) {
     if (t == 100 || (t > 6000 && below(random, 4000) == 0)) {
-      field_of.push_back(t == 100 ? 0U : static_cast<std::size_t>(below(random, 2)));
-      const auto image = fields[field_of.back()].view.image;
-      bench->load({image.begin(), image.end()});
+      const std::size_t which = t == 100 ? 0U : static_cast<std::size_t>(below(random, 2));
+      const auto image = fields[which].view.image;
+      if (bench->load({image.begin(), image.end()})) field_of.push_back(which);
       run.faults += t == 100 ? 0U : 1U;
     }
     if (below(random, 700) == 0) bench->late_ns = static_cast<std::int64_t>(below(random, 8'000'000)), ++run.faults;
@@ -176,8 +176,12 @@ void run_once(Random& random, RandomRun& run, const Field (&fields)[2]) {
       const auto read = decode_record(encode(written));
       const bool has_field = read && read->input.field_generation != 0;
       const FieldView* field = has_field ? &fields[field_of[read->input.field_generation]].view : nullptr;
-      const bool same = read && core::tick(read->input, field, model, replayed) == read->output;
-      if (!same && run.broken.empty()) run.broken = "tick " + std::to_string(run.ticks) + " does not replay";
+      const Output again = read ? core::tick(read->input, field, model, replayed) : Output{};
+      if (!(read && again == read->output) && run.broken.empty()) {
+        loop::TickRecord other = record;
+        other.out = again;
+        run.broken = "tick " + std::to_string(run.ticks) + " does not replay: " + describe(record) + "; again " + describe(other);
+      }
     }
     const char* broken = judge.look(now, bench->last_left(), run.shown);
     if (broken != nullptr && run.broken.empty())
