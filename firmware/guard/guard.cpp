@@ -145,6 +145,7 @@ void Guard::place(const loop::Command& command, const Evidence& evidence, Memory
   if (!free && (!memory.near || (clear > 0 && !felt))) {  // it begins where the hand may be inside
     memory.near = true;
     memory.began = memory.last = hip;
+    memory.outside = clear > 0;
     memory.way = memory.step;
   } else if (const double moved = length(hip - memory.last); memory.near && moved > kStep) {
     memory.way += moved;
@@ -181,7 +182,8 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
   const double spring = std::min(stiffness * way + memory.risen, to_double(most.force_limit));
   if (strength > kForcePart * (spring + other)) return kStrong;
   const Point back = memory.began - memory.grip.at;
-  const double inwards = !memory.moved && memory.way < kPullWay && length(back) > kStep ? -dot(force, back) / length(back) : 0;
+  const double inwards =
+      memory.outside && !memory.moved && memory.way < kPullWay && length(back) > kStep ? -dot(force, back) / length(back) : 0;
   return inwards > stiffness * kPullSlack + kPullPart * strength + other ? kPull : kNone;
 }
 

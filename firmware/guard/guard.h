@@ -64,6 +64,7 @@ struct Memory {
   Point last{};                        ///< the HIP when its way was last added to
   double way = 0;                      ///< mm, of the HIP since then
   std::uint32_t surface = 0;           ///< of that field
+  bool outside = false;                ///< it began surely outside, so a true force points back there
   bool moved = false;                  ///< the surface has moved by itself since there may be contact
   double risen = 0, may_rise = 0;      ///< N, by which the spring may be stronger for that: now, and when the force has followed
 
