@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 
 #include "shared/falcon_packet.h"
 #include "shared/fault_names.h"
+#include "tests/support/device_bench.h"
 
 namespace isotouch::guard {
 namespace {
@@ -65,6 +67,54 @@ TEST_F(Samples, ACommandThatKnowsNoNewReplyIsStale) {
   hear();
   EXPECT_EQ(judge(old, true), GuardVerdict::kStale) << name_of(memory_.verdict);
 }
+
+/// A hand at a ball of 8 mm and 0.8 N/mm.
+class AtABall : public ::testing::Test {
+ protected:
+  /// A hand that is first seen at one distance from the middle, mm, and goes to another; there the commands push it outwards, N.
+  GuardVerdict push(double first, double then, double push) {
+    const double step = first < then ? 0.05 : -0.05;
+    for (int t = 0; t <= std::lround((then - first) / step); ++t) (void)tick_at(first + t * step, 0);
+    return tick_at(then, push);
+  }
+
+ private:
+  GuardVerdict tick_at(double r, double push) {
+    const core::Counts counts = bench_.counts_at(test::kCentre + test::Point{r, 0, 0});
+    guard_.hear(encode(FalconReply{counts, 0, 7}), now_ns_, memory_);
+    now_ns_ += kPeriod;
+    loop::Command command;
+    command.tick = ++tick_;
+    command.sample = tick_;
+    command.field_generation = 1;
+    command.falcon.flags = bench_.model.device.led_active;
+    const test::Angles angles = bench_.set.twin.angles_of(counts);
+    const test::Angles torques = bench_.set.twin.torques(*bench_.set.twin.forward(angles), angles, {push, 0, 0});
+    for (std::size_t i = 0; i < 3; ++i)
+      command.falcon.words[i] = static_cast<std::int16_t>(-torques[i] / bench_.set.twin.newton_mm_per_word);
+    Evidence evidence;
+    evidence.now_ns = now_ns_;
+    evidence.field = &test::ball().view();
+    evidence.surface = 1;
+    (void)guard_.judge(command, evidence, memory_);
+    return memory_.verdict;
+  }
+
+  test::DeviceBench bench_;
+  const Guard guard_{bench_.model.device, kPeriod};
+  Memory memory_;
+  std::int64_t now_ns_ = 1;
+  std::uint64_t tick_ = 0;
+};
+
+TEST_F(AtABall, AForceThatPushesAHandOutWhichWasFirstSeenInsideIsHonest) {
+  const GuardVerdict verdict = push(5, 7.4, 2.8);
+  EXPECT_EQ(verdict, GuardVerdict::kNone) << name_of(verdict);
+}
+
+TEST_F(AtABall, AForceThatPullsAHandInWhichCameFromOutsideIsStopped) { EXPECT_EQ(push(12, 7, -2.2), GuardVerdict::kPull); }
+
+TEST_F(AtABall, AForceThatPushesAHandOutWhichCameFromOutsideIsHonest) { EXPECT_EQ(push(12, 7, 2.2), GuardVerdict::kNone); }
 
 /// A field that the guard cannot look at explains any force; without a field, none is explained.
 class Fading : public Samples {
