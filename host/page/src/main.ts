@@ -44,6 +44,7 @@ class Page {
   private plottedAt = 0;
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
   private liveField: string | null = null;
+  private liveWords: Words[] = []; // may come before the view is made
   private opening = 0;
   private askedWords = -1;
   private askedWordsAt = 0;
@@ -82,12 +83,12 @@ class Page {
       case 'link':
         if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
         this.live.clear(); // nothing of a controller that is gone looks as if it were now
-        if (!message.there && this.source === 'live') this.words([]);
+        if (!message.there) this.sayLive([]);
         element('link').classList.toggle('bad', !message.there);
         say(element('link'), message.sentence);
         break;
       case 'state':
-        if (this.source === 'live') this.words([message]);
+        this.sayLive([message]);
         break;
       case 'status':
         this.liveField = message.status.field_hash;
@@ -199,7 +200,7 @@ class Page {
     this.plots.make(names);
     this.plots.now = null;
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
-    this.words([]);
+    this.words(source === 'live' ? this.liveWords : []);
     this.warnOfField();
     if (source === 'recording') void this.plotRecordings();
     this.changed();
@@ -313,6 +314,11 @@ class Page {
     const list = element('limits');
     list.replaceChildren(...limits.map((limit) => make('li', { textContent: limit })));
     list.hidden = limits.length === 0;
+  }
+
+  private sayLive(words: Words[]): void {
+    this.liveWords = words;
+    if (this.source === 'live') this.words(words);
   }
 
   private notice(sentence: string): void {
