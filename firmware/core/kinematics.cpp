@@ -123,7 +123,7 @@ Raw3 cross(const Raw3& a, const Raw3& b) {
 struct Inverse {
   std::array<Raw3, 3> columns;
   bool near_singular;
-  bool mirrored;  // beyond a singularity: the closures hold at another place than where the arms carry the grip
+  bool negative;  // the determinant
 };
 
 Inverse inverse_of(const Closures& legs) {
@@ -141,7 +141,7 @@ Inverse inverse_of(const Closures& legs) {
     const auto entry = [&](Narrow cofactor) { return static_cast<Narrow>(product(cofactor, mantissa) >> kFirstShift) >> shift; };
     return {entry(c[0]), entry(c[1]), entry(c[2])};
   };
-  return {{column(cofactors[0]), column(cofactors[1]), column(cofactors[2])}, size < kSmallestDeterminant, determinant >= 0};
+  return {{column(cofactors[0]), column(cofactors[1]), column(cofactors[2])}, size < kSmallestDeterminant, determinant < 0};
 }
 
 /// Newton's step along an axis, no longer than kMaxStep: the sum's upper word tells, before anything is cut off.
@@ -171,7 +171,13 @@ Mechanism make_mechanism(const DeviceModel& device) {
   m.tangential = offset(device.tangential);
   m.reach_across = mul<Mm>(device.rod, Ratio::of(0.99));
   m.rod_square = std::int64_t{device.rod.raw()} * device.rod.raw();
+  std::int64_t turned = 0;  // sum of the sines from leg to leg, below 2^62
   for (std::size_t i = 0; i < 3; ++i) m.azimuths[i] = sine_cosine(device.legs[i].azimuth);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const SineCosine &from = m.azimuths[i], &to = m.azimuths[(i + 1) % 3];
+    turned += product(from.cosine.raw(), to.sine.raw()) - product(from.sine.raw(), to.cosine.raw());
+  }
+  m.clockwise = turned < 0;
   return m;
 }
 
@@ -196,7 +202,7 @@ Pose follow_pose(const JointAngles& angles, const Mechanism& mechanism, PoseStat
 
   const std::array<SquareMm, 3> levers = {lever_of(legs[0], arms[0], mechanism.arm), lever_of(legs[1], arms[1], mechanism.arm),
                                           lever_of(legs[2], arms[2], mechanism.arm)};
-  bool inside = !inverse.mirrored;
+  bool inside = inverse.negative == mechanism.clockwise;
   for (std::size_t i = 0; i < 3; ++i) inside = inside && !legs[i].outside && levers[i] > SquareMm{};
   const bool confirmed = inside && is_short(step);
   state.confirmed = confirmed ? std::min<std::uint32_t>(state.confirmed + 1, 2) : 0;

@@ -7,8 +7,9 @@
 /// G is half the gradient of the closure, and J = G / d is the row ∂θ/∂p of the Jacobian. One inverse of the matrix of the three G therefore serves
 /// both: Newton's step on the closures and, with the levers d, the torques. No row has to be divided by its lever.
 ///
-/// The closures hold at up to two places that no movement of the arms connects. Between them the mechanism is singular, and the determinant of the three G
-/// changes its sign. It is negative in the whole workspace; the other place is none of the grip.
+/// The closures may hold at a second place, to which no movement of the arms leads: between them the mechanism is singular, and the determinant of the
+/// three G changes its sign. In the workspace it is negative for legs that follow each other
+/// from y towards x, as a Falcon's do. The other place is none of the grip.
 ///
 /// source    R. E. Stamper 1997, chapter 3; the z column with sinθ2·sinθ3 (his equation 4.12)
 #pragma once
@@ -36,6 +37,7 @@ struct Mechanism {
   Mm reach_across;              ///< |q| stays below 0.99 b
   std::int64_t rod_square = 0;  ///< b², mm², 40 fraction bits
   std::array<SineCosine, 3> azimuths{};
+  bool clockwise = false;  ///< legs 1, 2 and 3 follow each other from y towards x
 };
 
 /// tick      yes

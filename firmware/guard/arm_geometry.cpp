@@ -41,6 +41,9 @@ ArmGeometry::ArmGeometry(const DeviceModel& device)
     legs_[i].at_zero = radians(leg.at_zero.raw());
     legs_[i].per_count = radians(std::ldexp(leg.per_count.raw(), -AnglePerCount::kFractionBits));
   }
+  double turned = 0;  // by the sines from leg to leg
+  for (std::size_t i = 0; i < 3; ++i) turned += dot(legs_[i].across, legs_[(i + 1) % 3].outwards);
+  clockwise_ = turned < 0;
 }
 
 bool ArmGeometry::find(const std::array<std::int16_t, 3>& counts, const Point& near, Grip& grip) const {
@@ -82,7 +85,7 @@ bool ArmGeometry::find_from(const Point& near, const std::array<std::int16_t, 3>
     const double far = length(move), part = far > kLongestStep ? kLongestStep / far : 1;
     if (!std::isfinite(far)) return false;
     if (far < kFound) {
-      const bool mirrored = determinant > 0;  // the closures hold, but a singularity lies between here and the middle
+      const bool mirrored = (determinant < 0) != clockwise_;  // the closures hold, but a singularity lies between here and the middle
       if (!(reaches && levers[0] > 0 && levers[1] > 0 && levers[2] > 0) || mirrored) return false;
       grip.at = at - origin_;
       for (std::size_t i = 0; i < 3; ++i) {

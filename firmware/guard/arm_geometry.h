@@ -53,6 +53,7 @@ class ArmGeometry {
   };
 
   std::array<Leg, 3> legs_{};
+  bool clockwise_ = false;                          // the legs follow each other from y towards x
   double arm_, rod_, joint_, radial_, tangential_;  // mm
   double torque_;                                   // N mm, of one unit of a command
   Point origin_{};                                  // of the workspace, mm, device frame

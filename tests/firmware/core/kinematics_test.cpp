@@ -214,12 +214,21 @@ TEST(Kinematics, TheOtherPlaceWhereTheArmsMeetIsNotThatOfTheGrip) {
   const DeviceModel device = libnifalcon_model();
   const Mechanism mechanism = make_mechanism(device);
   PoseState state;
-  state.hip = {Mm::of(27.6), Mm::of(-90.0),
-               Mm::of(139.0)};  // a solution of the closures, and there is a singularity between it and the middle
+  // A solution of the closures, and there is a singularity between it and the middle.
+  state.hip = {Mm::of(27.6), Mm::of(-90.0), Mm::of(139.0)};
   for (int t = 0; t < 100; ++t) {
     const Pose pose = follow_pose(joint_angles({2336, 830, 816}, device), mechanism, state);
     ASSERT_FALSE(pose.settled && pose.hip.z < Mm::of(150)) << t;
   }
+}
+
+TEST(Kinematics, LegsMayBeNumberedTheOtherWayRound) {
+  DeviceModel device = libnifalcon_model();
+  const auto expected = cold({373, -798, 613}, device);
+  std::swap(device.legs[1], device.legs[2]);
+  const auto found = cold({373, 613, -798}, device);
+  ASSERT_TRUE(expected && found);
+  EXPECT_LT(test::length(mm(found->hip) - mm(expected->hip)), 1e-6);
 }
 
 TEST(Kinematics, IsFoundAgainAfterItWasLost) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/support/falcon_twin.h"
 #include "tests/support/random.h"
 
@@ -58,6 +60,15 @@ TEST(ArmGeometry, TheOtherPlaceWhereTheArmsMeetIsNotThatOfTheGrip) {
   const Point beyond = {27.6, -90.0, 14.0};  // a solution of the closures, and there is a singularity between it and the middle
   ASSERT_TRUE(arms.find({2340, 830, 816}, beyond, grip));
   EXPECT_LT(length(grip.at - Point{20.5, -66.9, 33.3}), 0.5) << "by the inverse kinematics of that place";
+}
+
+TEST(ArmGeometry, LegsMayBeNumberedTheOtherWayRound) {
+  DeviceModel device = libnifalcon_model();
+  Grip expected, found;
+  ASSERT_TRUE(ArmGeometry(device).find({373, -798, 613}, {}, expected));
+  std::swap(device.legs[1], device.legs[2]);
+  ASSERT_TRUE(ArmGeometry(device).find({373, 613, -798}, {}, found));
+  EXPECT_LT(length(found.at - expected.at), 2e-3);
 }
 
 TEST(ArmGeometry, FindsNoPlaceWhereTheArmsDoNotMeet) {
