@@ -10,11 +10,15 @@
 
 namespace isotouch::commands {
 
-/// --to ADDRESS, required.
-inline void add_address(CLI::App& command, std::string& address) {
-  command.add_option("--to", address, "the controller: unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]")
-      ->required();
+/// --to ADDRESS, of a controller that may be named.
+///
+/// what      before its two forms
+inline CLI::Option* add_optional_address(CLI::App& command, std::string& address, const std::string& what = "the controller: ") {
+  return command.add_option("--to", address, what + "unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]");
 }
+
+/// The same, required.
+inline void add_address(CLI::App& command, std::string& address) { add_optional_address(command, address)->required(); }
 
 using files::state_name;
 using link::degrees_of;

@@ -26,6 +26,7 @@
 #include "host/field/scan_field.h"
 #include "host/field/scan_voxel.h"
 #include "host/files/whole_file.h"
+#include "host/live/face_sensor.h"
 #include "host/live/live_field.h"
 #include "host/live/space.h"
 #include "host/published/build.h"
@@ -103,11 +104,7 @@ Made from_live_points(const cloud::SourceFile& source, const BuildOptions& optio
                                        : ": its points have no normals, which the live method takes as they are; leave --method out"));
   }
   progress.begin("live");
-  std::optional<Eigen::Vector3d> viewpoint = options.sensor.viewpoint;
-  if (!viewpoint && read.edges) viewpoint = read.viewpoint;
-  for (std::size_t i = 0; viewpoint && i < points.size(); ++i) {
-    if (points.normals[i].dot(*viewpoint - points.positions[i]) < 0.0) points.normals[i] = -points.normals[i];
-  }
+  live::face_sensor({options.sensor.viewpoint, read.viewpoint, read.edges.has_value()}, points.positions, points.normals);
   report.format = read.format;
   report.points = read.points;
   report.warnings = read.warnings();

@@ -292,8 +292,7 @@ void add_stream(CLI::App& app) {
                       "whose hand feels an object (unix:PATH or ssh://user@host); '-' or nothing: frames on standard input");
   CLI::Option* mesh =
       command->add_option("--camera", options->mesh, "instead of a SOURCE: a simulated depth camera that goes round this closed mesh");
-  CLI::Option* to = command->add_option("--to", options->stream.to,
-                                        "the controller: unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]");
+  CLI::Option* to = add_optional_address(*command, options->stream.to);
   add_output(*command, "-o,--out", options->out, {&forms::kField}, "also write the field as it is at the end");
   add_output(*command, "--first", options->first, {&forms::kField},
              "also write the field that is uploaded first: a recording that the controller began before it replays on it");

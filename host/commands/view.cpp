@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/board_commands/controller_options.h"
 #include "host/board_commands/output.h"
 #include "host/commands/build_json.h"
 #include "host/commands/built_field.h"
@@ -135,8 +136,7 @@ void add_view(CLI::App& app) {
   command->add_option("FILE", options->files,
                       "a field (.itf), or a scan, a mesh or a level set, from which a field is built first; and up to two recordings "
                       "(.trace). Without any, drop a scan on the page");
-  command->add_option("--to", options->to,
-                      "also show a running controller: unix:PATH of its socket, or ssh://user@host[:port][/path of the socket]");
+  add_optional_address(*command, options->to, "also show a running controller: ");
   command->add_option("--port", options->port, "the port of 127.0.0.1 to use; by default any that is free");
   command->add_option("--viewers", options->viewers, "how many pages may be open at a time")
       ->check(CLI::Range(1, 100))

@@ -5,6 +5,7 @@
 
 #include "host/error.h"
 #include "host/field_file/packed.h"
+#include "host/live/face_sensor.h"
 
 namespace isotouch::stream {
 
@@ -13,12 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 
 double ms_since(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
-
-void turn_towards(const Eigen::Vector3d& viewpoint, cloud::Model& model) {
-  for (std::size_t i = 0; i < model.normals.size(); ++i) {
-    if (model.normals[i].dot(viewpoint - model.positions[i]) < 0.0) model.normals[i] = -model.normals[i];
-  }
-}
 
 /// The box of a scan whose first frame shows a part of it: the frame's own and half of its longest side more on each side.
 ///
@@ -78,11 +73,7 @@ void Stream::work_on(const Frame& frame) {
       ++tally->unoriented;
     }
   }
-  if (options_.viewpoint) {
-    turn_towards(*options_.viewpoint, model);
-  } else if (model.edges && model.viewpoint) {
-    turn_towards(*model.viewpoint, model);
-  }
+  live::face_sensor({options_.viewpoint, model.viewpoint, model.edges.has_value()}, model.positions, model.normals);
   report_.read_ms.add(ms_since(begin));
   if (!field_ && !this->begin(model)) return;
   const Clock::time_point grows = Clock::now();
