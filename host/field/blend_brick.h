@@ -30,7 +30,7 @@ class BrickBlend {
 
   /// Places that lie far from every sample, one bit each; and those of them where the models see a surface that no sample is near to.
   struct Doubt {
-    double beyond = kDoubt;  ///< what far is: share of the nearest nine's spread; told to the blend
+    double beyond = kDoubt.share;  ///< what far is: share of the nearest nine's spread; told to the blend
     std::uint64_t far = 0, suspect = 0;
   };
 

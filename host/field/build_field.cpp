@@ -127,7 +127,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
   const bool whole = measured >= points.size();  // the walls and the back of a scan of one side are invented, and so is what they enclose
   const double noise_voxels = whole && noise > kNoisy * grid.edge * described.scan->median_spacing() ? noise / grid.edge : 0.0;
-  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, noise_voxels);
+  std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, noise_voxels, whole ? kDoubt : kDoubtOfSheet);
   AdaptiveSamples closed;
   if (whole) {  // a scan of one side got walls at its rims already
     if (const cloud::OrientedPoints skins = hole_samples(*described.scan, *model); skins.size() > 0) {

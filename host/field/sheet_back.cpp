@@ -8,6 +8,10 @@
 #include <limits>
 #include <vector>
 
+#include "host/field/behind_occlusions.h"
+#include "host/field/default_grid.h"
+#include "host/field/front_view.h"
+
 namespace isotouch::field {
 
 namespace {
@@ -20,7 +24,6 @@ constexpr int kFilled = 2;         // cells: gaps up to twice as wide are filled
 constexpr double kSideways = 0.5;  // length of a rim normal's part across the front, from which on the wall follows it
 constexpr double kBeyond = 2.5;    // spacings from the last sample to a wall that does not follow it
 constexpr int kMargin = kFilled + 2;
-constexpr int kMaxCells = 2048;  // along a side
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 /// A flag a cell of a picture seen from the front.
@@ -53,46 +56,15 @@ Mask spread(const Mask& mask, int reach, std::uint8_t value) {
   return result;
 }
 
-/// What the scan looks like from its front.
-class FrontView {
- public:
-  FrontView(const Scan& scan, const Vector3d& front, double cell)
-      : scan_(scan), front_(front), u_(front.unitOrthogonal()), v_(front.cross(u_)) {
-    low_ = Vector2d::Constant(std::numeric_limits<double>::infinity());
-    Vector2d high = -low_;
-    for (const Vector3d& p : scan.positions()) {
-      low_ = low_.cwiseMin(flat(p));
-      high = high.cwiseMax(flat(p));
-    }
-    cell_ = std::max(cell, (high - low_).maxCoeff() / kMaxCells);
-    low_.array() -= kMargin * cell_;
-    const Vector2d cells = ((high - low_) / cell_).array().floor();
-    size_ = cells.cast<int>() + Vector2i::Constant(kMargin + 1);
+/// Cells that hold samples.
+Mask seen_cells(const Scan& scan, const FrontView& view) {
+  Mask mask(view.size());
+  for (const Vector3d& p : scan.positions()) {
+    const Vector2i c = view.cell_of(p);
+    mask.cells[mask.at(c.x(), c.y())] = 1;
   }
-
-  Vector2d flat(const Vector3d& p) const { return {u_.dot(p), v_.dot(p)}; }
-  Vector3d solid(const Vector2d& q, double height) const { return q.x() * u_ + q.y() * v_ + height * front_; }
-  Vector2i cell_of(const Vector3d& p) const { return ((flat(p) - low_) / cell_).array().floor().cast<int>(); }
-  Vector2d middle(int x, int y) const { return low_ + cell_ * Vector2d(x + 0.5, y + 0.5); }
-  double cell() const { return cell_; }
-  const Vector2i& size() const { return size_; }
-
-  Mask seen() const {
-    Mask mask(size_);
-    for (const Vector3d& p : scan_.positions()) {
-      const Vector2i c = cell_of(p);
-      mask.cells[mask.at(c.x(), c.y())] = 1;
-    }
-    return mask;
-  }
-
- private:
-  const Scan& scan_;
-  Vector3d front_, u_, v_;
-  Vector2d low_;
-  Vector2i size_;
-  double cell_ = 0;
-};
+  return mask;
+}
 
 /// Fills the holes of the body whose rim looks to the front: nobody saw through them, they were missed.
 void fill_missed(Mask& body, const Mask& seen, const std::vector<double>& facing) {
@@ -139,8 +111,8 @@ void fill_missed(Mask& body, const Mask& seen, const std::vector<double>& facing
 
 cloud::OrientedPoints sheet_back(const Scan& scan, const Vector3d& front) {
   const double spacing = scan.median_spacing() / 1.4;  // to the sixth neighbour it is that much farther than to the first
-  const FrontView view(scan, front, spacing);
-  const Mask seen = view.seen();
+  const FrontView view(scan.positions(), front, spacing, kMargin);
+  const Mask seen = seen_cells(scan, view);
   Mask body = spread(spread(seen, kFilled, 1), kFilled, 0);
   for (std::size_t c = 0; c < body.cells.size(); ++c) body.cells[c] |= seen.cells[c];
 
@@ -218,6 +190,7 @@ cloud::OrientedPoints sheet_back(const Scan& scan, const Vector3d& front) {
         add(view.solid(foot, height), normal);
     }
   }
+  invented.append(behind_occlusions(scan, view, spacing, (high - low).maxCoeff() / kCoarseGrid));
   if (!scan.stiffness().empty()) {
     const double softest = *std::min_element(scan.stiffness().begin(), scan.stiffness().end());
     invented.stiffness.assign(invented.size(), softest);

@@ -11,6 +11,7 @@
 #include "host/cloud/placement.h"
 #include "host/error.h"
 #include "host/field/filtered_normals.h"
+#include "host/field/line_of_sight.h"
 #include "host/field/normal_voting.h"
 #include "host/field/open_rim.h"
 #include "host/field/orientation.h"
@@ -213,7 +214,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.measured = scan->size();
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
   if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {
-    const OrientedPoints back = sheet_back(*scan, facing.front);
+    const OrientedPoints back = sheet_back(*scan, line_of_sight(*scan, facing.front));
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(result.points.positions, back.positions);
     append(result.points.normals, back.normals);

@@ -25,11 +25,11 @@ const double kBrickReach = 1.5 * std::sqrt(3.0);
 
 }  // namespace
 
-Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise)
+Surface::Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise, const Doubt& doubt)
     : scan_(scan),
       closing_(closing),
       noisy_(noise > 0.0),
-      enclosure_(scan, noise),
+      enclosure_(scan, noise, doubt),
       balls_(empty_balls(scan)),
       models_(std::move(models)),
       level_(scan, noisy_ ? std::vector<std::uint8_t>(scan.size(), 1) : doubtful_samples(scan, models_), enclosure_),
@@ -68,7 +68,7 @@ double Surface::distance(const Eigen::Vector3d& x) const {
 
 bool Surface::contradicted(bool inside, const Eigen::Vector3d& x, std::span<const Neighbour> nearest) const {
   const double border = nearest[std::min(kBlended, nearest.size() - 1)].squared_distance;
-  if (!in_doubt(nearest.front().squared_distance, border)) return false;
+  if (!enclosure_.in_doubt(nearest.front().squared_distance, border)) return false;
   std::size_t behind = 0;
   for (const Neighbour& sample : nearest) behind += scan_.normals()[sample.index].dot(x - scan_.positions()[sample.index]) < 0.0 ? 1U : 0U;
   return (2 * behind > nearest.size()) != inside;
@@ -108,7 +108,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
   BrickDistances result;
   bool astray = false;
   // Beside samples that explain each other the middle's distance would tell nothing that the places' own do not.
-  if (doubtful || in_doubt(nearest.front().squared_distance, nearest.back().squared_distance) || candidates.size() <= kBlended) {
+  if (doubtful || enclosure_.in_doubt(nearest.front().squared_distance, nearest.back().squared_distance) || candidates.size() <= kBlended) {
     const double free = blend(centre, nearest, false);
     const bool inside = free < 0.0;
     astray = !doubtful && contradicted(inside, centre, nearest);
@@ -122,7 +122,7 @@ BrickDistances Surface::brick(const Eigen::Vector3d& first, double reach) const 
     for (std::size_t s = 0; s < samples.size(); ++s) samples[s] = static_cast<float>(distance(place(first, s)));
     return result;
   }
-  BrickBlend::Doubt doubt{doubtful ? kFarInDoubt : kDoubt};
+  BrickBlend::Doubt doubt{doubtful ? kFarInDoubt : enclosure_.doubt().share};
   samples = brick_(first, candidates, doubt);
   if (doubtful) {
     // In noise every place; otherwise, as that costs time, all of a brick or none.

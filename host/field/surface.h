@@ -37,8 +37,8 @@ class Surface {
   /// closing   the body ends where this box ends
   explicit Surface(const Scan& scan, const Box& closing = kEverywhere) : Surface(scan, local_models(scan), closing) {}
   /// models    one a sample
-  /// noise     as for `WindingSign`; above 0, all samples are doubtful
-  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise = 0.0);
+  /// noise     as for `WindingSign`, as is `doubt`; above 0, all samples are doubtful
+  Surface(const Scan& scan, std::vector<LocalModel> models, const Box& closing, double noise = 0.0, const Doubt& doubt = kDoubt);
 
   /// Signed distance in the points' unit, negative inside; conservative: it does not overestimate the way to the surface beyond the blend's
   /// error.

@@ -115,7 +115,7 @@ std::vector<double> sample_areas(const Scan& scan) {
   return areas;
 }
 
-WindingSign::WindingSign(const Scan& scan, double noise) : noise_(noise), areas_(sample_areas(scan)) {
+WindingSign::WindingSign(const Scan& scan, double noise, const Doubt& doubt) : noise_(noise), doubt_(doubt), areas_(sample_areas(scan)) {
   samples_.reserve(scan.size());
   for (std::size_t i = 0; i < scan.size(); ++i) samples_.push_back({scan.positions()[i], areas_[i] * scan.normals()[i]});
   nodes_.reserve(scan.size());
@@ -181,10 +181,10 @@ double WindingSign::operator()(const Vector3d& place) const {
 }
 
 double signed_by_winding(double distance, const Vector3d& place, double nearest, double ninth, const WindingSign& enclosure) {
-  if (!in_doubt(nearest, ninth)) return distance;
+  if (!enclosure.in_doubt(nearest, ninth)) return distance;
   const double way = std::sqrt(nearest);
   const double guess = way * (1.0 - 2.0 * enclosure(place));
-  const double slack = std::max(kDoubt * (ninth - nearest) / way, kBend * way);
+  const double slack = std::max(enclosure.doubt().beyond(ninth - nearest) / way, kBend * way);
   if (guess > slack) return std::max(distance, guess - slack);
   if (guess < -slack) return std::min(distance, guess + slack);
   return distance;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,15 +19,24 @@ namespace isotouch::field {
 /// The area that each sample stands for: its cell among its neighbours on its tangent plane, as far as the neighbours' spacing reaches.
 std::vector<double> sample_areas(const Scan& scan);
 
-/// Share of the nearest nine's spread beyond which the number counts. At 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out
-/// by two voxels: where few samples lie, the number is not sharper than that.
-inline constexpr double kDoubt = 0.25;
+/// How far from the samples the number counts, as a squared distance to the nearest.
+struct Doubt {
+  double share;  ///< of the nearest nine's spread
+  double least;  ///< square of the scan's unit
+
+  constexpr double beyond(double spread) const { return std::max(share * spread, least); }
+};
+/// At a share of 0.2 the rim of a thin plate loses its edge, at 0.3 the tips of toes stand out by two voxels: where few samples lie, the number is not
+/// sharper than that.
+inline constexpr Doubt kDoubt{0.25, 0.0};
+/// In a scan of one side what is hidden counts for enclosed, right up to the surface beside it that was seen. In voxels.
+inline constexpr Doubt kDoubtOfSheet{0.5, 3.0};
 
 class WindingSign {
  public:
   /// scan      at least 1 sample; normals outward
   /// noise     standard deviation of the samples across the surface, the scan's unit
-  explicit WindingSign(const Scan& scan, double noise = 0.0);
+  explicit WindingSign(const Scan& scan, double noise = 0.0, const Doubt& doubt = kDoubt);
 
   /// The area that a sample stands for, square of the scan's unit.
   double area(std::size_t sample) const { return areas_[sample]; }
@@ -36,8 +46,12 @@ class WindingSign {
   /// The winding number, to a tenth at one spacing from the samples or more; nearer it is smoothed.
   double operator()(const Eigen::Vector3d& place) const;
 
-  /// As it was given.
+  /// As they were given.
   double noise() const { return noise_; }
+  const Doubt& doubt() const { return doubt_; }
+
+  /// Is a place so far from the samples that the number counts? Squared distances to the nearest sample and to the ninth.
+  bool in_doubt(double nearest, double ninth) const { return nearest > doubt_.beyond(ninth - nearest); }
 
  private:
   struct Dipole {
@@ -53,6 +67,7 @@ class WindingSign {
   void add_node(std::uint32_t first, std::uint32_t count);
 
   double noise_;
+  Doubt doubt_;
   std::vector<double> areas_;
   std::vector<Dipole> samples_;
   std::vector<double> softening_;  ///< of a sample, squared
@@ -64,7 +79,6 @@ class WindingSign {
 /// say, and its distance from one half stands for the way to the surface.
 ///
 /// nearest, ninth   squared distances to the nearest sample and to the ninth
-inline bool in_doubt(double nearest, double ninth) { return nearest > kDoubt * (ninth - nearest); }
 double signed_by_winding(double distance, const Eigen::Vector3d& place, double nearest, double ninth, const WindingSign& enclosure);
 
 }  // namespace isotouch::field

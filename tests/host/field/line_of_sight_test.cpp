@@ -1,0 +1,57 @@
+#include "host/field/line_of_sight.h"
+
+#include <gtest/gtest.h>
+
+#include "host/angle.h"
+#include "host/cloud/random.h"
+#include "host/cloud/shapes.h"
+#include "host/field/orientation.h"
+
+namespace isotouch::field {
+namespace {
+
+using cloud::OrientedPoints;
+using Eigen::Vector3d;
+
+const Vector3d kEye = Vector3d(2, 3, 6) / 7;
+
+/// What of a shape looks at an eye far away; most of its normals look elsewhere.
+OrientedPoints half_of(const char* shape, const Vector3d& eye) {
+  const OrientedPoints whole = cloud::sample_shape(cloud::shape(shape), 4000);
+  OrientedPoints seen;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.normals[i].dot(eye) < 0.1) continue;
+    seen.positions.push_back(whole.positions[i]);
+    seen.normals.push_back(whole.normals[i]);
+  }
+  return seen;
+}
+
+TEST(LineOfSight, IsWhereAllNormalsLook) {
+  for (const char* name : {"sphere", "torus", "hydrant", "jaguar", "owl"}) {
+    const Scan scan(half_of(name, kEye));
+    EXPECT_LT(angle_deg(line_of_sight(scan, facing(scan).front), kEye), 4.0) << name;
+  }
+  const Scan torus(half_of("torus", kEye));
+  EXPECT_GT(angle_deg(facing(torus).front, kEye), 8.0);  // the mean normal is elsewhere
+}
+
+TEST(LineOfSight, HardlyHearsFewWrongNormals) {
+  OrientedPoints points = half_of("torus", kEye);
+  for (std::size_t i = 0; i < points.size(); i += 250) points.normals[i] = -points.normals[i];
+  const Scan scan(points);
+  EXPECT_LT(angle_deg(line_of_sight(scan, facing(scan).front), kEye), 4.0);
+}
+
+TEST(LineOfSight, StaysWhereNormalsLeaveAChoice) {
+  OrientedPoints sheet;
+  cloud::Random random(1);
+  for (int i = 0; i < 500; ++i) {
+    sheet.positions.emplace_back(random.uniform(-20, 20), random.uniform(-20, 20), 0.0);
+    sheet.normals.push_back(Vector3d::UnitZ());
+  }
+  EXPECT_EQ(line_of_sight(Scan(sheet), Vector3d::UnitZ()), Vector3d::UnitZ());
+}
+
+}  // namespace
+}  // namespace isotouch::field
