@@ -40,6 +40,7 @@ enum class Kind : std::uint8_t {
   kFields,       ///< nothing → kFieldList
   kSelect,       ///< Select → kAccepted, once the field is active
   kBeginPatch,   ///< BeginPatch → kDone; then as after kBegin
+  kReadImage,    ///< ReadImage → kImagePart
   kDevice = 20,  ///< nothing → kDeviceReport
   kPosture,      ///< nothing → kPostureReport, after a second in which the hand held still without any force
   kCalibrate,    ///< Calibrate → kDone, once it is kept
@@ -53,6 +54,7 @@ enum class Kind : std::uint8_t {
   kHistogramReport,
   kRecording,
   kFieldList,
+  kImagePart,
   kDeviceReport = 140,
   kPostureReport,
   kWorstTicks,

@@ -119,6 +119,21 @@ struct Chunk {
   static void fields(auto& m, auto& use) { use(m.offset), use(m.bytes); }
 };
 
+struct ReadImage {
+  std::uint64_t offset =
+      0;  ///< of the first byte that is wanted; 0: of the field that is felt now, else of the field whose first part was read
+  std::uint32_t bytes = 0;  ///< that are wanted, 1 to kMaxChunk
+  static void fields(auto& m, auto& use) { use(m.offset), use(m.bytes); }
+};
+
+struct ImagePart {
+  std::uint64_t image_hash = 0;
+  std::uint64_t image_bytes = 0;  ///< of the whole image
+  std::uint64_t offset = 0;
+  std::span<const std::uint8_t> bytes;  ///< as many as were wanted, or the last ones
+  static void fields(auto& m, auto& use) { use(m.image_hash), use(m.image_bytes), use(m.offset), use(m.bytes); }
+};
+
 struct Accepted {
   std::uint64_t image_hash = 0;
   std::uint32_t generation = 0;  ///< of the field, as a trace's inputs tell it

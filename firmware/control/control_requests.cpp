@@ -37,6 +37,7 @@ ControlRequests::ControlRequests(const TraceHeader& recordings, const ControlNei
       feed_(neighbours.ring, recordings_, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
       upload_(neighbours.fields, patience_ns),
+      reader_(neighbours.fields),
       scratch_(std::max(kHistogramScratch, protocol::kMaxBody)) {}
 
 bool ControlRequests::go_on() {
@@ -49,6 +50,7 @@ bool ControlRequests::go_on() {
 
 void ControlRequests::forget(const ControlClient& client) {
   upload_.drop(client);
+  reader_.drop(client);
   if (awaiting_ == &client) awaiting_ = nullptr;
   if (measuring_ == &client) measuring_ = nullptr;
 }
@@ -56,7 +58,8 @@ void ControlRequests::forget(const ControlClient& client) {
 /// What the field worker would do, or what touches its memory, comes after what it does now.
 bool ControlRequests::must_wait(const protocol::Frame& frame) const {
   const bool needs_worker = frame.kind == Kind::kBegin || frame.kind == Kind::kBeginPatch || frame.kind == Kind::kCommit ||
-                            frame.kind == Kind::kFields || frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate;
+                            frame.kind == Kind::kFields || frame.kind == Kind::kSelect || frame.kind == Kind::kCalibrate ||
+                            frame.kind == Kind::kReadImage;
   return needs_worker && !worker_.is_idle();
 }
 
@@ -122,6 +125,10 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       field.image_hash = wanted->image_hash;
       return start_work(client, FieldWork::Kind::kSelect, field);
     }
+    case Kind::kReadImage: {
+      const auto wanted = protocol::decode<protocol::ReadImage>(frame.body);
+      return wanted ? read_image(client, *wanted) : malformed();
+    }
     case Kind::kDevice:
       if (neighbours_.calibration == nullptr) return client.refuse(frame.kind, kNothingToCalibrate);
       return client.say(Kind::kDeviceReport, neighbours_.calibration->report());
@@ -167,6 +174,15 @@ void ControlRequests::commit(ControlClient& client) {
   start_work(client, is_patch ? FieldWork::Kind::kPatch : FieldWork::Kind::kAccept, promised);
 }
 
+/// The first part waits for a copy of the image.
+void ControlRequests::read_image(ControlClient& client, const protocol::ReadImage& wanted) {
+  const std::int64_t now = neighbours_.clock.now_ns();
+  if (const Refusal refusal = wanted.offset == 0 ? reader_.begin(client, wanted, now) : reader_.go_on(client, wanted, now))
+    return client.refuse(Kind::kReadImage, refusal.sentence());
+  if (wanted.offset == 0) return start_work(client, FieldWork::Kind::kCopy, {});
+  client.say(Kind::kImagePart, reader_.part());
+}
+
 void ControlRequests::start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field) {
   // A stored field is read to where an upload is put together.
   if (kind == FieldWork::Kind::kSelect && upload_.is_under_way()) return client.refuse(Kind::kSelect, kSomebodySends);
@@ -183,6 +199,11 @@ void ControlRequests::finish_work() {
   if (client == nullptr) return;
   client->waiting = false;
   if (done->kind == FieldWork::Kind::kCalibrate) return done_or_refused(*client, Kind::kCalibrate, done->outcome.refusal);
+  if (done->kind == FieldWork::Kind::kCopy) {
+    if (!done->outcome.refusal) return client->say(Kind::kImagePart, reader_.part());
+    reader_.drop(*client);
+    return client->refuse(Kind::kReadImage, done->outcome.refusal.sentence());
+  }
   if (done->kind != FieldWork::Kind::kList) {
     if (!done->outcome.refusal) return client->say(Kind::kAccepted, done->outcome.field.accepted());
     return client->refuse(done->kind == FieldWork::Kind::kSelect ? Kind::kSelect : Kind::kCommit, done->outcome.refusal.sentence());
@@ -202,7 +223,7 @@ void ControlRequests::finish_work() {
 
 void ControlRequests::log_done(const FieldDone& done) const {
   if (done.kind == FieldWork::Kind::kCalibrate) log(done.user, "other angles were stored for the device");
-  if (done.kind == FieldWork::Kind::kList || done.kind == FieldWork::Kind::kCalibrate) return;
+  if (done.kind == FieldWork::Kind::kList || done.kind == FieldWork::Kind::kCopy || done.kind == FieldWork::Kind::kCalibrate) return;
   if (done.kind == FieldWork::Kind::kPatch) return;  // thirty a second are no news
   const store::PublishedField& field = done.outcome.field;
   std::array<char, 64> text{};

@@ -11,6 +11,7 @@
 
 #include "firmware/control/calibration.h"
 #include "firmware/control/control_client.h"
+#include "firmware/control/field_reader.h"
 #include "firmware/control/field_worker.h"
 #include "firmware/control/posture_meter.h"
 #include "firmware/control/tick_feed.h"
@@ -77,6 +78,7 @@ class ControlRequests {
   bool may(ControlClient& client, protocol::Kind request, protocol::Role wanted);
   void log(std::uint32_t user, const std::string& change) const;
   void commit(ControlClient& client);
+  void read_image(ControlClient& client, const protocol::ReadImage& wanted);
   void start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field);
   void finish_work();
   void log_done(const FieldDone& done) const;
@@ -96,6 +98,7 @@ class ControlRequests {
   FieldWorker worker_;
   ControlClient* awaiting_ = nullptr;  ///< whoever asked for the work under way; nullptr: has gone
   Upload upload_;
+  FieldReader reader_;
   ControlClient* measuring_ = nullptr;  ///< whoever asked where the arms stand; nullptr: nobody, or has gone
   std::int64_t measured_by_ns_ = 0;     ///< else the loop does not run
   PostureMeter posture_;

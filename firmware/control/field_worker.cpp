@@ -63,6 +63,7 @@ FieldDone FieldWorker::work(const FieldWork& wanted) {
     case FieldWork::Kind::kPatch: done.outcome = intake_.patch(wanted.field.packed_bytes, author_of(wanted.user)); break;
     case FieldWork::Kind::kSelect: done.outcome = intake_.select(wanted.field.image_hash, author_of(wanted.user)); break;
     case FieldWork::Kind::kList: done.stored = intake_.stored(); break;
+    case FieldWork::Kind::kCopy: done.outcome = intake_.copy(); break;
     case FieldWork::Kind::kCalibrate: done.outcome.refusal = calibration_->keep(wanted.measured); break;
   }
   return done;

@@ -1,4 +1,4 @@
-/// The thread in which uploads are unpacked, patches applied, checked and stored, and calibrations kept, so that nobody who wants to stop the device waits for a disk.
+/// The thread in which uploads are unpacked, patches applied, checked and stored, images copied, and calibrations kept, so that nobody who wants to stop the device waits for a disk.
 #pragma once
 
 #include <condition_variable>
@@ -16,7 +16,7 @@
 namespace isotouch::control {
 
 struct FieldWork {
-  enum class Kind : std::uint8_t { kAccept, kPatch, kSelect, kList, kCalibrate };
+  enum class Kind : std::uint8_t { kAccept, kPatch, kSelect, kList, kCopy, kCalibrate };
   Kind kind{};
   protocol::Begin field;         ///< kPatch: its bytes alone; kSelect: its hash alone
   protocol::Calibrate measured;  ///< kCalibrate
@@ -26,7 +26,7 @@ struct FieldWork {
 struct FieldDone {
   FieldWork::Kind kind{};
   std::uint32_t user = 0;
-  store::IntakeOutcome outcome;            ///< of kAccept, kPatch and kSelect; of kCalibrate its refusal alone
+  store::IntakeOutcome outcome;            ///< of kAccept, kPatch, kSelect and kCopy; of kCalibrate its refusal alone
   std::vector<store::StoredField> stored;  ///< of kList
 };
 

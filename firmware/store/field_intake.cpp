@@ -42,7 +42,7 @@ FieldIntake::FieldIntake(loop::FieldSlots& slots, FieldStore* store, loop::Clock
       clock_(clock),
       check_(std::move(check)),
       upload_(packed_limit(slots.capacity())),
-      residuals_(slots.capacity()),
+      work_(slots.capacity()),
       context_(ZSTD_createDCtx()) {
   assert(context_ != nullptr);
 }
@@ -80,6 +80,18 @@ IntakeOutcome FieldIntake::select(std::uint64_t wanted, std::uint32_t author) {
     if (!switched) refusal = std::string("the choice cannot be stored: ") + describe(switched.error()) + "; check the state folder";
   }
   return activate({wanted, stored_name(wanted), author}, std::move(refusal), before);
+}
+
+IntakeOutcome FieldIntake::copy() {
+  const std::lock_guard guard(exchanging_);
+  const loop::ActiveField field = slots_.published();
+  copied_ = 0;
+  if (field.view == nullptr) return {"no field is loaded that could be read; upload one", {}};
+  const std::span<const std::uint8_t> image = field.view->image;
+  std::copy(image.begin(), image.end(), work_.begin());
+  copied_ = image.size();
+  copied_hash_ = published().image_hash;
+  return {{}, published()};
 }
 
 Refusal FieldIntake::begin_with_active() {
@@ -155,7 +167,8 @@ Refusal FieldIntake::unpack(const PackedField& packed) {
   const auto image_bytes = static_cast<std::size_t>(packed.image_bytes);
   if (!slots_.free()) return "the controller is still loading the previous field; try again in a moment";
   const std::span<std::uint8_t> image = slots_.begin(image_bytes);
-  const auto residuals = std::span(residuals_).first(static_cast<std::size_t>(packed.residual_bytes()));
+  copied_ = 0;
+  const auto residuals = std::span(work_).first(static_cast<std::size_t>(packed.residual_bytes()));
   const auto unpacked = isotouch::unpack(packed, residuals, image, [this](auto frame, auto out) {
     return ZSTD_decompressDCtx(context_, out.data(), out.size(), frame.data(), frame.size());
   });

@@ -83,6 +83,15 @@ class FieldIntake {
   /// The same for a stored field.
   IntakeOutcome select(std::uint64_t wanted, std::uint32_t author = kNobody);
 
+  /// Copies the image of the field that was handed to the tick last, so that it can be read while patches change the field.
+  ///
+  /// returns   refused: there is no field
+  IntakeOutcome copy();
+
+  /// What `copy` copied; empty where there is none, or an upload has taken its memory. By whoever lets no other function run meanwhile.
+  std::span<const std::uint8_t> copied() const { return std::span(work_).first(copied_); }
+  std::uint64_t copied_hash() const { return copied_hash_; }
+
   /// Begins with the field that was active last; before the tick's first step, does not wait.
   ///
   /// returns   there should be one and is none
@@ -144,7 +153,10 @@ class FieldIntake {
   loop::Clock& clock_;
   FieldCheck check_;
   std::function<void(std::uint64_t, std::span<const std::uint8_t>)> told_;
-  std::vector<std::uint8_t> upload_, residuals_;
+  std::vector<std::uint8_t> upload_;
+  std::vector<std::uint8_t> work_;  ///< residuals while a field is unpacked, else what was copied
+  std::size_t copied_ = 0;
+  std::uint64_t copied_hash_ = 0;
   ZSTD_DCtx_s* context_;
   std::mutex exchanging_;  ///< held while the slots or the store change
 

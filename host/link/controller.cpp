@@ -17,8 +17,9 @@ using protocol::Kind;
 constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
 constexpr int kAsksEnough = 100;
-constexpr int kChecking = 120'000;      ///< a large field on a slow disk
-constexpr std::size_t kSentAhead = 16;  ///< chunks without their answers: a far controller is not waited for each time
+constexpr int kChecking = 120'000;  ///< a large field on a slow disk
+constexpr std::size_t kSentAhead =
+    16;  ///< chunks, and questions for them, without their answers: a far controller is not waited for each time
 
 /// Nothing that a terminal would obey.
 std::string for_people(std::span<const std::uint8_t> bytes) {
@@ -86,6 +87,28 @@ protocol::Accepted Controller::send_upload(std::span<const std::uint8_t> packed)
   for (; unanswered > 0; --unanswered) (void)expect(Kind::kDone, kAnswer);
   connection_.send(Kind::kCommit);
   return read<protocol::Accepted>(expect(Kind::kAccepted, kChecking));
+}
+
+Controller::Image Controller::image() {
+  Image image;
+  std::uint64_t bytes = 1, asked = 0;
+  std::size_t unanswered = 0;
+  const auto ask = [&] {
+    connection_.send(Kind::kReadImage, protocol::ReadImage{asked, protocol::kMaxChunk});
+    asked += protocol::kMaxChunk;
+    ++unanswered;
+  };
+  for (ask(); unanswered > 0; --unanswered) {
+    const auto part = read<protocol::ImagePart>(expect(Kind::kImagePart, kAnswer));
+    if (part.offset == 0) image.hash = part.image_hash, bytes = part.image_bytes;
+    const std::uint64_t wanted = std::min<std::uint64_t>(protocol::kMaxChunk, bytes - image.bytes.size());
+    if (part.image_hash != image.hash || part.image_bytes != bytes || part.offset != image.bytes.size() || part.bytes.size() != wanted ||
+        wanted == 0)
+      complain("a part of the field does not follow the one before; install the same release on both sides");
+    image.bytes.insert(image.bytes.end(), part.bytes.begin(), part.bytes.end());
+    while (unanswered < kSentAhead && asked < bytes) ask();
+  }
+  return image;
 }
 
 std::vector<protocol::FieldEntry> Controller::fields() {

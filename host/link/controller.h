@@ -51,6 +51,15 @@ class Controller {
   /// fails     as every request: the controller refuses it where it uses another field
   protocol::Accepted patch(std::span<const std::uint8_t> patch);
 
+  struct Image {
+    std::uint64_t hash = 0;
+    std::vector<std::uint8_t> bytes;  ///< as the controller has them in memory; not yet checked
+  };
+  /// The field that is felt, also one that patches change.
+  ///
+  /// fails     as every request: also while another client reads it. Connect anew then
+  Image image();
+
   std::vector<protocol::FieldEntry> fields();
   protocol::Accepted select(std::uint64_t image_hash);
   protocol::DeviceReport device();

@@ -234,7 +234,9 @@ class World {
         return;
       case 12: return world_fails(more);
       case 13: client.reads = more % 2 == 0; return;
-      case 14: return say(client, Kind::kSubscribe, protocol::Subscribe{more < 250 ? more : 0xFFFFFFFFU});
+      case 14:
+        if (more % 4 == 1) return say(client, Kind::kReadImage, protocol::ReadImage{more / 32 * std::uint64_t{500}, 500});
+        return say(client, Kind::kSubscribe, protocol::Subscribe{more < 250 ? more : 0xFFFFFFFFU});
       case 15: return more % 2 == 0 ? begin_a_stop() : calibrate(client, more);
     }
   }

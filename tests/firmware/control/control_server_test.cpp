@@ -272,6 +272,66 @@ TEST(ControlServer, ATooLargePatchIsRefused) {
   expect_sentence(speaker.hear(), "the patch takes");
 }
 
+/// Of an image that is read; the bytes of its next part are appended.
+Heard read_part(Speaker& speaker, std::vector<std::uint8_t>& read) {
+  speaker.say(Kind::kReadImage, protocol::ReadImage{read.size(), 500});
+  Heard heard = speaker.hear();
+  if (heard.kind != Kind::kImagePart) return heard;
+  const auto part = protocol::decode<protocol::ImagePart>(heard.body);
+  EXPECT_EQ(part->offset, read.size());
+  read.insert(read.end(), part->bytes.begin(), part->bytes.end());
+  return heard;
+}
+
+std::vector<std::uint8_t> bytes_of_ball(int which) {
+  const test::FieldImage ball = store::ball_image(which);
+  const auto image = ball.view().image;
+  return {image.begin(), image.end()};
+}
+
+TEST(ControlServer, AFieldIsReadWholeWhilePatchesChangeIt) {
+  ControlRig rig;
+  Speaker sender(rig.settings.path), reader(rig.settings.path), other(rig.settings.path);
+  reader.greet(), other.greet();
+  std::vector<std::uint8_t> read, others;
+  expect_sentence(read_part(reader, read), "no field is loaded");
+  expect_sentence(read_part(other, others), "no field is loaded");  // whoever was refused keeps nobody waiting
+  ASSERT_EQ(upload(sender, store::packed_ball(1)).kind, Kind::kAccepted);
+  const std::vector<std::uint8_t> first = bytes_of_ball(1), last = bytes_of_ball(3);
+  ASSERT_GT(first.size(), 1500U);
+  while (read.size() < first.size()) {
+    const Heard heard = read_part(reader, read);
+    ASSERT_EQ(heard.kind, Kind::kImagePart) << heard.refusal();
+    EXPECT_EQ(protocol::decode<protocol::ImagePart>(heard.body)->image_hash, store::ball_image(1).view().hash());
+    EXPECT_EQ(protocol::decode<protocol::ImagePart>(heard.body)->image_bytes, first.size());
+    if (read.size() > 500) continue;
+    expect_sentence(read_part(other, others), "another client is reading the field");
+    ASSERT_EQ(send_patch(sender, patch_of_balls(1, 2)).kind, Kind::kAccepted);
+    ASSERT_EQ(send_patch(sender, patch_of_balls(2, 3)).kind, Kind::kAccepted);
+  }
+  EXPECT_EQ(read, first);
+  while (others.size() < last.size()) ASSERT_EQ(read_part(other, others).kind, Kind::kImagePart);
+  EXPECT_EQ(others, last);
+}
+
+TEST(ControlServer, AReadingEndsWhenItsFieldIsReplaced) {
+  ControlRig rig;
+  Speaker sender(rig.settings.path), reader(rig.settings.path);
+  reader.greet();
+  ASSERT_EQ(upload(sender, store::packed_ball(1)).kind, Kind::kAccepted);
+  std::vector<std::uint8_t> read(7);
+  expect_sentence(read_part(reader, read), "no field is being read on this connection");
+  read.clear();
+  ASSERT_EQ(read_part(reader, read).kind, Kind::kImagePart);
+  reader.say(Kind::kReadImage, protocol::ReadImage{bytes_of_ball(1).size(), 500});
+  expect_sentence(reader.hear(), "the field has fewer bytes");
+  ASSERT_EQ(upload(sender, store::packed_ball(2)).kind, Kind::kAccepted);
+  expect_sentence(read_part(reader, read), "another one was loaded");
+  read.clear();
+  while (read.size() < bytes_of_ball(2).size()) ASSERT_EQ(read_part(reader, read).kind, Kind::kImagePart);
+  EXPECT_EQ(read, bytes_of_ball(2));
+}
+
 TEST(ControlServer, AnotherVersionIsToldWhatToDo) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);

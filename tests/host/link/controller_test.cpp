@@ -107,6 +107,27 @@ TEST(Controller, EveryEndAndEveryOddAnswerHasItsSentence) {
               HasSubstr("shorter than it says"));
 }
 
+TEST(Controller, AnImageIsReadWholeOrNotAtAll) {
+  Bytes image(3 * protocol::kMaxChunk / 2);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<std::uint8_t>(i % 251);
+  const auto part = [&](std::uint64_t hash, std::uint64_t bytes, std::size_t offset) {
+    const std::span<const std::uint8_t> rest = std::span(image).subspan(offset);
+    return frame(Kind::kImagePart, protocol::ImagePart{hash, bytes, offset, rest.first(std::min(rest.size(), protocol::kMaxChunk))});
+  };
+  Controller::Image read;
+  const auto reads = [&](Controller& c) { read = c.image(); };
+  const Bytes begin = kWelcome + part(7, image.size(), 0);
+  EXPECT_EQ(complaint(begin + part(7, image.size(), protocol::kMaxChunk), reads), "");
+  EXPECT_EQ(read.hash, 7U);
+  EXPECT_EQ(read.bytes, image);
+  for (const Bytes& wrong : {part(8, image.size(), protocol::kMaxChunk), part(7, image.size() + 1, protocol::kMaxChunk),
+                             part(7, image.size(), protocol::kMaxChunk - 1), part(7, image.size(), 0)})
+    EXPECT_THAT(complaint(begin + wrong, reads), HasSubstr("does not follow the one before"));
+  EXPECT_THAT(complaint(kWelcome + part(7, 0, 0), reads), HasSubstr("does not follow the one before"));
+  EXPECT_THAT(complaint(begin + refusal("another one was loaded; begin"), reads), HasSubstr("another one was loaded"));
+  EXPECT_THAT(complaint(begin, reads), HasSubstr("closed the connection"));
+}
+
 TEST(Controller, ARecordingEndsWhereItHasAGapOrIsRefusedAndSaysWhy) {
   const Bytes records(20), header(4);
   std::size_t kept = 0;
