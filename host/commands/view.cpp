@@ -135,7 +135,7 @@ void add_view(CLI::App& app) {
       "view", "Show a field, recordings and a running controller on a page in a browser of this machine; Ctrl-C ends it");
   command->add_option("FILE", options->files,
                       "a field (.itf), or a scan, a mesh or a level set, from which a field is built first; and up to two recordings "
-                      "(.trace). Without any, drop a scan on the page");
+                      "(.trace). Without a field, that of a running controller is shown, and a scan can be dropped on the page");
   add_optional_address(*command, options->to, "also show a running controller: ");
   command->add_option("--port", options->port, "the port of 127.0.0.1 to use; by default any that is free");
   command->add_option("--viewers", options->viewers, "how many pages may be open at a time")

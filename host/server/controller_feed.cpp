@@ -1,5 +1,7 @@
 #include "host/server/controller_feed.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -25,7 +27,9 @@ namespace {
 constexpr double kRowsASecond = 1000;  ///< at most: of a faster controller every second, third, … tick
 constexpr auto kBatch = std::chrono::milliseconds(16);
 constexpr int kAgain_ms = 500;
-constexpr int kMeasures_ms = 1000;
+constexpr int kLook_ms = 250;      ///< from one look for another field to the next
+constexpr int kLooksAMeasure = 4;  ///< whoever reads measures needs no more
+constexpr int kNice = 10;
 
 /// Rows of ticks that follow one another.
 class Batch {
@@ -64,10 +68,11 @@ class Batch {
 
 }  // namespace
 
-ControllerFeed::ControllerFeed(std::string address, Send send, Describe describe)
+ControllerFeed::ControllerFeed(std::string address, Send send, Describe describe, Field field)
     : address_(std::move(address)),
       send_(std::move(send)),
       describe_(std::move(describe)),
+      field_(std::move(field)),
       measures_([this](const std::stop_token& stop) { measure(stop); }),
       follows_([this](const std::stop_token& stop) { follow(stop); }) {}
 
@@ -148,21 +153,34 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
 }
 
 void ControllerFeed::measure(const std::stop_token& stop) {
+  (void)::setpriority(PRIO_PROCESS, 0, kNice);  // of this thread: a surface may take a while, and the ticks and pictures come first
   while (wait(stop, kAgain_ms)) {
     try {
       link::Controller controller(address_);
+      int looks = 0;
       do {
-        nlohmann::ordered_json json{{"topic", "status"}, {"status", describe_(controller)}};
-        for (const auto& [key, measure] : {std::pair("wakeup", protocol::Measure::kWakeup), std::pair("tick", protocol::Measure::kTick)}) {
-          nlohmann::ordered_json bins = nlohmann::ordered_json::array();
-          for (const protocol::Bin& bin : controller.histogram(measure).bins) bins.push_back({bin.upper / 1000.0, bin.count});
-          json["histograms_us"][key] = std::move(bins);
-        }
-        tell(Topic::kStatus, json);
-      } while (wait(stop, kMeasures_ms));
+        if (looks++ % kLooksAMeasure == 0) tell_measures(controller);
+        take_field(controller);
+      } while (wait(stop, kLook_ms));
     } catch (const std::exception&) {  // `follow` says so
     }
   }
+}
+
+void ControllerFeed::tell_measures(link::Controller& controller) {
+  nlohmann::ordered_json json{{"topic", "status"}, {"status", describe_(controller)}};
+  for (const auto& [key, measure] : {std::pair("wakeup", protocol::Measure::kWakeup), std::pair("tick", protocol::Measure::kTick)}) {
+    nlohmann::ordered_json bins = nlohmann::ordered_json::array();
+    for (const protocol::Bin& bin : controller.histogram(measure).bins) bins.push_back({bin.upper / 1000.0, bin.count});
+    json["histograms_us"][key] = std::move(bins);
+  }
+  tell(Topic::kStatus, json);
+}
+
+void ControllerFeed::take_field(link::Controller& controller) {
+  const protocol::StatusReport status = controller.status();
+  if (status.field_hash == 0 || !field_.wanted(status.field_hash)) return;
+  field_.taken(std::string(status.field_name.view()), controller.image());
 }
 
 }  // namespace isotouch::server

@@ -1,9 +1,11 @@
-/// A running controller, followed for the page: its ticks in batches, what it does in words, and its measures. A controller that goes away is waited for.
+/// A running controller, followed for the page: its ticks in batches, what it does in words, its measures, and its field. A controller that goes away is
+/// waited for.
 ///
 /// The controller sends ticks as to `isotouch watch`: it never waits for a client, and a client that reads too slowly loses ticks.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -23,9 +25,15 @@ class ControllerFeed {
   /// What `isotouch status --json` prints.
   using Describe = std::function<nlohmann::ordered_json(link::Controller&)>;
 
+  /// What becomes of the field that the controller has.
+  struct Field {
+    std::function<bool(std::uint64_t hash)> wanted;  ///< false: it is known, or another object is to be seen
+    std::function<void(const std::string& name, const link::Controller::Image&)> taken;  ///< may take its time, and may throw InputError
+  };
+
   /// address   of the controller
-  /// send      called by threads of this object
-  ControllerFeed(std::string address, Send send, Describe describe);
+  /// send, field   called by threads of this object
+  ControllerFeed(std::string address, Send send, Describe describe, Field field);
 
   /// What a viewer that comes now has missed: the newest of each topic but ticks.
   std::vector<Shared> newest() const;
@@ -34,6 +42,8 @@ class ControllerFeed {
   void follow(const std::stop_token& stop);
   void follow_once(const std::stop_token& stop);
   void measure(const std::stop_token& stop);
+  void tell_measures(link::Controller& controller);
+  void take_field(link::Controller& controller);
   void tell(Topic topic, const nlohmann::ordered_json& json);
   /// False at once when this ends.
   static bool wait(const std::stop_token& stop, int ms);
@@ -41,6 +51,7 @@ class ControllerFeed {
   std::string address_;
   Send send_;
   Describe describe_;
+  Field field_;
   mutable std::mutex lock_;
   std::array<Shared, kTopics> newest_;
   bool was_there_ = false;

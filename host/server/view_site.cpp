@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/error.h"
+#include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/server/bundle.h"
 #include "host/server/exported_page.h"
@@ -122,9 +123,15 @@ void ViewSite::show(const std::vector<trace::Trace>& traces) {
 void ViewSite::begin(HttpServer& server, const std::string& controller, const ControllerFeed::Describe& describe,
                      const std::filesystem::path& cloud) {
   server_ = &server;
-  if (!controller.empty())
+  follows_ = !scene_ && cloud.empty();
+  if (!controller.empty()) {
+    const ControllerFeed::Field field{[this](std::uint64_t hash) { return wants_field(hash); },
+                                      [this, controller](const std::string& name, const link::Controller::Image& image) {
+                                        take_field(name.empty() ? "field of " + controller : name, image);
+                                      }};
     feed_ = std::make_unique<ControllerFeed>(
-        controller, [&server](Shared message) { server.send(std::move(message)); }, describe);
+        controller, [&server](Shared message) { server.send(std::move(message)); }, describe, field);
+  }
   if (cloud.empty()) return;
   builds_ = true;
   builder_ = std::jthread([this, cloud] { build_now(cloud, cloud.filename().string(), {}); });
@@ -140,13 +147,50 @@ std::vector<Shared> ViewSite::greeting() {
 
 nlohmann::ordered_json ViewSite::hello() const {
   const std::scoped_lock held(lock_);
-  return {{"topic", "hello"},
-          {"columns", column_names()},
-          {"status_bits", {{"contact", std::uint32_t{kContact}}}},
-          {"colours", colours()},
-          {"scene", scene_ ? scene_->summary() : nullptr},
-          {"recordings", recordings_.size()},
+  return {{"topic", "hello"},        {"columns", column_names()}, {"status_bits", {{"contact", std::uint32_t{kContact}}}},
+          {"colours", colours()},    {"scene", scene_json()},     {"recordings", recordings_.size()},
           {"live", feed_ != nullptr}};
+}
+
+/// While the lock is held.
+nlohmann::ordered_json ViewSite::scene_json() const {
+  if (!scene_) return nullptr;
+  nlohmann::ordered_json json = scene_->summary();
+  json["follows"] = follows_;
+  return json;
+}
+
+bool ViewSite::wants_field(std::uint64_t hash) const {
+  const std::scoped_lock held(lock_);
+  return follows_ && hash != field_read_;
+}
+
+/// The surface of the controller's field becomes the object.
+void ViewSite::take_field(const std::string& name, const link::Controller::Image& image) {
+  {
+    const std::scoped_lock held(lock_);
+    field_read_ = image.hash;
+  }
+  field_file::Image bytes(image.bytes.size());
+  std::ranges::copy(image.bytes, bytes.data());
+  auto scene = std::make_shared<const Scene>(name, field_file::open_field(std::move(bytes), name));
+  nlohmann::ordered_json told{{"topic", "scene"}};
+  {
+    const std::scoped_lock held(lock_);
+    if (!follows_) return;  // a scan was built meanwhile
+    scene_before_ = std::exchange(scene_, std::move(scene));
+    told["scene"] = scene_json();
+  }
+  tell(Topic::kScene, told);
+}
+
+/// The one that is asked for; without a hash the newest. nullptr: there is none.
+std::shared_ptr<const Scene> ViewSite::scene_of(std::optional<std::string_view> hash) const {
+  const std::scoped_lock held(lock_);
+  for (const auto& scene : {scene_, scene_before_}) {
+    if (scene && (!hash || *hash == scene->hash())) return scene;
+  }
+  return nullptr;
 }
 
 std::string ViewSite::exported() const {
@@ -178,15 +222,10 @@ Reply ViewSite::reply(Request request) {
   if (const BundleFile* file = bundle_file(request.path)) return reply_with(file->type, std::string(file->content));
   if (request.path.starts_with("trace/")) return recording(std::string_view(request.path).substr(6), request.query);
   if (request.path == "difference") return reply_with(difference_);
-  std::shared_ptr<const Scene> scene;
-  {
-    const std::scoped_lock held(lock_);
-    scene = scene_;
-  }
-  if (!scene) return sentence(404, "There is no object yet; drop a scan on the page.");
-  if (request.path == "scene") return reply_with(scene->summary());
-  if (const auto of = text_of(request.query, "of"); of && *of != scene->hash())
-    return sentence(410, "There is another object by now; the page loads it by itself.");
+  if (!scene_of({})) return sentence(404, "There is no object yet; drop a scan on the page.");
+  if (request.path == "scene") return reply_with(hello()["scene"]);
+  const std::shared_ptr<const Scene> scene = scene_of(text_of(request.query, "of"));
+  if (!scene) return sentence(410, "There is another object by now; the page loads it by itself.");
   if (request.path == "turned") return reply_with(kBinary, scene->turned());
   if (request.path == "surface") return reply_with(kBinary, scene->surface());
   if (request.path == "rim") return reply_with(kBinary, scene->rim());
@@ -252,6 +291,8 @@ void ViewSite::build_now(const std::filesystem::path& file, const std::string& n
     if (built.scene) {
       const std::scoped_lock held(lock_);
       scene_ = std::move(built.scene);
+      scene_before_ = nullptr;
+      follows_ = false;  // somebody wants to see this one
     }
   } catch (const InputError& error) {
     end["result"] = "failed";

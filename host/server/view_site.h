@@ -5,6 +5,7 @@
 /// `trace/N/curves?from=T&to=T&pieces=N`, `trace/N/words?tick=T`, `difference`; POST `build?name=FILE`.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -37,7 +39,8 @@ struct Built {
 using Build = std::function<Built(const std::filesystem::path& file, const std::string& name,
                                   const std::function<void(const std::string& stage, double done)>& step)>;
 
-/// Recordings never change once the server runs; the object does, when a build has ended.
+/// Recordings never change once the server runs; the object does, when a build has ended. Where no object was named, it is the field that the controller
+/// has, as it changes.
 class ViewSite final : public Site {
  public:
   explicit ViewSite(Build build) : build_(std::move(build)) {}
@@ -68,7 +71,8 @@ class ViewSite final : public Site {
 
   /// 404 for what takes nothing, 409 while a scan is being built, 503 once it ends.
   std::optional<Reply> refusal(const Request& request) override;
-  /// 404 where nothing is, 400 for a query that cannot be used, 410 for a part of an object that is another one by now.
+  /// 404 where nothing is, 400 for a query that cannot be used, 410 for a part of an object that is another one by now; of a field that changes
+  /// the one before is still there.
   Reply reply(Request request) override;
   std::vector<Shared> greeting() override;
 
@@ -78,13 +82,20 @@ class ViewSite final : public Site {
   void build_now(const std::filesystem::path& file, const std::string& name, const std::filesystem::path& folder);
   void tell(Topic topic, const nlohmann::ordered_json& json);
   nlohmann::ordered_json hello() const;
+  nlohmann::ordered_json scene_json() const;
+  bool wants_field(std::uint64_t hash) const;
+  void take_field(const std::string& name, const link::Controller::Image& image);
+  std::shared_ptr<const Scene> scene_of(std::optional<std::string_view> hash) const;
 
   Build build_;
   std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<const Scene> scene_before_;  ///< of a field that changes: a page may still be fetching its parts
+  bool follows_ = false;                       ///< the object is the controller's field
+  std::uint64_t field_read_ = 0;               ///< the hash of the controller's field that was read last
   std::vector<Recording> recordings_;
   nlohmann::ordered_json difference_;
   HttpServer* server_ = nullptr;
-  mutable std::mutex lock_;  ///< of the scene, and of what is told
+  mutable std::mutex lock_;  ///< of the scenes, and of what is told
   Shared told_build_;
   bool builds_ = false, ended_ = false;
   std::filesystem::path folder_;  ///< of a scan that was sent

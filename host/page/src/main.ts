@@ -19,6 +19,7 @@ import { SliceControl } from './slice_control';
 import { TouchPanel } from './touch_panel';
 
 const kMinShare = 5e-4; // of the surface: less is shown as 0.0 %
+const kGone = 410; // of the server: there is another object by now
 const kPieces = 1500; // of the curves of a recording
 const kWordsMs = 200; // between two sentences while a recording plays
 const kPlotsMs = 125; // between two pictures of the curves and numbers: more often nobody reads them
@@ -41,11 +42,13 @@ class Page {
   private readonly touch = new TouchPanel(this.server, () => this.touchMoved(), (sentence) => this.notice(sentence));
   private shownLive: Tick | null = null;
   private summary: SceneSummary | null = null;
+  private touched: SceneSummary | null = null; // by the hand of this page, or soon
   private plottedAt = 0;
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
   private liveField: string | null = null;
   private liveWords: Words[] = []; // may come before the view is made
-  private opening = 0;
+  private wanted: SceneSummary | null = null; // the newest object that came and is not shown yet
+  private opens = false;
   private askedWords = -1;
   private askedWordsAt = 0;
   private pictures = { shown: 0, since: performance.now(), drawn: 0, fresh: false };
@@ -149,14 +152,31 @@ class Page {
     );
   }
 
+  /** One object after the other; of those that come meanwhile the newest, so that of a field that grows something is always shown. */
   private async openScene(summary: SceneSummary): Promise<void> {
-    const opening = ++this.opening;
+    this.wanted = summary;
+    if (this.opens) return;
+    this.opens = true;
+    while (this.wanted && !this.rests(this.wanted)) {
+      const next: SceneSummary = this.wanted;
+      this.wanted = null;
+      await this.openNow(next);
+    }
+    this.opens = false;
+  }
+
+  /** The hand of this page keeps the object that it touches, also where the field at the controller changes. */
+  private rests(summary: SceneSummary): boolean {
+    return this.source === 'touch' && summary.follows && this.touched !== null && this.touched === this.summary;
+  }
+
+  private async openNow(summary: SceneSummary): Promise<void> {
     try {
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
       showFacts(summary);
       const [surface, points, rim, turned] = await Promise.all(['surface', 'points', 'rim', 'turned'].map((name) => this.server.part(name, summary)));
-      if (this.opening !== opening || !this.view) return; // another object has come meanwhile
+      if (!this.view) return;
       if (surface) this.view.object.setSurface(surface);
       if (points) this.view.object.setPoints(points);
       if (rim) this.view.object.setRim(rim);
@@ -172,7 +192,7 @@ class Page {
       document.body.dataset['scene'] = summary.hash;
       this.notice('');
     } catch (error) {
-      if (this.opening !== opening) return; // what was refused belonged to the object before
+      if (this.wanted || (error instanceof Refused && error.status === kGone)) return; // the newest object comes by itself
       this.notice(error instanceof Refused ? error.message : 'The object could not be loaded; load the page again.');
     }
   }
@@ -181,7 +201,8 @@ class Page {
   private warnOfField(): void {
     const drawn = this.summary?.hash;
     const felt = this.source === 'live' ? [this.liveField ?? ''] : this.source === 'recording' ? this.recordings.map((recording) => recording.summary.field) : [];
-    const other = drawn !== undefined && felt.some((hash) => hash !== '' && hash !== drawn);
+    const follows = this.source === 'live' && this.summary?.follows === true; // a moment later
+    const other = drawn !== undefined && !follows && felt.some((hash) => hash !== '' && hash !== drawn);
     say(element('field-warning'), other ? `The hand ${this.source === 'live' ? 'feels' : 'felt'} another field than the one that is drawn.` : '');
   }
 
@@ -202,6 +223,7 @@ class Page {
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
     this.words(source === 'live' ? this.liveWords : []);
     this.warnOfField();
+    if (this.wanted) void this.openScene(this.wanted);
     if (source === 'recording') void this.plotRecordings();
     this.changed();
   }
@@ -222,9 +244,13 @@ class Page {
     if (!this.view || !summary) return;
     const isWanted = (): boolean => this.source === 'touch' && this.summary === summary;
     try {
+      this.touched = summary;
       await this.touch.begin(summary, isWanted);
       if (isWanted()) this.canvas.focus();
     } catch (error) {
+      this.touched = null;
+      if (this.wanted) void this.openScene(this.wanted);
+      if (error instanceof Refused && error.status === kGone) return; // the newest object comes by itself
       if (this.summary === summary) this.notice(error instanceof Error ? error.message : 'The core could not be started; load the page again.');
     }
   }

@@ -97,6 +97,13 @@ export interface SceneSummary {
   invented_share: number;
   thin_share: number;
   thin_mm: number;
+  follows: boolean; // it is the field that the controller has, as it changes
+}
+
+/** Whether one field may have become the other while it grew. */
+export function isOnOneGrid(a: SceneSummary, b: SceneSummary): boolean {
+  const grid = (of: SceneSummary): string => [...of.low_mm, ...of.high_mm, ...of.samples].join();
+  return a.follows && b.follows && grid(a) === grid(b);
 }
 
 export interface TraceEvent {

@@ -3,7 +3,7 @@
 import { Box2, Color, Scene, Vector2, Vector3, Vector4, WebGLRenderer } from 'three';
 import { Backdrop } from './backdrop';
 import { Orbit } from './camera';
-import type { Colours, SceneSummary } from './messages';
+import { isOnOneGrid, type Colours, type SceneSummary } from './messages';
 import { noCut, ObjectView } from './object';
 import { kFinest, Sharpness } from './sharpness';
 import { SlicePlane } from './slice_plane';
@@ -77,7 +77,9 @@ export class SceneView {
   }
 
   setScene(summary: SceneSummary): void {
+    const grows = this.summary !== null && isOnOneGrid(summary, this.summary);
     this.summary = summary;
+    if (grows) return this.change(); // the eye stays where it is
     const low = new Vector3(...summary.low_mm);
     const high = new Vector3(...summary.high_mm);
     const radius = low.distanceTo(high) / 2;

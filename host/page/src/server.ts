@@ -3,7 +3,14 @@ import { exportedBytes, isExported } from './exported';
 import type { Difference, Message, SceneSummary, TraceSummary, Words } from './messages';
 
 /** The server's own sentence. */
-export class Refused extends Error {}
+export class Refused extends Error {
+  constructor(
+    sentence: string,
+    readonly status: number,
+  ) {
+    super(sentence);
+  }
+}
 
 export interface Listener {
   message(message: Message): void;
@@ -24,7 +31,7 @@ export class Server {
     const own = isExported() ? exportedBytes(path.split('?')[0] ?? '') : null;
     if (own) return new Response(own);
     const answer = await fetch(path, { cache: 'no-store' });
-    if (!answer.ok) throw new Refused((await answer.text()).trim());
+    if (!answer.ok) throw new Refused((await answer.text()).trim(), answer.status);
     return answer;
   }
 
@@ -61,7 +68,7 @@ export class Server {
 
   async build(name: string, file: Blob): Promise<void> {
     const answer = await fetch(`build?name=${encodeURIComponent(name)}`, { method: 'POST', body: file });
-    if (!answer.ok) throw new Refused((await answer.text()).trim());
+    if (!answer.ok) throw new Refused((await answer.text()).trim(), answer.status);
   }
 
   /** Listens for as long as the page lives. */

@@ -1,6 +1,6 @@
 // The slice: which axis, where, and that it follows the mouse. One request at a time; the newest wish wins.
 import { Choice, element } from './dom';
-import type { SceneSummary } from './messages';
+import { isOnOneGrid, type SceneSummary } from './messages';
 import type { Axis, SceneView } from './scene_view';
 
 const kSamples = 160;
@@ -30,8 +30,8 @@ export class SliceControl {
   }
 
   setScene(summary: SceneSummary): void {
+    if (!this.summary || !isOnOneGrid(summary, this.summary)) this.at = 0;
     this.summary = summary;
-    this.at = 0;
     this.choice.choose(this.axis);
   }
 

@@ -26,7 +26,8 @@ export interface Felt {
 export class TouchHand {
   on = false;
   loaded = false;
-  private worker: Worker | null = null;
+  private starting: Promise<void> | null = null;
+  private worker: Worker | null = null; // once it has begun
   private depth = 0; // mm from the plane through the object's middle towards the eye
   private pointer = { clientX: 0, clientY: 0 };
   private place: Vector3 | null = null;
@@ -57,7 +58,8 @@ export class TouchHand {
 
   /** The core with a field; any before it is gone. */
   async load(image: ArrayBuffer, name: string): Promise<void> {
-    this.worker ??= await this.start();
+    this.starting ??= this.start();
+    await this.starting;
     const loaded = this.answer('loaded');
     this.post({ kind: 'load', image: new Uint8Array(image), name });
     await loaded;
@@ -162,18 +164,17 @@ export class TouchHand {
     return answer;
   }
 
-  private async start(): Promise<Worker> {
+  private async start(): Promise<void> {
     const script = exportedBytes('touch_worker.js');
     const worker = new Worker(script ? URL.createObjectURL(new Blob([script], { type: 'text/javascript' })) : workerUrl);
     worker.onerror = (): void => this.take({ kind: 'refused', of: 'begin', sentence: 'The core could not be started in this browser; try another one.' });
     worker.onmessage = ({ data }: MessageEvent<FromWorker>): void => this.take(data);
-    this.worker = worker;
     const bytes = exportedBytes('touch.wasm');
     const module = await (bytes ? WebAssembly.compile(bytes) : WebAssembly.compileStreaming(fetch('touch.wasm')));
     const ready = this.answer('ready');
-    this.post({ kind: 'begin', module });
+    worker.postMessage({ kind: 'begin', module } satisfies ToWorker);
     await ready;
-    return worker;
+    this.worker = worker;
   }
 
   private post(message: ToWorker): void {

@@ -456,6 +456,75 @@ const tests = {
     await close(opened);
   },
 
+  async 'a field that grows at the controller'() {
+    const settings = '[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n';
+    writeFileSync(join(folder, 'config.toml'), settings);
+    const falcon = start('falcon-sim', '--socket', join(folder, 'falcon'), '--hand', 'tour');
+    await within(10, () => existsSync(join(folder, 'falcon')), 'the simulated Falcon does not listen');
+    const control = join(folder, 'growing');
+    const daemon = start('isotouchd', '--config', 'config.toml', '--device', `sim:${folder}/falcon`, '--control', control);
+    const opened = await open({}, '--to', `unix:${control}`);
+    const { page } = opened;
+    await within(60, async () => /answers/.test(await page.locator('#link').textContent()), 'the controller is not found');
+    check((await page.evaluate(() => document.body.dataset.scene)) === undefined, 'an object is shown before there is a field');
+    await run('isotouch', 'export', 'owl.itf', '-o', 'owl_mesh.ply');
+    const stream = start('isotouch', 'stream', '--camera', 'owl_mesh.ply', '--grid', '96', '--turn', '15', '--noise', '0.1mm', '--enough', '0', '--to', `unix:${control}`, '--json');
+    await shown(page);
+    const hash = () => page.evaluate(() => document.body.dataset.scene);
+    // The eye comes nearer once; from then on only the object changes.
+    await page.locator('#canvas').focus();
+    for (let step = 0; step < 3; ++step) await page.keyboard.press('+');
+    await page.evaluate(() => {
+      globalThis.seen = [];
+      const look = () => {
+        if (globalThis.seen.at(-1)?.hash !== document.body.dataset.scene) globalThis.seen.push({ hash: document.body.dataset.scene, at: performance.now() });
+      };
+      new MutationObserver(look).observe(document.body, { attributes: true, attributeFilter: ['data-scene'] });
+      globalThis.rates = [];
+      new MutationObserver(() => globalThis.rates.push(Number(document.body.dataset.pictures))).observe(document.body, { attributes: true, attributeFilter: ['data-pictures'] });
+      globalThis.said = new Set();
+      const hear = () => globalThis.said.add(document.getElementById('notice').textContent + document.getElementById('field-warning').textContent);
+      new MutationObserver(hear).observe(document.body, { subtree: true, childList: true, characterData: true });
+    });
+    const eye = await page.evaluate(() => document.getElementById('facts').textContent);
+    await sleep(3000);
+    await picture(page, 'growing');
+    await accessible(page, 'growing');
+    await within(30, async () => (await page.evaluate(() => globalThis.seen.length)) >= 5, async () => `only ${await page.evaluate(() => globalThis.seen.length)} objects were shown`);
+    check((await page.evaluate(() => document.getElementById('facts').textContent)) !== eye, 'the figures beside the picture are those of the first object');
+    const rates = (await page.evaluate(() => globalThis.rates)).sort((a, b) => a - b);
+    check(rates.at(-1) > 0, `the hand does not move while the field grows: ${rates.join(', ')} pictures a second`); // the median is printed below
+    // Whoever touches the object in the page keeps it, until the live hand is chosen again.
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await within(60, async () => Number(await number(page, 'Ticks in the trace')) > 0 || (await page.mouse.move(500 + Math.random() * 50, 330), false), 'the core computes no tick');
+    const touched = await hash();
+    await sleep(2500);
+    check((await hash()) === touched, 'the object changes under the hand of the page');
+    await page.getByRole('button', { name: 'Live', exact: true }).click();
+    await within(20, async () => (await hash()) !== touched, 'the object does not follow the controller again');
+    stream.kill('SIGINT');
+    check((await stream.done) === 0, `the stream ends badly: ${stream.said}`);
+    const last = /"field_hash": "([0-9a-f]+)"/.exec(stream.said)?.[1];
+    const since = Date.now();
+    await within(20, async () => (await hash()) === last, async () => `the page shows ${await hash()}, the stream made ${last}`);
+    const seen = await page.evaluate(() => globalThis.seen.map(({ at }) => at));
+    const gaps = seen.slice(1).map((at, number) => at - seen[number]).sort((a, b) => a - b);
+    console.log(`  ${seen.length} objects, ${(gaps[gaps.length >> 1] / 1000).toFixed(2)} s from one to the next; the last one ${Date.now() - since} ms after the stream; ${rates[rates.length >> 1]} pictures a second`);
+    const said = await page.evaluate(() => [...globalThis.said].filter((text) => text !== ''));
+    check(said.length === 0, `while the field grew the page said: ${said.join(' | ')}`);
+    await picture(page, 'grown');
+    await stop(daemon);
+    await stop(falcon);
+    await within(20, async () => /tries again/.test(await page.locator('#link').textContent()), 'a controller that is gone is not missed');
+    await page.locator('#canvas').focus();
+    const middle = async () => (await still(page), (await page.screenshot({ clip: { x: 200, y: 100, width: 500, height: 500 } })).toString('base64')); // without a ring of the focus
+    let asNear = '';
+    await within(20, async () => asNear === (asNear = await middle()), 'the picture does not rest, so it shows nothing about the eye');
+    await page.keyboard.press('Home');
+    check((await middle()) !== asNear, 'the eye was put back while the field grew');
+    await close(opened, ['410']);
+  },
+
   async 'touch with the mouse'() {
     const opened = await open({}, 'owl.itf');
     const { page } = opened;
