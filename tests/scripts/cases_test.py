@@ -137,6 +137,26 @@ class CasesTest(fakes.Tree):
         self.script("build/release/bin/replay_plain", f"echo '{{\"hash\": \"{self.row('ball')[6]}\"}}'\nexit 3\n")   # its exit code counts too
         self.assertEqual(self.cases("--processor", "release", "ball")[0], 3)
 
+    def test_patches_go_with_their_recording(self) -> None:
+        (self.root / "kept").mkdir()
+        for name in ("hand.trace", "hand.patches"):
+            (self.root / "kept" / name).write_text(name)
+        table = self.root / "hil/cases.csv"
+        table.write_text(table.read_text() + "patched,sphere,kept/hand.trace,,,,,,,new\n")
+        self.accept()
+        self.assertEqual(self.cases("--accept", "patched", "--reason", "first")[0], 0)
+        self.script("build/release/bin/replay_plain", f"echo \"$@\" >>{self.root}/words\necho '{{\"hash\": \"{self.row('patched')[6]}\"}}'\n")
+        self.assertEqual(self.cases("--processor", "release", "patched")[0], 0)
+        self.cases("--processor", "release", "ball")
+        self.assertEqual((self.root / "words").read_text().splitlines(), ["build/cases/patched.itfi build/cases/patched.trace build/cases/patched.patches",
+                                                                          "build/cases/ball.itfi build/cases/ball.trace"])
+        self.assertEqual((self.root / "build/cases/patched.patches").read_text(), "hand.patches")
+        code, said, complaints = self.cases("--processor", "chromium", "patched")   # the page's module takes none
+        self.assertEqual((code, json.loads(said)["skipped"]), (0, "the page's module takes no patches"), complaints)
+        table.write_text(table.read_text().replace("kept/hand.trace", "tour --ticks 32"))
+        self.cases("patched")
+        self.assertFalse((self.root / "build/cases/patched.patches").exists())
+
     def test_a_browser_that_answers_wrongly_or_too_little_fails(self) -> None:
         self.accept()
         right = self.row("ball")[6]
