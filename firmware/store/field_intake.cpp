@@ -14,7 +14,7 @@ namespace isotouch::store {
 namespace {
 
 constexpr std::int64_t kPatience = 2'000'000'000;
-constexpr std::int64_t kNap = 1'000'000;
+constexpr std::int64_t kNap = 200'000;  ///< a patch waits for the tick, and whoever sent it for the answer
 
 /// The packed form of any image of so many bytes: what cannot be compressed is a little longer.
 std::size_t packed_limit(std::size_t image_bytes) { return packed_layout::kHeaderBytes + ZSTD_compressBound(image_bytes); }

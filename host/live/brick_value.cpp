@@ -67,8 +67,9 @@ void close(const Eigen::Vector3i& first, const Eigen::Vector3i& size, float band
 
 }  // namespace
 
-BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size, const Reach& reach, const NearSamples& near) {
+BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size, const Reach& reach, NearSamples& near) {
   BrickValue result;
+  result.influence = near.influence_on_nearest();
   if (near.nearest().empty()) return result;
   const Eigen::Vector3d middle = first.cast<double>() + Eigen::Vector3d::Constant(1.5);
   const Middle at_middle = middle_value(middle, reach, near.nearest());
@@ -76,9 +77,11 @@ BrickValue brick_value(const Eigen::Vector3i& first, const Eigen::Vector3i& size
   const auto depth = static_cast<float>(reach.depth);
   std::array<float, 64> distance;
   if (at_middle.blend < -reach.band - kSlopeBehind * kBrickReach) {  // all places are straight behind their nearest sample
+    result.influence = near.influence_on_distance();
     distance = field::nearest_distances(near.candidates());
     for (float& d : distance) d -= depth;
   } else {
+    result.influence = near.influence();
     distance = field::blend_body(near.candidates(), static_cast<float>(reach.blend), depth);
   }
   const auto band = static_cast<float>(reach.band);

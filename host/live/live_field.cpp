@@ -40,11 +40,17 @@ struct LiveField::Dirt {
     bool existed;
   };
   std::vector<Touched> touched;
-  std::vector<Eigen::Vector3d> places;  ///< of samples that changed, as they were and as they are
+  /// Where a sample that changed was and where it is; where it came or went, one place.
+  struct Change {
+    Eigen::Vector3d before, after;
+    bool two = false;
+  };
+  std::vector<Change> changes;
   struct Model {
     Node* node;
     std::size_t brick;
     Entry* entry;
+    bool was_felt = false;  ///< where it is
   };
   std::vector<Model> models;          ///< to be fitted
   std::vector<Eigen::Vector3d> felt;  ///< places of samples that bricks depended on, or do now
@@ -77,7 +83,7 @@ void LiveField::take_point(const Point& point, bool removed, Dirt& dirt) {
       free_.pop_back();
       Sample& old = samples_[added.slot];
       old.bucket = {};
-      old.touched = old.dirty = old.unexplained = false;
+      old.touched = old.unexplained = false;
     }
     added.live = &samples_[added.slot].live;
     entry = entries.insert(std::upper_bound(entries.begin(), entries.end(), key, [](std::uint64_t k, const Entry& e) { return k < e.key; }),
@@ -120,14 +126,14 @@ void LiveField::take_means(Dirt& dirt) {
     const bool stays = sample.bucket.count() > 0;
     const Mean mean = stays ? sample.bucket.mean() : Mean{};
     if (touched.existed && stays && mean == entry->mean) continue;
+    const Eigen::Vector3d& before = touched.existed ? entry->mean.position : mean.position;
+    dirt.changes.push_back({before, stays ? mean.position : before, touched.existed && stays});
     if (touched.existed) {
-      dirt.places.push_back(entry->mean.position);
       if (entry->felt) dirt.felt.push_back(entry->mean.position);
       count(*entry, false);
     }
     if (stays) {
       entry->mean = mean;
-      dirt.places.push_back(mean.position);
       changed.push_back(&touched);
       continue;
     }
@@ -139,7 +145,7 @@ void LiveField::take_means(Dirt& dirt) {
   for (const Dirt::Touched* touched : changed) {
     for (Entry& entry : touched->node->samples[touched->brick]) {
       if (entry.key != touched->key) continue;
-      samples_[entry.slot].dirty = true;
+      entry.dirty = true;
       entry.felt = false;
       dirt.models.push_back({touched->node, touched->brick, &entry});
     }
@@ -148,18 +154,22 @@ void LiveField::take_means(Dirt& dirt) {
 
 /// The samples whose neighbours changed.
 void LiveField::find_models(Dirt& dirt) {
-  for (const Eigen::Vector3d& place : dirt.places) {
-    nodes_.occupied_in_ball(place, kModelReach, [&](Node& node, std::size_t brick) {
-      if (squared_distance_to(node, brick, place) > node.model_influence[brick]) return;
+  for (const auto& [before, after, two] : dirt.changes) {
+    const Eigen::Array3d low = before.cwiseMin(after).array() - kModelReach, high = before.cwiseMax(after).array() + kModelReach;
+    nodes_.occupied_in_box(low, high, [&, &was = before, &is = after, both = two](Node& node, std::size_t brick) {
+      const double reached = node.model_influence[brick];
+      if (squared_distance_to(node, brick, is) > reached && !(both && squared_distance_to(node, brick, was) <= reached)) return;
       for (Entry& entry : node.samples[brick]) {
-        if (field::squared_distance(entry.mean.position, place) > entry.influence) continue;
-        Sample& sample = samples_[entry.slot];
-        if (sample.dirty) continue;
-        sample.dirty = true;
+        if (entry.dirty) continue;
+        const auto is_near = [&entry](const Eigen::Vector3d& place) {
+          return field::squared_distance(entry.mean.position, place) <= entry.influence;
+        };
+        if (!is_near(is) && !(both && is_near(was))) continue;
+        entry.dirty = true;
         count(entry, false);
         if (entry.felt) dirt.felt.push_back(entry.mean.position);
+        dirt.models.push_back({&node, brick, &entry, entry.felt});
         entry.felt = false;
-        dirt.models.push_back({&node, brick, &entry});
       }
     });
   }
@@ -176,12 +186,12 @@ void LiveField::fit_models(Dirt& dirt) {
       sample.unexplained = fit.unexplained;
     }
   });
-  for (const auto& [node, brick, entry] : dirt.models) {
+  for (const auto& [node, brick, entry, was_felt] : dirt.models) {
     double& largest = node->model_influence[brick];
     largest = std::max(largest, entry->influence);  // it may stay larger than it is: that costs time alone
-    samples_[entry->slot].dirty = false;
+    entry->dirty = false;
     count(*entry, true);
-    if (entry->felt) dirt.felt.push_back(entry->mean.position);
+    if (entry->felt && !was_felt) dirt.felt.push_back(entry->mean.position);
   }
 }
 
@@ -243,8 +253,8 @@ Work LiveField::compute_bricks() {
         }
         ++computed[n];
         near.choose(brick, 1.2F * node.influence[brick]);
-        node.influence[brick] = near.influence();
         const BrickValue value = brick_value(first_place(node, brick), grid_.size, reach_, near);
+        node.influence[brick] = value.influence;
         const bool is_stored = value.kind == BrickKind::kStored, is_inside = value.kind == BrickKind::kInside;
         if (is_stored != was_stored || is_inside != was_inside || (is_stored && value.values != node.values(brick))) changed[n] |= bit;
         if (is_stored) bricks.push_back(value.values), stored |= bit;

@@ -73,7 +73,6 @@ class LiveField {
   struct Sample {
     Bucket bucket;
     bool touched = false;  ///< in the batch that is being taken in
-    bool dirty = false;    ///< its model is to be fitted
     bool unexplained = false;
     LiveModel live;
   };

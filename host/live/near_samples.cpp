@@ -34,31 +34,43 @@ void NearSamples::gather(const Node& node, NodeMask bricks, const Nodes& nodes, 
 }
 
 void NearSamples::choose(std::size_t brick, float bound) {
-  const float middle_x = static_cast<float>(brick & 3) * 4.0F + 1.5F, middle_y = static_cast<float>(brick >> 2 & 3) * 4.0F + 1.5F,
-              middle_z = static_cast<float>(brick >> 4) * 4.0F + 1.5F;
-  const auto farthest = static_cast<float>(reach_.influence() * reach_.influence());
-  bound = std::min(bound, farthest);
-  for (;; bound = farthest) {
-    std::size_t within = 0;
-    const std::size_t count = x_.size();
-    const float *x = x_.data(), *y = y_.data(), *z = z_.data();
-    Away* away = away_.data();
-    for (std::size_t n = 0; n < count; ++n) {  // a processor cannot foretell which are near: each is written, and stays where it is
-      const float square = squared(x[n] - middle_x, y[n] - middle_y, z[n] - middle_z);
-      away[within] = {square, static_cast<std::uint32_t>(n)};
-      within += square <= bound ? 1U : 0U;
-    }
-    choose_of({away, within}, farthest);
-    if (influence_ <= bound) break;
+  middle_x_ = static_cast<float>(brick & 3) * 4.0F + 1.5F;
+  middle_y_ = static_cast<float>(brick >> 2 & 3) * 4.0F + 1.5F;
+  middle_z_ = static_cast<float>(brick >> 4) * 4.0F + 1.5F;
+  farthest_ = static_cast<float>(reach_.influence() * reach_.influence());
+  find(std::min(bound, farthest_));
+  choose_nearest();
+  if (nearest_.size() == kCounted || bound_ == farthest_) return;
+  find(farthest_);
+  choose_nearest();
+}
+
+/// All that are within the bound of the middle.
+void NearSamples::find(float bound) {
+  bound_ = bound;
+  std::size_t within = 0;
+  const std::size_t count = x_.size();
+  const float *x = x_.data(), *y = y_.data(), *z = z_.data();
+  Away* away = away_.data();
+  for (std::size_t n = 0; n < count; ++n) {  // a processor cannot foretell which are near: each is written, and stays where it is
+    const float square = squared(x[n] - middle_x_, y[n] - middle_y_, z[n] - middle_z_);
+    away[within] = {square, static_cast<std::uint32_t>(n)};
+    within += square <= bound ? 1U : 0U;
   }
+  found_ = {away, within};
+}
+
+std::span<const field::BlendCandidate> NearSamples::candidates() {
+  if (influence_ > bound_) find(influence_);
   candidates_.clear();
   const auto add = [&](std::size_t n) {
-    candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x, y_[n] - middle_y, z_[n] - middle_z}});
+    candidates_.push_back({&live_[n]->blended, {x_[n] - middle_x_, y_[n] - middle_y_, z_[n] - middle_z_}});
   };
   for (const Nearest& n : nearest_) add(n.sample);
-  for (const Away& a : chosen_) {
+  for (const Away& a : found_) {
     if (a.square >= ninth_ && a.square <= influence_ && (a.square > ninth_ || !is_nearest(a.sample))) add(a.sample);
   }
+  return candidates_;
 }
 
 bool NearSamples::is_nearest(std::uint32_t sample) const {
@@ -66,11 +78,10 @@ bool NearSamples::is_nearest(std::uint32_t sample) const {
 }
 
 /// The nearest of what was found, and how far what matters may lie.
-void NearSamples::choose_of(std::span<const Away> found, float farthest) {
-  chosen_ = found;
+void NearSamples::choose_nearest() {
   nearest_.clear();
-  float worst = farthest;
-  for (const Away& a : found) {
+  float worst = farthest_;
+  for (const Away& a : found_) {
     if (!(a.square < worst)) continue;  // of two at one distance, the first counts
     if (nearest_.size() < kCounted) nearest_.emplace_back();
     std::size_t place = nearest_.size() - 1;
@@ -79,10 +90,14 @@ void NearSamples::choose_of(std::span<const Away> found, float farthest) {
     if (nearest_.size() == kCounted) worst = nearest_.back().squared_distance;
   }
   const bool enough = nearest_.size() == kCounted;
-  ninth_ = enough ? nearest_.back().squared_distance : farthest;
+  ninth_ = enough ? nearest_.back().squared_distance : farthest_;
+  influence_ = enough ? std::min(around(ninth_), farthest_) : farthest_;
+}
+
+float NearSamples::around(float square) {
   constexpr float kTwice = 5.1962F;  // twice from a brick's middle to its corners, rounded up
-  const float most = std::sqrt(ninth_) + kTwice;
-  influence_ = enough ? std::min(most * most, farthest) : farthest;
+  const float most = std::sqrt(square) + kTwice;
+  return most * most;
 }
 
 }  // namespace isotouch::live

@@ -1,6 +1,7 @@
 /// The felt samples near the bricks of one node, gathered once for all of them, and those that matter for each brick.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -28,16 +29,21 @@ class NearSamples {
   /// Gathers what may matter for some bricks of a node. Reuse keeps the memory.
   void gather(const Node& node, NodeMask bricks, const Nodes& nodes, const Reach& reach);
 
-  /// Chooses for a brick: among them are the nine nearest of every place, as far as they are within `reach.blend` of it. Always in the same order,
-  /// whatever came first.
+  /// Chooses for a brick.
   ///
   /// bound     a guess of the influence, squared: it changes the time and not the result
   void choose(std::size_t brick, float bound);
-  std::span<const field::BlendCandidate> candidates() const { return candidates_; }
+  /// Among them are the nine nearest of every place, as far as they are within `reach.blend` of it. Always in the same order, whatever came first.
+  /// Looked for when asked.
+  std::span<const field::BlendCandidate> candidates();
   /// The nine nearest to the middle, ascending; fewer where there are not as many.
   std::span<const Nearest> nearest() const { return nearest_; }
-  /// Squared, from the middle: a sample beyond that would not change what was chosen.
+  /// Squared, from the middle: a sample beyond that would not change the candidates,
   float influence() const { return influence_; }
+  /// or not those nearest to the middle,
+  float influence_on_nearest() const { return ninth_; }
+  /// or not those, nor which one is nearest to each place. Where there are some.
+  float influence_on_distance() const { return std::min(std::max(ninth_, around(nearest_.front().squared_distance)), farthest_); }
 
  private:
   struct Away {
@@ -46,15 +52,20 @@ class NearSamples {
   };
 
   bool is_nearest(std::uint32_t sample) const;
-  void choose_of(std::span<const Away> found, float farthest);
+  void find(float bound);
+  void choose_nearest();
+  /// What matters at some place of the brick, of what is so far from all of them that it counts there, is no farther from the middle; squared.
+  static float around(float square);
 
   Reach reach_{1.0};
   std::vector<float> x_, y_, z_;  ///< from the node's first place
   std::vector<const LiveModel*> live_;
   std::vector<Away> away_;
-  std::span<const Away> chosen_;
+  std::span<const Away> found_;
   std::vector<Nearest> nearest_;
   std::vector<field::BlendCandidate> candidates_;
+  float middle_x_ = 0.0F, middle_y_ = 0.0F, middle_z_ = 0.0F;
+  float farthest_ = 0.0F, bound_ = 0.0F;  ///< squared; of what was found
   float ninth_ = 0.0F, influence_ = 0.0F;
 };
 

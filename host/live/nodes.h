@@ -24,7 +24,8 @@ struct Entry {
   std::uint64_t key = 0;            ///< of its bucket
   std::uint32_t slot = 0;           ///< where the rest of it is
   bool felt = false;                ///< it has a model,
-  const LiveModel* live = nullptr;  ///< this one; it stays where it is
+  bool dirty = false;               ///< which is to be fitted
+  const LiveModel* live = nullptr;  ///< the model; it stays where it is
   double influence = 0.0;           ///< squared: a sample beyond that does not change its model
 };
 
