@@ -1,7 +1,7 @@
 """Programs that stand in for ours, so that a script of hil/ can be tried in a second and any of its children can fail.
 
 FAKE_FAILS names the one that fails after its work, by its program or by a command of the tool; FAKE_STATUS is JSON that replaces values of the controller's status;
-FAKE_GAP makes the followed ticks miss one, FAKE_TICKS is their state; FAKE_CALLS is what strace sees; FAKE_PRIORITY is that of the tick's thread.
+FAKE_GROWS names a count of it that grows; FAKE_GAP makes the followed ticks miss one, FAKE_TICKS is their state; FAKE_CALLS is what strace sees; FAKE_PRIORITY is that of the tick's thread.
 """
 
 from __future__ import annotations

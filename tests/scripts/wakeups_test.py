@@ -22,11 +22,31 @@ class WakeupsTest(unittest.TestCase):
         code, said = wakeups()
         self.assertEqual(code, 0, said)
         self.assertIn("1     cyclictest        0.0      0.0       0.0", said)
-        self.assertIn("controller (uploads) / cyclictest, median and quartiles of 1 pairs of 1 s:\n  p50    1500.00 (1500.00 to 1500.00)", said)
+        self.assertIn("controller (uploads) / cyclictest, median and quartiles of 1 rounds of 1 s:\n  p50    1500.00 (1500.00 to 1500.00)", said)
         self.assertNotIn("LEFT BEHIND", said)
 
+    def test_a_stream_is_shown_beside_a_quiet_controller(self) -> None:
+        code, said = wakeups()
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"1     stream     +1\.5      1\.5       1\.5\n")
+        self.assertRegex(said, r"wake-ups later than +quiet +uploads +stream\n +5 us +0\.0000 % +0\.0000 % +0\.0000 %\n")
+        self.assertIn("the tick's thread: 0 allocations, 0 page faults in ", said)
+
+    def test_a_wake_up_counts_by_its_bound(self) -> None:
+        script = fakes.load("wakeups")
+        self.assertEqual([script.later_than(script.Counter({2.0: 3, 20.0: 1}), bound) for bound in (1, 2, 19.9, 20)], [1.0, 0.25, 0.25, 0.0])
+
+    def test_an_allocation_fails_the_script(self) -> None:
+        script = fakes.load("wakeups")
+        before, after = script.Loop(script.Counter({1.0: 1}), 4, 7), script.Loop(script.Counter({1.0: 3}), 5, 7)
+        self.assertEqual(after.since(before), script.Loop(script.Counter({1.0: 2}), 1, 0))
+        for what in ("allocations", "page_faults"):
+            code, said = wakeups(FAKE_GROWS=what)
+            self.assertEqual(code, 1, said)
+            self.assertIn("quiet: the tick's thread allocated ", said)
+
     def test_a_child_that_fails_fails_the_script(self) -> None:
-        for child in ("cyclictest", "falcon-sim", "isotouchd", "upload", "latency"):
+        for child in ("cyclictest", "falcon-sim", "isotouchd", "upload", "latency", "export", "stream"):
             with self.subTest(child):
                 code, said = wakeups(FAKE_FAILS=child)
                 self.assertEqual(code, 1, said)
