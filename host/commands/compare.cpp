@@ -181,7 +181,11 @@ void run_felt(const CompareOptions& options) {
   const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
   std::vector<evaluate::RecordedHand> recorded;
   for (const std::string& file : options.traces) recorded.push_back(evaluate::recorded_hand(trace::read_trace(file)));
-  ProgressBar bar({{"hands", 5}, {"touch", 4}, {"floor", options.floor ? 5.0 : 0.0}, {"picture", options.worst.empty() ? 0.0 : 1.0}});
+  ProgressBar bar({{"hands", 5},
+                   {"touch", 4},
+                   {"floor", options.floor ? 5.0 : 0.0},
+                   {"beside", options.beside.empty() ? 0.0 : 4.0},
+                   {"picture", options.worst.empty() ? 0.0 : 1.0}});
   bar.begin("hands");
   const field::TriangleTree tree(mesh);
   const std::vector<evaluate::FeltHand> hands = evaluate::felt_hands(tree, recorded, {.seed = options.seed});
@@ -197,6 +201,16 @@ void run_felt(const CompareOptions& options) {
     bar.end();
     json["floor"] = felt_json(floor);
     if (!options.json) print_felt(to, "\nfloor", floor);
+  }
+  if (!options.beside.empty()) {
+    bar.begin("beside");
+    const cloud::TriangleMesh other_in_cloud = cloud::read_mesh(options.beside);
+    cloud::require_closed(other_in_cloud, options.beside.string());
+    const cloud::TriangleMesh other = cloud::placed(other_in_cloud, evaluate::placement_of(field.view));
+    const evaluate::FeltComparison beside = evaluate::compare_felt(field.view, field::TriangleTree(other), tree, hands);
+    bar.end();
+    json["beside"] = felt_json(beside);
+    if (!options.json) print_felt(to, "\nbeside", beside);
   }
   if (!options.worst.empty()) {
     bar.begin("picture");
@@ -221,10 +235,9 @@ void add_compare(CLI::App& app) {
                           "instead, measure what hands feel: direction and force beside an exact god-object on the mesh, for eight "
                           "kinds of motion, and for the recorded hands that follow (.trace)");
   felt->expected(0, CLI::detail::expected_max_vector_size)->type_name("[TRACE...]");
-  command
-      ->add_option("--beside", options->beside,
-                   "also compare another program's closed mesh of the same points, on the field's grid: PLY, OBJ or STL")
-      ->excludes(felt);
+  command->add_option("--beside", options->beside,
+                      "also compare another closed mesh of the same object: on the field's grid, or with --felt by a god-object on that "
+                      "mesh: PLY, OBJ or STL");
   add_output(*command, "--worst", options->worst, kPictures,
              "draw the worst place of the field; with --felt, the touch whose direction is worst");
   command->add_option("--seed", options->seed, "with --felt: seed of the places and motions")->needs(felt)->capture_default_str();

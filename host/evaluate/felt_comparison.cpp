@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "firmware/core/render.h"
 #include "host/angle.h"
 #include "host/cloud/mesh.h"
 #include "host/error.h"
 #include "host/evaluate/equal_answers.h"
+#include "host/evaluate/god_object.h"
 #include "host/field/first_hit.h"
 #include "host/field/line_crossings.h"
 #include "host/field/parallel.h"
@@ -41,6 +43,54 @@ FieldView evenly_stiff(FieldView field) {
   return field;
 }
 
+/// One hand on the field, in the core's integers.
+class OnField {
+ public:
+  explicit OnField(const FieldView& field)
+      : field_(field), model_(core::make_position_model(libnifalcon_model(), pure(), 1'000'000, field)) {}
+
+  Output operator()(const Vec3<Mm>& hip) { return core::render_position(position_input(hip), field_, model_, state_); }
+
+ private:
+  static TickSettings pure() {
+    TickSettings settings;
+    settings.force_limit = Newton::of(100);
+    settings.ramp_ticks = 0;
+    return settings;
+  }
+
+  const FieldView& field_;
+  core::PositionModel model_;
+  core::PositionState state_;
+};
+
+/// One hand on a mesh, with a god-object of its own.
+class OnMesh {
+ public:
+  OnMesh(const TriangleTree& tree, double n_per_mm) : tree_(tree), n_per_mm_(n_per_mm) {}
+
+  Output operator()(const Vec3<Mm>& hip) {
+    Output out;
+    out.hip = out.proxy = hip;
+    const Vector3d hand = to_double(hip);
+    if (!object_) {
+      if (!field::is_inside(tree_, hand)) object_.emplace(tree_, hand);
+      return out;
+    }
+    object_->settle(hand);
+    if (!object_->touching()) return out;
+    out.proxy = to_fixed<Mm>(object_->position());
+    out.force = to_fixed<Newton>(n_per_mm_ * (object_->position() - hand));
+    out.status = kContact;
+    return out;
+  }
+
+ private:
+  const TriangleTree& tree_;
+  double n_per_mm_;
+  std::optional<GodObject> object_;
+};
+
 class Comparer {
  public:
   Comparer(const FieldView& field, const TriangleTree& tree)
@@ -48,25 +98,23 @@ class Comparer {
 
   double tolerance() const { return tolerance_; }
 
-  Felt run(const FeltHand& hand) const {
-    TickSettings settings;
-    settings.force_limit = Newton::of(100);
-    settings.ramp_ticks = 0;
-    const core::PositionModel model = core::make_position_model(libnifalcon_model(), settings, 1'000'000, field_);
-    core::PositionState state;
+  Felt run_on_field(const FeltHand& hand) const { return run(hand, OnField(field_)); }
+  Felt run_on_mesh(const FeltHand& hand, const TriangleTree& other) const { return run(hand, OnMesh(other, to_double(field_.stiffness))); }
+
+ private:
+  template <class Rendering>
+  Felt run(const FeltHand& hand, Rendering render) const {
     Felt felt;
     Output before;
     bool apart = false;
     for (std::size_t i = 0; i < hand.ticks.size(); ++i) {
-      const FeltTick& tick = hand.ticks[i];
-      const Output out = core::render_position(position_input(tick.hip), field_, model, state);
+      const Output out = render(hand.ticks[i].hip);
       judge(hand, i, before, out, apart, felt);
       before = out;
     }
     return felt;
   }
 
- private:
   Vector3d normal_at(const Vector3d& place) const { return cloud::face_normal(tree_.mesh(), tree_.nearest(place).face); }
 
   bool is_on_wrong_side(const Vector3d& proxy, const Vector3d& god) const {
@@ -157,16 +205,17 @@ FeltFigures figures_of(const std::vector<const FeltHand*>& hands, const std::vec
   return figures;
 }
 
-}  // namespace
-
-FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, const std::vector<FeltHand>& hands) {
-  const Comparer comparer(field, tree);
+/// What every hand feels, by `run`.
+///
+/// what      the surface beside the mesh, and a question to whoever named it
+template <class Run>
+FeltComparison compared(const std::vector<FeltHand>& hands, double tolerance, const std::array<const char*, 2>& what, const Run& run) {
   std::vector<Felt> felt(hands.size());
   field::in_parallel(hands.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) felt[i] = comparer.run(hands[i]);
+    for (std::size_t i = begin; i < end; ++i) felt[i] = run(hands[i]);
   });
   FeltComparison comparison;
-  comparison.wrong_side_mm = comparer.tolerance();
+  comparison.wrong_side_mm = tolerance;
   std::vector<const FeltHand*> every_hand;
   std::vector<const Felt*> every_felt;
   for (std::size_t first = 0; first < hands.size();) {
@@ -187,10 +236,25 @@ FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, co
   }
   comparison.all = figures_of(every_hand, every_felt);
   if (comparison.all.errors.direction_deg.count == 0) {
-    throw InputError(
-        "no hand feels both the field and the mesh between 0.1 and 1 mm deep: nothing was compared; is this the mesh of the field?");
+    throw InputError(std::string("no hand feels both ") + what[0] + " and the mesh between 0.1 and 1 mm deep: nothing was compared; " +
+                     what[1]);
   }
   return comparison;
+}
+
+}  // namespace
+
+FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, const std::vector<FeltHand>& hands) {
+  const Comparer comparer(field, tree);
+  return compared(hands, comparer.tolerance(), {"the field", "is this the mesh of the field?"},
+                  [&](const FeltHand& hand) { return comparer.run_on_field(hand); });
+}
+
+FeltComparison compare_felt(const FieldView& field, const TriangleTree& other, const TriangleTree& tree,
+                            const std::vector<FeltHand>& hands) {
+  const Comparer comparer(field, tree);
+  return compared(hands, comparer.tolerance(), {"the other mesh", "is it a mesh of the same object?"},
+                  [&](const FeltHand& hand) { return comparer.run_on_mesh(hand, other); });
 }
 
 }  // namespace isotouch::evaluate

@@ -76,4 +76,12 @@ struct FeltComparison {
 /// fails     InputError when no tick was compared
 FeltComparison compare_felt(const FieldView& field, const field::TriangleTree& tree, const std::vector<FeltHand>& hands);
 
+/// The same with a god-object on another mesh in place of the field: what is felt of a surface that is nearly the true one. A hand that begins inside
+/// it feels nothing until it has left.
+///
+/// field     gives the stiffness and the tolerance of the wrong side
+/// other     closed, workspace, mm
+FeltComparison compare_felt(const FieldView& field, const field::TriangleTree& other, const field::TriangleTree& tree,
+                            const std::vector<FeltHand>& hands);
+
 }  // namespace isotouch::evaluate

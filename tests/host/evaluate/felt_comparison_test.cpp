@@ -215,6 +215,37 @@ TEST(FeltComparison, AnyNumberOfThreadsGivesTheSame) {
   }
 }
 
+/// The ball with its corners elsewhere.
+template <class Move>
+FeltFigures beside_ball(const Move& move) {
+  cloud::TriangleMesh mesh = the_ball().mesh;
+  for (Vector3d& corner : mesh.vertices) corner = move(corner);
+  const field_file::OpenField field = field_of(to_ball, kRadius + 0.5);
+  return compare_felt(field.view, field::TriangleTree(mesh), the_ball().tree, the_ball().hands).all;
+}
+
+TEST(FeltComparison, AGodObjectOnTheSameMeshFeelsTheSame) {
+  const FeltFigures all = beside_ball([](const Vector3d& corner) { return corner; });
+  EXPECT_GT(all.errors.direction_deg.count, 10'000U);
+  EXPECT_LT(all.errors.direction_deg.max, 0.05) << "forces are rounded";
+  EXPECT_LT(all.errors.force_n.max, 1e-4);
+  EXPECT_EQ(all.contact_differs + all.jumps + all.wrong_side + all.force_without_contact, 0U);
+}
+
+TEST(FeltComparison, AGodObjectOnAShiftedMeshFeelsTheShift) {
+  const FeltFigures all = beside_ball([](const Vector3d& corner) { return Vector3d(corner + Vector3d(0.3, 0, 0)); });
+  EXPECT_GT(all.errors.force_n.max, 0.2) << "0.8 N/mm times 0.3 mm";
+  EXPECT_LT(all.errors.force_n.max, 0.3);
+  EXPECT_GT(all.contact_differs, 500U);
+  EXPECT_GT(all.force_without_contact, 20U);
+  EXPECT_GT(all.wrong_side, 1000U) << "0.3 mm are more than half a voxel";
+}
+
+// Every hand begins inside the larger ball and never leaves it.
+TEST(FeltComparison, AHandThatBeginsInsideTheOtherMeshFeelsNothing) {
+  EXPECT_THROW(beside_ball([](const Vector3d& corner) { return Vector3d(2 * corner); }), InputError);
+}
+
 TEST(FeltComparison, AFieldThatNobodyTouchesIsRefused) {
   const auto far = [](const Vector3d& p) { return (p - Vector3d::Constant(60)).norm() - 5; };
   const field_file::OpenField field = field_of(far, 70);
