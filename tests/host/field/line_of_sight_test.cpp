@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "host/angle.h"
+#include <cmath>
+
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/orientation.h"
@@ -14,6 +15,7 @@ using cloud::OrientedPoints;
 using Eigen::Vector3d;
 
 const Vector3d kEye = Vector3d(2, 3, 6) / 7;
+const double kFourDegrees = std::cos(0.0698), kEightDegrees = std::cos(0.1396);
 
 /// What of a shape looks at an eye far away; most of its normals look elsewhere.
 OrientedPoints half_of(const char* shape, const Vector3d& eye) {
@@ -30,17 +32,17 @@ OrientedPoints half_of(const char* shape, const Vector3d& eye) {
 TEST(LineOfSight, IsWhereAllNormalsLook) {
   for (const char* name : {"sphere", "torus", "hydrant", "jaguar", "owl"}) {
     const Scan scan(half_of(name, kEye));
-    EXPECT_LT(angle_deg(line_of_sight(scan, facing(scan).front), kEye), 4.0) << name;
+    EXPECT_GT(line_of_sight(scan, facing(scan).front).dot(kEye), kFourDegrees) << name;
   }
   const Scan torus(half_of("torus", kEye));
-  EXPECT_GT(angle_deg(facing(torus).front, kEye), 8.0);  // the mean normal is elsewhere
+  EXPECT_LT(facing(torus).front.dot(kEye), kEightDegrees);  // the mean normal is elsewhere
 }
 
 TEST(LineOfSight, HardlyHearsFewWrongNormals) {
   OrientedPoints points = half_of("torus", kEye);
   for (std::size_t i = 0; i < points.size(); i += 250) points.normals[i] = -points.normals[i];
   const Scan scan(points);
-  EXPECT_LT(angle_deg(line_of_sight(scan, facing(scan).front), kEye), 4.0);
+  EXPECT_GT(line_of_sight(scan, facing(scan).front).dot(kEye), kFourDegrees);
 }
 
 TEST(LineOfSight, StaysWhereNormalsLeaveAChoice) {
