@@ -70,7 +70,9 @@ std::string refusal_line(unsigned refused) {
   add(loop::kRefusedPriority, "a real-time priority");
   add(loop::kRefusedCore, "a processor core");
   add(loop::kRefusedMemory, "locked memory");
-  return "runs without " + text + ", because this user or machine may not have it: ticks may be late; see packaging/isotouchd.service";
+  return "runs without " + text +
+         ", because this user or machine may not have it: ticks may be late; start it as the service isotouchd, whose unit gives these "
+         "rights";
 }
 
 std::string latency_line(const std::string& file, int error) {
