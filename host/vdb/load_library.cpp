@@ -16,7 +16,8 @@ const Library& load() {
   const std::filesystem::path module = program.parent_path().parent_path() / "lib/isotouch/openvdb.so";
   void* loaded = ::dlopen(module.c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: grids live as long as the program
   if (loaded == nullptr) {
-    throw InputError(std::string("OpenVDB cannot be loaded (") + ::dlerror() + "); install isotouch as a whole, and libopenvdb");
+    throw InputError(std::string("OpenVDB cannot be loaded (") + ::dlerror() +
+                     "); install isotouch as a whole, or build it as a whole with './dev build'");
   }
   using Table = const Library* (*)();
   const auto table = reinterpret_cast<Table>(::dlsym(loaded, kTable));
