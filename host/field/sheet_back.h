@@ -16,7 +16,7 @@ inline constexpr double kBackDepth = 0.1;
 /// looks into it, as the hole of a ring does, and is filled where its rim looks to the front, as a gap in a scan does.
 ///
 /// scan      of one side, without strays
-/// front     unit; most normals look there
+/// front     unit, to the sensor
 cloud::OrientedPoints sheet_back(const Scan& scan, const Eigen::Vector3d& front);
 
 }  // namespace isotouch::field
