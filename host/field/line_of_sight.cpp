@@ -22,7 +22,13 @@ constexpr double kLastStep = 0.01;
 
 }  // namespace
 
-Vector3d line_of_sight(const Scan& scan, const Vector3d& front) {
+Vector3d line_of_sight(const Scan& scan, const Vector3d& front, const std::optional<Vector3d>& sensor) {
+  if (sensor) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& p : scan.positions()) box.extend(p);
+    const Vector3d way = *sensor - box.center();
+    return way.isZero() ? front : way.normalized();
+  }
   std::vector<Vector3d> asked;
   for (std::size_t i = 0, every = std::max<std::size_t>(1, scan.size() / kAsked); i < scan.size(); i += every) {
     std::size_t alike = 0;

@@ -214,7 +214,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.measured = scan->size();
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
   if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {
-    const OrientedPoints back = sheet_back(*scan, line_of_sight(*scan, facing.front));
+    const OrientedPoints back = sheet_back(*scan, line_of_sight(*scan, facing.front, options.viewpoint));
     const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
     append(result.points.positions, back.positions);
     append(result.points.normals, back.normals);

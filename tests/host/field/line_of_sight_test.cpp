@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "host/cloud/random.h"
@@ -36,6 +37,16 @@ TEST(LineOfSight, IsWhereAllNormalsLook) {
   }
   const Scan torus(half_of("torus", kEye));
   EXPECT_LT(facing(torus).front.dot(kEye), kEightDegrees);  // the mean normal is elsewhere
+}
+
+TEST(LineOfSight, GoesToASensorThatIsKnown) {
+  OrientedPoints points = half_of("torus", kEye);
+  for (Vector3d& p : points.positions) p += Vector3d(10, 0, 0);
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : points.positions) box.extend(p);
+  const Vector3d way = Vector3d(1, 2, 2) / 3;
+  EXPECT_GT(line_of_sight(Scan(points), kEye, box.center() + 500 * way).dot(way), 1.0 - 1e-12);
+  EXPECT_EQ(line_of_sight(Scan(points), kEye, box.center()), kEye);
 }
 
 TEST(LineOfSight, HardlyHearsFewWrongNormals) {
