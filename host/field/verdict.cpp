@@ -27,6 +27,7 @@ constexpr double kMostContradicted =
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
+constexpr double kMostGapsOfSheet = 0.025;  // what one view sees has shadows
 constexpr double kMostUnexplained = 0.4;
 constexpr double kMostSurprising = 0.02;
 constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
@@ -179,7 +180,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
   const bool cut = closed && is_cut(sound.rim);
-  refuse(!cut && verdict.gap_share > kMostGaps,
+  refuse(!cut && verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet),
          per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
   refuse(closed && !cut && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "

@@ -69,7 +69,10 @@ TEST(DirtyScansHeavy, OfOneSideAreClosedAlongTheLineOfSight) {
   for (const Case& scan : test::examples<Case>({{"torus", "clean", 0.03},                   // (0.064 with walls along the mean normal)
                                                 {"boy", "dense, noise 1 %", 0.085},         // (0.102 without surface in the shadows)
                                                 {"hydrant", "dense, noise 1 %", 0.16}})) {  // (0.184 with the doubt of whole scans)
-    for (const DirtyRow& row : rows(scan.shape, true, {scan.dirt})) EXPECT_LT(row.surface_rms, scan.most) << scan.shape;
+    for (const DirtyRow& row : rows(scan.shape, true, {scan.dirt})) {
+      EXPECT_LT(row.surface_rms, scan.most) << scan.shape;
+      EXPECT_TRUE(row.verdict.plausible() || scan.shape == "hydrant") << scan.shape;  // which hides 4 % of its surface
+    }
   }
 }
 
