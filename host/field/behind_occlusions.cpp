@@ -30,30 +30,26 @@ constexpr double kBelow = 0.7;     // of the way to what hides it
 /// The samples of each cell of a picture.
 class Cells {
  public:
-  Cells(const Scan& scan, const FrontView& view) : size_(view.size()), first_(at({0, view.size().y()}) + 1, 0), samples_(scan.size()) {
-    for (const Vector3d& p : scan.positions()) ++first_[at(view.cell_of(p)) + 1];
+  Cells(const Scan& scan, const FrontView& view) : view_(view), first_(view.index({0, view.size().y()}) + 1, 0), samples_(scan.size()) {
+    for (const Vector3d& p : scan.positions()) ++first_[view.index(view.cell_of(p)) + 1];
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t i = 0; i < scan.size(); ++i) samples_[next[at(view.cell_of(scan.positions()[i]))]++] = i;
+    for (std::uint32_t i = 0; i < scan.size(); ++i) samples_[next[view.index(view.cell_of(scan.positions()[i]))]++] = i;
   }
 
   /// Those of the cells up to `rings` away.
   template <typename Visit>
   void around(const Vector2i& cell, int rings, const Visit& visit) const {
-    for (int y = std::max(0, cell.y() - rings); y <= std::min(size_.y() - 1, cell.y() + rings); ++y) {
-      for (int x = std::max(0, cell.x() - rings); x <= std::min(size_.x() - 1, cell.x() + rings); ++x) {
-        const std::size_t c = at({x, y});
+    for (int y = std::max(0, cell.y() - rings); y <= std::min(view_.size().y() - 1, cell.y() + rings); ++y) {
+      for (int x = std::max(0, cell.x() - rings); x <= std::min(view_.size().x() - 1, cell.x() + rings); ++x) {
+        const std::size_t c = view_.index({x, y});
         for (std::uint32_t n = first_[c]; n < first_[c + 1]; ++n) visit(samples_[n]);
       }
     }
   }
 
  private:
-  std::size_t at(const Vector2i& cell) const {
-    return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(size_.x()) + static_cast<std::size_t>(cell.x());
-  }
-
-  Vector2i size_;
+  const FrontView& view_;
   std::vector<std::uint32_t> first_, samples_;
 };
 

@@ -14,7 +14,7 @@ namespace isotouch::field {
 /// view      of its points
 /// spacing   between neighbouring samples, the scan's unit
 /// opening   so high shall the wedge be at the edge of the shadow, the same unit
-/// returns   positions and normals, without stiffness; below seven tenths of the way to what hides them
+/// returns   positions and normals, without stiffness; they end well before what hides them
 cloud::OrientedPoints behind_occlusions(const Scan& scan, const FrontView& view, double spacing, double opening);
 
 }  // namespace isotouch::field

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -34,6 +35,10 @@ class FrontView {
   double height(const Eigen::Vector3d& p) const { return front_.dot(p); }
   Eigen::Vector3d solid(const Eigen::Vector2d& q, double height) const { return q.x() * u_ + q.y() * v_ + height * front_; }
   Eigen::Vector2i cell_of(const Eigen::Vector3d& p) const { return ((flat(p) - low_) / cell_).array().floor().cast<int>(); }
+  /// Of a cell in a list of all of them, row by row.
+  std::size_t index(const Eigen::Vector2i& cell) const {
+    return static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(size_.x()) + static_cast<std::size_t>(cell.x());
+  }
   Eigen::Vector2d middle(int x, int y) const { return low_ + cell_ * Eigen::Vector2d(x + 0.5, y + 0.5); }
   double cell() const { return cell_; }
   const Eigen::Vector2i& size() const { return size_; }

@@ -8,14 +8,22 @@
 namespace isotouch::control {
 namespace {
 
-TEST(FieldReader, WhoDoesNotGetOnGivesWayToAnother) {
+/// Two clients, and a field that was copied for them.
+class FieldReading : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_FALSE(fields.begin_with(store::packed_ball(1).bytes, "ball"));
+    ASSERT_FALSE(fields.copy().refusal);
+  }
+
   loop::LinuxClock clock;
-  loop::FieldSlots slots(1 << 20);
-  store::FieldIntake fields(slots, nullptr, clock, {});
-  ASSERT_FALSE(fields.begin_with(store::packed_ball(1).bytes, "ball"));
-  ASSERT_FALSE(fields.copy().refusal);
-  FieldReader reader(fields);
+  loop::FieldSlots slots{1 << 20};
+  store::FieldIntake fields{slots, nullptr, clock, {}};
+  FieldReader reader{fields};
   const ControlClient one, other;
+};
+
+TEST_F(FieldReading, WhoDoesNotGetOnGivesWayToAnother) {
   const protocol::ReadImage front{0, 8}, next{8, 8};
   constexpr std::int64_t kLittle = FieldReader::kPatienceNs - 1;
   EXPECT_FALSE(reader.begin(one, front, 0));
@@ -31,14 +39,7 @@ TEST(FieldReader, WhoDoesNotGetOnGivesWayToAnother) {
   EXPECT_FALSE(reader.begin(one, front, 2 * kLittle + 1));
 }
 
-TEST(FieldReader, TheLastPartEndsTheReading) {
-  loop::LinuxClock clock;
-  loop::FieldSlots slots(1 << 20);
-  store::FieldIntake fields(slots, nullptr, clock, {});
-  ASSERT_FALSE(fields.begin_with(store::packed_ball(1).bytes, "ball"));
-  ASSERT_FALSE(fields.copy().refusal);
-  FieldReader reader(fields);
-  const ControlClient one, other;
+TEST_F(FieldReading, TheLastPartEndsTheReading) {
   const auto bytes = static_cast<std::uint32_t>(fields.copied().size());
   EXPECT_FALSE(reader.begin(one, {0, 8}, 0));
   EXPECT_EQ(reader.part().bytes.size(), 8U);
@@ -48,12 +49,7 @@ TEST(FieldReader, TheLastPartEndsTheReading) {
   EXPECT_FALSE(reader.begin(other, {0, 8}, 0));
 }
 
-TEST(FieldReader, APartHasABoundedNumberOfBytes) {
-  loop::LinuxClock clock;
-  loop::FieldSlots slots(1 << 20);
-  const store::FieldIntake fields(slots, nullptr, clock, {});
-  FieldReader reader(fields);
-  const ControlClient one;
+TEST_F(FieldReading, APartHasABoundedNumberOfBytes) {
   EXPECT_TRUE(reader.begin(one, {0, 0}, 0));
   EXPECT_TRUE(reader.begin(one, {0, protocol::kMaxChunk + 1}, 0));
   EXPECT_FALSE(reader.begin(one, {0, protocol::kMaxChunk}, 0));
