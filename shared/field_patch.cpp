@@ -154,6 +154,8 @@ class ImageWriter {
 
 bool FieldPatch::has_magic(std::span<const std::uint8_t> bytes) { return isotouch::has_magic(kForm, bytes); }
 
+std::size_t FieldPatch::patch_bytes() const { return patch_layout::kHeaderBytes + cells.size() + bricks.size() + stiffness.size(); }
+
 std::size_t FieldPatch::image_bytes() const {
   return static_cast<std::size_t>(load_le<std::uint64_t>(image_header.data() + image_layout::kTotalBytesAt));
 }

@@ -39,6 +39,9 @@ struct FieldPatch {
   std::span<const std::uint8_t> bricks;        ///< 64 i16 for each stored cell
   std::span<const std::uint8_t> stiffness;     ///< u8 for each stored cell; empty without a table
 
+  /// Of the patch itself.
+  std::size_t patch_bytes() const;
+
   /// Of the image after: its size, and the offset of its stiffness table, 0 = none.
   std::size_t image_bytes() const;
   std::uint32_t stiffness_at() const;

@@ -3,14 +3,10 @@
 #include <algorithm>
 
 #include "shared/bytes.h"
-#include "shared/field_patch.h"
 
 namespace isotouch {
 
-namespace {
-
-/// The patch at the front, by the size that it states.
-Result<FieldPatch> first_of(std::span<const std::uint8_t> bytes) {
+Result<FieldPatch> first_patch(std::span<const std::uint8_t> bytes) {
   using namespace patch_layout;
   if (bytes.size() < kHeaderBytes)
     return FieldPatch::has_magic(bytes) || bytes.size() < kForm.magic.size() ? Error::kTruncated : Error::kBadMagic;
@@ -18,29 +14,23 @@ Result<FieldPatch> first_of(std::span<const std::uint8_t> bytes) {
   return FieldPatch::parse(bytes.first(static_cast<std::size_t>(std::min<std::uint64_t>(size, bytes.size()))));
 }
 
-std::size_t size_of(const FieldPatch& patch) {
-  return patch_layout::kHeaderBytes + patch.cells.size() + patch.bricks.size() + patch.stiffness.size();
-}
-
-}  // namespace
-
 Result<Patches> check_patches(std::span<const std::uint8_t> bytes, std::uint64_t field) {
   Patches found;
   for (std::span<const std::uint8_t> left = bytes; !left.empty();) {
-    const Result<FieldPatch> patch = first_of(left);
+    const Result<FieldPatch> patch = first_patch(left);
     if (!patch) return patch.error();
     if (patch->hash_before != field) return Error::kOtherField;
     field = patch->hash_after;
     ++found.count;
     found.largest_image = std::max(found.largest_image, patch->image_bytes());
-    left = left.subspan(size_of(*patch));
+    left = left.subspan(patch->patch_bytes());
   }
   return found;
 }
 
 Result<void> PatchChain::advance(std::uint32_t moved_to) {
   if (left_.empty()) return Error::kNoPatches;
-  const Result<FieldPatch> patch = first_of(left_);
+  const Result<FieldPatch> patch = first_patch(left_);
   if (!patch) return patch.error();
   if (static_cast<std::uint32_t>(patch->hash_after) != moved_to) return Error::kOtherField;
   if (patch->image_bytes() > memory_[next_].size()) return Error::kBadSize;
@@ -49,7 +39,7 @@ Result<void> PatchChain::advance(std::uint32_t moved_to) {
   const Result<FieldView> view = FieldView::parse(*image);
   if (!view) return view.error();
   view_ = *view;
-  left_ = left_.subspan(size_of(*patch));
+  left_ = left_.subspan(patch->patch_bytes());
   next_ = 1 - next_;
   return {};
 }

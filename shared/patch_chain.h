@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "shared/field_patch.h"
 #include "shared/field_view.h"
 #include "shared/result.h"
 
@@ -24,6 +25,12 @@ struct Patches {
 /// fails     as FieldPatch::parse; kTruncated also for a last patch that is cut; kOtherField: a patch does not follow
 /// tick      no
 Result<Patches> check_patches(std::span<const std::uint8_t> bytes, std::uint64_t field);
+
+/// The patch at the front of a file of patches, checked by itself. The next one begins behind `FieldPatch::patch_bytes()`.
+///
+/// fails     as FieldPatch::parse
+/// tick      no
+Result<FieldPatch> first_patch(std::span<const std::uint8_t> bytes);
 
 class PatchChain {
  public:

@@ -264,6 +264,19 @@ test("recordings of positions and of packets are computed again as by the tool",
   assert.match(sentence(() => touch.replay(readFileSync("tests/golden/field_1_1.itf"))), /not a file of this kind/);
 });
 
+test("a recording of a field that changed is computed again with its patches", async () => {
+  const touch = await touching(readFileSync("tests/golden/field_1_3.itf"));
+  const [trace, patches] = ["trace", "patches"].map((end) => readFileSync(`tests/golden/positions_patches.${end}`));
+  const told = JSON.parse(isotouch(["replay", "--check", "--json", "tests/golden/field_1_3.itf", "tests/golden/positions_patches.trace"]));
+  for (let time = 0; time < 2; ++time) {
+    assert.deepEqual(touch.replay(trace, "file", patches), { ticks: told.ticks, hash: told.hash, firstDifference: null });
+  }
+  assert.match(sentence(() => touch.replay(trace, "file")), /^file: .*patch/);
+  for (const size of [1, 64, patches.length - 1]) assert.match(sentence(() => touch.replay(trace, "file", patches.subarray(0, size))), /^file: /);
+  patches[patches.length - 20] ^= 1;
+  assert.match(sentence(() => touch.replay(trace, "file", patches)), /^file: /);
+});
+
 test("a pace catches up with what is late, and leaves out what is too late", () => {
   const pace = new Pace(1000);
   assert.deepEqual([pace.due(1000), pace.due(1000.5), pace.due(1001), pace.due(1005.2), pace.skipped], [1, 0, 1, 4, 0]);

@@ -2,7 +2,7 @@
 /// allocation but `memory.grow`.
 ///
 /// A function that can refuse returns the address of a sentence that ends with a zero byte, or 0. Numbers pass through `numbers()`, 64-bit floats. An address
-/// stays valid; a view of the memory does not when the memory has grown, which any function with `room` or `run` in its name may cause.
+/// stays valid; a view of the memory does not when the memory has grown, which any function with `room`, `run` or `replay` in its name may cause.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,6 +12,7 @@
 #include "hil/plain_replay.h"
 #include "host/touch/module/memory.h"
 #include "host/touch/session.h"
+#include "shared/patch_chain.h"
 
 #define TOUCH_EXPORT(name) extern "C" __attribute__((export_name(#name), used))
 
@@ -32,6 +33,7 @@ struct Module {
   std::size_t image_bytes = 0;
   std::uint64_t max_trace_bytes = 0;
   std::size_t replayed_bytes = 0;
+  std::size_t patches_bytes = 0;
   std::uint64_t replay_hash = 0;
   std::array<double, 3 * kBatch> places{};
   std::array<double, kNumbersOfATick * kBatch> numbers{};
@@ -203,17 +205,21 @@ TOUCH_EXPORT(trace_address) const std::uint8_t* trace_address() { return module(
 
 // ---- a recording ------------------------------------------------------------------------------------------------------------------
 
-/// Ends the trace that is kept. returns the address of room for a recording of that many bytes; 0 when there is not enough memory
-TOUCH_EXPORT(replay_room) std::uint8_t* replay_room(double bytes) {
+/// Ends the trace that is kept. returns the address of room for a recording of that many bytes; 0 when there is not enough memory. The patches of its field,
+/// if it has any, belong behind it, at the next multiple of 64 bytes.
+TOUCH_EXPORT(replay_room) std::uint8_t* replay_room(double bytes, double patches_bytes) {
   Module& m = module();
   m.max_trace_bytes = 0;
   m.replayed_bytes = 0;
+  m.patches_bytes = 0;
   begin_trace();
-  if (!(bytes >= 0 && bytes < 4294967296.0)) return nullptr;
-  const auto size = static_cast<std::uint64_t>(bytes);
-  const std::span<std::uint8_t> block = touch::block_of(trace_begin() + std::max(size, std::uint64_t{1}));
+  if (!(bytes >= 0 && bytes < 4294967296.0 && patches_bytes >= 0 && patches_bytes < 4294967296.0)) return nullptr;
+  const auto size = static_cast<std::uint64_t>(bytes), patches_size = static_cast<std::uint64_t>(patches_bytes);
+  const std::span<std::uint8_t> block =
+      touch::block_of(trace_begin() + image_layout::align64(size) + std::max(patches_size, std::uint64_t{1}));
   if (block.empty()) return nullptr;
   m.replayed_bytes = static_cast<std::size_t>(size);
+  m.patches_bytes = static_cast<std::size_t>(patches_size);
   return block.data() + trace_begin();
 }
 
@@ -223,7 +229,17 @@ TOUCH_EXPORT(replay) Refused replay_recording() {
   Module& m = module();
   const std::optional<FieldView>& field = m.session.field();
   if (!field) return "there is no field; load one first";
-  const Result<replay::Report> report = replay::run(*field, {touch::block_begin() + trace_begin(), m.replayed_bytes});
+  const std::uint64_t patches_begin = trace_begin() + image_layout::align64(std::uint64_t{m.replayed_bytes});
+  const Result<Patches> patches = check_patches({touch::block_begin() + patches_begin, m.patches_bytes}, field->hash());
+  if (!patches) return describe(patches.error());
+  const std::uint64_t images_begin = image_layout::align64(patches_begin + m.patches_bytes);
+  const std::uint64_t images_step = image_layout::align64(std::uint64_t{patches->largest_image});
+  const std::span<std::uint8_t> block = touch::block_of(images_begin + 2 * images_step);
+  if (block.empty()) return kNoMemory;
+  const auto part = [&](std::uint64_t begin, std::size_t bytes) { return block.subspan(static_cast<std::size_t>(begin), bytes); };
+  const replay::Moves moves{part(patches_begin, m.patches_bytes),
+                            {part(images_begin, patches->largest_image), part(images_begin + images_step, patches->largest_image)}};
+  const Result<replay::Report> report = replay::run(*field, part(trace_begin(), m.replayed_bytes), moves);
   if (!report) return describe(report.error());
   m.numbers[0] = static_cast<double>(report->ticks);
   m.numbers[1] = report->equal ? 1 : 0;

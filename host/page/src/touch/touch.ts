@@ -106,12 +106,14 @@ interface Exports {
   waits(): number;
   trace_bytes(): number;
   trace_address(): number;
-  replay_room(bytes: number): number;
+  replay_room(bytes: number, patchesBytes: number): number;
   replay(): number;
   replay_hash(): bigint;
 }
 
 const DEVICE_BYTES = 128;
+/** Bytes: patches begin behind the recording at a multiple of it. */
+const ALIGNMENT = 64;
 
 export class Touch {
   /** Every setting that the core knows, in the order of their numbers. */
@@ -266,11 +268,14 @@ export class Touch {
    *
    * @param trace the file's bytes, with outputs; recorded on the loaded field
    * @param name stands for the file in the sentence of a refusal
+   * @param patches the bytes of the recording's `.patches`, if the field changed while it was felt
    */
-  replay(trace: Uint8Array, name = "the recording"): Replayed {
-    const room = this.#exports.replay_room(trace.byteLength);
-    if (room === 0) throw new TouchError(`${name}: there is not enough memory for its ${trace.byteLength} bytes`);
-    new Uint8Array(this.#exports.memory.buffer).set(trace, room);
+  replay(trace: Uint8Array, name = "the recording", patches = new Uint8Array()): Replayed {
+    const room = this.#exports.replay_room(trace.byteLength, patches.byteLength);
+    if (room === 0) throw new TouchError(`${name}: there is not enough memory for its ${trace.byteLength + patches.byteLength} bytes`);
+    const memory = new Uint8Array(this.#exports.memory.buffer);
+    memory.set(trace, room);
+    memory.set(patches, room + Math.ceil(trace.byteLength / ALIGNMENT) * ALIGNMENT);
     this.#check(this.#exports.replay(), `${name}: `);
     const [ticks = 0, equal = 0, first = 0] = this.#numbers(3);
     return { ticks, hash: hashText(this.#exports.replay_hash()), firstDifference: equal === 1 ? null : first };
