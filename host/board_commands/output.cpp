@@ -35,7 +35,7 @@ std::string list_of(const Forms& forms) {
   return text;
 }
 
-const Form& form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named, const std::string& hint) {
+const Form* form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named, const std::string& hint) {
   const std::string ending = in_lower_case(out.extension().string());
   const std::string rest = list_of(forms) + (hint.empty() ? "" : "; " + hint);
   const Form* form = !ending.empty() ? find(forms, ending) : !named.empty() ? find(forms, '.' + named) : usual(forms);
@@ -46,7 +46,7 @@ const Form& form_of(const std::filesystem::path& out, const Forms& forms, const 
     throw InputError(out.string() + ": its name asks for " + ending + ", and --format for " + named + "; leave one of them out");
   if (is_standard(out) && !form->is_text && isatty(STDOUT_FILENO) != 0)
     throw InputError("-: standard output is a terminal, and " + std::string(form->what) + " is not text; redirect it, or name a file");
-  return *form;
+  return form;
 }
 
 CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::path& out, const Forms& forms, const std::string& about,

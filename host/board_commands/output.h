@@ -46,9 +46,10 @@ std::string list_of(const Forms& forms);
 ///
 /// named     an ending without its dot, from an option, for names that say nothing; may be empty
 /// hint      what to do for another form, a clause; may be empty
+/// returns   one of `forms`, never null
 /// fails     InputError with the forms that there are: the name asks for none of them or for no certain one, or contradicts `named`; when binary
 ///           bytes would be written to a terminal
-const Form& form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named = {}, const std::string& hint = {});
+const Form* form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named = {}, const std::string& hint = {});
 
 /// Adds an option for a file to write, whose name is judged before the work.
 ///

@@ -117,11 +117,11 @@ struct ExportOptions {
 };
 
 void run(const ExportOptions& options) {
-  const Form& form = form_of(options.out, written_forms(), options.format);  // before the work
-  const Writer& writer = *std::find_if(kWriters.begin(), kWriters.end(), [&](const Writer& w) { return w.form == &form; });
+  const Form* form = form_of(options.out, written_forms(), options.format);  // before the work
+  const Writer& writer = *std::find_if(kWriters.begin(), kWriters.end(), [&](const Writer& w) { return w.form == form; });
   if (options.input_frame && !writer.has_frames)
     throw CLI::ValidationError("--input-frame",
-                               std::string(form.ending) + " is always in workspace mm; a surface or a level set need not be");
+                               std::string(form->ending) + " is always in workspace mm; a surface or a level set need not be");
   const field_file::OpenField open = field_file::open_field(options.field);
   const cloud::Placement frame = options.input_frame ? evaluate::placement_of(open.view) : cloud::Placement{};
   ProgressBar bar({{"export", kSecondsABrick * open.view.brick_count}});

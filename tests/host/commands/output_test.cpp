@@ -28,14 +28,14 @@ const Forms kOne = {&forms::kField};
 const Forms kSeveral = {&forms::kField, &forms::kObj};
 
 TEST(Output, TheNameDecides) {
-  EXPECT_EQ(form_of("a/b.itf", kOne).ending, ".itf");
-  EXPECT_EQ(form_of("a.b.ITF", kOne).ending, ".itf");
-  EXPECT_EQ(form_of("field", kOne).ending, ".itf") << "nothing else can be meant";
-  EXPECT_EQ(form_of("/dev/null", kOne).ending, ".itf");
-  EXPECT_EQ(form_of("-", kOne).ending, ".itf");
-  EXPECT_EQ(form_of("a.obj", kSeveral).ending, ".obj");
-  EXPECT_EQ(form_of("-", kSeveral, "obj").ending, ".obj");
-  EXPECT_EQ(form_of("a.obj", kSeveral, "obj").ending, ".obj");
+  EXPECT_EQ(form_of("a/b.itf", kOne)->ending, ".itf");
+  EXPECT_EQ(form_of("a.b.ITF", kOne)->ending, ".itf");
+  EXPECT_EQ(form_of("field", kOne)->ending, ".itf") << "nothing else can be meant";
+  EXPECT_EQ(form_of("/dev/null", kOne)->ending, ".itf");
+  EXPECT_EQ(form_of("-", kOne)->ending, ".itf");
+  EXPECT_EQ(form_of("a.obj", kSeveral)->ending, ".obj");
+  EXPECT_EQ(form_of("-", kSeveral, "obj")->ending, ".obj");
+  EXPECT_EQ(form_of("a.obj", kSeveral, "obj")->ending, ".obj");
 }
 
 TEST(Output, AnotherNameIsRefusedWithTheFormsThatThereAre) {
