@@ -48,7 +48,7 @@ class ScenariosTest(unittest.TestCase):
     def scenario(self, name: str, more: str = "") -> tuple[int, str]:
         """Exit code, and what it says; /run and /proc are folders of the test."""
         script = (RIG / "scenarios" / name).read_text().replace(". /lib/board.sh\n", (RIG / "guest/board.sh").read_text() + BOARD + more)
-        script = script.replace("/run/", f"{self.room}/run/").replace("/proc/", f"{self.room}/proc/")
+        script = script.replace("/run/", f"{self.room}/run/").replace("/proc/", f"{self.room}/proc/").replace("/fields/", f"{self.room}/fields/")
         ended = subprocess.run(["sh", "-c", script], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=60)
         return ended.returncode, ended.stdout
 
@@ -66,6 +66,24 @@ class ScenariosTest(unittest.TestCase):
             self.assertIn("the trace shows no heartbeat before the signal", said)
         edges.write_text(TRACED.replace("200000", "150000 2 1\n200000"))
         self.assertIn("the heartbeat goes on", self.scenario("killed")[1])
+
+    def test_stream_needs_the_last_field_and_a_hand_that_feels_it(self) -> None:
+        (self.room / "fields").mkdir()
+        (self.room / "fields/stream.hash").write_text("0123456789abcdef\n")
+        board = """
+start_falcon() { :; }
+within() { :; }
+isotouchctl() { echo "$1"; [ "$1" != "$refused" ]; }
+status_of() { case $1 in field_hash) echo $felt_field ;; allocations) echo $allocations ;; *) echo 0 ;; esac; }
+commands_in() { command seq $ticks; }
+refused=none felt_field=0123456789abcdef allocations=0 ticks=1000
+"""
+        self.assertEqual(self.scenario("stream", board)[0], 0)
+        for change, sentence in (("refused=upload", "upload: upload"), ("refused=replay", "replay: replay"), ("felt_field=0", "0 is felt instead of 0123456789abcdef"),
+                                 ("allocations=1", "the tick allocates"), ("ticks=500", "felt the object in 500 ticks only")):
+            code, said = self.scenario("stream", board + change + "\n")
+            self.assertEqual(code, 1, said)
+            self.assertIn(sentence, said)
 
     def test_low_memory_needs_locked_memory(self) -> None:
         status = self.room / "proc/7/status"
