@@ -79,7 +79,7 @@ std::string latency_line(const std::string& file, int error) {
   const std::string remedy = error == EACCES || error == EPERM ? "install 60-isotouch-latency.rules and be in the group isotouch"
                              : error == ENOTTY                 ? "name a character device in [loop] latency_file, or \"\""
                              : error == ENOENT
-                                 ? "use a kernel with CONFIG_PM, or set [loop] latency_file = \"\" where processors never sleep"
+                                 ? "use a kernel with CONFIG_CPU_IDLE, or set [loop] latency_file = \"\" where processors never sleep"
                                  : "set [loop] latency_file = \"\" to do without it";
   const std::string why = error == ENOTTY ? "it is no character device" : std::strerror(error);
   return "processors may fall asleep while there is force, and ticks then begin late: " + file + " cannot be held (" + why + "); " + remedy;
