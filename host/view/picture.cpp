@@ -82,6 +82,7 @@ std::vector<std::uint8_t> encode(const Picture& picture, std::string_view ending
     picture.draw_on(surface.get());
   } else if (ending == ".pdf") {
     const Picture::Surface surface(cairo_pdf_surface_create_for_stream(append, &bytes, width * kPointsPerPixel, height * kPointsPerPixel));
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);  // nothing needs more, and every reader has it
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");  // else two runs differ
     cairo_surface_set_device_scale(surface.get(), kPointsPerPixel, kPointsPerPixel);
     picture.draw_on(surface.get());
