@@ -82,18 +82,24 @@ press() {
 
 upload() { isotouchctl upload "/fields/$1.itf" --to $control >/run/upload.log 2>&1 || fail "upload: $(cat /run/upload.log)"; }
 
+# repeats NAME FIELD: the core must repeat every word of a recording, with its patches where it has any; tell_trace NAME: its ticks and its hash.
+repeats() {
+  isotouchctl replay "/fields/$2.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+}
+tell_trace() { say "trace $1 $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"; }
+
 # record NAME SECONDS FIELD: records, and wants the core to repeat every word.
 record() {
   isotouchctl record --to $control -o "/run/$1.trace" --seconds "$2" >/run/record.log 2>&1 || fail "record: $(cat /run/record.log)"
-  isotouchctl replay "/fields/$3.itf" "/run/$1.trace" --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
-  say "trace $1 $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
+  repeats "$1" "$3"
+  tell_trace "$1"
 }
 
 # The recording of everything, once the controller has ended: the core must repeat it, and each input that speaks against forces must have ended them.
 # zeros FAULT:CONDITION...: what was ordered, in order, and what an input shows of it; see `isotouchctl trace stop-latency`.
 zeros() {
-  isotouchctl replay /fields/sphere.itf /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
-  say "trace all $(sed -nE 's/^ *("(ticks|hash)": .*)/\1/p' /run/replay.log | tr '\n' ' ')"
+  repeats all sphere
+  tell_trace all
   isotouchctl trace stop-latency /run/all.trace >/run/zero.log 2>&1 || fail "forces went on: $(cat /run/zero.log)"
   sed -i 1d /run/zero.log
   [ "$(wc -l </run/zero.log)" = $# ] || fail "not $# faults ended forces: $(cat /run/zero.log)"
@@ -113,7 +119,7 @@ commands_in() {
 
 # dialogue FIELD: the core repeats the whole recording, and its dialogue is the one that desk and hand had in lockstep.
 dialogue() {
-  isotouchctl replay "/fields/$1.itf" /run/all.trace --check --json >/run/replay.log 2>&1 || fail "replay: $(cat /run/replay.log)"
+  repeats all "$1"
   as_on_desk "$1"
 }
 
