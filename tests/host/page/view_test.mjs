@@ -735,6 +735,7 @@ const tests = {
     const opened = await open({}, 'owl.itf', 'felt.trace');
     const { page } = opened;
     await shown(page);
+    await page.locator('#play').waitFor();   // the recording comes after the first picture
     const reached = new Set();
     for (let i = 0; i < 40; ++i) {
       await page.keyboard.press('Tab');
