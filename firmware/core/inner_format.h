@@ -9,13 +9,13 @@
 namespace isotouch::core {
 
 inline constexpr int kInnerBits = 20;
+inline constexpr int kRaisedBits = kInnerBits - Distance::kFractionBits;  ///< by which a coefficient is raised
 
-constexpr std::int32_t to_inner(std::int16_t coefficient) {
-  return std::int32_t{coefficient} * (1 << (kInnerBits - Distance::kFractionBits));
-}
+constexpr std::int32_t to_inner(std::int16_t coefficient) { return std::int32_t{coefficient} * (1 << kRaisedBits); }
 
-/// Rounded to the 16 fraction bits of a sample.
-constexpr std::int32_t to_outer(std::int32_t inner) {
+/// Rounded to the 16 fraction bits of a sample; of one number, or of several at once.
+template <class Number>
+constexpr Number to_outer(Number inner) {
   constexpr int kSpare = kInnerBits - Voxel::kFractionBits;
   return (inner + (1 << (kSpare - 1))) >> kSpare;
 }
