@@ -46,15 +46,25 @@ inline constexpr auto kInverseRootStart = [] {
 // The steps below never leave 32 bits but in a product, of which they take the upper word: on small processors that is one instruction. So numbers enter
 // doubled where that saves a shift. That the mantissas stay below 2^31 was seen for every m.
 
+constexpr bool kWide = sizeof(Narrow) == 8;
+
+/// a · 2 b / 2^32, rounded down, where 2 b fits 32 bits. 64-bit processors shift anyway, so they shift by one less: a doubling would make the next step wait.
+constexpr Narrow upper_word_of_twice(Narrow a, Narrow b) {
+  return kWide ? static_cast<Narrow>(product(a, b) >> 31) : upper_word(product(a, 2 * b));
+}
+constexpr std::uint_fast32_t upper_product_of_twice(std::uint_fast32_t a, std::uint_fast32_t b) {
+  return kWide ? static_cast<std::uint_fast32_t>((std::uint64_t{a} * b) >> 31) : upper_product(a, 2 * b);
+}
+
 /// The reciprocal of m · 2^e, m in [2^30, 2^31), whose mantissa counts by 2^-shift: y approximates 2^61 / m, in (2^30, 2^31); each step squares the error.
 ///
 /// twice_m   2 m
 constexpr Reciprocal refined(std::uint_fast32_t twice_m, int shift) {
   Narrow y = Narrow{kReciprocalStart[(twice_m >> 24) & 127]} << 15;
   for (int step = 0; step < 2; ++step) {
-    const std::uint_fast32_t near_one = upper_product(twice_m, 2 * static_cast<std::uint_fast32_t>(y));  // 2^31 but for the error
+    const std::uint_fast32_t near_one = upper_product_of_twice(twice_m, static_cast<std::uint_fast32_t>(y));  // 2^31 but for the error
     const auto missing = static_cast<Narrow>((std::uint_fast32_t{1} << 31) - near_one);
-    y += upper_word(product(y, 2 * missing));
+    y += upper_word_of_twice(y, missing);
   }
   return {y, shift};
 }
@@ -89,9 +99,9 @@ constexpr Reciprocal refined_inverse_root(std::uint_fast32_t m, int lead) {
   const std::uint_fast32_t even = m & ~std::uint_fast32_t{1};
   std::uint_fast32_t y = std::uint_fast32_t{kInverseRootStart[m >> 24]} << 15;
   for (int step = 0; step < 2; ++step) {
-    const std::uint_fast32_t square = upper_product(2 * y, y);         // y^2 / 2^31
+    const std::uint_fast32_t square = upper_product_of_twice(y, y);    // y^2 / 2^31
     const std::uint_fast32_t near_half = upper_product(even, square);  // m y^2 / 2^63, near 2^29
-    y = upper_product(2 * y, (std::uint_fast32_t{3} << 30) - 2 * near_half);
+    y = upper_product_of_twice((std::uint_fast32_t{3} << 30) - 2 * near_half, y);
   }
   return {static_cast<Narrow>(y), 62 - lead / 2};
 }
