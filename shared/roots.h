@@ -46,7 +46,7 @@ inline constexpr auto kInverseRootStart = [] {
 // The steps below never leave 32 bits but in a product, of which they take the upper word: on small processors that is one instruction. So numbers enter
 // doubled where that saves a shift. That the mantissas stay below 2^31 was seen for every m.
 
-constexpr bool kWide = sizeof(Narrow) == 8;
+inline constexpr bool kWide = sizeof(Narrow) == 8;
 
 /// a · 2 b / 2^32, rounded down, where 2 b fits 32 bits. 64-bit processors shift anyway, so they shift by one less: a doubling would make the next step wait.
 constexpr Narrow upper_word_of_twice(Narrow a, Narrow b) {
