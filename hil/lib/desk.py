@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
+
+
+LAST_LINES = 100       # of its log that are shown when a script fails
+MAX_GROWTH_KB = 256   # of the heap of a controller that is flat
 
 
 class Failure(Exception):
@@ -28,9 +35,9 @@ def within(seconds: float, condition: Callable[[], object]) -> bool:
     return True
 
 
-def whole_number(text: str) -> int:
-    """An argument of the command line, from 1 to 1000000."""
-    if text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000:
+def whole_number(text: str, most: int = 1_000_000) -> int:
+    """An argument of the command line, from 1 to most."""
+    if text.isascii() and text.isdigit() and 1 <= int(text) <= most:
         return int(text)
     raise ValueError(text)
 
@@ -78,12 +85,12 @@ class Desk:
         with open(self.room / log, "wb") as said:
             self.started.append(subprocess.Popen(command, stdout=said, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL))
 
-    def start_controller(self, device: str, *options: str | Path) -> None:
-        """device is usb, usb:SERIAL, or sim: the simulated Falcon with a hand that tours the object. Returns when it is homed."""
+    def start_controller(self, device: str, *options: str | Path, simulated: Sequence[str | Path] = ()) -> None:
+        """device is usb, usb:SERIAL, or sim: the simulated Falcon, with these options too, and a hand that tours the object. Returns when it is homed."""
         what = f"{device}: pull the grip out as far as it goes, then push it in"
         self.simulated = device == "sim"
         if self.simulated:
-            self.start("falcon.log", self.bin / "falcon-sim", "--socket", self.room / "falcon", "--hand", "tour")
+            self.start("falcon.log", self.bin / "falcon-sim", "--socket", self.room / "falcon", "--hand", "tour", *simulated)
             self._await_socket("falcon", "the simulated Falcon")
             device, what = f"sim:{self.room}/falcon", "a simulated Falcon, booted with a synthetic image and homed by its hand"
         self.start("controller.log", self.bin / "isotouchd", "--device", device, "--control", self.room / "control", *options)
@@ -140,6 +147,27 @@ class Desk:
         """The number of a thread of the controller."""
         return thread_of(self.started[-1].pid, name)
 
+    def descriptors(self) -> list[str]:
+        """What the controller has open."""
+        found = []
+        for entry in Path(f"/proc/{self.started[-1].pid}/fd").iterdir():
+            with contextlib.suppress(FileNotFoundError):   # it was closed meanwhile
+                found.append(os.readlink(entry))
+        return sorted(found)
+
+    def descriptors_at_rest(self) -> list[str]:
+        """The same, once those are closed whose clients have gone."""
+        before: list[str] = []
+        while before != (before := self.descriptors()):
+            time.sleep(0.5)
+        return before
+
+    def heap_kb(self) -> int:
+        """What the controller has of memory for data."""
+        found = re.search(r"^VmData:\s+(\d+)", Path(f"/proc/{self.started[-1].pid}/status").read_text(), re.MULTILINE)
+        assert found
+        return int(found[1])
+
     def controller_log(self) -> str:
         log = self.room / "controller.log"
         return log.read_text(errors="replace") if log.exists() else ""
@@ -152,6 +180,7 @@ def at_desk(name: str, programs: str, work: Callable[[Desk], None]) -> int:
         try:
             work(desk)
         except (Failure, OSError) as failure:   # OSError: a program is missing
-            print(f"{name}: {failure}; the controller said:\n{desk.controller_log()}", end="", file=sys.stderr)
+            said = desk.controller_log().splitlines(keepends=True)[-LAST_LINES:]
+            print(f"{name}: {failure}; the controller said:\n{''.join(said)}", end="", file=sys.stderr)
             return 1
     return 0
