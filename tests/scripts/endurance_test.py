@@ -68,6 +68,13 @@ class EnduranceTest(unittest.TestCase):
             for act in ("upload", "ask", "set"):
                 self.fails(act, f"ended with {code}")
 
+    def test_a_stop_is_never_refused_but_may_be_taken_back(self) -> None:
+        self.assertEqual(self.it.stop(self.chance), "stop: done")
+        self.desk.answer = Answer([], 1, "", "isotouch: the stop was taken back at once, by a button\n")
+        self.assertEqual(self.it.stop(self.chance), "stop: taken back")
+        self.desk.answer = Answer([], 1, "", "isotouch: no place is left; try again\n")
+        self.fails("stop", "a stop was refused")
+
     def test_a_setting_that_nobody_may_choose_is_refused(self) -> None:
         with self.assertRaises(endurance.Failure):
             for _ in range(20):
