@@ -174,8 +174,11 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
          "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
          "normals, or scan more densely");
-  refuse(sound.outside != Outside::kNeighbours && verdict.turned_share > kMostTurned,
-         per_cent(verdict.turned_share) + " of the normals had to be turned; estimate the normals again, or try --normals estimate");
+  // A scan that was turned as a whole is one decision: what counts then is what was not turned with it.
+  const bool as_whole = sound.outside == Outside::kTurned || sound.outside == Outside::kViewpoint;
+  const double singly_turned = as_whole ? std::min(verdict.turned_share, 1.0 - verdict.turned_share) : verdict.turned_share;
+  refuse(sound.outside != Outside::kNeighbours && singly_turned > kMostTurned,
+         per_cent(singly_turned) + " of the normals had to be turned; estimate the normals again, or try --normals estimate");
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");

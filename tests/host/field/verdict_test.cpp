@@ -55,6 +55,31 @@ TEST(Verdict, NormalsWithoutMeaningAreRefused) {
   EXPECT_THAT(verdict_of(points).reasons, Contains(HasSubstr("normals")));
 }
 
+TEST(Verdict, AScanThatWasTurnedAsAWholeIsPlausible) {
+  OrientedPoints points = of("torus");
+  for (Vector3d& n : points.normals) n = -n;
+  const Verdict verdict = verdict_of(points);
+  EXPECT_GT(verdict.turned_share, 0.99);
+  EXPECT_THAT(verdict.reasons, IsEmpty());
+}
+
+TEST(Verdict, AViewpointTurnsAWholeViewButNotTheHiddenSide) {
+  const Vector3d sensor(0, 0, 1000);
+  const OrientedPoints whole = of("sphere");
+  OrientedPoints view;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole.positions[i].z() < 10) continue;
+    view.positions.push_back(whole.positions[i]);
+    view.normals.push_back(-whole.normals[i]);
+  }
+  const auto reasons = [&](const OrientedPoints& points) {
+    Progress progress;
+    return scan_field(sound_scan(points, {.estimate = false, .viewpoint = sensor}), 1.6, kBand, progress).verdict.reasons;
+  };
+  EXPECT_THAT(reasons(view), IsEmpty());
+  EXPECT_THAT(reasons(whole), Contains(HasSubstr("had to be turned")));
+}
+
 TEST(Verdict, SurprisesWeighMoreInNoise) {
   SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
