@@ -236,22 +236,50 @@ double agreement(const Vector3d& normal, const Vector3d& other, const Vector3d& 
   return square > 0.0 ? alike - 2.0 * normal.dot(step) * other.dot(step) / square : alike;
 }
 
-double contradictions(const Scan& scan) {
-  std::atomic<std::size_t> clear{0}, opposed{0};
+namespace {
+
+/// What the clear pairs of neighbours say; each pair is asked from both ends.
+struct ClearPairs {
+  std::int64_t clear = 0, opposed = 0;
+  std::int64_t behind = 0;  ///< of the opposed: how many more lie behind each other than before each other
+
+  double share(std::int64_t count) const { return clear > 0 ? static_cast<double>(count) / static_cast<double>(clear) : 0.0; }
+};
+
+ClearPairs clear_pairs(const Scan& scan) {
+  std::atomic<std::int64_t> clear{0}, opposed{0}, behind{0};
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    std::size_t clear_here = 0, opposed_here = 0;
+    ClearPairs here;
     for (const std::uint32_t i : scan.together(begin, end)) {
       for (const Neighbour& n : scan.around(i, kJoined)) {
         if (n.index == i) continue;
-        const double agreed = agreement(scan.normals()[i], scan.normals()[n.index], scan.positions()[n.index] - scan.positions()[i]);
-        clear_here += std::abs(agreed) > kClear ? 1U : 0U;
-        opposed_here += agreed < -kClear ? 1U : 0U;
+        const Vector3d &own = scan.normals()[i], &other = scan.normals()[n.index];
+        const Vector3d step = scan.positions()[n.index] - scan.positions()[i];
+        const double agreed = agreement(own, other, step);
+        here.clear += std::abs(agreed) > kClear ? 1 : 0;
+        if (agreed >= -kClear) continue;
+        ++here.opposed;
+        const double ahead = own.dot(step), back = -other.dot(step);
+        here.behind += ahead < 0.0 && back < 0.0 ? 1 : ahead > 0.0 && back > 0.0 ? -1 : 0;
       }
     }
-    clear += clear_here;
-    opposed += opposed_here;
+    clear += here.clear;
+    opposed += here.opposed;
+    behind += here.behind;
   });
-  return clear > 0 ? static_cast<double>(opposed) / static_cast<double>(clear) : 0.0;
+  return {clear, opposed, behind};
+}
+
+}  // namespace
+
+double contradictions(const Scan& scan) {
+  const ClearPairs pairs = clear_pairs(scan);
+  return pairs.share(pairs.opposed);
+}
+
+double behind_each_other(const Scan& scan) {
+  const ClearPairs pairs = clear_pairs(scan);
+  return pairs.share(pairs.behind);
 }
 
 std::size_t orient_by_neighbours(Scan& scan, bool heard) {

@@ -25,6 +25,11 @@ double agreement(const Eigen::Vector3d& normal, const Eigen::Vector3d& other, co
 /// Of the pairs of neighbours whose agreement is clear, the share that contradicts itself: 0 in a sound scan, one half where signs are random.
 double contradictions(const Scan& scan);
 
+/// Of the pairs that contradict themselves, those whose samples lie behind each other less those that lie before each other, as a share of the clear
+/// pairs. Where signs are random neither is more frequent. The two sides of a wall that is thinner than the samples are apart lie behind each
+/// other: 1 / 2 or more of the pairs there. If such a scan is inside out, it is as much below 0.
+double behind_each_other(const Scan& scan);
+
 /// Turns normals until neighbours agree. Samples are joined to parts, clearest agreements first; two parts that meet are turned against each other as
 /// all pairs between them ask for. Then parts that all their neighbours ask to turn are turned, until none is left. In every connected part at least
 /// half of the normals stay.

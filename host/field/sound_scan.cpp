@@ -33,6 +33,7 @@ constexpr std::size_t kFewestPoints = 8;
 constexpr double kSheet = 0.4;  // of `Facing::one_sided`: a half sphere has 0.5, a box without its bottom at most 0.2
 constexpr double kClosed = 0.2;
 constexpr double kClearVote = 0.6;       // of `Facing::outward`, to turn a whole scan
+constexpr double kSureVote = 0.9;        // of the same, whatever the volume is
 constexpr double kOutward = 0.2;         // of the same, to believe one
 constexpr double kClearVolume = 0.04;    // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
 constexpr double kTilted = 0.12;         // 7 degrees
@@ -84,9 +85,21 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     return Outside::kViewpoint;
   }
   found = facing(scan);
-  const bool contradicts = options.estimate || contradictions(scan) > kContradictory;
+  const double contradicted = options.estimate ? 1.0 : contradictions(scan);
+  const bool contradicts = contradicted > kContradictory;
+  if (contradicts && !options.estimate) {
+    // Two sides of a thin wall contradict each other rightly: the file knows more than neighbours do.
+    const double behind = behind_each_other(scan);
+    if (contradicted - std::abs(behind) < kContradictory && behind * found.outward > kClearVote * std::abs(behind)) {
+      if (behind > 0.0) return Outside::kAsGiven;
+      turn_all(scan);
+      found = facing(scan);
+      return Outside::kTurned;
+    }
+  }
   const bool sheet = found.one_sided > kSheet && !closed_by_neighbours(scan);
-  if (!contradicts && (sheet || clear(found))) return Outside::kAsGiven;
+  const bool sure = found.outward > kSureVote && found.volume > -kClearVolume;  // an open thin wall encloses hardly anything
+  if (!contradicts && (sheet || clear(found) || sure)) return Outside::kAsGiven;
   if (!contradicts && inside_out(found)) {
     turn_all(scan);
     found = facing(scan);

@@ -96,6 +96,27 @@ TEST(OrientByNeighbours, MendsAnyShareOfTurnedNormals) {
   }
 }
 
+TEST(BehindEachOther, SeesTheTwoSidesOfAThinWallAndNoTurnedNormal) {
+  OrientedPoints sheets;
+  Random random(6);
+  for (std::size_t i = 0; i < 2000; ++i) {
+    const double side = i % 2 == 0 ? 1.0 : -1.0;
+    sheets.positions.emplace_back(random.uniform(-30, 30), random.uniform(-30, 30), 0.3 * side);
+    sheets.normals.emplace_back(0, 0, side);
+  }
+  EXPECT_GT(behind_each_other(Scan(sheets)), 0.4);
+  for (Vector3d& n : sheets.normals) n = -n;
+  EXPECT_LT(behind_each_other(Scan(sheets)), -0.4);
+  OrientedPoints flipped = cloud::sample_shape(cloud::shape("torus"), 3756);
+  for (std::size_t i = 0; i < flipped.size(); ++i) {
+    flipped.positions[i] += random.uniform(-2, 2) * flipped.normals[i];
+    if (random.uniform() < 0.4) flipped.normals[i] *= -1;
+  }
+  const Scan scan(std::move(flipped));
+  EXPECT_GT(contradictions(scan), 0.3);
+  EXPECT_NEAR(behind_each_other(scan), 0.0, 0.02);
+}
+
 TEST(EstimatedNormals, LieWithinTenDegreesOnSmoothShapes) {
   using Example = std::pair<const char*, double>;
   for (const auto& [name, least] :

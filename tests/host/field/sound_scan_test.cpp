@@ -63,6 +63,28 @@ TEST(SoundScan, LeavesACleanScanAsItIs) {
   EXPECT_THAT(sound_scan(of("torus")).warnings(), IsEmpty());
 }
 
+/// A hollow ball whose wall is half as thick as samples are apart.
+OrientedPoints thin_shell() {
+  const OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 2000);
+  OrientedPoints points = sphere;
+  const OrientedPoints other = cloud::sample_shape(cloud::shape("sphere"), 2000, 2);
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    points.positions.push_back(0.97 * other.positions[i]);
+    points.normals.push_back(-other.normals[i]);
+  }
+  return points;
+}
+
+TEST(SoundScan, BelievesTheNormalsOfAThinWall) {
+  const OrientedPoints points = thin_shell();
+  const SoundScan scan = sound_scan(points);
+  EXPECT_EQ(scan.outside, Outside::kAsGiven);
+  EXPECT_LT(unlike(scan, points), 10U);
+  const SoundScan inside_out = sound_scan(turned(points));
+  EXPECT_EQ(inside_out.outside, Outside::kTurned);
+  EXPECT_LT(unlike(inside_out, points), 10U);
+}
+
 TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {
   const OrientedPoints points = of("torus");
   const SoundScan scan = sound_scan(turned(points));
