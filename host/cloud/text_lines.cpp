@@ -1,6 +1,9 @@
 #include "host/cloud/text_lines.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <system_error>
@@ -13,7 +16,10 @@ constexpr std::string_view kSeparators = " \t,;";
 
 }  // namespace
 
-TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes) : name_(std::move(name)), bytes_(bytes) {}
+TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes) : name_(std::move(name)), bytes_(bytes) {
+  constexpr std::array<std::uint8_t, 3> kMark = {0xEF, 0xBB, 0xBF};  // of UTF-8, as editors of Windows write it
+  if (bytes.size() >= kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin())) next_ = kMark.size();
+}
 
 bool TextLines::next() {
   if (next_ >= bytes_.size()) return false;

@@ -16,7 +16,7 @@ namespace isotouch::cloud {
 class TextLines {
  public:
   /// name      of the file, for the sentences
-  /// bytes     stay alive and unchanged
+  /// bytes     stay alive and unchanged; a byte order mark of UTF-8 at their begin is skipped
   TextLines(std::string name, std::span<const std::uint8_t> bytes);
 
   /// Goes to the next line; false at the end of the text.

@@ -29,6 +29,16 @@ TEST(TextLines, TakesAnyLineEndAndAnySeparator) {
   EXPECT_EQ(lines.bytes_read(), kText.size());
 }
 
+TEST(TextLines, SkipAByteOrderMark) {
+  constexpr std::string_view kText = "\xEF\xBB\xBF\x31 2\n3";
+  TextLines lines("f", bytes_of(kText));
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.number("a"), 1.0);
+  EXPECT_EQ(lines.bytes_read(), 7U);
+  ASSERT_TRUE(lines.next());
+  EXPECT_EQ(lines.field(), "3");
+}
+
 TEST(TextLines, NumbersAreWholeFields) {
   EXPECT_EQ(as_number("-1.5e3"), -1500.0);
   EXPECT_EQ(as_number("+2"), 2.0);
