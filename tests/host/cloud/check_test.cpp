@@ -45,6 +45,23 @@ TEST(Check, PointsAtOnePlaceAreMergedInThePlaceOfTheFirst) {
   EXPECT_THAT(report.warnings(), ::testing::ElementsAre("1 point was merged with others at the same place"));
 }
 
+TEST(Check, PointsThatOnlyRoundingTellsApartAreMerged) {
+  const OrientedPoints once = sample_shape(shape("sphere"), 500, 1);
+  OrientedPoints cloud;
+  Random random(3);
+  for (int copy = 0; copy < 8; ++copy) {
+    for (std::size_t i = 0; i < once.size(); ++i) {
+      const Vector3d rounding(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+      cloud.positions.push_back(once.positions[i] + 1e-7 * rounding);
+      cloud.normals.push_back(once.normals[i]);
+    }
+  }
+  cloud.positions.emplace_back(1e9, 0, 0);  // says nothing of the object's size
+  cloud.normals.emplace_back(1, 0, 0);
+  CloudReport report;
+  EXPECT_LT(check("cloud", model_of(cloud), report).size(), 520U);
+}
+
 TEST(Check, PointsThatContradictEachOtherAreLeftOut) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   cloud.positions.push_back(cloud.positions[40]);
