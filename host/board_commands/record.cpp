@@ -12,6 +12,7 @@
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/link/controller.h"
@@ -79,7 +80,7 @@ void add_record(CLI::App& app) {
       "record", "Record the ticks of a running controller as a trace that replays to the bit; Ctrl-C ends the recording and keeps it");
   add_address(*command, options->to);
   add_output(*command, "-o,--out", options->out, {&forms::kTrace}, "the trace to write")->required();
-  command->add_option("--seconds", options->seconds, "how long at most")->check(CLI::Range(0.001, 86400.0))->capture_default_str();
+  command->add_option("--seconds", options->seconds, "how long at most")->check(number_in(0.001, 86400.0))->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] {
     require_apart(options->out, options->json);

@@ -11,6 +11,7 @@
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
+#include "host/board_commands/number_in.h"
 #include "host/error.h"
 #include "host/link/controller.h"
 #include "host/to_double.h"
@@ -78,9 +79,9 @@ void add_watch(CLI::App& app) {
       app.add_subcommand("watch", "Print the ticks of a running controller: state, positions and force, one line for each tick");
   add_address(*command, options->to);
   command->add_option("--rate", options->rate, "lines per second, at most the tick rate")
-      ->check(CLI::Range(0.01, 10000.0))
+      ->check(number_in(0.01, 10000.0))
       ->capture_default_str();
-  command->add_option("--seconds", options->seconds, "how long; by default until Ctrl-C")->check(CLI::Range(0.001, 86400.0));
+  command->add_option("--seconds", options->seconds, "how long; by default until Ctrl-C")->check(number_in(0.001, 86400.0));
   command->add_flag("--json", options->json, "print one JSON object per line instead of comma-separated values");
   command->callback([options] { run(*options); });
 }

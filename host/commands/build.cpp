@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/commands/box_option.h"
 #include "host/commands/build_json.h"
@@ -89,7 +90,7 @@ void add_build(CLI::App& app) {
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   CLI::Option* band =
       command->add_option("--band", options->band, "half width of the band around the surface that is stored, in voxels; by default 3");
-  band->check(CLI::Range(1.0, 7.99));
+  band->check(number_in(1.0, 7.99));
   command
       ->add_option("--stiffness", options->stiffness,
                    "stiffness of the surface; by default 0.8N/mm. If the points have stiffness values of their own, this is the largest")
@@ -109,13 +110,10 @@ void add_build(CLI::App& app) {
                    "'file' takes the normals of the points, 'estimate' finds them from the points; by default they are estimated where the "
                    "file has none")
       ->transform(one_of(normals));
-  command
-      ->add_option_function<std::vector<double>>(
-          "--viewpoint",
-          [options](const std::vector<double>& place) { options->sensor.viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
-          "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it. By default what the file itself says, "
-          "where normals are missing")
-      ->expected(3);
+  add_viewpoint(
+      *command, options->sensor,
+      "the sensor's place X Y Z in the file's coordinates: every normal is turned towards it. By default what the file itself says, "
+      "where normals are missing");
   auto camera = std::make_shared<CameraOptions>();
   camera->add_to(*command);
   add_box(*command, options->box,

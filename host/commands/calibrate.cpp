@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/number_in.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
 #include "host/evaluate/calibrate.h"
@@ -121,7 +122,7 @@ void add_calibrate(CLI::App& app) {
                    "a known place, x y z in mm: x right, y up, z towards the person, from the middle of the motor axes; may be given "
                    "several times. Default: 0 0 125")
       ->type_name("X Y Z")
-      ->check(CLI::Range(-300.0, 300.0));
+      ->check(number_in(-300.0, 300.0));
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "host/board_commands/number_in.h"
 #include "host/cloud/depth_image.h"
+#include "host/cloud/source_file.h"
 
 namespace isotouch::commands {
 
@@ -21,7 +25,7 @@ struct CameraOptions {
     given->delimiter(',')->expected(4);
     command.add_option("--depth-scale", units_per_metre, "what one metre is in the depth image; TUM's data has 5000")
         ->needs(given)
-        ->check(CLI::Range(1e-6, 1e9))
+        ->check(number_in(1e-6, 1e9))
         ->capture_default_str();
   }
   std::optional<cloud::DepthCamera> camera() const {
@@ -29,9 +33,24 @@ struct CameraOptions {
     const bool finite = std::all_of(intrinsics.begin(), intrinsics.end(), [](double value) { return std::isfinite(value); });
     if (!finite || intrinsics[0] <= 0 || intrinsics[1] <= 0)
       throw CLI::ValidationError("--intrinsics", "the four numbers must be finite, and the focal lengths FX and FY above 0");
-    if (!(units_per_metre > 0)) throw CLI::ValidationError("--depth-scale", "must be a number above 0");  // nan is in every CLI::Range
     return cloud::DepthCamera{intrinsics[0], intrinsics[1], intrinsics[2], intrinsics[3], units_per_metre};
   }
 };
+
+/// --viewpoint X Y Z
+///
+/// sensor    stays alive as long as the command
+inline void add_viewpoint(CLI::App& command, cloud::SensorOptions& sensor, const std::string& about) {
+  command
+      .add_option_function<std::vector<double>>(
+          "--viewpoint",
+          [&sensor](const std::vector<double>& place) {
+            const Eigen::Vector3d at(place[0], place[1], place[2]);
+            if (!at.allFinite()) throw CLI::ValidationError("--viewpoint", "its three numbers must be finite");
+            sensor.viewpoint = at;
+          },
+          about)
+      ->expected(3);
+}
 
 }  // namespace isotouch::commands

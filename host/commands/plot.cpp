@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/number_in.h"
 #include "host/commands/commands.h"
 #include "host/commands/picture_options.h"
 #include "host/commands/recorded_ticks.h"
@@ -174,7 +175,7 @@ void add_plot(CLI::App& app) {
   force->add_option("--field,--blob", force_run->field,
                     "the field; needed if a trace holds inputs only, or takes its stiffness from the field");
   force->add_option("--exact-sphere", force_run->sphere_mm, "also draw the exact force of a sphere of this radius (mm) around the origin")
-      ->check(CLI::PositiveNumber)
+      ->check(number_in(0.001, 10000.0))
       ->excludes(other);
 
   const auto [latency, latency_run] = add_picture<LatencyRun>(*plot, "latency", "The histograms that isotouch latency --json prints");
