@@ -1,6 +1,7 @@
 #include "shared/files/trace_writer.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -37,6 +38,9 @@ Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header) {
   failed_ = 0;
   const Result<TraceHeader> readable = decode_header(encode(header_), kHeaderBytes);
   if (!readable) return path_ + ": the trace cannot be written: " + describe(readable.error());
+  struct stat there {};
+  if (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))  // a device would be replaced, too, if the user may do so
+    return path_ + ": is a folder, a device or a pipe; name a file for the trace";
   file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (file_ < 0 && errno == ELOOP) return part() + ": is a symbolic link, which may lead anywhere; remove it";
   if (file_ < 0) return because(path_, "the trace cannot be written", errno);
@@ -117,7 +121,11 @@ Refusal TraceWriter::finish(Keep keep) {
                     ::fsync(file_) == 0 && std::rename(part().c_str(), path_.c_str()) == 0;
   const int why = errno;
   ::close(std::exchange(file_, -1));
-  if (!kept) std::remove(part().c_str());
+  if (!kept) {
+    std::remove(part().c_str());
+    header_.record_count = 0;
+    chain_ = 0;
+  }
   if (failed_ != 0 && kept) {
     return because(path_, "the trace ends after " + std::to_string(records()) + " ticks", failed_) + "; make room there";
   }

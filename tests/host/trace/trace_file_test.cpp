@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <fstream>
@@ -147,6 +148,23 @@ TEST(TraceFile, APartThatIsASymbolicLinkIsNotFollowed) {
   EXPECT_EQ(bytes_of(victim), "precious");
 }
 
+/// Whoever may write into /dev would otherwise have a file there instead of the device.
+TEST(TraceFile, WhatIsNoFileIsNotReplaced) {
+  const ScratchFolder folder;
+  const std::string pipe = (folder.path() / "a.trace").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& name : {pipe, folder.path().string()}) {
+    try {
+      const TraceWriter writer(name, {});
+      ADD_FAILURE() << name << " is written";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(name + ": is a folder, a device or a pipe; name a file for the trace"));
+    }
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_FALSE(std::filesystem::exists(pipe + ".part"));
+}
+
 /// So many records on a disk with room for fewer.
 struct CutTrace {
   CutTrace(const ScratchFolder& folder, std::size_t ticks, std::uint64_t room)
@@ -194,6 +212,21 @@ TEST(TraceFile, AFullDiskIsAnErrorWhereAllOrNothingWasWantedOrNothingFits) {
   EXPECT_THROW(CutTrace(folder, 2000, room_for(700)).writer.finish(), InputError);
   EXPECT_THROW(CutTrace(folder, 2000, room_for(1) - 1).writer.finish_with_what_fits(), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(TraceFile, WhatGetsNoNameIsNotKept) {
+  const ScratchFolder folder;
+  const std::filesystem::path gone = folder.path() / "gone";
+  std::filesystem::create_directory(gone);
+  TraceWriter writer(gone / "a.trace", {});
+  writer.append({});
+  std::filesystem::remove_all(gone);
+  try {
+    const TraceWriter::Kept kept = writer.finish_with_what_fits();
+    ADD_FAILURE() << kept.records << " records are said to be kept";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.trace: the trace cannot be completed: No such file or directory"));
+  }
 }
 
 TEST(TraceFile, AHeaderThatCouldNotBeReadAgainIsRefused) {
