@@ -8,11 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "host/bag/bag_motion.h"
 #include "host/bag/trace_to_mcap.h"
 #include "host/board_commands/choice.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
@@ -233,6 +235,9 @@ struct ToMcapOptions {
 };
 
 void export_trace(const ToMcapOptions& options) {
+  std::error_code failed;
+  if (is_standard(options.trace) || fs::is_fifo(options.trace, failed))
+    throw InputError(options.trace.string() + ": a pipe can be read only once, and this reads the trace twice; write it to a file first");
   const std::vector<std::uint8_t> whole = read_file(options.trace);
   const trace::Trace trace = trace::read_trace(options.trace);
   const bag::Bytes bytes = bag::trace_to_mcap(trace, options.trace.filename().string(), whole, files::short_version_text("isotouch"),
@@ -302,7 +307,7 @@ void add_make(CLI::App& trace) {
   command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")->capture_default_str();
   command->add_option("--seed", options->motion.seed, "seed of the places and speeds")->capture_default_str();
   command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
-      ->check(CLI::Range(0.0, 50.0))
+      ->check(number_in(0.0, 50.0))
       ->capture_default_str();
   options->trace.add_to(*command);
   command->callback([options] { make_trace(*options); });

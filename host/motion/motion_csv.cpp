@@ -88,7 +88,11 @@ class Table {
 
 std::size_t find_column(const Table& table, const std::vector<std::string_view>& names, const std::string& wanted) {
   const auto found = std::find(names.begin(), names.end(), wanted);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  if (found != names.end()) {
+    if (std::find(found + 1, names.end(), wanted) != names.end())
+      table.refuse("two columns are called " + in_quotes(wanted) + "; rename one of them");
+    return static_cast<std::size_t>(found - names.begin());
+  }
   std::string present;
   for (const std::string_view name : names) present.append(" ").append(name);
   table.refuse("no column is called " + in_quotes(wanted) + ", there are:" + present + "; name them with --columns t=…,x=…,y=…,z=…");

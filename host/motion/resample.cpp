@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMaxTicks = 1e8;
 constexpr double kMaxMm = 2047.0;
+constexpr double kLeastApart = 1e-12;  // s; between samples that are nearer, a velocity may have no number
 
 /// The velocity at the sample between two intervals of lengths `before`, `after` and mean velocities `u`, `v`, along one axis.
 double velocity_between(double before, double u, double after, double v) {
@@ -45,10 +46,14 @@ std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t peri
                        const std::function<void(const Input&, const Vector3d& force)>& emit) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double farthest = points[i].position.cwiseAbs().maxCoeff();
-    if (!(farthest <= kMaxMm)) {
+    if (!points[i].position.allFinite() || farthest > kMaxMm) {
       throw InputError("sample " + std::to_string(i + 1) + " lies " + std::to_string(farthest) +
                        " mm from the workspace's centre, a trace holds ±2047 mm; use --centre, --scale, --offset or the right unit");
     }
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!(points[i].time - points[i - 1].time >= kLeastApart))
+      throw InputError("sample " + std::to_string(i + 1) + " comes less than a picosecond after the one before; leave one of them out");
   }
   const double period = period_ns * 1e-9;
   const double whole = (points.back().time - points.front().time) / period;

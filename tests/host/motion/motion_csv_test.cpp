@@ -41,6 +41,7 @@ TEST(MotionCsv, EveryMalformedTableGetsItsSentence) {
       {head, "holds 0 rows"},
       {head + "0,1,2,3\n", "holds 1 rows"},
       {"t,x_mm,y_mm,z_mm\n0,0,0,0\n1,1,1,1\n", "line 1: no column is called 't_s', there are: t x_mm y_mm z_mm"},
+      {"t_s,x_mm,y_mm,x_mm,z_mm\n0,0,0,0,0\n1,1,1,1,1\n", "line 1: two columns are called 'x_mm'"},
       {head + "0,1,2,3\n1,1,nan,3\n", "line 3: 'nan' in column 'y_mm' is not a finite number"},
       {head + "0,1,2,3\n1,inf,2,3\n", "line 3: 'inf' in column 'x_mm'"},
       {head + "0,1,2,3\n1,,2,3\n", "line 3: '' in column 'x_mm'"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host/error.h"
 #include "host/to_double.h"
@@ -44,6 +45,10 @@ TEST(Resample, NothingOvershootsAStop) {
 TEST(Resample, WhatATraceCannotHoldIsRefused) {
   EXPECT_THROW(resampled({{0, {0, 0, 0}}, {1, {2048, 0, 0}}}), InputError);
   EXPECT_THROW(resampled({{0, {0, 0, 0}}, {1e6, {1, 0, 0}}}), InputError);
+  EXPECT_THROW(resampled({{0, {0, 0, 0}}, {1e-310, {1, 0, 0}}, {1, {2, 0, 0}}}), InputError);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(nan, 0, 0), Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(0, 0, nan)})
+    EXPECT_THROW(resampled({{0, place}, {1, {1, 0, 0}}}), InputError);
 }
 
 }  // namespace
