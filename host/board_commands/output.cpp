@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
@@ -25,6 +26,15 @@ const Form* find(const Forms& forms, const std::string& ending) {
 const Form* usual(const Forms& forms) {
   const auto found = std::find_if(forms.begin(), forms.end(), [&](const Form* form) { return form->is_usual || forms.size() == 1; });
   return found == forms.end() ? nullptr : *found;
+}
+
+/// So that hours of streaming or measuring do not end in a file that nobody can write.
+void require_parent(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code failed;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, failed))
+    throw InputError(file.string() + ": there is no folder " + folder.string() + "; make it, or name another one");
+  if (std::filesystem::is_directory(file, failed)) throw InputError(file.string() + ": cannot be written: it is a folder, name a file");
 }
 
 }  // namespace
@@ -52,7 +62,10 @@ const Form* form_of(const std::filesystem::path& out, const Forms& forms, const 
 CLI::Option* add_output(CLI::App& command, const char* names, std::filesystem::path& out, const Forms& forms, const std::string& about,
                         const std::string& hint) {
   return command.add_option(names, out, about + ": " + list_of(forms) + "; - is standard output")
-      ->each([forms, hint](const std::string& name) { (void)form_of(name, forms, {}, hint); });
+      ->each([forms, hint](const std::string& name) {
+        (void)form_of(name, forms, {}, hint);
+        require_parent(name);
+      });
 }
 
 void require_folder(const std::filesystem::path& folder) {

@@ -51,7 +51,7 @@ std::string list_of(const Forms& forms);
 ///           bytes would be written to a terminal
 const Form* form_of(const std::filesystem::path& out, const Forms& forms, const std::string& named = {}, const std::string& hint = {});
 
-/// Adds an option for a file to write, whose name is judged before the work.
+/// Adds an option for a file to write, whose name and folder are judged before the work.
 ///
 /// names     "-o,--out"
 /// about     for the help; the forms are added

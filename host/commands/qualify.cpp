@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
@@ -48,18 +49,8 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!file.empty()) write_file(file, text);
 }
 
-/// So that minutes of measuring do not end in a file that nobody can write.
-void check_folder(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.parent_path();
-  std::error_code failed;
-  if (!folder.empty() && !std::filesystem::is_directory(folder, failed))
-    throw InputError(file.string() + ": there is no folder " + folder.string() + "; make it, or name another one");
-}
-
 void run(const QualifyOptions& options) {
   std::FILE* to = is_standard(options.json) ? stderr : text_stream(options.page);
-  check_folder(options.page);
-  check_folder(options.json);
   const qualify::Figures figures =
       qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
   const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
@@ -81,12 +72,12 @@ void add_qualify(CLI::App& app) {
   add_output(*command, "-o,--out", options->page, {&forms::kPage}, "write the report as a page");
   add_output(*command, "--json", options->json, {&forms::kJson}, "write the same figures as an object");
   command->add_option("--seconds", options->wish.seconds, "how long to measure the ticks, and as long again with cyclictest, s")
-      ->check(CLI::Range(1.0, 86400.0))
+      ->check(number_in(1.0, 86400.0))
       ->capture_default_str();
   command
       ->add_option("--cold-seconds", options->wish.cold_seconds,
                    "how long to measure ticks while other programs write to memory, at most --seconds, s; 0: not at all")
-      ->check(CLI::Range(0.0, 3600.0))
+      ->check(number_in(0.0, 3600.0))
       ->capture_default_str();
   command->add_option("--priority", options->wish.priority, "priority of cyclictest; 0: do not run it")
       ->check(CLI::Range(0, 99))

@@ -57,7 +57,8 @@ TEST(Output, AFolderHasNoFilesName) {
 void each_output(const CLI::App& app, const std::string& words, const std::function<void(const std::string&)>& use) {
   for (const CLI::Option* option : app.get_options()) {
     const bool is_output = option->check_lname("out") || option->check_lname("worst") ||
-                           (words == " scan" && option->check_lname("trace")) || (words == " qualify" && option->check_lname("json"));
+                           (words == " scan" && option->check_lname("trace")) || (words == " qualify" && option->check_lname("json")) ||
+                           (words == " stream" && option->check_lname("first"));
     if (is_output) use(words + " --" + option->get_lnames().front());
   }
   for (const CLI::App* command : app.get_subcommands(nullptr)) each_output(*command, words + ' ' + command->get_name(), use);
@@ -65,8 +66,23 @@ void each_output(const CLI::App& app, const std::string& words, const std::funct
 
 void add_all(CLI::App& app) {
   for (const auto add : {add_build, add_info, add_export, add_sample, add_shape, add_scan, add_trace, add_compare, add_evaluate, add_bench,
-                         add_render, add_plot, add_demo, add_on_desk, add_calibrate, add_qualify})
+                         add_render, add_plot, add_demo, add_on_desk, add_calibrate, add_qualify, add_stream})
     add(app);
+}
+
+/// What a command says of a file to write.
+std::string said_of(const std::string& option, const std::string& file) {
+  CLI::App app;
+  add_all(app);
+  const std::string field = ISOTOUCH_GOLDEN "/field_1_1.itf";
+  try {
+    app.parse(option.substr(1) + ' ' + file + (option == " export --out" ? ' ' + field : ""));
+  } catch (const InputError& e) {
+    return e.what();
+  } catch (const CLI::ParseError& e) {
+    return std::string("usage: ") + e.what();
+  }
+  return "nothing";
 }
 
 TEST(Output, NoCommandWritesUnderAnUnknownEnding) {
@@ -75,22 +91,30 @@ TEST(Output, NoCommandWritesUnderAnUnknownEnding) {
   int asked = 0;
   each_output(all, "", [&](const std::string& option) {
     if (option == " demo --out") return;  // a folder
-    CLI::App app;
-    add_all(app);
-    const std::string field = ISOTOUCH_GOLDEN "/field_1_1.itf";
-    const std::string given = option == " export --out" ? ' ' + field : "";
-    std::string said = "nothing";
-    try {
-      app.parse(option.substr(1) + " a.nonsense" + given);
-    } catch (const InputError& e) {
-      said = e.what();
-    } catch (const CLI::ParseError& e) {
-      said = std::string("usage: ") + e.what();
-    }
-    EXPECT_THAT(said, HasSubstr("a.nonsense: this command does not write .nonsense; it writes .")) << option;
+    EXPECT_THAT(said_of(option, "a.nonsense"), HasSubstr("a.nonsense: this command does not write .nonsense; it writes .")) << option;
     ++asked;
   });
-  EXPECT_EQ(asked, 21) << "a new command that writes a file? count it here";
+  EXPECT_EQ(asked, 23) << "a new command that writes a file? count it here";
+}
+
+/// Hours of work would end in a file that nobody can write.
+TEST(Output, NoCommandWorksForAFolderThatIsMissing) {
+  const ScratchFolder folder;
+  CLI::App all;
+  add_all(all);
+  int asked = 0;
+  each_output(all, "", [&](const std::string& option) {
+    if (option == " demo --out" || option == " export --out") return;  // a folder; and one whose work is short
+    const std::string endings = said_of(option, "a.nonsense");
+    const std::size_t first = endings.find("it writes ") + 10;
+    const std::string ending = endings.substr(first, endings.find(' ', first) - first);
+    EXPECT_THAT(said_of(option, "missing/a" + ending), HasSubstr("there is no folder missing; make it")) << option;
+    const std::string taken = (folder.path() / ("a" + ending)).string();
+    std::filesystem::create_directory(taken);
+    EXPECT_THAT(said_of(option, taken), HasSubstr("it is a folder, name a file")) << option;
+    ++asked;
+  });
+  EXPECT_EQ(asked, 22);
 }
 
 }  // namespace
