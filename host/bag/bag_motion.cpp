@@ -1,9 +1,7 @@
 #include "host/bag/bag_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <fstream>
 #include <functional>
 #include <set>
 
@@ -21,18 +19,8 @@ constexpr double kMmPerMetre = 1000;
 
 using Use = std::function<void(const Channel&, std::uint64_t, std::span<const std::uint8_t>)>;
 
-/// The first bytes of a file; zero where there are none.
-std::array<std::uint8_t, 16> begin_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::array<char, 16> begin{};
-  in.read(begin.data(), begin.size());
-  std::array<std::uint8_t, 16> bytes{};
-  std::copy(begin.begin(), begin.end(), bytes.begin());
-  return bytes;
-}
-
 void each_message(const std::filesystem::path& file, const Use& use) {
-  if (is_sqlite(begin_of(file))) return read_ros2_bag(file, use);
+  if (is_sqlite(first_bytes(file))) return read_ros2_bag(file, use);
   if (!read_mcap(read_file(file), file.string(), {use, {}}))
     std::fprintf(stderr, "isotouch: %s: its end is missing; what is whole was read\n", file.string().c_str());
 }
@@ -136,7 +124,7 @@ class Collector {
 
 bool is_bag(const std::filesystem::path& file) {
   if (is_standard(file)) return false;
-  const auto begin = begin_of(file);
+  const auto begin = first_bytes(file);
   return is_mcap(begin) || is_sqlite(begin);
 }
 
@@ -148,7 +136,7 @@ std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& fil
 }
 
 std::optional<Bytes> attached_trace(const std::filesystem::path& file) {
-  if (!is_mcap(begin_of(file))) return std::nullopt;
+  if (!is_mcap(first_bytes(file))) return std::nullopt;
   std::optional<Bytes> found;
   read_mcap(read_file(file), file.string(), {{}, [&](std::string_view, std::string_view media_type, std::span<const std::uint8_t> data) {
                                                if (media_type == kTraceMediaType) found.emplace(data.begin(), data.end());

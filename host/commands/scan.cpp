@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/cloud/mesh.h"
 #include "host/cloud/placement.h"
@@ -143,11 +144,8 @@ void scan_mesh(const ScanOptions& options) {
 bool is_trace(const ScanOptions& options) {
   const fs::path& file = options.input;
   if (is_standard(file)) return options.trace.empty();
-  std::FILE* in = std::fopen(file.c_str(), "rb");
-  std::array<std::uint8_t, 4> magic{};
-  const bool read = in != nullptr && std::fread(magic.data(), 1, magic.size(), in) == magic.size();
-  if (in != nullptr) std::fclose(in);
-  return file.extension() == ".trace" || (read && magic == trace_layout::kMagic);
+  const auto first = first_bytes(file);
+  return file.extension() == ".trace" || std::equal(trace_layout::kMagic.begin(), trace_layout::kMagic.end(), first.begin());
 }
 
 }  // namespace
@@ -168,11 +166,11 @@ void add_scan(CLI::App& app) {
                    "stiffness of the wall that was touched; by default the trace's own, 0.8 for a mesh")
       ->transform(quantity(kStiffness, 0.001, 100.0));
   command->add_option("--least-force", options->touch.least_force_n, "leave out touches weaker than this, N")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_in(0.0, 100.0))
       ->capture_default_str();
   add_output(*command, "--trace", options->trace, {&forms::kTrace}, "with a mesh: also write the simulated hand's trace");
   command->add_option("--seconds", options->scan.seconds, "with a mesh: how long the hand strokes it at most, s")
-      ->check(CLI::Range(1.0, 3600.0))
+      ->check(number_in(1.0, 3600.0))
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "with a mesh: seed of the hand's random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");

@@ -1,8 +1,6 @@
 #include "host/commands/viewed_file.h"
 
-#include <array>
-#include <cstdint>
-#include <fstream>
+#include <algorithm>
 #include <string>
 
 #include "host/error.h"
@@ -15,13 +13,12 @@ namespace isotouch::commands {
 
 Viewed viewed_file(const std::filesystem::path& file) {
   if (is_standard(file)) return Viewed::kSource;
-  std::array<std::uint8_t, 4> first{};
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  if (!std::filesystem::exists(file) || std::filesystem::is_directory(file))
     throw InputError(file.string() + ": cannot be read; name a field, a scan or a recording");
-  stream.read(reinterpret_cast<char*>(first.data()), first.size());
-  if (first == trace_layout::kMagic) return Viewed::kTrace;
-  return first == image_layout::kMagic || first == packed_layout::kForm.magic ? Viewed::kField : Viewed::kSource;
+  const auto first = first_bytes(file);
+  const auto begins_with = [&first](const auto& magic) { return std::equal(magic.begin(), magic.end(), first.begin()); };
+  if (begins_with(trace_layout::kMagic)) return Viewed::kTrace;
+  return begins_with(image_layout::kMagic) || begins_with(packed_layout::kForm.magic) ? Viewed::kField : Viewed::kSource;
 }
 
 }  // namespace isotouch::commands

@@ -60,6 +60,15 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
   return read_to_end(file, stream.get());
 }
 
+std::array<std::uint8_t, 16> first_bytes(const std::filesystem::path& file) {
+  std::array<std::uint8_t, 16> bytes{};
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(file, failed)) return bytes;
+  const Stream stream(std::fopen(file.c_str(), "rb"));
+  if (stream) (void)!std::fread(bytes.data(), 1, bytes.size(), stream.get());
+  return bytes;
+}
+
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size) {
   if (is_standard(file)) {
     if (!write_all(stdout, data, size) || std::fflush(stdout) != 0) throw refusal(file, "cannot be written: " + reason(errno));

@@ -2,6 +2,7 @@
 /// name is `./-`.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -22,6 +23,10 @@ void claim_standard_input();
 ///
 /// fails     InputError naming the file: missing, a folder, not readable; standard input for the second time
 std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
+
+/// The first bytes of a file, by which its kind is known; zeros where there are none. A pipe gives its bytes only once, so it is left alone and gives zeros,
+/// and so does a file that cannot be read.
+std::array<std::uint8_t, 16> first_bytes(const std::filesystem::path& file);
 
 /// Writes to a temporary beside `file`, then renames: the old file or the new one, never half of one. What is no regular file is written as it is.
 ///

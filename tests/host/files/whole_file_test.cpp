@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <string>
 
@@ -21,6 +22,22 @@ TEST(Files, WhatIsWrittenIsReadAndNoTemporaryStays) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
   write_file(file, nullptr, 0);
   EXPECT_TRUE(read_file(file).empty());
+}
+
+TEST(Files, FirstBytesAreThoseOfAFileAndTakeNoneOfAPipe) {
+  const ScratchFolder folder;
+  const auto begins = [](const std::filesystem::path& file) {
+    const auto bytes = first_bytes(file);
+    return std::string(bytes.begin(), bytes.end());
+  };
+  EXPECT_EQ(begins(folder.write("long", "0123456789abcdefgh")), "0123456789abcdef");
+  EXPECT_EQ(begins(folder.write("short", "abc")), "abc" + std::string(13, '\0'));
+  const std::string none(16, '\0');
+  EXPECT_EQ(begins(folder.path() / "missing"), none);
+  EXPECT_EQ(begins(folder.path()), none);
+  const std::string pipe = (folder.path() / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(begins(pipe), none) << "it does not even wait for a writer";
 }
 
 TEST(Files, ARefusalNamesTheFileAndTheReason) {
