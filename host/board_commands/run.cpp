@@ -15,6 +15,7 @@
 #include "host/error.h"
 #include "packaging/manual/command_tree.h"
 #include "shared/files/version_text.h"
+#include "shared/printable.h"
 
 namespace isotouch::commands {
 
@@ -30,8 +31,10 @@ enum ExitCode : int {
   kEndsBisection = 128
 };
 
-int complain(const char* program, ExitCode code, const char* sentence) {
-  std::fprintf(stderr, "%s: %s\n", program, sentence);
+/// What a sentence quotes from a file or an argument may hold what a terminal must not get.
+int complain(const char* program, ExitCode code, std::string sentence) {
+  make_printable(sentence, '?');
+  std::fprintf(stderr, "%s: %s\n", program, sentence.c_str());
   return code;
 }
 
@@ -124,7 +127,7 @@ int run(const char* program, const char* about, void (*add)(CLI::App& app), int 
     if (e.get_exit_code() == 0) return app.exit(e);
     const std::string unknown = unknown_word(app, argc, argv);
     const ExitCode wrong = ends_bisection(argc, argv) ? kEndsBisection : kWrongUsage;
-    if (!unknown.empty()) return complain(program, wrong, unknown.c_str());
+    if (!unknown.empty()) return complain(program, wrong, unknown);
     return app.exit(e), wrong;
   } catch (const ComparisonFailed& e) {
     return complain(program, kComparisonFailed, e.what());

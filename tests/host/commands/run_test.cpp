@@ -8,6 +8,7 @@
 
 #include "host/board_commands/choice.h"
 #include "host/commands/commands.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
 namespace {
@@ -59,6 +60,14 @@ TEST(Run, AWrongChoiceNamesTheChoicesAndNoWordOfTheParser) {
   EXPECT_EQ(wrong.code, 2);
   EXPECT_THAT(wrong.err, testing::HasSubstr("there is no 'prss'; did you mean 'press'? the choices are press slide"));
   EXPECT_THAT(wrong.err, testing::Not(testing::HasSubstr("ENUM")));
+}
+
+TEST(Run, WhatAFileHoldsMovesNoCursor) {
+  const ScratchFolder folder;
+  const std::string table = folder.write("hand.csv", "\x1b[2J\x07owned,x_mm\n0,0\n").string();
+  const Answer wrong = answer({"trace", "import", table, "-o", table + ".trace"});
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_THAT(wrong.err, testing::HasSubstr("no column is called 't_s', there are: ?[2J?owned x_mm;"));
 }
 
 TEST(Run, CommandsStandByTaskAndAnswerToTheirOlderNames) {
