@@ -20,6 +20,15 @@ inline CLI::Option* add_optional_address(CLI::App& command, std::string& address
 /// The same, required.
 inline void add_address(CLI::App& command, std::string& address) { add_optional_address(command, address)->required(); }
 
+/// For `option->check(...)` of a field's name: one that the protocol would have to cut is wrong usage.
+inline CLI::Validator field_name() {
+  const auto check = [](std::string& text) -> std::string {
+    if (!text.empty() && text.size() <= protocol::kMaxName) return {};
+    return "a field's name has 1 to " + std::to_string(protocol::kMaxName) + " bytes, and this one " + std::to_string(text.size());
+  };
+  return {check, "", "field name"};
+}
+
 using files::state_name;
 using link::degrees_of;
 using link::fault_names;

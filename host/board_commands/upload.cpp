@@ -13,6 +13,8 @@
 
 #include "host/board_commands/commands.h"
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/interruption.h"
+#include "host/board_commands/number_in.h"
 #include "host/error.h"
 #include "host/field_file/image.h"
 #include "host/field_file/open_field.h"
@@ -52,7 +54,7 @@ Sent send_field(link::Controller& controller, const UploadOptions& options, cons
   return {hash, packed.size(), accepted.generation, 0};
 }
 
-/// The patches that are left for a field: from the first one that is for it.
+/// The patches that are left for a field: from the first one that is for it. None are, where it is the one that the last patch leads to.
 ///
 /// fails     InputError: a patch is cut, changed or out of order; none of them is for that field
 std::span<const std::uint8_t> patches_for(std::uint64_t field, std::span<const std::uint8_t> bytes, const UploadOptions& options) {
@@ -64,30 +66,51 @@ std::span<const std::uint8_t> patches_for(std::uint64_t field, std::span<const s
   };
   const std::uint64_t first = checked(first_patch(bytes)).hash_before;
   (void)checked(check_patches(bytes, first));
+  std::uint64_t last = first;
   for (std::span<const std::uint8_t> left = bytes; !left.empty();) {
     const FieldPatch patch = checked(first_patch(left));
     if (patch.hash_before == field) return left;
+    last = patch.hash_after;
     left = left.subspan(patch.patch_bytes());
   }
+  if (last == field) return {};
   throw InputError(file + ": none of its patches is for the field " + trace::hash_text(field) + " that the controller uses; upload " +
                    trace::hash_text(first) + ", for which the first one is, before");
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// Sleeps, but not on after an interruption.
+void wait_until(Clock::time_point due, const Interruption& interruption) {
+  constexpr std::chrono::milliseconds kAsks{50};
+  while (!interruption.has_come() && Clock::now() < due) std::this_thread::sleep_until(std::min(due, Clock::now() + kAsks));
+}
+
+/// fails     EndedEarly: interrupted or refused behind the first patch, which is felt
 Sent send_patches(link::Controller& controller, const UploadOptions& options, std::span<const std::uint8_t> bytes) {
-  using Clock = std::chrono::steady_clock;
+  const Interruption interruption;
   const protocol::StatusReport before = controller.status();
   Sent sent{before.field_hash, 0, before.generation, 0};
   const Clock::time_point begin = Clock::now();
-  for (std::span<const std::uint8_t> left = patches_for(before.field_hash, bytes, options); !left.empty();) {
-    const Result<FieldPatch> patch = first_patch(left);
-    if (options.rate) {
-      const std::chrono::duration<double> due(static_cast<double>(sent.patches) / *options.rate);
-      std::this_thread::sleep_until(begin + std::chrono::duration_cast<Clock::duration>(due));
+  std::span<const std::uint8_t> left = patches_for(before.field_hash, bytes, options);
+  const std::size_t count = check_patches(left, before.field_hash)->count;
+  try {
+    while (!left.empty()) {
+      const Result<FieldPatch> patch = first_patch(left);
+      if (options.rate) {
+        const std::chrono::duration<double> due(static_cast<double>(sent.patches) / *options.rate);
+        wait_until(begin + std::chrono::duration_cast<Clock::duration>(due), interruption);
+      }
+      if (interruption.has_come()) throw InputError(options.to + ": interrupted");
+      const protocol::Accepted accepted = controller.patch(left.first(patch->patch_bytes()));
+      if (accepted.image_hash != patch->hash_after) throw InputError(options.to + ": another field was taken over meanwhile");
+      sent = {patch->hash_after, sent.bytes + patch->patch_bytes(), accepted.generation, sent.patches + 1};
+      left = left.subspan(patch->patch_bytes());
     }
-    const protocol::Accepted accepted = controller.patch(left.first(patch->patch_bytes()));
-    if (accepted.image_hash != patch->hash_after) throw InputError(options.to + ": another field was taken over meanwhile; begin anew");
-    sent = {patch->hash_after, sent.bytes + patch->patch_bytes(), accepted.generation, sent.patches + 1};
-    left = left.subspan(patch->patch_bytes());
+  } catch (const InputError& error) {
+    if (sent.patches == 0) throw;
+    throw EndedEarly(std::string(error.what()) + "; " + std::to_string(sent.patches) + " of " + std::to_string(count) +
+                     " patches were taken over before; begin anew, or upload the same file to go on from its field");
   }
   if (!options.json) {
     std::printf("%zu patches are felt: hash %s, %llu bytes sent\n", sent.patches, trace::hash_text(sent.hash).c_str(),
@@ -133,9 +156,9 @@ void add_upload(CLI::App& app) {
       app.add_subcommand("upload", "Send a field to a running controller; if anything fails, the previous field stays active");
   command->add_option("FIELD", options->file, "the field (.itf), or the patches of a recording (.patches)")->required();
   add_address(*command, options->to);
-  command->add_option("--name", options->name, "name that the controller stores it under; by default the file's name");
+  command->add_option("--name", options->name, "name that the controller stores it under; by default the file's name")->check(field_name());
   command->add_option("--rate", options->rate, "patches per second; by default as fast as the controller takes them over")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(number_in(0.1, 1000.0));
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }
