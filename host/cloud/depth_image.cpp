@@ -1,7 +1,6 @@
 #include "host/cloud/depth_image.h"
 
 #include "host/cloud/depth_png.h"
-#include "host/error.h"
 
 namespace isotouch::cloud {
 
@@ -22,7 +21,6 @@ Model read_depth_image(const std::string& name, std::span<const std::uint8_t> by
     const double u = static_cast<double>(i % pixels.width), v = static_cast<double>(i / pixels.width);
     model.positions.emplace_back((u - camera.cx) / camera.fx * z, (v - camera.cy) / camera.fy * z, z);
   }
-  if (model.positions.empty()) throw InputError(name + ": every pixel is 0, so there is no point in it");
   return model;
 }
 

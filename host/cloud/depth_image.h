@@ -17,8 +17,9 @@ struct DepthCamera {
   double units_per_metre = 1000;  ///< of the stored depth; above 0
 };
 
-/// returns   the points in metres, with their grid and the camera in the origin. A depth of 0 means that nothing returned
-/// fails     InputError: as `read_depth_png`; no pixel that returned something
+/// returns   the points in metres, with their grid and the camera in the origin. A depth of 0 means that nothing returned;
+///           there may be no points, if the camera looked into emptiness or at its own lid
+/// fails     InputError: as `read_depth_png`
 Model read_depth_image(const std::string& name, std::span<const std::uint8_t> bytes, const DepthCamera& camera);
 
 }  // namespace isotouch::cloud

@@ -3,22 +3,22 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/controller_options.h"
 #include "host/board_commands/interruption.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/board_commands/quantiles_json.h"
 #include "host/cloud/read_mesh.h"
@@ -65,10 +65,8 @@ enum class FrameSource { kFiles, kInput, kRecording, kController, kCamera };
 bool is_address(const std::string& word) { return word.starts_with("unix:") || word.starts_with("ssh://"); }
 
 bool is_recording(const fs::path& file) {
-  std::array<char, 4> begin{};
-  std::ifstream in(file, std::ios::binary);
-  return in.read(begin.data(), begin.size()) &&
-         std::equal(begin.begin(), begin.end(), trace_layout::kMagic.begin(), [](char a, auto b) { return a == static_cast<char>(b); });
+  const auto first = first_bytes(file);
+  return std::equal(trace_layout::kMagic.begin(), trace_layout::kMagic.end(), first.begin());
 }
 
 /// fails     CLI::ValidationError: sources that do not go together
@@ -90,6 +88,9 @@ FrameSource kind_of(const StreamingOptions& options) {
   for (const std::string& source : sources) {
     if (is_standard(source)) return single(FrameSource::kInput, "standard input");
     if (is_address(source)) return single(FrameSource::kController, "a controller");
+    std::error_code failed;
+    if (fs::is_fifo(source, failed))  // Ctrl-C could not end the wait for whoever writes to it
+      throw CLI::ValidationError("SOURCE", source + " is a pipe; give frames on standard input, or name files");
     if (is_recording(source)) return single(FrameSource::kRecording, "a recording");
   }
   return FrameSource::kFiles;
@@ -241,8 +242,9 @@ void work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& 
           thinned = inbox.thinned();
         });
     stream.finish();
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
     if (!interruption.has_come()) throw;  // what interrupts us interrupts the ssh beside us
+    std::fprintf(stderr, "isotouch: %s; the last frame may not be felt\n", error.what());
   }
 }
 
@@ -272,11 +274,12 @@ void run(StreamingOptions& options) {
     try {
       work(stream, inbox, options);
     } catch (const InputError& error) {
-      if (stream.field() == nullptr || options.out.empty()) throw;
+      if (!stream.has_points() || options.out.empty()) throw;
       ended = error.what();
     }
   }
-  if (stream.field() == nullptr) throw InputError("no frame had points with normals within the box; nothing was built");
+  if (!stream.has_points())
+    throw InputError("no frame had points with normals within the box, so nothing was built; check the normals, --box and --units");
   close(stream, options);
   if (!ended.empty()) throw EndedEarly(ended + "; " + options.out.string() + " holds the field as it was then");
 }
@@ -296,7 +299,7 @@ void add_stream(CLI::App& app) {
   add_output(*command, "-o,--out", options->out, {&forms::kField}, "also write the field as it is at the end");
   add_output(*command, "--first", options->first, {&forms::kField},
              "also write the field that is uploaded first: a recording that the controller began before it replays on it");
-  command->add_option("--name", options->stream.name, "name of the field at the controller")->capture_default_str();
+  command->add_option("--name", options->stream.name, "name of the field at the controller")->check(field_name())->capture_default_str();
   add_box(*command, options->stream.box,
           "the part of space that is scanned, two corners X,Y,Z,X,Y,Z in the input's coordinates; by default the box of the first frame "
           "and half of its longest side more on each side");
@@ -305,7 +308,7 @@ void add_stream(CLI::App& app) {
   CLI::Option* grid = command->add_option("--grid", options->stream.space.grid, "voxels along the longest side of the box; by default 186");
   grid->check(CLI::Range(8, 4000))->excludes(voxel);
   command->add_option("--band", options->stream.space.band, "half width of the band around the surface that is stored, in voxels")
-      ->check(CLI::Range(1.0, 7.99))
+      ->check(number_in(1.0, 7.99))
       ->capture_default_str();
   command->add_option("--stiffness", options->stream.info.stiffness_n_per_mm, "stiffness of the surface")
       ->transform(quantity(kStiffness, 0.001, 100))
@@ -315,8 +318,7 @@ void add_stream(CLI::App& app) {
   command->add_option("--units", options->units, "keep the true size; the unit of the input's coordinates")
       ->check(one_of({"mm", "cm", "m", "in"}))
       ->excludes(fit);
-  command->add_option("--keep", options->keep_s, "a point counts for so many seconds; by default for good")
-      ->check(CLI::Range(0.01, 3600.0));
+  command->add_option("--keep", options->keep_s, "a point counts for so many seconds; by default for good")->check(number_in(0.01, 3600.0));
   command
       ->add_option("--enough", options->enough,
                    "so many points of a place count, which is two voxels wide, and further ones are left out; 0: all count. By default 16, "
@@ -325,25 +327,20 @@ void add_stream(CLI::App& app) {
   command
       ->add_option("--rate", options->rate,
                    "frames per second: by default 30 of a camera and of touches; files and recordings come as fast as they are taken")
-      ->check(CLI::Range(0.1, 1000.0));
+      ->check(number_in(0.1, 1000.0));
   command->add_option("--seconds", options->seconds, "how long at most; by default until the source ends")
-      ->check(CLI::Range(0.001, 86400.0));
-  command
-      ->add_option_function<std::vector<double>>(
-          "--viewpoint",
-          [options](const std::vector<double>& place) { options->sensor.viewpoint = Eigen::Vector3d(place[0], place[1], place[2]); },
-          "the sensor's place X Y Z in the input's coordinates: every normal is turned towards it")
-      ->expected(3);
+      ->check(number_in(0.001, 86400.0));
+  add_viewpoint(*command, options->sensor, "the sensor's place X Y Z in the input's coordinates: every normal is turned towards it");
   auto intrinsics = std::make_shared<CameraOptions>();
   intrinsics->add_to(*command);
   command->add_option("--noise", options->camera.noise, "with --camera: standard deviation of a depth, such as 0.2mm")
       ->transform(quantity(kLength, 0, 10))
       ->needs(mesh);
   command->add_option("--dropouts", options->camera.dropouts, "with --camera: share of the pixels that return nothing, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_in(0.0, 1.0))
       ->needs(mesh);
   command->add_option("--turn", options->camera.turn_seconds, "with --camera: seconds for once round the object")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(number_in(0.1, 3600.0))
       ->needs(mesh)
       ->capture_default_str();
   command->add_option("--columns", options->camera.columns, "with --camera: pixels across; it has three quarters as many rows")
@@ -358,6 +355,8 @@ void add_stream(CLI::App& app) {
   command->callback([options, intrinsics, to] {
     if (to->count() == 0 && options->out.empty()) throw CLI::ValidationError("--to", "name a controller, or a file with -o, or both");
     if (is_standard(options->first)) throw CLI::ValidationError("--first", "it is written while the stream runs; name a file");
+    if (!options->first.empty() && options->first == options->out)
+      throw CLI::ValidationError("--first", "-o would write over it at the end; name another file");
     if (!options->first.empty() && to->count() == 0) throw CLI::ValidationError("--first", "nothing is uploaded without --to");
     require_apart(options->out, options->json);
     options->sensor.camera = intrinsics->camera();

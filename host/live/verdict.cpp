@@ -37,7 +37,9 @@ bool Facing::inwards(std::size_t samples) const {
 
 std::vector<std::string> Verdict::reasons() const {
   std::vector<std::string> found;
-  if (samples == lonely) found.emplace_back("no part of it has enough points to be felt; choose a larger --voxel or a smaller --grid");
+  if (samples == 0) found.emplace_back("none of its points is left; choose a longer --keep");
+  if (samples > 0 && samples == lonely)
+    found.emplace_back("no part of it has enough points to be felt; choose a larger --voxel or a smaller --grid");
   if (samples > lonely && lonely_share() > kMostLonely)
     found.push_back(percent(lonely_share()) +
                     " of the samples have too few neighbours to be felt; choose a larger --voxel or a smaller --grid");

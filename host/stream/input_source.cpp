@@ -21,7 +21,7 @@ std::size_t read_some(std::span<std::uint8_t> into, const Inbox& inbox) {
   for (;;) {
     if (inbox.is_closed()) return 0;
     pollfd wanted{STDIN_FILENO, POLLIN, 0};
-    if (poll(&wanted, 1, kAsksMs) == 0) continue;
+    if (poll(&wanted, 1, kAsksMs) <= 0) continue;  // a signal, too: is anybody still there?
     const ssize_t got = ::read(STDIN_FILENO, into.data(), into.size());
     if (got >= 0) return static_cast<std::size_t>(got);
     if (errno != EINTR && errno != EAGAIN) throw InputError(std::string("standard input: ") + std::strerror(errno));

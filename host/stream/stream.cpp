@@ -1,5 +1,6 @@
 #include "host/stream/stream.h"
 
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -23,6 +24,8 @@ Eigen::AlignedBox3d box_round_first(std::span<const Eigen::Vector3d> positions) 
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : positions) box.extend(position);
   const double longest = box.sizes().maxCoeff();
+  if (!std::isfinite(longest))
+    throw InputError("the places of the first frame are farther apart than a number can say; correct them, or give --box");
   if (!(longest > 0)) throw InputError("the first frame shows a single place, which says nothing about the size of the object; give --box");
   const Eigen::Vector3d more = Eigen::Vector3d::Constant(kMargin * longest);
   return {box.min() - more, box.max() + more};
@@ -51,7 +54,7 @@ void Stream::run(Inbox& inbox, const std::function<bool()>& is_over, const std::
       count(false);
       if (Clock::now() - reported < 1s) continue;
       reported = Clock::now();
-      if (controller_) status_ = controller_->status();  // it shows, too, whether it is still there
+      ask_status();  // it shows, too, whether the controller is still there
       second(second_);
       second_ = {};
     }
@@ -138,12 +141,24 @@ void Stream::explain_refusal(const std::string& sentence) {
   } catch (const InputError&) {
     throw InputError(sentence);  // it is gone
   }
-  if (status_->field_hash == *felt_) throw InputError(sentence);
-  throw InputError(options_.to + ": another field was loaded while this one grew, and it stays; stream again to replace it");
+  require_own_field();
+  throw InputError(sentence);
+}
+
+void Stream::ask_status() {
+  if (!controller_) return;
+  status_ = controller_->status();
+  require_own_field();
+}
+
+void Stream::require_own_field() const {
+  if (felt_ && status_->field_hash != *felt_)
+    throw InputError(options_.to + ": another field was loaded while this one grew, and it stays; stream again to replace it");
 }
 
 void Stream::finish() {
-  if (controller_ && field_) send();
+  if (controller_ && has_points()) send();
+  ask_status();
 }
 
 }  // namespace isotouch::stream

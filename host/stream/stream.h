@@ -63,10 +63,14 @@ class Stream {
   /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses or is gone. What the field held before it
   ///           still holds
   void run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second);
-  /// Sends what has not been sent, if anything.
+  /// Sends what has not been sent, if anything, and looks whether the controller has it.
+  ///
+  /// fails     InputError: as `run`
   void finish();
 
-  /// Nothing before the first point.
+  /// Has any point come into the field? It may have gone again.
+  bool has_points() const { return report_.all.points.taken > 0; }
+  /// Nothing before the first frame that shows where the field lies.
   const GrowingField* field() const { return field_ ? &*field_ : nullptr; }
   const live::Space& space() const { return *space_; }
   /// The field as it is now.
@@ -82,6 +86,8 @@ class Stream {
   void upload();
   void patch();
   [[noreturn]] void explain_refusal(const std::string& sentence);
+  void ask_status();
+  void require_own_field() const;
 
   StreamOptions options_;
   std::optional<link::Controller> controller_;

@@ -169,6 +169,10 @@ TEST(LiveField, AStrayIsNoSurface) {
   EXPECT_EQ(field.verdict().lonely, 1U);
   EXPECT_EQ(FieldView::parse(field.image().bytes())->brick_count, 2U);
   EXPECT_EQ(field.verdict().reasons().size(), 1U);
+  EXPECT_NE(field.verdict().reasons()[0].find("larger --voxel"), std::string::npos);
+  field.apply({{}, stray.added});
+  ASSERT_EQ(field.verdict().reasons().size(), 1U);
+  EXPECT_NE(field.verdict().reasons()[0].find("none of its points is left"), std::string::npos);
 }
 
 TEST(LiveField, SaysThatNormalsContradict) {
