@@ -46,7 +46,7 @@ int connect_to(const Address& address, int patience_ms) {
 }  // namespace
 
 Connection::Connection(const Address& address, int patience_ms)
-    : address_(address), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
+    : address_(address), owner_(::getpid()), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
   stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
                                 : connect_to(address, patience_ms);
   if (address.is_remote()) limit_sending(stream_, patience_ms);
@@ -54,8 +54,8 @@ Connection::Connection(const Address& address, int patience_ms)
 
 Connection::~Connection() {
   if (stream_ >= 0) ::close(stream_);
-  if (child_ <= 0) return;
-  ::kill(child_, SIGTERM);  // all answers are there; a connection that hangs is not waited for
+  if (child_ <= 0 || ::getpid() != owner_) return;  // a fork's copy: the ssh belongs to the process that began it
+  ::kill(child_, SIGTERM);                          // all answers are there; a connection that hangs is not waited for
   ::waitpid(child_, nullptr, 0);
 }
 

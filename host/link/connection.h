@@ -49,6 +49,7 @@ class Connection {
   Address address_;
   int stream_ = -1;
   pid_t child_ = -1;
+  const pid_t owner_;  ///< the process that made this
   std::vector<std::uint8_t> frame_, in_;
   std::size_t in_size_ = 0, used_ = 0;
   bool broken_ = false;  ///< it takes no more; what it said before may still be read
