@@ -52,7 +52,7 @@ void EventFinder::look_at(std::uint64_t tick, const TraceRecord& record) {
   if (in.change.setting != TickSetting::kNone) add(tick, "setting", text_of(in.change));
   if ((in.requests & kRequestStop) != 0) add(tick, "stop", "somebody asked for a stop");
   if ((in.requests & kRequestResume) != 0) add(tick, "resume", "somebody resumed");
-  if (began_ && in.field_generation != generation_) add(tick, "field", "another field was loaded");
+  if (began_ && in.field_generation != generation_ && (in.requests & kRequestMoved) == 0) add(tick, "field", "another field was loaded");
   generation_ = in.field_generation;
   const bool of_device = in.kind == InputKind::kPacket;
   const unsigned fresh_faults = out.faults & ~unsigned{last_.faults};

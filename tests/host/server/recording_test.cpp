@@ -76,6 +76,17 @@ TEST(Recording, EachContactIsOneEvent) {
   EXPECT_EQ(summary["events"][1]["tick"], 302);
 }
 
+TEST(Recording, AnotherFieldIsAnEventAndAPatchIsNone) {
+  std::vector<TraceRecord> records(10);
+  for (std::size_t i = 0; i < 10; ++i) records[i].input.field_generation = i < 3 ? 1 : i < 6 ? 2 : 3;
+  records[3].input.requests = kRequestMoved;
+  const nlohmann::ordered_json events = Recording(trace_of(records), nullptr).summary()["events"];
+  std::size_t fields = 0;
+  for (const auto& event : events) fields += event["kind"] == "field" ? 1U : 0U;
+  EXPECT_EQ(fields, 1U) << events;
+  EXPECT_EQ(events.back()["tick"], 6) << events;
+}
+
 TEST(Recording, SettingsFaultsAndStopsAreEvents) {
   std::vector<TraceRecord> records(10);
   for (TraceRecord& record : records) {
