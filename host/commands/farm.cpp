@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/interruption.h"
+#include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/commands/commands.h"
 #include "host/error.h"
@@ -169,7 +170,7 @@ void add_run(CLI::App& farm) {
   command->add_option("--shard", options->share.shard, "only this share of the tasks, counted from 0")->capture_default_str();
   command->add_option("--of", options->share.shards, "number of shares")->check(CLI::Range(1U, 1000000000U))->capture_default_str();
   command->add_option("--timeout", options->share.patience.seconds, "seconds that a program may take; 0: as long as it wants")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_in(0, 1e9))
       ->capture_default_str();
   options->share.jobs = std::max(1U, std::thread::hardware_concurrency());
   command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")->check(CLI::Range(1U, 4096U));

@@ -84,28 +84,22 @@ void add_qualify(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("!--no-trace", options->wish.trace, "do not use the kernel's tracer; the report then names no causes of late ticks");
   qualify::Limits& limits = options->limits;
-  command->add_option("--missed,--left-out", limits.left_out, "limit: missed ticks, percent")->capture_default_str();
-  command->add_option("--late", limits.late_ticks, "limit: number of late ticks")->capture_default_str();
-  command->add_option("--wakeup-us", limits.wakeup_us, "limit: 99.9th percentile of the wake-up delay, us; 0: a tenth of the period")
-      ->capture_default_str();
-  command->add_option("--round-trip-us", limits.round_trip_us, "limit: 99.9th percentile of the device's round trip, us")
-      ->capture_default_str();
-  command->add_option("--word-ticks", limits.word_ticks, "limit: longest delay from sensor to motor command, ticks")->capture_default_str();
-  command
-      ->add_option("--lost-samples", limits.lost_samples,
-                   "limit: lost samples, percent; one is expected in each tick, but at most one in a millisecond")
-      ->capture_default_str();
-  command->add_option("--celsius", limits.celsius, "limit: temperature")->capture_default_str();
-  command->add_option("--page-faults", limits.page_faults, "limit: page faults of the tick")->capture_default_str();
-  command->add_option("--allocations", limits.allocations, "limit: allocations of the tick")->capture_default_str();
-  command->add_option("--faults", limits.faults, "limit: how many of the checks, one per second, find the controller in fault")
-      ->capture_default_str();
-  command->add_option("--inactive", limits.inactive, "limit: checks that find it in a state other than active, percent")
-      ->capture_default_str();
-  command
-      ->add_option("--cold-tick-us", limits.cold_tick_us,
-                   "limit: 99th percentile of a tick's time while other programs write to memory, us; 0: a tenth of the period")
-      ->capture_default_str();
+  const auto limit = [command](const char* names, double& value, const std::string& about) {
+    command->add_option(names, value, "limit: " + about)->check(number_in(0, 1e9))->capture_default_str();
+  };
+  limit("--missed,--left-out", limits.left_out, "missed ticks, percent");
+  limit("--late", limits.late_ticks, "number of late ticks");
+  limit("--wakeup-us", limits.wakeup_us, "99.9th percentile of the wake-up delay, us; 0: a tenth of the period");
+  limit("--round-trip-us", limits.round_trip_us, "99.9th percentile of the device's round trip, us");
+  limit("--word-ticks", limits.word_ticks, "longest delay from sensor to motor command, ticks");
+  limit("--lost-samples", limits.lost_samples, "lost samples, percent; one is expected in each tick, but at most one in a millisecond");
+  limit("--celsius", limits.celsius, "temperature");
+  limit("--page-faults", limits.page_faults, "page faults of the tick");
+  limit("--allocations", limits.allocations, "allocations of the tick");
+  limit("--faults", limits.faults, "how many of the checks, one per second, find the controller in fault");
+  limit("--inactive", limits.inactive, "checks that find it in a state other than active, percent");
+  limit("--cold-tick-us", limits.cold_tick_us,
+        "99th percentile of a tick's time while other programs write to memory, us; 0: a tenth of the period");
   command->callback([options] {
     options->wish.wakeup_us = options->limits.wakeup_us;
     require_apart(options->page, is_standard(options->json));

@@ -34,6 +34,13 @@ double quantile(std::vector<double> values, double share) {
   return *place;
 }
 
+/// Mean size over root mean square.
+double evenness(const std::vector<double>& values) {
+  double sizes = 0.0, squares = 0.0;
+  for (const double value : values) sizes += std::abs(value), squares += value * value;
+  return squares > 0.0 ? sizes / std::sqrt(squares * static_cast<double>(values.size())) : 0.0;
+}
+
 /// By how much the samples of pairs differ, and how long the steps between them are.
 class Pairs {
  public:
@@ -87,11 +94,12 @@ bool Roughness::is_noise() const { return of_pairs_untilted() > kNoisy * of_posi
 Roughness roughness(const Scan& scan, double spacing) {
   const std::size_t step = std::max<std::size_t>(1, scan.size() / kAsked);
   const std::size_t asked = (scan.size() + step - 1) / step;
-  std::vector<double> deviations(asked), tilts(asked);
+  std::vector<double> deviations(asked), heights(asked), tilts(asked);
   in_parallel(asked, 32, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const QuadricFit fit = fit_quadric(scan.positions(), scan.around(n * step));
       deviations[n] = fit.deviation;
+      heights[n] = fit.deviation > 0.0 ? fit.height / fit.deviation : 0.0;
       tilts[n] = fit.normal.cross(scan.normals()[n * step]).norm();
     }
   });
@@ -115,6 +123,7 @@ Roughness roughness(const Scan& scan, double spacing) {
   result.of_no_step = without_step(near, far, height_variance);
   result.of_normals = without_step(near_turns, far_turns, turn_variance);
   result.tilt = quantile(std::move(tilts), 0.5);
+  result.layered = evenness(heights);
   return result;
 }
 

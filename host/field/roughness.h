@@ -13,6 +13,9 @@ struct Roughness {
   double of_normals = 0;    ///< deviation of a normal from its direction, radians: from pairs, extrapolated to a distance of zero
   double tilt = 0;          ///< sine of the angle between normals and those of the paraboloids, the median
   double spacing = 0;       ///< median distance to the nearest sample
+  /// Mean size over root mean square of the samples' heights over their paraboloids, each in standard deviations: 0.82 in normal noise, 0.84 where every
+  /// height is as likely, 0.88 to 0.99 where the samples are those of two sheets closer to each other than the samples are.
+  double layered = 0;
 
   /// `of_pairs` without what bad normals add: they are tilted more than detail of that size lets paraboloids err.
   double of_pairs_untilted() const;

@@ -209,6 +209,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;
+  if (options.estimate) result.layered = rough.layered;
   if (!options.estimate && rough.of_normals > kNoisyNormals) {
     scan = std::make_unique<Scan>(OrientedPoints{scan->positions(), filtered_normals(*scan, rough.of_normals), scan->stiffness()});
     as_faced = false;

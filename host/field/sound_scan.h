@@ -31,6 +31,7 @@ struct SoundScan {
   double noise = 0;                   ///< standard deviation of the points across the surface, their unit
   bool smoothed = false;              ///< the noise was taken back as far as neighbours tell
   double tilt = 0;                    ///< sine of the angle between normals and what the positions say, the median
+  double layered = 0;                 ///< where the file has no normals: `Roughness::layered`
   double spacing = 0;                 ///< median distance to the nearest point, their unit
   double enclosed = 0;                ///< volume that the points enclose by the divergence theorem, their unit cubed
   double one_sided = 0;               ///< 0 for a closed surface, 1 for a flat sheet

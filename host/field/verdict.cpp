@@ -30,6 +30,8 @@ constexpr double kMostGaps = 0.01;
 constexpr double kMostGapsOfSheet = 0.025;  // what one view sees has shadows
 constexpr double kMostUnexplained = 0.4;
 constexpr double kMostSurprising = 0.02;
+constexpr double kLayered = 0.86;      // of `Roughness::layered`, between noise and walls
+constexpr double kLayersApart = 0.03;  // of the noise in spacings: less is the rounding of a file
 constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
 constexpr double kPerStray = 0.33;     // a stray that was not found lies beside the surface; it surprises, and harms little
 constexpr double kMostVolume = 1.08;   // areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
@@ -182,6 +184,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
+  refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
+         "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
+         "wall; save the scan with outward normals, or scan more densely");
   const bool cut = closed && is_cut(sound.rim);
   refuse(!cut && verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet),
          per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");

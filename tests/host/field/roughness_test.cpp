@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "host/cloud/check.h"
@@ -41,6 +43,23 @@ TEST(Roughness, FindsNoiseBetweenDetail) {
     const Roughness found = of(std::move(points), spacing);
     EXPECT_NEAR(found.of_no_step, noise * spacing, 0.15 * noise * spacing) << noise;
     EXPECT_TRUE(found.is_noise()) << noise;
+  }
+}
+
+/// A ball, each point off by what `height` gives, in spacings.
+Roughness of_ball(const std::function<double(std::size_t)>& height) {
+  OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 4000);
+  const double spacing = cloud::median_spacing(points.positions);
+  for (std::size_t i = 0; i < points.size(); ++i) points.positions[i] += height(i) * spacing * points.normals[i];
+  return of(std::move(points), spacing);
+}
+
+TEST(Roughness, TellsTwoLayersFromNoise) {
+  cloud::Random random(5);
+  for (const double size : {0.1, 0.25, 0.5}) {
+    EXPECT_LT(of_ball([&](std::size_t) { return size * scatter(random).x(); }).layered, 0.83) << size;
+    EXPECT_LT(of_ball([&](std::size_t) { return size * random.uniform(-1, 1); }).layered, 0.85) << size;
+    EXPECT_GT(of_ball([&](std::size_t) { return random.uniform() < 0.5 ? size : -size; }).layered, 0.87) << size;
   }
 }
 

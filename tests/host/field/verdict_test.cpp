@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "host/cloud/check.h"
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/field/scan_field.h"
@@ -47,6 +48,19 @@ TEST(Verdict, TheVolumeOfTheHullIsThatOfGeometry) {
   const double torus = 2 * M_PI * M_PI * ring * tube * tube;
   const double hull = M_PI * ring * ring * 2 * tube + torus / 2 + M_PI * 4.0 / 3 * tube * tube * tube;
   EXPECT_NEAR(verdict_of(of("torus")).volume_of_hull, torus / hull, 0.06);
+}
+
+TEST(Verdict, WithoutNormalsAThinWallIsNoNoise) {
+  OrientedPoints wall = cloud::sample_shape(cloud::shape("sphere"), 4000);
+  const double spacing = cloud::median_spacing(wall.positions);
+  Random random(3);
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    const bool inner = random.uniform() < 0.5;
+    wall.positions[i] -= (inner ? 0.4 * spacing : 0.0) * wall.normals[i];
+  }
+  Progress progress;
+  const Verdict verdict = scan_field(sound_scan(std::move(wall), {.estimate = true}), 1.6, kBand, progress).verdict;
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("two layers")));
 }
 
 TEST(Verdict, NormalsWithoutMeaningAreRefused) {
