@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 
+SOAK_HZ = 10_000       # ticks a second that a soak asks for, the most that a controller takes
 LAST_LINES = 100       # of its log that are shown when a script fails
 MAX_GROWTH_KB = 256   # of the heap of a controller that is flat
 
