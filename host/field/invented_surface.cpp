@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "host/field/brick_gradient.h"
 #include "host/field/parallel.h"
 #include "host/field/sample_masks.h"
 #include "host/field/unseen_share.h"
@@ -20,7 +21,8 @@ using Eigen::Vector3i;
 struct Crossed {
   std::size_t brick;
   Vector3d place;  ///< its sample nearest to the surface, mm
-  double area;     ///< square voxels of surface: a sample stands for as much as it is nearer than a voxel
+  Vector3d outward;
+  double area;  ///< square voxels of surface: a sample stands for as much as it is nearer than a voxel
 };
 
 std::vector<Crossed> crossed_bricks(const BandField& field) {
@@ -36,7 +38,8 @@ std::vector<Crossed> crossed_bricks(const BandField& field) {
       if (away < std::abs(brick.distance[static_cast<std::size_t>(nearest)])) nearest = s;
     }
     if (area > 0.0) {
-      crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)), area});
+      crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)),
+                         gradient_at(brick, nearest), area});
     }
   }
   return crossed;
@@ -50,13 +53,13 @@ InventedSurface invented_surface(const BandField& field, const SoundScan& sound,
   in_parallel(crossed.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
     for (std::size_t i = begin; i < end; ++i) {
-      const Neighbour nearest = spacings.nearest(crossed[i].place, found);
-      if (nearest.index >= sound.measured) {
+      const auto nearest = spacings.nearest(crossed[i].place, crossed[i].outward, found);
+      if (!nearest || nearest->index >= sound.measured) {
         invented[i] = 1;
         continue;
       }
-      const double limit = kGap * spacings.at(nearest.index, found) + field.grid.edge;
-      invented[i] = nearest.squared_distance > limit * limit ? 1 : 0;
+      const double limit = kGap * spacings.at(nearest->index, found) + field.grid.edge;
+      invented[i] = nearest->squared_distance > limit * limit ? 1 : 0;
     }
   });
   InventedSurface result;

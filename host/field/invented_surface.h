@@ -15,8 +15,8 @@ struct InventedSurface {
   double share = 0;                    ///< of the surface
 };
 
-/// A brick is judged at its sample nearest to the surface. That was invented when an invented point is nearer to it than every measured one, or when it
-/// lies in a gap: farther from every measured point than these are apart there.
+/// A brick is judged at its sample nearest to the surface, by the points that look to the same side. That was invented when an invented point is nearer to
+/// it than every measured one, or when it lies in a gap: farther from every measured point than these are apart there.
 ///
 /// sound     workspace, mm; what `field` was built from
 /// spacings  of its points

@@ -18,7 +18,7 @@ BuiltScan built_scan(const SoundScan& scan, double edge, double band, Progress& 
 }
 
 JudgedScan judged_scan(const BuiltScan& built, const SoundScan& scan) {
-  const Spacings spacings(scan.points.positions);
+  const Spacings spacings(scan.points);
   JudgedScan judged;
   judged.invented = invented_surface(built.field, scan, spacings);
   judged.verdict = judge(built.field, scan, built.repair, spacings);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "host/field/brick_gradient.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::field {
@@ -16,13 +17,18 @@ using Eigen::Vector3i;
 
 constexpr std::size_t kStep = 16;
 
-std::vector<Vector3d> beside_surface(const BandField& field) {
-  std::vector<Vector3d> places;
+struct Place {
+  Vector3d position;  ///< mm
+  Vector3d outward;
+};
+
+std::vector<Place> beside_surface(const BandField& field) {
+  std::vector<Place> places;
   std::size_t beside = 0;
   for (const Brick& brick : field.bricks) {
     for (int s = 0; s < 64; ++s) {
       if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kStep != 0) continue;
-      places.push_back(field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)));
+      places.push_back({field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)), gradient_at(brick, s)});
     }
   }
   return places;
@@ -31,17 +37,21 @@ std::vector<Vector3d> beside_surface(const BandField& field) {
 }  // namespace
 
 double unseen_share(const BandField& field, const Spacings& spacings, double limit) {
-  const std::vector<Vector3d> places = beside_surface(field);
+  const std::vector<Place> places = beside_surface(field);
   if (places.empty()) return 0.0;
   std::atomic<std::size_t> unseen = 0;
   in_parallel(places.size(), 64, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> found;
     std::size_t count = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      const Neighbour nearest = spacings.nearest(places[i], found);
-      const double away = std::sqrt(nearest.squared_distance);
+      const auto nearest = spacings.nearest(places[i].position, places[i].outward, found);
+      if (!nearest) {
+        ++count;
+        continue;
+      }
+      const double away = std::sqrt(nearest->squared_distance);
       if (away <= field.grid.edge) continue;
-      count += away > limit * spacings.at(nearest.index, found) + field.grid.edge ? 1U : 0U;
+      count += away > limit * spacings.at(nearest->index, found) + field.grid.edge ? 1U : 0U;
     }
     unseen += count;
   });

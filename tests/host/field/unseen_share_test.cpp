@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
+#include <algorithm>
 
 #include "host/cloud/shapes.h"
+#include "host/field/invented_surface.h"
 #include "host/field/make_grid.h"
 #include "host/field/sample_distance.h"
 
@@ -20,11 +21,13 @@ BandField ball() {
   return sample_distance([](const Vector3d& p) { return p.norm() - kRadius; }, grid, kBand);
 }
 
-std::vector<Vector3d> seen(double lowest) {
+cloud::OrientedPoints seen(double lowest) {
   const cloud::OrientedPoints sphere = cloud::sample_shape(cloud::shape("sphere"), 3000);
-  std::vector<Vector3d> points;
+  cloud::OrientedPoints points;
   for (const Vector3d& p : sphere.positions) {
-    if (p.normalized().z() > lowest) points.push_back(kRadius * p.normalized());
+    if (p.normalized().z() <= lowest) continue;
+    points.positions.push_back(kRadius * p.normalized());
+    points.normals.push_back(p.normalized());
   }
   return points;
 }
@@ -39,6 +42,20 @@ TEST(UnseenShare, IsThePartWithoutPointsLessItsRim) {
   // and 4 to 5 mm of that.
   EXPECT_NEAR(unseen_share(ball(), Spacings(seen(-0.5)), 3.0), 0.10, 0.02);
   EXPECT_NEAR(unseen_share(ball(), Spacings(seen(-0.5)), kGap), 0.16, 0.02);
+}
+
+TEST(UnseenShare, OfAWallIsTheSideWithoutPoints) {
+  constexpr double kInner = kRadius - 2.0;  // as far as the points are apart
+  const BandField wall =
+      sample_distance([](const Vector3d& p) { return std::max(p.norm() - kRadius, kInner - p.norm()); }, ball().grid, kBand);
+  const cloud::OrientedPoints outside = seen(-2.0);
+  const Spacings spacings(outside);
+  const double inner = kInner * kInner / (kInner * kInner + kRadius * kRadius);
+  EXPECT_NEAR(unseen_share(wall, spacings, kGap), inner, 0.01);
+  SoundScan sound;
+  sound.points = outside;
+  sound.measured = outside.size();
+  EXPECT_NEAR(invented_surface(wall, sound, spacings).share, inner, 0.1) << "a brick may hold both sides, and is judged once";
 }
 
 TEST(UnseenShare, OfNoSurfaceIsNothing) {

@@ -102,7 +102,7 @@ TEST(Verdict, SurprisesWeighMoreInNoise) {
   const auto reasons = [&](double noise_spacing, double surprising) {
     sound.noise = noise_spacing * sound.spacing;
     repair.surprising = surprising;
-    return judge(built.field, sound, repair, Spacings(sound.points.positions)).reasons;
+    return judge(built.field, sound, repair, Spacings(sound.points)).reasons;
   };
   EXPECT_THAT(reasons(0.0, 0.019), IsEmpty());
   EXPECT_THAT(reasons(0.0, 0.021), Contains(HasSubstr("do not expect")));
