@@ -85,7 +85,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/main.cpp", {{"host/commands", "host/board_commands"}}},
     {"host", {{}}},
     {"hil/falcon_model", {{}}},  // a mistake shared with what it is to find would hide itself
-    {"hil/falcon_sim", {{"hil/falcon_model", "packaging/manual"}}},
+    {"hil/falcon_sim", {{"hil/falcon_model", "host/board_commands/number_in.h", "packaging/manual"}}},
     {"hil/rig", {{"hil/rig/irq_sim.c"}}},
     {"hil/plain_replay.h", {{"firmware/core", "shared"}}},
     {"hil/bare_metal", {{"hil/plain_replay.h", "shared"}}},

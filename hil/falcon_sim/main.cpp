@@ -15,6 +15,7 @@
 #include "hil/falcon_sim/socket_frontend.h"
 #include "hil/falcon_sim/usbip_frontend.h"
 #include "hil/falcon_sim/usbredir_frontend.h"
+#include "host/board_commands/number_in.h"
 #include "packaging/manual/command_tree.h"
 
 namespace {
@@ -58,19 +59,21 @@ void add_options(CLI::App& app, Options& o) {
       ->capture_default_str();
   app.add_option("--angle-at-zero", o.angles, "angles of the arms at count 0, degrees: top, right, left; by default the published ones")
       ->expected(3)
-      ->check(CLI::Range(0.0, 80.0));
-  app.add_option("--mass", o.device.mechanism.mass_kg, "moving mass at the grip, kg")->check(CLI::Range(0.01, 10.0))->capture_default_str();
+      ->check(isotouch::commands::number_in(0.0, 80.0));
+  app.add_option("--mass", o.device.mechanism.mass_kg, "moving mass at the grip, kg")
+      ->check(isotouch::commands::number_in(0.01, 10.0))
+      ->capture_default_str();
   app.add_option("--damping", o.device.mechanism.damping_n_s_per_m, "damping at the grip, N s/m")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(isotouch::commands::number_in(0.0, 100.0))
       ->capture_default_str();
   app.add_option("--hand-stiffness", o.device.hand.stiffness_n_per_mm, "stiffness of the hand, N/mm")
-      ->check(CLI::Range(0.0, 5.0))
+      ->check(isotouch::commands::number_in(0.0, 5.0))
       ->capture_default_str();
   app.add_option("--step-ms", o.device.step_ms, "time that passes for the mechanism with each packet, ms")
-      ->check(CLI::Range(0.1, 10.0))
+      ->check(isotouch::commands::number_in(0.1, 10.0))
       ->capture_default_str();
   app.add_option("--hold-ms", o.device.hold_ms, "how long a torque lasts without a packet, ms")
-      ->check(CLI::Range(1.0, 10000.0))
+      ->check(isotouch::commands::number_in(1.0, 10000.0))
       ->capture_default_str();
 }
 
