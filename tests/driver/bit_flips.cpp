@@ -35,7 +35,7 @@ constexpr int kFollowed = 1200;       // ticks that a run is followed
 constexpr int kFieldFollowed = 2300;  // where a field is checked in two seconds
 constexpr int kSetAt = 300;           // ticks after the flip: a setting changes
 constexpr int kAfter = 30;            // ticks that a run is followed after the force has ended
-constexpr unsigned kHangs = 30;       // s
+constexpr unsigned kHangs = 10;       // s; a run takes milliseconds
 
 /// Presses 2 mm into a ball of 25 mm and slides to and fro, lets go, and comes back: a round of two seconds.
 falcon_model::Path stroking_hand() {

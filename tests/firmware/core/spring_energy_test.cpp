@@ -137,7 +137,7 @@ double work_of_one_stiffness(const Body& body, double friction, std::size_t dela
   return std::max(work_a_cycle(body, soft, friction, delay, depths, kCycles), work_a_cycle(body, hard, friction, delay, depths, kCycles));
 }
 
-TEST(SpringEnergy, AMapOfStiffnessGivesNoMoreThanOneStiffness) {
+TEST(SpringEnergyHeavy, AMapOfStiffnessGivesNoMoreThanOneStiffness) {
   for (const Body& body : kBodies) {
     for (const double friction : {0.0, 0.3}) {
       for (const std::size_t delay : {0U, 1U, 2U, 3U}) {
