@@ -25,7 +25,7 @@ class Spacings {
   /// The nearest of the points round a place whose normal looks to the same side as the surface there; nothing where none of a few does. The other side
   /// of a wall is near and shows nothing of this one.
   ///
-  /// outward   of the surface; of any length
+  /// outward   of the surface; of any length, or zero for any side
   /// found     room to work in
   std::optional<Neighbour> nearest(const Eigen::Vector3d& place, const Eigen::Vector3d& outward, std::vector<Neighbour>& found) const {
     for (const std::size_t count : {std::size_t{1}, kAround, kFarAround}) {

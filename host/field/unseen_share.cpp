@@ -22,13 +22,15 @@ struct Place {
   Vector3d outward;
 };
 
-std::vector<Place> beside_surface(const BandField& field) {
+std::vector<Place> beside_surface(const BandField& field, Showing showing) {
+  const bool any_side = showing == Showing::kAny;
   std::vector<Place> places;
   std::size_t beside = 0;
   for (const Brick& brick : field.bricks) {
     for (int s = 0; s < 64; ++s) {
       if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kStep != 0) continue;
-      places.push_back({field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)), gradient_at(brick, s)});
+      places.push_back({field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)),
+                        any_side ? Vector3d(Vector3d::Zero()) : gradient_at(brick, s)});
     }
   }
   return places;
@@ -36,8 +38,8 @@ std::vector<Place> beside_surface(const BandField& field) {
 
 }  // namespace
 
-double unseen_share(const BandField& field, const Spacings& spacings, double limit) {
-  const std::vector<Place> places = beside_surface(field);
+double unseen_share(const BandField& field, const Spacings& spacings, double limit, Showing showing) {
+  const std::vector<Place> places = beside_surface(field, showing);
   if (places.empty()) return 0.0;
   std::atomic<std::size_t> unseen = 0;
   in_parallel(places.size(), 64, [&](std::size_t begin, std::size_t end) {

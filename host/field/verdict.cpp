@@ -138,7 +138,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.debris_share = static_cast<double>(repair.debris.pieces + repair.debris.cavities) / count;
   const double hull = hull_volume(sound.points.positions);  // with what was invented: a sheet alone has none
   verdict.volume_of_hull = hull > 0.0 ? volume / hull : 0.0;
-  verdict.gap_share = unseen_share(field, spacings, kGap);
+  // Where a sheet ends beside a shadow, what lies behind its edge was invented, and there is much of it in a sound scan of one side.
+  verdict.gap_share = unseen_share(field, spacings, kGap, closed ? Showing::kSameSide : Showing::kAny);
   verdict.surprising_share = repair.surprising;
 
   if (closed && sound.enclosed > 0.0) verdict.volume_of_enclosed = volume / sound.enclosed;

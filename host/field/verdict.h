@@ -19,7 +19,7 @@ struct Verdict {
   double stray_share = 0;            ///< of the points: left out as strays
   double turned_share = 0;           ///< of the normals: turned round
   double invented_share = 0;         ///< of the surface: nobody scanned it (invented_surface.h)
-  double gap_share = 0;              ///< of the surface: as far from every point, invented ones too
+  double gap_share = 0;              ///< of the surface: as far from every point that shows it, invented ones too (unseen_share.h)
   double surprising_share = 0;       ///< of the surface: its samples lie more than a voxel off where their neighbours expect it
   double rim_mm = 0;                 ///< length of all open rims together
   double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
