@@ -6,6 +6,7 @@
 #include <nanoflann.hpp>
 #include <utility>
 
+#include "host/cloud/same_place.h"
 #include "host/error.h"
 
 namespace isotouch::cloud {
@@ -19,9 +20,7 @@ constexpr double kShortestNormal = 0.5;
 constexpr double kMaxNormal = 2.0;
 constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
-constexpr std::size_t kOneIn = 10;  // places that contradict themselves are no mistake any more
-constexpr double kOnePlace =
-    1e-6;  // of the size of the object: in a dense real scan of 120,000 points the nearest two are 105 times as far apart
+constexpr std::size_t kOneIn = 10;   // places that contradict themselves are no mistake any more
 constexpr double kStiffest = 100.0;  // N/mm, what a field holds
 
 /// Brings the normals to unit length in their places.
@@ -48,83 +47,42 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
   }
 }
 
-/// The edge of a cell whose points count as one: less than a scanner resolves, and more than rounding moves a point, as when one scan was saved in two
-/// frames. Points that a border of cells parts stay two. The middle half of the points says how large the object is, whatever strays there are.
-double one_place(const std::vector<Vector3d>& positions) {
-  double longest = 0.0;
-  std::vector<double> along(positions.size());
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::transform(positions.begin(), positions.end(), along.begin(), [axis](const Vector3d& p) { return p[axis]; });
-    const auto quantile = [&](std::size_t fourths) {
-      const auto at = along.begin() + static_cast<std::ptrdiff_t>(fourths * (along.size() - 1) / 4);
-      std::nth_element(along.begin(), at, along.end());
-      return *at;
-    };
-    longest = std::max(longest, quantile(3) - quantile(1));
-  }
-  return kOnePlace * longest;
-}
-
-/// The cells, as large as one place, that the points lie in; the points themselves where all are at one.
-std::vector<Vector3d> places_of(const std::vector<Vector3d>& positions) {
-  std::vector<Vector3d> places = positions;
-  const double size = one_place(positions);
-  if (!(size > 0.0)) return places;
-  for (Vector3d& p : places) p = (p / size).array().floor();
-  return places;
-}
-
-/// Points in an order that brings those at one place together, in their order.
-std::vector<std::uint32_t> by_place(const std::vector<Vector3d>& positions) {
-  struct Along {
-    double x;
-    std::uint32_t point;
-  };
-  std::vector<Along> sorted(positions.size());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) sorted[i] = {positions[i].x(), i};
-  std::sort(sorted.begin(), sorted.end(), [&](const Along& a, const Along& b) {
-    if (a.x != b.x) return a.x < b.x;
-    const Vector3d& p = positions[a.point];
-    const Vector3d& q = positions[b.point];
-    if (p.y() != q.y()) return p.y() < q.y();
-    if (p.z() != q.z()) return p.z() < q.z();
-    return a.point < b.point;
-  });
-  std::vector<std::uint32_t> order(sorted.size());
-  std::transform(sorted.begin(), sorted.end(), order.begin(), [](const Along& along) { return along.point; });
-  return order;
-}
-
 void merge_duplicates(OrientedPoints& points, CloudReport& report) {
-  const std::vector<Vector3d> places = places_of(points.positions);
-  const std::vector<std::uint32_t> order = by_place(places);
-  std::vector<std::uint8_t> stays(points.size(), 1);
-  std::vector<std::uint32_t> contradictory;  // the first point of each place
+  const std::vector<std::uint32_t> first = first_at_place(points.positions);
+  struct Place {
+    Vector3d normals = Vector3d::Zero();  ///< their sum
+    double stiffness = 0;                 ///< also
+    std::size_t points = 0;
+  };
+  std::vector<Place> places(points.size());  // each where its first point is
   const bool has_stiffness = !points.stiffness.empty();
-  for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    Vector3d sum = Vector3d::Zero();
-    double stiffness = 0.0;
-    for (end = begin; end < order.size() && places[order[end]] == places[order[begin]]; ++end) {
-      sum += points.normals[order[end]];
-      if (has_stiffness) stiffness += points.stiffness[order[end]];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Place& place = places[first[i]];
+    place.normals += points.normals[i];
+    if (has_stiffness) place.stiffness += points.stiffness[i];
+    ++place.points;
+  }
+  std::vector<std::uint8_t> stays(points.size(), 0);
+  std::vector<std::size_t> contradictory;  // the first point of each place
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Place& place = places[i];
+    const auto together = static_cast<double>(place.points);
+    if (place.points == 0) continue;
+    if (place.points > 1 && report.has_normals && place.normals.norm() < kShortestMean * together) {
+      report.contradictory += place.points;
+      contradictory.push_back(i);
+      continue;
     }
-    const std::size_t together = end - begin;
-    if (together == 1) continue;
-    for (std::size_t i = begin; i < end; ++i) stays[order[i]] = 0;
-    if (report.has_normals && sum.norm() < kShortestMean * static_cast<double>(together)) {
-      report.contradictory += together;
-      contradictory.push_back(order[begin]);
-    } else {
-      report.merged += together - 1;
-      stays[order[begin]] = 1;  // the first point of each place, with the means
-      if (report.has_normals) points.normals[order[begin]] = sum.normalized();
-      if (has_stiffness) points.stiffness[order[begin]] = stiffness / static_cast<double>(together);
-    }
+    stays[i] = 1;
+    if (place.points == 1) continue;
+    report.merged += place.points - 1;
+    if (report.has_normals) points.normals[i] = place.normals.normalized();  // the first point of each place gets the means
+    if (has_stiffness) points.stiffness[i] = place.stiffness / together;
   }
   const auto left = static_cast<std::size_t>(std::count(stays.begin(), stays.end(), 1));
   report.two_faced = kOneIn * contradictory.size() > left + contradictory.size();
   if (report.two_faced) {  // not a few mistakes: the points were saved twice, once for each side
-    for (const std::uint32_t i : contradictory) stays[i] = 1;
+    for (const std::size_t i : contradictory) stays[i] = 1;
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < stays.size(); ++i) {

@@ -1,0 +1,16 @@
+/// Which points of a cloud lie at one place?
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace isotouch::cloud {
+
+/// Points are at one place if a scanner would not resolve them: rounding has moved them apart, as when one scan was saved in two frames.
+///
+/// positions  finite
+/// returns    of each point, the first point at its place; the point itself where no other is before it
+std::vector<std::uint32_t> first_at_place(const std::vector<Eigen::Vector3d>& positions);
+
+}  // namespace isotouch::cloud
