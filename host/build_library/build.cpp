@@ -118,6 +118,12 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   field::Progress progress;
   field::ScanField made = field::scan_field(scan, edge, options.band, progress);
   for (const std::string& warning : made.repair.warnings()) done.warnings.push_back(warning);
+  const auto refuse_empty = [](bool empty) {
+    if (empty)
+      throw InputError(std::string(kName) +
+                       ": the field is empty: the points do not enclose a body; scan more densely, or check their normals");
+  };
+  refuse_empty(made.verdict.empty);
   if (!made.verdict.plausible() && options.accept_implausible == 0) throw InputError(refusal(made.verdict));
 
   const std::vector<double>& stiffness = made.field.stiffness;
@@ -129,8 +135,7 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
                                  static_cast<std::uint32_t>(read.points),
                                  placement};
   field_file::OpenField open = encoding::write_field(std::move(made.field), info);
-  if (encoding::inside_samples(open.view) == 0)
-    throw InputError(std::string(kName) + ": the field is empty: the points do not enclose a body; check their normals");
+  refuse_empty(encoding::inside_samples(open.view) == 0);
   for (const Eigen::Vector3i& cell : made.invented.cells) open.invented.mark(open.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   done.packed = field_file::pack(open.view, open.invented);
   return done;

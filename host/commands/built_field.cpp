@@ -61,6 +61,10 @@ std::string refusal(const std::string& input, const std::vector<std::string>& re
   return text + "--accept-implausible builds it all the same";
 }
 
+InputError empty_field(const std::string& input) {
+  return InputError(input + ": the field is empty: the points do not enclose a body; scan more densely, or check their normals");
+}
+
 }  // namespace
 
 Implausible::Implausible(const std::string& input, BuildReport judged)
@@ -104,13 +108,13 @@ BuiltField built_field(const BuildOptions& options) {
     auto [verdict, surface] = judged.get();
     report.verdict = std::move(verdict);
     invented = std::move(surface.cells);
+    if (report.verdict->empty) throw empty_field(options.input.string());
     if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   }
   field_file::OpenField field = write.get_future().get();
   for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
-  if (report.inside_nodes == 0)
-    throw InputError(options.input.string() + ": the field is empty: the points do not enclose a body; check their normals");
+  if (report.inside_nodes == 0) throw empty_field(options.input.string());
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view, field.invented);
   progress.begin("write");

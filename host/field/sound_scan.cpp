@@ -268,7 +268,8 @@ std::vector<std::string> SoundScan::warnings() const {
     case Outside::kViewpoint: break;
     case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inwards; all were turned"); break;
     case Outside::kNeighbours:
-      list.push_back("the normals contradicted each other: " + times(turned.size(), "was", "were") + " turned so that neighbours agree");
+      if (!turned.empty())  // estimated normals had no side before
+        list.push_back("the normals contradicted each other: " + times(turned.size(), "was", "were") + " turned so that neighbours agree");
       break;
     case Outside::kDoubtful:
       list.emplace_back("the normals do not agree on which side is outside, and neighbours do not decide it; they are used as they are");

@@ -125,6 +125,7 @@ std::string per_cent(double share) {
 Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair, const Spacings& spacings) {
   const double volume = static_cast<double>(inside_samples(field)) * field.grid.edge * field.grid.edge * field.grid.edge;
   Verdict verdict;
+  verdict.empty = volume == 0.0;
   const std::vector<Vector3d> measured(sound.points.positions.begin(),
                                        sound.points.positions.begin() + static_cast<std::ptrdiff_t>(sound.measured));
   const bool closed = sound.measured == sound.points.size();
@@ -205,9 +206,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
              " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
-  refuse(verdict.debris_share > kMostDebris,
-         std::to_string(repair.debris.pieces + repair.debris.cavities) +
-             " pieces and cavities that no points support had to be removed; check the normals and remove strays");
+  const std::size_t removed = repair.debris.pieces + repair.debris.cavities;
+  refuse(verdict.debris_share > kMostDebris, std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
+                                                 " that no points support had to be removed; check the normals and remove strays");
   return verdict;
 }
 

@@ -29,6 +29,7 @@ struct Verdict {
   double debris_share = 0;        ///< pieces and cavities that no points stand for, over the number of points
   double contradicted_share = 0;  ///< of the clear pairs of neighbours: their normals contradict each other still
   double opposed_share = 0;       ///< of the measured normals: against the field's gradient
+  bool empty = false;             ///< the field has no inside at all, so that there is nothing to accept
 
   bool plausible() const { return reasons.empty(); }
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,25 @@ TEST_F(BuildScan, AnImplausibleFieldIsRefusedUnlessAccepted) {
     EXPECT_TRUE(json["verdict"][key].is_number()) << key;
   }
   EXPECT_TRUE(fs::exists(file("b.itf")));
+}
+
+TEST_F(BuildScan, AnEmptyFieldIsNotOfferedToBeAccepted) {
+  cloud::OrientedPoints ring;  // no surface
+  for (int i = 0; i < 200; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 200;
+    ring.normals.emplace_back(std::cos(angle), std::sin(angle), 0);
+    ring.positions.emplace_back(50 * ring.normals.back());
+  }
+  cloud::write_ply(file("ring.ply"), ring);
+  for (const char* accept : {"", " --accept-implausible"}) {
+    try {
+      run("build " + file("ring.ply") + " -o " + file("r.itf") + " --grid 40" + accept);
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("the field is empty"));
+      EXPECT_THAT(error.what(), Not(HasSubstr("--accept-implausible")));
+    }
+  }
 }
 
 TEST_F(BuildScan, PointsWithoutNormalsGetThemAndThatIsSaid) {

@@ -152,6 +152,14 @@ TEST(SoundScan, SignsByChanceAreMendedWhereNeighboursTell) {
   EXPECT_LE(unlike(scan, points), 10U);
 }
 
+TEST(SoundScan, SaysNothingOfTurnedNormalsWhereThereWereNone) {
+  OrientedPoints points = of("torus");
+  for (Vector3d& n : points.normals) n.setZero();
+  const SoundScan scan = sound_scan(points, {.estimate = true});
+  ASSERT_EQ(scan.outside, Outside::kNeighbours);
+  EXPECT_THAT(scan.warnings(), IsEmpty());
+}
+
 TEST(SoundScan, NamesThePointsWhoseNormalWasTurned) {
   OrientedPoints points = of("torus");
   std::vector<std::uint32_t> wrong;
