@@ -35,7 +35,8 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
     }
     if (report.has_normals && !(length >= kShortestNormal && length <= kMaxNormal)) {
       throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
-                       " instead of 1; normalise the normals");
+                       " instead of 1; normalise the normals" +
+                       (model.format == "text" ? ", or remove columns 4 to 6 if they hold something else" : ""));
     }
     if (!model.stiffness.empty() && !(model.stiffness[i] > 0.0 && model.stiffness[i] <= kStiffest)) {
       throw InputError(name + ": " + model.place(i) + ": the stiffness is " + std::to_string(model.stiffness[i]) +

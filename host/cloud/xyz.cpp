@@ -27,6 +27,27 @@ bool is_remark(std::string_view line) {
   return begin == std::string_view::npos || line[begin] == '#' || line.substr(begin).starts_with("//");
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Three or six fields between spaces or semicolons, of which one has a comma between digits and none has two, are numbers with decimal commas.
+bool has_decimal_commas(std::string_view line) {
+  std::size_t fields = 0, decimal = 0;
+  for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t;", begin)) != std::string_view::npos; ++fields) {
+    const std::string_view field = line.substr(begin, line.find_first_of(" \t;", begin) - begin);
+    begin += field.size();
+    const std::size_t comma = field.find(',');
+    if (comma == std::string_view::npos) continue;
+    if (comma == 0 || comma + 1 == field.size() || field.find(',', comma + 1) != std::string_view::npos) return false;
+    if (!is_digit(field[comma - 1]) || !is_digit(field[comma + 1])) return false;
+    ++decimal;
+  }
+  return decimal > 0 && (fields == 3 || fields == 6);
+}
+
+bool is_utf16(std::span<const std::uint8_t> bytes) {
+  return bytes.size() >= 2 && ((bytes[0] == 0xFF && bytes[1] == 0xFE) || (bytes[0] == 0xFE && bytes[1] == 0xFF));
+}
+
 /// The file as a table of three or six columns.
 struct Table {
   std::vector<Eigen::Vector3d> first, second;  ///< columns 1 to 3, columns 4 to 6
@@ -41,6 +62,9 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
   while (lines.next()) {
     if (is_remark(lines.rest())) continue;
     if (table.lines.empty() && !table.count && (table.count = stated_count(lines))) continue;
+    if (table.lines.empty() && has_decimal_commas(lines.rest())) {
+      throw lines.refusal("its numbers have decimal commas; save them with decimal points");
+    }
     std::vector<double> row;
     TextLines rest = lines;
     while (rest.field() && row.size() < 7) {
@@ -49,7 +73,9 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
     }
     if (columns == 0) columns = row.size();
     if ((columns != 3 && columns != 6) || row.size() != columns) {
-      const std::string wanted = columns == 3 && !table.lines.empty() ? "x y z like the lines before" : "x y z nx ny nz";
+      const std::string wanted = table.lines.empty() ? "x y z or x y z nx ny nz"
+                                 : columns == 3      ? "x y z like the lines before"
+                                                     : "x y z nx ny nz like the lines before";
       throw lines.refusal((row.size() > 6 ? "more than 6" : std::to_string(row.size())) + " numbers; a line must hold " + wanted);
     }
     table.first.emplace_back(row[0], row[1], row[2]);
@@ -62,6 +88,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
+  if (is_utf16(bytes)) throw InputError(name + ": the text is encoded as UTF-16; save it as UTF-8");
   Table table = read_table(name, bytes);
   if (table.count && table.second.empty() && table.first.size() % 2 == 0 &&
       table.first.size() / 2 == *table.count) {  // a block of positions, a block of normals

@@ -12,9 +12,9 @@ using Eigen::Vector3d;
 Model read(const std::string& text) { return read_xyz("f.xyz", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}); }
 
 TEST(Xyz, EveryCustomaryDressGivesTheSamePoints) {
-  for (const char* text :
-       {"1 2 3 0 0 1\n4 5 6 0 1 0\n", "2\n1 2 3 0 0 1\n4 5 6 0 1 0\n", "# remark\r\n1,2,3,0,0,1\r\n\r\n// remark\r\n4;5;6;0;1;0",
-        "  1\t2\t3\t0\t0\t1e0  \n+4 5. 6.0 0 1 -0\n", "2\n1 2 3\n4 5 6\n0 0 1\n0 1 0\n"}) {
+  for (const char* text : {"1 2 3 0 0 1\n4 5 6 0 1 0\n", "2\n1 2 3 0 0 1\n4 5 6 0 1 0\n",
+                           "# remark\r\n1,2,3,0,0,1\r\n\r\n// remark\r\n4;5;6;0;1;0", "  1\t2\t3\t0\t0\t1e0  \n+4 5. 6.0 0 1 -0\n",
+                           "2\n1 2 3\n4 5 6\n0 0 1\n0 1 0\n", "1,2,3 0,0,1\n4,5,6 0,1,0\n", "1, 2, 3, 0, 0, 1\n4, 5, 6, 0, 1, 0\n"}) {
     const Model model = read(text);
     ASSERT_EQ(model.positions.size(), 2U) << text;
     ASSERT_EQ(model.normals.size(), 2U) << text;
