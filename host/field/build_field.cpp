@@ -1,6 +1,7 @@
 #include "host/field/build_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -16,14 +17,18 @@
 #include "host/field/hole_samples.h"
 #include "host/field/parallel.h"
 #include "host/field/surface.h"
+#include "host/field/winding_sign.h"
 
 namespace isotouch::field {
 
 namespace {
 
-constexpr std::size_t kWitnesses = 4;  // neighbours whose models say where a sample should lie
-constexpr double kNoisy = 0.1;         // of the distance to the sixth neighbour: beyond, noise reaches the models
-constexpr double kExplains = 1.5;      // trust of a model: below, its error is above two thirds of a radian
+constexpr std::size_t kWitnesses = 4;      // neighbours whose models say where a sample should lie
+constexpr double kNoisy = 0.1;             // of the distance to the sixth neighbour: beyond, noise reaches the models
+constexpr double kBehind = 1.5;            // spacings: near the samples the winding number is not sharp
+constexpr double kTwice = 1.3;             // in a body it is 1
+constexpr std::size_t kAskedTwice = 4000;  // samples, about
+constexpr double kExplains = 1.5;          // trust of a model: below, its error is above two thirds of a radian
 
 cloud::OrientedPoints in_voxels(const cloud::OrientedPoints& points, const Grid& grid) {
   cloud::OrientedPoints result = points;
@@ -72,6 +77,28 @@ void describe(const AdaptiveSamples& described, std::size_t measured, Repair& re
   }
   if (asked > 0.0) repair.unexplained = unexplained / asked;
   if (area > 0.0) repair.surprising = surprising / area;
+}
+
+/// Which share of the measured surface has another layer round it? Behind it the points enclose a place twice.
+double twice_enclosed(const AdaptiveSamples& described, std::size_t measured, const WindingSign& enclosure) {
+  const Scan& scan = *described.scan;
+  const std::size_t step = std::max<std::size_t>(1, scan.size() / kAskedTwice);
+  std::vector<std::array<double, 2>> answers((scan.size() + step - 1) / step, {0.0, 0.0});
+  in_parallel(answers.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::size_t i = n * step;
+      if (described.point[i] >= measured) continue;
+      const double spacing = scan.spacing(i);
+      const bool twice = enclosure(scan.positions()[i] - kBehind * spacing * scan.normals()[i]) > kTwice;
+      answers[n] = {spacing * spacing, twice ? spacing * spacing : 0.0};
+    }
+  });
+  double area = 0.0, layered = 0.0;
+  for (const auto& [asked, twice] : answers) {
+    area += asked;
+    layered += twice;
+  }
+  return area > 0.0 ? layered / area : 0.0;
 }
 
 /// The samples with others that were added to them; the models of those there were stay as they are.
@@ -137,6 +164,8 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   }
   const Scan& scan = closed.scan ? *closed.scan : *described.scan;
   const Surface& surface = *model;
+
+  if (whole) mended.twice_enclosed = twice_enclosed(described, measured, surface.enclosure());
 
   progress.begin("bricks");
   const SampledDistance distance{

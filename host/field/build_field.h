@@ -24,6 +24,7 @@ struct Repair {
   std::size_t turned = 0;        ///< normals that nearly all neighbours contradicted
   double surprising = 0;         ///< share of the surface whose samples lie more than a voxel off where their neighbours expect it
   double unexplained = 0;        ///< share of the samples whose neighbours no local surface explains
+  double twice_enclosed = 0;     ///< of the surface that was measured: another layer of the scan lies round it
   UnsupportedComponents debris;  ///< pieces and cavities that no sample stands for
   std::vector<std::string> warnings() const;
 };

@@ -63,6 +63,23 @@ TEST(Verdict, WithoutNormalsAThinWallIsNoNoise) {
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("two layers")));
 }
 
+TEST(Verdict, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
+  const OrientedPoints points = of("sphere", 5000);
+  const double spacing = cloud::median_spacing(points.positions);
+  for (const double apart : test::examples<double>({4.0, 7.0})) {
+    OrientedPoints merged;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (const double side : {-1.0, 1.0}) {
+        if (side * points.positions[i].x() < -20) continue;
+        merged.positions.push_back(points.positions[i] + side * apart / 2 * spacing * Vector3d(0.3, 0.6, 0.74));
+        merged.normals.push_back(points.normals[i]);
+      }
+    }
+    EXPECT_THAT(verdict_of(merged).reasons, Contains(HasSubstr("another layer"))) << apart;
+  }
+  EXPECT_THAT(verdict_of(points).reasons, IsEmpty());
+}
+
 TEST(Verdict, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
