@@ -12,6 +12,7 @@
 #include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
+#include "host/field/orientation.h"
 #include "tests/host/field/random_places.h"
 #include "tests/support/sanitized.h"
 
@@ -83,6 +84,31 @@ TEST(SoundScan, BelievesTheNormalsOfAThinWall) {
   const SoundScan inside_out = sound_scan(turned(points));
   EXPECT_EQ(inside_out.outside, Outside::kTurned);
   EXPECT_LT(unlike(inside_out, points), 10U);
+}
+
+/// Both sides of half a hollow ball: it encloses hardly anything, though its outermost normals leave no doubt.
+OrientedPoints thin_bowl() {
+  constexpr std::size_t kOneSide = 20000;
+  OrientedPoints points;
+  for (const auto& [radius, side] : {std::pair(50.0, 1.0), std::pair(49.0, -1.0)}) {
+    for (std::size_t i = 0; i < kOneSide; ++i) {
+      const double z = -(static_cast<double>(i) + 0.5) / kOneSide, turn = 2.399963229728653 * static_cast<double>(i);
+      const double across = std::sqrt(1 - z * z);
+      const Vector3d out(across * std::cos(turn), across * std::sin(turn), z);
+      points.positions.push_back(radius * out);
+      points.normals.push_back(side * out);
+    }
+  }
+  return points;
+}
+
+TEST(SoundScan, BelievesAnOpenThinWall) {
+  const OrientedPoints points = thin_bowl();
+  const Facing facing = field::facing(Scan({points.positions, points.normals, {}}));
+  ASSERT_LT(facing.volume, 0.04) << "too little to be sure by";
+  const SoundScan scan = sound_scan(points);
+  EXPECT_EQ(scan.outside, Outside::kAsGiven) << facing.outward;
+  EXPECT_LT(unlike(scan, points), 10U);
 }
 
 TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {
