@@ -118,12 +118,8 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   field::Progress progress;
   field::ScanField made = field::scan_field(scan, edge, options.band, progress);
   for (const std::string& warning : made.repair.warnings()) done.warnings.push_back(warning);
-  const auto refuse_empty = [](bool empty) {
-    if (empty)
-      throw InputError(std::string(kName) +
-                       ": the field is empty: the points do not enclose a body; scan more densely, or check their normals");
-  };
-  refuse_empty(made.verdict.empty);
+  const InputError empty(std::string(kName) + ": " + field::kEmptyField);
+  if (made.verdict.empty) throw empty;
   if (!made.verdict.plausible() && options.accept_implausible == 0) throw InputError(refusal(made.verdict));
 
   const std::vector<double>& stiffness = made.field.stiffness;
@@ -135,7 +131,7 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
                                  static_cast<std::uint32_t>(read.points),
                                  placement};
   field_file::OpenField open = encoding::write_field(std::move(made.field), info);
-  refuse_empty(encoding::inside_samples(open.view) == 0);
+  if (encoding::inside_samples(open.view) == 0) throw empty;
   for (const Eigen::Vector3i& cell : made.invented.cells) open.invented.mark(open.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   done.packed = field_file::pack(open.view, open.invented);
   return done;

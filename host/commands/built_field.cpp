@@ -61,9 +61,7 @@ std::string refusal(const std::string& input, const std::vector<std::string>& re
   return text + "--accept-implausible builds it all the same";
 }
 
-InputError empty_field(const std::string& input) {
-  return InputError(input + ": the field is empty: the points do not enclose a body; scan more densely, or check their normals");
-}
+InputError empty_field(const std::string& input) { return InputError(input + ": " + field::kEmptyField); }
 
 }  // namespace
 

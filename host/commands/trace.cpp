@@ -1,6 +1,4 @@
-/// isotouch trace: make a motion, import one, derive others, find where two traces differ first.
-#include <algorithm>
-#include <array>
+/// isotouch trace: make a motion, export one, derive others, find where two traces differ first.
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -11,7 +9,6 @@
 #include <system_error>
 #include <vector>
 
-#include "host/bag/bag_motion.h"
 #include "host/bag/trace_to_mcap.h"
 #include "host/board_commands/choice.h"
 #include "host/board_commands/number_in.h"
@@ -19,18 +16,14 @@
 #include "host/board_commands/trace_show.h"
 #include "host/board_commands/trace_stop_latency.h"
 #include "host/commands/commands.h"
-#include "host/commands/quantities.h"
-#include "host/commands/temporary_folder.h"
+#include "host/commands/new_trace.h"
+#include "host/commands/trace_import.h"
 #include "host/commands/trace_mutate.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/motion/device_in_hand.h"
-#include "host/motion/felt_surface.h"
 #include "host/motion/motion.h"
-#include "host/motion/motion_csv.h"
-#include "host/motion/resample.h"
-#include "host/to_double.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
@@ -43,76 +36,6 @@ namespace isotouch::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The options of the tick settings, in the order of kTickSettingRows.
-constexpr std::array<const char*, kTickSettings> kSettingOptions = {
-    "--stiffness", "--damping", "--force-limit",    "--friction", "--friction-damping", "--hand-damping", "--passivity-damping",
-    "--weight",    "--ramp",    "--device-damping", "--delay"};
-
-/// What every new trace has in its header.
-struct NewTrace {
-  fs::path out;
-  double period_ms = rows::kPeriod.standard / kNsPerMs;
-  std::array<double, kTickSettings> settings{};  ///< in the unit of each row
-
-  NewTrace() {
-    for (std::size_t i = 0; i < kTickSettings; ++i) settings[i] = kTickSettingRows[i]->standard;
-  }
-
-  void add_to(CLI::App& command) {
-    add_output(command, "-o,--out", out, {&forms::kTrace}, "the trace to write")->required();
-    command.add_option("--period", period_ms, "tick period")
-        ->transform(quantity({{"ms", 1.0}, {"us", 0.001}, {"s", 1000.0}}, rows::kPeriod.low / kNsPerMs, rows::kPeriod.high / kNsPerMs))
-        ->capture_default_str();
-    for (std::size_t i = 0; i < kTickSettings; ++i) {
-      command.add_option(kSettingOptions[i], settings[i], std::string(kTickSettingRows[i]->meaning))
-          ->transform(value_of(*kTickSettingRows[i]))
-          ->capture_default_str();
-    }
-  }
-
-  TraceHeader header() const {
-    TraceHeader made;
-    made.period_ns = static_cast<std::uint32_t>(period_ms * kNsPerMs + 0.5);
-    RawSettings raw{};
-    for (std::size_t i = 0; i < kTickSettings; ++i) raw[i] = kTickSettingRows[i]->raw(settings[i]);
-    made.settings = from_raw(raw);
-    return made;
-  }
-
-  double stiffness() const { return settings[index_of(TickSetting::kStiffness)]; }
-
- private:
-  static constexpr double kNsPerMs = 1e6;
-};
-
-/// Ticks as they come, one period apart.
-class TickWriter {
- public:
-  TickWriter(const NewTrace& trace, bool has_outputs)
-      : header_(with_outputs(trace.header(), has_outputs)), writer_(trace.out, header_), chain_(header_) {}
-  void operator()(const Input& input) { writer_.append({input, {}, 0, header_.period_ns * tick_++}); }
-  /// Only with outputs.
-  void operator()(const Input& input, const Output& output) {
-    writer_.append({input, output, chain_.extend(input, output), header_.period_ns * tick_++});
-  }
-  void finish() { writer_.finish(); }
-
- private:
-  static TraceHeader with_outputs(TraceHeader header, bool has_outputs) {
-    header.has_outputs = has_outputs;
-    return header;
-  }
-  TraceHeader header_;
-  trace::TraceWriter writer_;
-  Chain chain_;
-  std::uint64_t tick_ = 0;
-};
-
-void report(const fs::path& file, std::uint64_t ticks, const TraceHeader& header) {
-  std::fprintf(stderr, "%s: %llu ticks, %.3f s\n", file.string().c_str(), static_cast<unsigned long long>(ticks),
-               static_cast<double>(ticks) * header.period_ns * 1e-9);
-}
 
 struct MakeOptions {
   NewTrace trace;
@@ -129,103 +52,6 @@ void make_trace(const MakeOptions& options) {
   motion.lost_share = options.lost_percent / 100;
   TickWriter writer(options.trace, false);
   const std::uint64_t ticks = motion::make_motion(field ? &field->view : nullptr, motion, [&](const Input& input) { writer(input); });
-  writer.finish();
-  report(options.trace.out, ticks, options.trace.header());
-}
-
-struct ImportOptions {
-  NewTrace trace;
-  fs::path source;
-  std::string topic, force_topic;
-  std::string given;  ///< an option that changes what is imported; empty: there is none
-  std::string columns;
-  std::string time_unit;
-  std::string length_unit;
-  bool forces = false;
-  bool centre = false;
-  double scale = 1.0;
-  std::vector<double> offset = {0, 0, 0};
-  fs::path into;
-};
-
-/// Centred first, then scaled, then moved.
-void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
-  Eigen::Vector3d low = points.front().position;
-  Eigen::Vector3d high = low;
-  for (const auto& point : points) {
-    low = low.cwiseMin(point.position);
-    high = high.cwiseMax(point.position);
-  }
-  const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
-  Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
-  if (!options.into.empty()) {
-    const field_file::OpenField field = field_file::open_field(options.into);
-    const motion::FeltSurface object(field.view);
-    const double widest = (high - low).maxCoeff();
-    if (!(widest > 0)) throw InputError(options.source.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
-    options.scale = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1) / widest;
-    offset = object.centre();
-  }
-  for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
-}
-
-/// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
-Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) {
-  Output output;
-  output.hip = input.hip;
-  output.force = to_fixed<Newton>(force);
-  output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
-  const Eigen::Vector3d hip = to_double(input.hip);
-  output.proxy = to_fixed<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
-  return output;
-}
-
-/// A trace that was exported comes back as it was; what else the recording holds is left out.
-bool bring_back(const ImportOptions& options) {
-  if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
-  const std::optional<bag::Bytes> whole = bag::attached_trace(options.source);
-  if (!whole) return false;
-  if (!options.given.empty()) {
-    throw InputError(options.source.string() + ": it holds a whole trace, which comes back as it was; leave " + options.given +
-                     " out, or name the positions to import anew with --topic");
-  }
-  const TemporaryFolder folder;
-  const fs::path looked_at = folder.path / "attached.trace";
-  write_file(looked_at, whole->data(), whole->size());
-  try {
-    (void)trace::read_trace(looked_at);
-  } catch (const InputError& error) {
-    throw InputError(options.source.string() + ": the trace that it holds cannot be read (" + error.what() +
-                     "); choose a topic with --topic");
-  }
-  write_file(options.trace.out, whole->data(), whole->size());
-  std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
-  return true;
-}
-
-void import_table(const ImportOptions& options) {
-  if (bring_back(options)) return;
-  motion::MotionColumns columns = motion::parse_columns(options.columns);
-  columns.time_unit = options.time_unit;
-  columns.length_unit = options.length_unit;
-  columns.with_forces = options.forces;
-  std::vector<motion::TimedPoint> points = bag::is_bag(options.source)
-                                               ? bag::read_bag_motion(options.source, {options.topic, options.force_topic, options.forces})
-                                               : motion::read_motion_csv(options.source, columns);
-  place(points, options);
-  TickWriter writer(options.trace, options.forces);
-  std::uint64_t ticks = 0;
-  try {
-    ticks = motion::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
-      if (options.forces) {
-        writer(input, felt(input, force, options.trace.stiffness()));
-      } else {
-        writer(input);
-      }
-    });
-  } catch (const InputError& e) {
-    throw InputError(options.source.string() + ": " + e.what());
-  }
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
 }
@@ -311,44 +137,6 @@ void add_make(CLI::App& trace) {
       ->capture_default_str();
   options->trace.add_to(*command);
   command->callback([options] { make_trace(*options); });
-}
-
-void add_import(CLI::App& trace) {
-  auto options = std::make_shared<ImportOptions>();
-  CLI::App* command = trace.add_subcommand(
-      "import",
-      "Turn a table of times and positions (with --forces: and forces) into a trace, resampled to the tick period by monotone cubics");
-  command
-      ->add_option("SOURCE", options->source,
-                   "the table, whose first line names the columns; or a recording of ROS 2 or Foxglove (.mcap, .db3)")
-      ->required();
-  command->add_option("--topic", options->topic,
-                      "topic of the positions in a recording (MCAP, .db3); by default the only topic that has positions");
-  command->add_option("--force-topic", options->force_topic,
-                      "with --forces, topic of the forces in a recording; by default the only topic that has forces");
-  command->add_option("--columns", options->columns,
-                      "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
-  command->add_flag("--forces", options->forces,
-                    "also read the forces on the hand, N, for isotouch scan; give the wall's stiffness with --stiffness");
-  command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
-  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
-  command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
-  command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
-  command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);
-  command
-      ->add_option(
-          "--into", options->into,
-          "instead of --centre, --scale and --offset: centre the motion in this field's box and make its longest side as long as the box's")
-      ->excludes("--centre")
-      ->excludes("--scale")
-      ->excludes("--offset");
-  options->trace.add_to(*command);
-  command->callback([options, command] {
-    for (const CLI::Option* option : command->get_options()) {
-      if (option->count() > 0 && !option->get_positional() && !option->check_lname("out")) options->given = option->get_name();
-    }
-    import_table(*options);
-  });
 }
 
 void add_export_of_trace(CLI::App& trace) {

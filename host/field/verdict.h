@@ -12,6 +12,10 @@
 
 namespace isotouch::field {
 
+/// Said after a file's name and ": " of a field without any inside, which nobody can accept.
+inline constexpr const char* kEmptyField =
+    "the field is empty: the points do not enclose a body; scan more densely, or check their normals";
+
 /// Figures by which a build is judged. Shares are of 1.
 struct Verdict {
   std::vector<std::string> reasons;  ///< why the field may be wrong, and what to do; one sentence each; empty = plausible

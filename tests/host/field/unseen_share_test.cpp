@@ -52,6 +52,7 @@ TEST(UnseenShare, OfAWallIsTheSideWithoutPoints) {
   const Spacings spacings(outside);
   const double inner = kInner * kInner / (kInner * kInner + kRadius * kRadius);
   EXPECT_NEAR(unseen_share(wall, spacings, kGap), inner, 0.01);
+  EXPECT_EQ(unseen_share(wall, spacings, kGap, Showing::kAny), 0.0) << "the points outside are as near";
   SoundScan sound;
   sound.points = outside;
   sound.measured = outside.size();

@@ -1,0 +1,169 @@
+/// isotouch trace import: motions that others recorded, as tables or as recordings of ROS 2 and Foxglove.
+#include "host/commands/trace_import.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/bag/bag_motion.h"
+#include "host/commands/new_trace.h"
+#include "host/commands/temporary_folder.h"
+#include "host/error.h"
+#include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
+#include "host/motion/felt_surface.h"
+#include "host/motion/motion_csv.h"
+#include "host/motion/resample.h"
+#include "host/to_double.h"
+#include "host/trace/trace_file.h"
+#include "shared/trace.h"
+
+namespace isotouch::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ImportOptions {
+  NewTrace trace;
+  fs::path source;
+  std::string topic, force_topic;
+  std::string given;  ///< an option that changes what is imported; empty: there is none
+  std::string columns;
+  std::string time_unit;
+  std::string length_unit;
+  bool forces = false;
+  bool centre = false;
+  double scale = 1.0;
+  std::vector<double> offset = {0, 0, 0};
+  fs::path into;
+};
+
+/// Centred first, then scaled, then moved.
+void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
+  Eigen::Vector3d low = points.front().position;
+  Eigen::Vector3d high = low;
+  for (const auto& point : points) {
+    low = low.cwiseMin(point.position);
+    high = high.cwiseMax(point.position);
+  }
+  const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
+  Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
+  if (!options.into.empty()) {
+    const field_file::OpenField field = field_file::open_field(options.into);
+    const motion::FeltSurface object(field.view);
+    const double widest = (high - low).maxCoeff();
+    if (!(widest > 0)) throw InputError(options.source.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
+    options.scale = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1) / widest;
+    offset = object.centre();
+  }
+  for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
+}
+
+/// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
+Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) {
+  Output output;
+  output.hip = input.hip;
+  output.force = to_fixed<Newton>(force);
+  output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
+  const Eigen::Vector3d hip = to_double(input.hip);
+  output.proxy = to_fixed<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
+  return output;
+}
+
+/// A trace that was exported comes back as it was; what else the recording holds is left out.
+bool bring_back(const ImportOptions& options) {
+  if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
+  const std::optional<bag::Bytes> whole = bag::attached_trace(options.source);
+  if (!whole) return false;
+  if (!options.given.empty()) {
+    throw InputError(options.source.string() + ": it holds a whole trace, which comes back as it was; leave " + options.given +
+                     " out, or name the positions to import anew with --topic");
+  }
+  const TemporaryFolder folder;
+  const fs::path looked_at = folder.path / "attached.trace";
+  write_file(looked_at, whole->data(), whole->size());
+  try {
+    (void)trace::read_trace(looked_at);
+  } catch (const InputError& error) {
+    throw InputError(options.source.string() + ": the trace that it holds cannot be read (" + error.what() +
+                     "); choose a topic with --topic");
+  }
+  write_file(options.trace.out, whole->data(), whole->size());
+  std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
+  return true;
+}
+
+void import_table(const ImportOptions& options) {
+  if (bring_back(options)) return;
+  motion::MotionColumns columns = motion::parse_columns(options.columns);
+  columns.time_unit = options.time_unit;
+  columns.length_unit = options.length_unit;
+  columns.with_forces = options.forces;
+  std::vector<motion::TimedPoint> points = bag::is_bag(options.source)
+                                               ? bag::read_bag_motion(options.source, {options.topic, options.force_topic, options.forces})
+                                               : motion::read_motion_csv(options.source, columns);
+  place(points, options);
+  TickWriter writer(options.trace, options.forces);
+  std::uint64_t ticks = 0;
+  try {
+    ticks = motion::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
+      if (options.forces) {
+        writer(input, felt(input, force, options.trace.stiffness()));
+      } else {
+        writer(input);
+      }
+    });
+  } catch (const InputError& e) {
+    throw InputError(options.source.string() + ": " + e.what());
+  }
+  writer.finish();
+  report(options.trace.out, ticks, options.trace.header());
+}
+
+}  // namespace
+
+void add_import(CLI::App& trace) {
+  auto options = std::make_shared<ImportOptions>();
+  CLI::App* command = trace.add_subcommand(
+      "import",
+      "Turn a table of times and positions (with --forces: and forces) into a trace, resampled to the tick period by monotone cubics");
+  command
+      ->add_option("SOURCE", options->source,
+                   "the table, whose first line names the columns; or a recording of ROS 2 or Foxglove (.mcap, .db3)")
+      ->required();
+  command->add_option("--topic", options->topic,
+                      "topic of the positions in a recording (MCAP, .db3); by default the only topic that has positions");
+  command->add_option("--force-topic", options->force_topic,
+                      "with --forces, topic of the forces in a recording; by default the only topic that has forces");
+  command->add_option("--columns", options->columns,
+                      "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
+  command->add_flag("--forces", options->forces,
+                    "also read the forces on the hand, N, for isotouch scan; give the wall's stiffness with --stiffness");
+  command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
+  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
+  command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
+  command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
+  command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);
+  command
+      ->add_option(
+          "--into", options->into,
+          "instead of --centre, --scale and --offset: centre the motion in this field's box and make its longest side as long as the box's")
+      ->excludes("--centre")
+      ->excludes("--scale")
+      ->excludes("--offset");
+  options->trace.add_to(*command);
+  command->callback([options, command] {
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->count() > 0 && !option->get_positional() && !option->check_lname("out")) options->given = option->get_name();
+    }
+    import_table(*options);
+  });
+}
+
+}  // namespace isotouch::commands
