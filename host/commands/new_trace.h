@@ -52,13 +52,16 @@ struct NewTrace {
     return made;
   }
 
+  /// N/mm.
   double stiffness() const { return settings[index_of(TickSetting::kStiffness)]; }
 
  private:
   static constexpr double kNsPerMs = 1e6;
 };
 
-/// Ticks as they come, one period apart.
+/// Writes ticks as they come, one period apart. The file has its name once it is finished, and without that there is none.
+///
+/// fails     InputError when it cannot be written
 class TickWriter {
  public:
   TickWriter(const NewTrace& trace, bool has_outputs)
@@ -81,7 +84,7 @@ class TickWriter {
   std::uint64_t tick_ = 0;
 };
 
-/// Says on standard error what was written.
+/// Says on standard error what was written, with its time in seconds.
 inline void report(const std::filesystem::path& file, std::uint64_t ticks, const TraceHeader& header) {
   std::fprintf(stderr, "%s: %llu ticks, %.3f s\n", file.string().c_str(), static_cast<unsigned long long>(ticks),
                static_cast<double>(ticks) * header.period_ns * 1e-9);
