@@ -59,7 +59,7 @@ struct NewTrace {
   static constexpr double kNsPerMs = 1e6;
 };
 
-/// Writes ticks as they come, one period apart. The file has its name once it is finished, and without that there is none.
+/// Writes ticks as they come, one period apart. Until it is finished, the file stays as it was.
 ///
 /// fails     InputError when it cannot be written
 class TickWriter {
