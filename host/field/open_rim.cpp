@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "host/field/angle.h"
@@ -24,6 +25,7 @@ constexpr double kGap = 140 * std::numbers::pi / 180;
 constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is farther off shows that the surface turns away
 constexpr double kBehind = 0.5;      // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
 constexpr std::size_t kFewest = 12;  // samples a rim
+constexpr double kOutward = 1.0;     // spacings: a patch ends that far beyond the middle of its rim
 
 /// The eighth of the plane in which a place lies, counted round the origin.
 unsigned octant(double x, double y) {
@@ -78,7 +80,72 @@ struct Chain {
   double length = 0;
   double last = 0;  ///< the longest link, which stands for the one that closes the ring
   Vector3d sum = Vector3d::Zero(), normals = Vector3d::Zero();
+
+  Vector3d middle() const { return sum / static_cast<double>(samples); }
 };
+
+/// Sets that grow together, of samples.
+class Sets {
+ public:
+  explicit Sets(std::size_t samples) : above_(samples) { std::iota(above_.begin(), above_.end(), 0U); }
+
+  /// The one sample that stands for a sample's set.
+  std::uint32_t of(std::uint32_t sample) {
+    while (above_[sample] != sample) sample = above_[sample] = above_[above_[sample]];
+    return sample;
+  }
+  /// root, other   each stands for its set; `root` stands for both from now on
+  void join(std::uint32_t root, std::uint32_t other) { above_[other] = root; }
+
+ private:
+  std::vector<std::uint32_t> above_;
+};
+
+/// Unit, in the sample's tangent plane: away from its neighbours on the same surface.
+Vector3d outward(const Scan& scan, std::uint32_t sample) {
+  const Vector3d& normal = scan.normals()[sample];
+  Vector3d away = Vector3d::Zero();
+  for (const Neighbour& neighbour : scan.around(sample)) {
+    if (scan.normals()[neighbour.index].dot(normal) > kTurned) away += scan.positions()[sample] - scan.positions()[neighbour.index];
+  }
+  return (away - normal * normal.dot(away)).normalized();
+}
+
+/// The samples of all patches: sets of neighbours, but for those behind a wall, that end outward of their rims. Round a hole a surface ends towards the
+/// rim's middle, at the end of a tube along it.
+///
+/// middle_of   called with a sample; of its rim, or null where it is on none
+template <typename MiddleOf>
+std::size_t patch_samples(const Scan& scan, const MiddleOf& middle_of) {
+  Sets sets(scan.size());
+  for (std::uint32_t i = 0; i < scan.size(); ++i) {
+    for (const Neighbour& neighbour : scan.around(i)) {
+      if (scan.normals()[neighbour.index].dot(scan.normals()[i]) < -kTurned) continue;
+      const std::uint32_t a = sets.of(i), b = sets.of(neighbour.index);
+      if (a != b) sets.join(a, b);
+    }
+  }
+  struct Surface {
+    std::size_t samples = 0;
+    double outward = 0;  // sum over rim samples: how far they end beyond their rim's middle, in spacings
+    double on_rim = 0;
+  };
+  std::vector<Surface> surfaces(scan.size());
+  for (std::uint32_t i = 0; i < scan.size(); ++i) {
+    Surface& surface = surfaces[sets.of(i)];
+    ++surface.samples;
+    const std::optional<Vector3d> middle = middle_of(i);
+    if (!middle) continue;
+    surface.outward += (scan.positions()[i] - *middle).dot(outward(scan, i)) / scan.spacing(i);
+    surface.on_rim += 1;
+  }
+  std::size_t samples = 0;
+  for (const Surface& surface : surfaces) {
+    const bool patch = surface.on_rim > 0 && surface.outward > kOutward * surface.on_rim && surface.samples < scan.size() / 2;
+    samples += patch ? surface.samples : 0;
+  }
+  return samples;
+}
 
 }  // namespace
 
@@ -96,28 +163,23 @@ OpenRim open_rim(const Scan& scan) {
     }
   }
   std::sort(links.begin(), links.end());
-  std::vector<std::uint32_t> above(scan.size());
-  std::iota(above.begin(), above.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (above[i] != i) i = above[i] = above[above[i]];
-    return i;
-  };
+  Sets rims(scan.size());
   std::vector<Chain> chains(scan.size());
   std::vector<Link> joined, closing;
   for (const Link& link : links) {
-    const std::uint32_t a = root(link.a), b = root(link.b);
+    const std::uint32_t a = rims.of(link.a), b = rims.of(link.b);
     if (a == b) {
       closing.push_back(link);
       continue;
     }
-    above[b] = a;
+    rims.join(a, b);
     joined.push_back(link);
     chains[a].last = std::sqrt(link.squared_length);
     chains[a].length += chains[b].length + chains[a].last;
   }
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
     if (on_rim[i] == 0) continue;
-    Chain& chain = chains[root(i)];
+    Chain& chain = chains[rims.of(i)];
     ++chain.samples;
     chain.sum += scan.positions()[i];
     chain.normals += scan.normals()[i];
@@ -133,9 +195,14 @@ OpenRim open_rim(const Scan& scan) {
     if (chain.length + chain.last <= rim.longest) continue;
     longest = c;
     rim.longest = chain.length + chain.last;
-    rim.place = chain.sum / static_cast<double>(chain.samples);
+    rim.place = chain.middle();
   }
   if (rim.samples == 0) return rim;
+  rim.patches = patch_samples(scan, [&](std::uint32_t i) -> std::optional<Vector3d> {
+    if (on_rim[i] == 0) return std::nullopt;
+    const Chain& chain = chains[rims.of(i)];
+    return chain.samples < kFewest ? std::nullopt : std::optional(chain.middle());
+  });
   // Two ends of a tree that are neighbours close its ring.
   std::vector<std::uint32_t> degree(scan.size());
   const auto count = [&](const Link& link) {
@@ -149,11 +216,11 @@ OpenRim open_rim(const Scan& scan) {
     joined.push_back(link);
   }
   for (const Link& link : joined) {
-    if (chains[root(link.a)].samples >= kFewest) rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
+    if (chains[rims.of(link.a)].samples >= kFewest) rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
-    if (on_rim[i] == 0 || root(i) != longest) continue;
+    if (on_rim[i] == 0 || rims.of(i) != longest) continue;
     const Vector3d off = scan.positions()[i] - rim.place;
     spread += off * off.transpose() / static_cast<double>(chains[longest].samples);
   }

@@ -17,7 +17,8 @@ struct OpenRim {
   double longest = 0;                               ///< length of the longest rim, the scan's unit
   double bent = 0;                                  ///< rms distance of its samples from their plane, the scan's unit
   double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
-  double behind = 0;            ///< share of the scan's samples that lie on the smaller side of that plane
+  std::size_t patches = 0;  ///< samples of all patches: parts, less than half of the scan, that end outward all round and hang on nothing
+  double behind = 0;        ///< share of the scan's samples that lie on the smaller side of that plane
   std::vector<std::array<Eigen::Vector3d, 2>> links = {};  ///< from sample to sample along all rims, the scan's unit
 };
 

@@ -46,6 +46,9 @@ constexpr double kBehindCut = 0.002;
 // Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
 constexpr double kTubeEnd = 0.25;
 
+// Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
+constexpr double kMostPatches = 0.005;
+
 constexpr std::size_t kAsked = 20'000;  // points, at most
 
 /// Distances and gradients between the samples of a band field.
@@ -196,6 +199,11 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && !cut && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
+  const double patches = static_cast<double>(sound.rim.patches) / count;
+  refuse(closed && patches > kMostPatches, per_cent(patches) +
+                                               " of the points form patches that nothing joins to the rest, and nobody knows what lies "
+                                               "behind them; scan what surrounds them, or "
+                                               "remove them");
   refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
                                                            " of the points; estimate the normals again, or scan again with less noise");
   const double in_noise = std::max(0.0, 1.0 - kPerNoise * verdict.noise_spacing * verdict.noise_spacing);

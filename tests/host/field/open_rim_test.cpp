@@ -94,6 +94,26 @@ TEST(OpenRim, RoundAHoleItIsSurroundedAndRoundALimbOrAcrossAWallItIsNot) {
   EXPECT_LT(wall.least_surrounded, 0.2);
 }
 
+TEST(OpenRim, APatchEndsOutwardAllRoundAndAHoleOrATubeDoesNot) {
+  const cloud::OrientedPoints ball = cloud::sample_shape(cloud::shape("sphere"), 4000);
+  cloud::OrientedPoints with_patch = ball;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    if (ball.positions[i].z() > -70) continue;
+    with_patch.positions.push_back(0.8 * ball.positions[i]);  // the far wall, as one sees it through an opening
+    with_patch.normals.push_back(-ball.normals[i]);
+    ++seen;
+  }
+  ASSERT_GT(seen, 100U);
+  EXPECT_EQ(open_rim(Scan(with_patch)).patches, seen);
+  for (const auto& [name, z] :
+       test::examples<std::pair<const char*, double>>({{"sphere", 70}, {"torus", 0}, {"owl", 20}, {"sphere", -70}})) {
+    const OpenRim rim = open_rim(Scan(below(name, z, 8000)));
+    EXPECT_GT(rim.samples, 12U) << name << z;
+    EXPECT_EQ(rim.patches, 0U) << name << z;
+  }
+}
+
 TEST(OpenRim, AHoleOfAFewSamplesIsNone) {
   cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 4000);
   cloud::OrientedPoints pricked;

@@ -80,6 +80,17 @@ TEST(Verdict, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
   EXPECT_THAT(verdict_of(points).reasons, IsEmpty());
 }
 
+TEST(Verdict, AWallSeenThroughAnOpeningIsRefused) {
+  const OrientedPoints ball = of("sphere", 5000);
+  OrientedPoints seen = ball;
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    if (ball.positions[i].z() > -70) continue;
+    seen.positions.push_back(0.8 * ball.positions[i]);
+    seen.normals.push_back(-ball.normals[i]);
+  }
+  EXPECT_THAT(verdict_of(seen).reasons, Contains(HasSubstr("form patches")));
+}
+
 TEST(Verdict, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
