@@ -19,6 +19,7 @@
 #include "host/field/parallel.h"
 #include "host/field/quadric_fit.h"
 #include "host/field/roughness.h"
+#include "host/field/rounding.h"
 #include "host/field/scan.h"
 #include "host/field/sheet_back.h"
 
@@ -203,6 +204,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     }
   }
   result.contradicted = contradictions(*scan);
+  result.rounding = rounding_step(scan->positions());
   std::vector<double> nearest;
   for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
   result.spacing = median(std::move(nearest));
@@ -246,6 +248,7 @@ void SoundScan::place(const cloud::Placement& placement) {
   rim.place = placement.to_workspace(rim.place);
   for (auto& link : rim.links) link = {placement.to_workspace(link[0]), placement.to_workspace(link[1])};
   spacing *= placement.scale;
+  rounding *= placement.scale;
   enclosed *= placement.scale * placement.scale * placement.scale;
 }
 

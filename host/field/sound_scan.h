@@ -33,6 +33,7 @@ struct SoundScan {
   double tilt = 0;                    ///< sine of the angle between normals and what the positions say, the median
   double layered = 0;                 ///< where the file has no normals: `Roughness::layered`
   double spacing = 0;                 ///< median distance to the nearest point, their unit
+  double rounding = 0;                ///< the step to which all coordinates were rounded (rounding.h), their unit
   double enclosed = 0;                ///< volume that the points enclose by the divergence theorem, their unit cubed
   double one_sided = 0;               ///< 0 for a closed surface, 1 for a flat sheet
   OpenRim rim;                        ///< where the measured points end; their unit

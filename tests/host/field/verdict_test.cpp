@@ -21,8 +21,10 @@ using cloud::OrientedPoints;
 using cloud::Random;
 using Eigen::Vector3d;
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 OrientedPoints of(const char* shape, std::size_t count = 3000) { return cloud::sample_shape(cloud::shape(shape), count); }
 
@@ -89,6 +91,17 @@ TEST(Verdict, AWallSeenThroughAnOpeningIsRefused) {
     seen.normals.push_back(-ball.normals[i]);
   }
   EXPECT_THAT(verdict_of(seen).reasons, Contains(HasSubstr("form patches")));
+}
+
+TEST(Verdict, CoordinatesOfTooFewDigitsAreRefused) {
+  const auto rounded = [](const char* shape, double step) {
+    OrientedPoints points = of(shape, 6000);
+    for (Vector3d& p : points.positions) p = step * (p / step).array().round().matrix();
+    return verdict_of(points).reasons;
+  };
+  EXPECT_THAT(rounded("torus", 8.0), Contains(HasSubstr("rounded to steps of 5.0 voxels")));
+  EXPECT_THAT(rounded("torus", 3.2), IsEmpty());
+  EXPECT_THAT(rounded("box", 8.0), Each(Not(HasSubstr("rounded")))) << "its faces lie on the lattice";
 }
 
 TEST(Verdict, NormalsWithoutMeaningAreRefused) {

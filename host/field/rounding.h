@@ -1,0 +1,13 @@
+/// Were the coordinates of a scan written with too few digits?
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace isotouch::field {
+
+/// positions   any length unit, in the file's frame: a rotation hides the steps
+/// returns     the step of which all coordinates differ by whole multiples, the least of the three axes; 0 where an axis has none
+double rounding_step(const std::vector<Eigen::Vector3d>& positions);
+
+}  // namespace isotouch::field

@@ -1,0 +1,41 @@
+#include "host/field/rounding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host/cloud/shapes.h"
+
+namespace isotouch::field {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<Vector3d> owl(double step) {
+  std::vector<Vector3d> positions = cloud::sample_shape(cloud::shape("owl"), 4000).positions;
+  for (Vector3d& p : positions) p = step * (p / step).array().round().matrix();
+  return positions;
+}
+
+TEST(Rounding, StepsAreFound) {
+  EXPECT_NEAR(rounding_step(owl(2.0)), 2.0, 1e-9);
+  EXPECT_NEAR(rounding_step(owl(0.7)), 0.7, 1e-9) << "sums of decimals are not exact";
+  std::vector<Vector3d> far_away = owl(1.0);
+  for (Vector3d& p : far_away) p += Vector3d(4.5e6, 5.2e5, 300.5);
+  EXPECT_NEAR(rounding_step(far_away), 1.0, 1e-6);
+}
+
+TEST(Rounding, OneFreeAxisIsEnough) {
+  std::vector<Vector3d> positions = owl(2.0);
+  for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y() += 0.01 * static_cast<double>(i % 1000);
+  EXPECT_EQ(rounding_step(positions), 0.0) << "a depth image has its columns and rows on a lattice";
+}
+
+TEST(Rounding, WhatIsNotRoundedHasNoStep) {
+  EXPECT_EQ(rounding_step(cloud::sample_shape(cloud::shape("owl"), 4000).positions), 0.0);
+  EXPECT_EQ(rounding_step({Vector3d(1, 2, 3), Vector3d(4, 5, 6)}), 0.0);
+  EXPECT_EQ(rounding_step({}), 0.0);
+}
+
+}  // namespace
+}  // namespace isotouch::field
