@@ -12,23 +12,26 @@ namespace isotouch::cloud {
 
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
   using Known = std::pair<std::string_view, FileKind>;
-  constexpr std::array<Known, 5> kBegins = {{{"ply\n", FileKind::kPly},
+  constexpr std::array<Known, 6> kBegins = {{{"ply\n", FileKind::kPly},
                                              {"ply\r", FileKind::kPly},
                                              {"# .PCD ", FileKind::kPcd},
                                              {"\x89PNG\r\n\x1a\n", FileKind::kDepthImage},
-                                             {"ASTM-E57", FileKind::kE57}}};
+                                             {"ASTM-E57", FileKind::kLaserScan},
+                                             {"LASF", FileKind::kLaserScan}}};
   const auto same = [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; };
   for (const auto& [begin, kind] : kBegins) {
     if (bytes.size() >= begin.size() && std::equal(begin.begin(), begin.end(), bytes.begin(), same)) return kind;
   }
   std::string ending = file.extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::array<Known, 14> kEndings = {{{".ply", FileKind::kPly},
+  constexpr std::array<Known, 16> kEndings = {{{".ply", FileKind::kPly},
                                                {".obj", FileKind::kObj},
                                                {".stl", FileKind::kStl},
                                                {".pcd", FileKind::kPcd},
                                                {".png", FileKind::kDepthImage},
-                                               {".e57", FileKind::kE57},
+                                               {".e57", FileKind::kLaserScan},
+                                               {".las", FileKind::kLaserScan},
+                                               {".laz", FileKind::kLaserScan},
                                                {".xyz", FileKind::kText},
                                                {".xyzn", FileKind::kText},
                                                {".pwn", FileKind::kText},

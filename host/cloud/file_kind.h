@@ -7,9 +7,9 @@
 
 namespace isotouch::cloud {
 
-enum class FileKind { kPly, kObj, kStl, kText, kPcd, kDepthImage, kE57, kUnknown };
+enum class FileKind { kPly, kObj, kStl, kText, kPcd, kDepthImage, kLaserScan, kUnknown };
 
-/// A file that begins as a PLY, PNG or E57 file or with PCL's first line is one, whatever its name; for all others the ending tells, in any case of
+/// A file that begins as a PLY, PNG, E57 or LAS file or with PCL's first line is one, whatever its name; for all others the ending tells, in any case of
 /// letters. Without an ending it is the content (content_kind.h).
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
 

@@ -32,7 +32,7 @@ bool SourceFile::is_mesh() const {
     case FileKind::kText:
     case FileKind::kPcd:
     case FileKind::kDepthImage:
-    case FileKind::kE57:
+    case FileKind::kLaserScan:
     case FileKind::kUnknown: break;
   }
   return false;
@@ -60,7 +60,7 @@ Model SourceFile::read_points() const {
       return read_depth_image(name(), bytes_, *sensor_.camera);
     case FileKind::kStl:
       throw InputError(name() + ": an STL file holds triangles, not points with normals; name a PLY, OBJ, PCD or text cloud");
-    case FileKind::kE57:
+    case FileKind::kLaserScan:
     case FileKind::kUnknown: break;
   }
   throw not_read("the kind of this file is not recognised; a cloud ends in .ply, .obj, .pcd, .xyz, .pwn, .npts or .txt");
@@ -74,15 +74,15 @@ Model SourceFile::faces() const {
     case FileKind::kText:
     case FileKind::kPcd:
     case FileKind::kDepthImage:
-    case FileKind::kE57:
+    case FileKind::kLaserScan:
     case FileKind::kUnknown: break;
   }
   throw not_read("this is no kind of mesh file that is known; a mesh ends in .ply, .obj or .stl");
 }
 
 InputError SourceFile::not_read(const std::string& otherwise) const {
-  if (kind_ != FileKind::kE57) return InputError(name() + ": " + otherwise);
-  return InputError(name() + ": E57 files, which laser scanners write, are not read; open it in CloudCompare and save it as PLY or PCD");
+  if (kind_ != FileKind::kLaserScan) return InputError(name() + ": " + otherwise);
+  return InputError(name() + ": E57, LAS and LAZ files, which laser scanners write, are not read; open it in CloudCompare and save it as PLY or PCD");
 }
 
 }  // namespace isotouch::cloud

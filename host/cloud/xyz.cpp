@@ -1,5 +1,7 @@
 #include "host/cloud/xyz.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -48,6 +50,58 @@ bool is_utf16(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 2 && ((bytes[0] == 0xFF && bytes[1] == 0xFE) || (bytes[0] == 0xFE && bytes[1] == 0xFF));
 }
 
+/// Which columns a line of names gives to a point. It may be a remark.
+struct Names {
+  std::size_t columns = 0;
+  std::array<std::size_t, 6> of = {};  ///< the column of x, y, z, and of the normal where there is one
+  bool normals = false;
+  bool remark = false;
+};
+
+/// Nothing where the line does not name x, y and z; a remark, which may be a sentence, must name a normal, too.
+std::optional<Names> names_of(TextLines line) {
+  constexpr std::array<std::array<std::string_view, 3>, 6> kNames = {{
+      {"x"},
+      {"y"},
+      {"z"},
+      {"nx", "normal_x", "normalx"},
+      {"ny", "normal_y", "normaly"},
+      {"nz", "normal_z", "normalz"},
+  }};
+  Names names;
+  std::array<bool, 6> found{};
+  while (const std::optional<std::string_view> field = line.field()) {
+    std::string word;
+    for (const char c : *field) {
+      if (c != '"' && (names.columns > 0 || (c != '#' && c != '/'))) word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    names.remark |= names.columns == 0 && (field->starts_with('#') || field->starts_with("//"));
+    if (word.empty() && names.columns == 0) continue;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+      if (found[i] || std::find(kNames[i].begin(), kNames[i].end(), word) == kNames[i].end()) continue;
+      found[i] = true;
+      names.of[i] = names.columns;
+    }
+    ++names.columns;
+  }
+  names.normals = found[3] && found[4] && found[5];
+  return found[0] && found[1] && found[2] && (names.normals || !names.remark) ? std::optional(names) : std::nullopt;
+}
+
+/// The numbers of a point in a line of as many fields as there are names; nothing where it has another number of fields.
+std::optional<std::vector<double>> named_row(TextLines& line, const Names& names) {
+  std::vector<TextLines> fields(names.columns, line);
+  TextLines rest = line;
+  for (TextLines& field : fields) {
+    field = rest;
+    if (!rest.field()) return std::nullopt;
+  }
+  if (rest.field()) return std::nullopt;
+  std::vector<double> row;
+  for (std::size_t i = 0; i < (names.normals ? 6 : 3); ++i) row.push_back(fields[names.of[i]].number("a coordinate"));
+  return row;
+}
+
 /// The file as a table of three or six columns.
 struct Table {
   std::vector<Eigen::Vector3d> first, second;  ///< columns 1 to 3, columns 4 to 6
@@ -59,17 +113,28 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
   TextLines lines(name, bytes);
   Table table;
   std::size_t columns = 0;
+  std::optional<Names> names;
   while (lines.next()) {
+    if (table.lines.empty() && !table.count && !names && (names = names_of(lines))) continue;
     if (is_remark(lines.rest())) continue;
     if (table.lines.empty() && !table.count && (table.count = stated_count(lines))) continue;
     if (table.lines.empty() && has_decimal_commas(lines.rest())) {
       throw lines.refusal("its numbers have decimal commas; save them with decimal points");
     }
     std::vector<double> row;
-    TextLines rest = lines;
-    while (rest.field() && row.size() < 7) {
-      row.push_back(lines.number("a coordinate"));
-      if (!std::isfinite(row.back())) throw lines.refusal("number " + std::to_string(row.size()) + " is not a finite number");
+    if (names) {
+      const auto named = named_row(lines, *names);
+      if (!named && !(names->remark && table.lines.empty()))
+        throw lines.refusal("not " + std::to_string(names->columns) + " values, as many as the line of names has");
+      if (named) row = *named;
+      if (!named) names.reset();  // a remark that only looked like names
+    }
+    if (!names) {
+      TextLines rest = lines;
+      while (rest.field() && row.size() < 7) row.push_back(lines.number("a coordinate"));
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (!std::isfinite(row[i])) throw lines.refusal("number " + std::to_string(i + 1) + " is not a finite number");
     }
     if (columns == 0) columns = row.size();
     if ((columns != 3 && columns != 6) || row.size() != columns) {

@@ -9,7 +9,8 @@
 
 namespace isotouch::cloud {
 
-/// Takes one point a line, `x y z nx ny nz`, separated by blanks, tabs, commas or semicolons. A first line with a single whole number is the
+/// Takes one point a line, `x y z nx ny nz`, separated by blanks, tabs, commas or semicolons. A first line of names, perhaps behind `#` or `//`,
+/// says where these columns are among others. A first line with a single whole number is the
 /// count of points; after it, positions and normals may also stand in two blocks of three numbers a line, as in the oldest PWN files. Empty
 /// lines and lines that begin with `#` or `//` are skipped.
 ///
