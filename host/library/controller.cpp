@@ -155,13 +155,24 @@ isotouch_status isotouch_controller_watch(isotouch_controller controller, uint32
   });
 }
 
-isotouch_status isotouch_controller_record(isotouch_controller controller, uint64_t ticks, const char* path, uint64_t* recorded) {
+isotouch_status isotouch_controller_record(isotouch_controller controller, uint64_t ticks, const char* path, isotouch_on_tick on_tick,
+                                           void* user, uint64_t* recorded) {
   return guarded(ISOTOUCH_CONTROLLER, [&] {
     const std::string name = file_name(path);
     if (recorded != nullptr) *recorded = 0;
     if (ticks == 0) refuse(ISOTOUCH_BAD_ARGUMENT, "ticks is 0, and must be 1 or more; a second has 1e9 / period_ns of them");
     link::Controller with = another(controller);
     std::optional<trace::TraceWriter> writer;
+    std::uint64_t tick = 0;
+    bool enough = false;
+    const auto keep = [&](std::span<const std::uint8_t> bytes) {
+      if (enough) return;
+      const TraceRecord record = record_of(bytes);
+      writer->append(record);
+      if (on_tick == nullptr) return;
+      const isotouch_felt felt = felt_of(tick++, record.output);
+      enough = on_tick(user, &felt) != 0;
+    };
     const std::string ended = with.record(
         ticks,
         [&](std::span<const std::uint8_t> bytes) {
@@ -173,10 +184,10 @@ isotouch_status isotouch_controller_record(isotouch_controller controller, uint6
             refuse(ISOTOUCH_BAD_DATA, error.what());
           }
         },
-        [&](std::span<const std::uint8_t> bytes) { writer->append(record_of(bytes)); }, [&] { return writer && writer->is_full(); });
+        keep, [&] { return enough || (writer && writer->is_full()); });
     const std::uint64_t kept = writer->finish_with_what_fits().records;
     if (recorded != nullptr) *recorded = kept;
     if (!ended.empty()) throw InputError(ended + "; " + name + " holds the " + std::to_string(kept) + " ticks before");
-    if (kept < ticks) refuse(ISOTOUCH_BAD_DATA, name + ": the disk is full; free space on it, and record again");
+    if (kept < ticks && !enough) refuse(ISOTOUCH_BAD_DATA, name + ": the disk is full; free space on it, and record again");
   });
 }

@@ -368,7 +368,7 @@ ISOTOUCH_API isotouch_status isotouch_controller_stop(isotouch_controller contro
 /** Leaves a fault, if its cause is gone; the force rises from zero. */
 ISOTOUCH_API isotouch_status isotouch_controller_resume(isotouch_controller controller);
 
-/** Gets a tick of the controller; `felt->tick` is the controller's own count. Another number than 0 ends the watching. */
+/** Gets a tick of the controller. Another number than 0 ends what it follows. */
 typedef int (*isotouch_on_tick)(void* user, const isotouch_felt* felt);
 
 /**
@@ -376,7 +376,8 @@ typedef int (*isotouch_on_tick)(void* user, const isotouch_felt* felt);
  *
  * @param every    1 for every tick, 10 for one in ten; at least 1
  * @param ticks    how many ticks on_tick gets before the call returns
- * @param on_tick  is called in this thread, once for each of them; a number other than 0 ends the call early, with success
+ * @param on_tick  is called in this thread, once for each of them; `felt->tick` is the controller's own count. A number other than 0 ends the
+ *                 call early, with success
  * @param user     is passed on to on_tick
  * @param lost     receives how many of them the controller dropped because this program read too slowly. Null: not wanted
  *
@@ -389,11 +390,14 @@ ISOTOUCH_API isotouch_status isotouch_controller_watch(isotouch_controller contr
  * Records ticks from now on as a trace that replays, over a connection of its own.
  *
  * @param ticks     how many, at least 1
- * @param path      of the trace file. If the recording ends early, the file holds the ticks until then, and the call fails
+ * @param path      of the trace file. If the recording ends early, the file holds the ticks until then; unless on_tick ended it, the call fails
+ * @param on_tick   is called in this thread, once for each tick in the file, whose number in `felt->tick` counts from 0; a number other than 0
+ *                  ends the recording after this tick, with success. Null: not wanted
+ * @param user      is passed on to on_tick
  * @param recorded  receives the number of ticks in the file, also when it fails. Null: not wanted
  */
 ISOTOUCH_API isotouch_status isotouch_controller_record(isotouch_controller controller, uint64_t ticks, const char* path,
-                                                        uint64_t* recorded);
+                                                        isotouch_on_tick on_tick, void* user, uint64_t* recorded);
 
 #ifdef __cplusplus
 }

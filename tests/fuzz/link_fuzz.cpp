@@ -155,7 +155,7 @@ isotouch_status call(std::uint8_t what, std::uint64_t controller) {
     default: {
       static const std::string file = "/tmp/isotouch-fuzz-" + std::to_string(::getpid()) + ".trace";
       std::uint64_t recorded = 0;
-      const isotouch_status status = isotouch_controller_record(controller, 5, file.c_str(), &recorded);
+      const isotouch_status status = isotouch_controller_record(controller, 5, file.c_str(), nullptr, nullptr, &recorded);
       fuzz::hold(!std::filesystem::exists(file + ".part"), "no recording is left half written");
       fuzz::hold(std::filesystem::exists(file) == (recorded > 0), "there is a recording where ticks were recorded");
       ::unlink(file.c_str());

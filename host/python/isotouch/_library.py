@@ -146,7 +146,7 @@ _FUNCTIONS: dict[str, list[Any]] = {
     "controller_stop": [_HANDLE],
     "controller_resume": [_HANDLE],
     "controller_watch": [_HANDLE, _U32, _U64, ON_TICK, _POINTER, _POINTER],
-    "controller_record": [_HANDLE, _U64, _TEXT, _POINTER],
+    "controller_record": [_HANDLE, _U64, _TEXT, ON_TICK, _POINTER, _POINTER],
 }
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import json
 import os
-from collections.abc import Callable
+import signal
+import threading
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
@@ -71,29 +74,62 @@ class Controller(Handle):
                   is raised here
         """
         seen: list[np.void] = []
-        raised: list[BaseException] = []
 
-        def take(_: int | None, felt: int | None) -> int:
-            try:
-                one = np.frombuffer(ctypes.string_at(felt or 0, FELT.itemsize), FELT)[0]
-                if on_tick is not None:
-                    return 1 if on_tick(one) else 0
-                seen.append(one)
-                return 0
-            except BaseException as error:   # no exception passes through C
-                raised.append(error)
-                return 1
+        def take(one: np.void) -> bool | None:
+            if on_tick is not None:
+                return on_tick(one)
+            seen.append(one)
+            return False
 
         lost = ctypes.c_uint64()
         wanted = whole(ticks, "ticks", _MOST_TICKS)
-        answer = core().isotouch_controller_watch(self._handle, whole(every, "every", 2**32 - 1), wanted, ON_TICK(take), None, ctypes.byref(lost))
-        if raised:
-            raise raised[0]
+        with _called_from_c(take) as each:
+            answer = core().isotouch_controller_watch(self._handle, whole(every, "every", 2**32 - 1), wanted, each, None, ctypes.byref(lost))
         check(answer)
         return np.array(seen, FELT), lost.value
 
-    def record(self, path: str | os.PathLike[str], ticks: int) -> int:
-        """Records ticks from now on as a trace that replays to the bit, and returns how many the file holds."""
+    def record(self, path: str | os.PathLike[str], ticks: int, on_tick: Callable[[np.void], bool | None] | None = None) -> int:
+        """Records ticks from now on as a trace that replays to the bit, and returns how many the file holds.
+
+        on_tick   is called with each of them, numbered from 0; what returns True ends the recording after this tick. What it raises ends it, too, and is
+                  raised here, as is Ctrl-C: the file holds the ticks until then
+        """
         recorded = ctypes.c_uint64()
-        call("controller_record", self._handle, whole(ticks, "ticks", _MOST_TICKS), path_bytes(path), ctypes.byref(recorded))
+        wanted, file = whole(ticks, "ticks", _MOST_TICKS), path_bytes(path)
+        with _called_from_c(on_tick or (lambda _: False)) as each:
+            answer = core().isotouch_controller_record(self._handle, wanted, file, each, None, ctypes.byref(recorded))
+        check(answer)
         return recorded.value
+
+
+@contextlib.contextmanager
+def _called_from_c(on_tick: Callable[[np.void], bool | None]) -> Iterator[Any]:
+    """A function for C, which ends the call where on_tick says so or raises, and on Ctrl-C; what was raised is raised at the end of the block.
+
+    C passes no exceptions on, and a signal's is raised before the first line of a function that C calls. So Ctrl-C waits until the block ends.
+    """
+    raised: list[BaseException] = []
+    interrupts: list[int] = []
+
+    def take(_: int | None, felt: int | None) -> int:
+        if interrupts:
+            return 1
+        try:
+            return 1 if on_tick(np.frombuffer(ctypes.string_at(felt or 0, FELT.itemsize), FELT)[0]) else 0
+        except BaseException as error:
+            raised.append(error)
+            return 1
+
+    handler = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(handler):   # then no signal arrives here
+        yield ON_TICK(take)
+    else:
+        signal.signal(signal.SIGINT, lambda number, _: interrupts.append(number))
+        try:
+            yield ON_TICK(take)
+        finally:
+            signal.signal(signal.SIGINT, handler)
+        if interrupts:
+            handler(signal.SIGINT, None)
+    if raised:
+        raise raised[0]
