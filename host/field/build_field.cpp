@@ -134,7 +134,7 @@ std::vector<std::string> Repair::warnings() const {
 }
 
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair,
-                      std::size_t measured, double noise) {
+                      const Origin& origin) {
   if (points.size() < 8) throw InputError("a surface needs at least 8 oriented points, the cloud has " + std::to_string(points.size()));
   cloud::OrientedPoints samples = in_voxels(points, grid);
   const Box tight = box_of(samples.positions);
@@ -146,14 +146,15 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   Repair mended;
   mended.isolated = described.isolated;
   mended.turned = described.turned;
-  describe(described, measured, mended);
+  describe(described, origin.measured, mended);
 
   progress.begin("surface");
   // A scan that is open at a cut goes on along its own direction; the box closes it.
   const double bulge = std::min(kBulge, margin - band - 2.0);
   const Box closing{tight.low.array() - bulge, tight.high.array() + bulge};
-  const bool whole = measured >= points.size();  // the walls and the back of a scan of one side are invented, and so is what they enclose
-  const double noise_voxels = whole && noise > kNoisy * grid.edge * described.scan->median_spacing() ? noise / grid.edge : 0.0;
+  const bool whole = !origin.is_sheet;  // the walls and the back of a scan of one side are invented, and so is what they enclose
+  const double noise_voxels =
+      whole && origin.noise > kNoisy * grid.edge * described.scan->median_spacing() ? origin.noise / grid.edge : 0.0;
   std::optional<Surface> model(std::in_place, *described.scan, described.models, closing, noise_voxels, whole ? kDoubt : kDoubtOfSheet);
   AdaptiveSamples closed;
   if (whole) {  // a scan of one side got walls at its rims already
@@ -165,7 +166,7 @@ BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, dou
   const Scan& scan = closed.scan ? *closed.scan : *described.scan;
   const Surface& surface = *model;
 
-  if (whole) mended.twice_enclosed = twice_enclosed(described, measured, surface.enclosure());
+  if (whole) mended.twice_enclosed = twice_enclosed(described, origin.measured, surface.enclosure());
 
   progress.begin("bricks");
   const SampledDistance distance{

@@ -29,16 +29,22 @@ struct Repair {
   std::vector<std::string> warnings() const;
 };
 
+/// Where the points come from.
+struct Origin {
+  std::size_t measured = std::numeric_limits<
+      std::size_t>::max();  ///< so many, the first, were measured; `Repair` is about these alone where it speaks of shares
+  bool is_sheet = false;    ///< these show one side; the others are walls and a back
+  double noise = 0.0;       ///< standard deviation of the measured points before they were smoothed, mm
+};
+
 /// points    workspace, mm; unit outward normals; at least 8
 /// grid      covers the points with a margin of at least band + 3 voxels on every side; with less than `field_margin` bulges are cut short
 /// band      half width, voxels, 1 to 7.99
 /// returns   distances in voxels, exact near the surface to the method's accuracy; empty bricks are wholly outside or wholly inside. A stiffness of each
 ///           brick where the points have one
 /// repair    where given, is told what was mended
-/// measured  so many points, the first, were measured; `repair` is about these alone where it speaks of shares
-/// noise     standard deviation of the measured points before they were smoothed, mm
 /// fails     InputError when there are too few points, when the grid is too small, or when the points do not enclose a body
 BandField build_field(const cloud::OrientedPoints& points, const Grid& grid, double band, Progress& progress, Repair* repair = nullptr,
-                      std::size_t measured = std::numeric_limits<std::size_t>::max(), double noise = 0.0);
+                      const Origin& origin = {});
 
 }  // namespace isotouch::field

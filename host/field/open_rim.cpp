@@ -1,6 +1,5 @@
 #include "host/field/open_rim.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -215,24 +214,15 @@ OpenRim open_rim(const Scan& scan) {
     count(link);
     joined.push_back(link);
   }
+  std::vector<double> lengths(scan.size());
   for (const Link& link : joined) {
-    if (chains[rims.of(link.a)].samples >= kFewest) rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
+    if (chains[rims.of(link.a)].samples < kFewest) continue;
+    rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
+    for (const std::uint32_t end : {link.a, link.b}) lengths[end] += 0.5 * std::sqrt(link.squared_length);
   }
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
-    if (on_rim[i] == 0 || rims.of(i) != longest) continue;
-    const Vector3d off = scan.positions()[i] - rim.place;
-    spread += off * off.transpose() / static_cast<double>(chains[longest].samples);
+    if (on_rim[i] != 0 && chains[rims.of(i)].samples >= kFewest) rim.along.push_back({i, lengths[i], rims.of(i) == longest});
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.compute(spread);
-  const Vector3d axis = solver.eigenvectors().col(0);
-  rim.bent = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
-  std::size_t above_plane = 0;
-  for (const Vector3d& p : scan.positions()) above_plane += axis.dot(p - rim.place) > 2.0 * rim.bent ? 1U : 0U;
-  std::size_t below_plane = 0;
-  for (const Vector3d& p : scan.positions()) below_plane += axis.dot(p - rim.place) < -2.0 * rim.bent ? 1U : 0U;
-  rim.behind = static_cast<double>(std::min(above_plane, below_plane)) / static_cast<double>(scan.size());
   return rim;
 }
 

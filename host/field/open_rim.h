@@ -4,21 +4,28 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "host/field/scan.h"
 
 namespace isotouch::field {
 
+/// A sample on a rim.
+struct RimPlace {
+  std::uint32_t sample;
+  double length;    ///< of the rim beside it: half of each link to the next ones, the scan's unit
+  bool on_longest;  ///< on the longest rim
+};
+
 struct OpenRim {
   std::size_t samples = 0;                          ///< on rims
   double length = 0;                                ///< of all rims together, the scan's unit; within a fifth or so
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
   double longest = 0;                               ///< length of the longest rim, the scan's unit
-  double bent = 0;                                  ///< rms distance of its samples from their plane, the scan's unit
   double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
   std::size_t patches = 0;  ///< samples of all patches: parts, less than half of the scan, that end outward all round and hang on nothing
-  double behind = 0;        ///< share of the scan's samples that lie on the smaller side of that plane
+  std::vector<RimPlace> along = {};                        ///< all samples on rims
   std::vector<std::array<Eigen::Vector3d, 2>> links = {};  ///< from sample to sample along all rims, the scan's unit
 };
 

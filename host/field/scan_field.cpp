@@ -13,7 +13,8 @@ BuiltScan built_scan(const SoundScan& scan, double edge, double band, Progress& 
   for (const Eigen::Vector3d& position : scan.points.positions) box.extend(position);
   const Grid grid = make_grid(box.min(), box.max(), edge, field_margin(band));
   BuiltScan built;
-  built.field = build_field(scan.points, grid, band, progress, &built.repair, scan.measured, scan.smoothed ? scan.noise : 0.0);
+  built.field =
+      build_field(scan.points, grid, band, progress, &built.repair, {scan.measured, scan.is_sheet, scan.smoothed ? scan.noise : 0.0});
   return built;
 }
 

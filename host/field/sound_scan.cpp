@@ -10,6 +10,7 @@
 
 #include "host/cloud/placement.h"
 #include "host/error.h"
+#include "host/field/cut_plane.h"
 #include "host/field/filtered_normals.h"
 #include "host/field/line_of_sight.h"
 #include "host/field/normal_voting.h"
@@ -226,15 +227,18 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     as_faced = false;
   }
   result.rim = open_rim(*scan);
-  result.enclosed = as_faced ? facing.enclosed : field::facing(*scan).enclosed;  // by the normals as they are now
   result.measured = scan->size();
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
-  if (facing.one_sided > kSheet && result.outside != Outside::kDoubtful) {
-    const OrientedPoints back = sheet_back(*scan, line_of_sight(*scan, facing.front, options.viewpoint));
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(result.points.positions, back.positions);
-    append(result.points.normals, back.normals);
-    append(result.points.stiffness, back.stiffness);
+  result.is_sheet = facing.one_sided > kSheet && result.outside != Outside::kDoubtful;
+  result.enclosed = as_faced ? facing.enclosed : field::facing(*scan).enclosed;  // by the normals as they are now
+  if (result.is_sheet) {
+    result.points.append(sheet_back(*scan, line_of_sight(*scan, facing.front, options.viewpoint)));
+    return result;
+  }
+  if (const std::optional<CutPlane> cut = cut_plane(*scan, result.rim)) {
+    result.is_capped = true;
+    result.points.append(plane_cap(*scan, result.rim, *cut));
+    result.enclosed = field::facing(Scan(result.points)).enclosed;
   }
   return result;
 }
@@ -244,8 +248,8 @@ void SoundScan::place(const cloud::Placement& placement) {
   noise *= placement.scale;
   rim.length *= placement.scale;
   rim.longest *= placement.scale;
-  rim.bent *= placement.scale;
   rim.place = placement.to_workspace(rim.place);
+  for (RimPlace& place : rim.along) place.length *= placement.scale;
   for (auto& link : rim.links) link = {placement.to_workspace(link[0]), placement.to_workspace(link[1])};
   spacing *= placement.scale;
   rounding *= placement.scale;
@@ -278,13 +282,14 @@ std::vector<std::string> SoundScan::warnings() const {
       list.emplace_back("the normals do not agree on which side is outside, and neighbours do not decide it; they are used as they are");
       break;
   }
-  const bool sheet = measured < points.size();
-  if (sheet) list.emplace_back("only one side was scanned: the field closes it with walls and a back that nobody scanned");
+  if (is_sheet) list.emplace_back("only one side was scanned: the field closes it with walls and a back that nobody scanned");
   if (rim.samples > 0) {
     const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
     list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +
                    rounded(rim.place.x()) + ", " + rounded(rim.place.y()) + ", " + rounded(rim.place.z()) + ") mm in the workspace" +
-                   (sheet ? "" : "; the field closes them with surface that was not scanned"));
+                   (is_sheet    ? ""
+                    : is_capped ? "; the field ends there in a plane that was not scanned"
+                                : "; the field closes them with surface that was not scanned"));
   }
   return list;
 }

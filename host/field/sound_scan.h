@@ -25,6 +25,8 @@ enum class Outside {
 struct SoundScan {
   cloud::OrientedPoints points;       ///< the measured ones in their order, then the invented
   std::size_t measured = 0;           ///< how many of them were measured
+  bool is_sheet = false;              ///< of one side: what was invented are walls and a back
+  bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
   std::size_t strays = 0;             ///< points far from all others, left out
   std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
   double contradicted = 0;            ///< of the clear pairs of neighbours: their normals contradict each other still

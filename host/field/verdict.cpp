@@ -40,9 +40,6 @@ constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
 constexpr double kMostOfHull = 1.05;
 constexpr double kMostDebris = 0.05;
 
-constexpr double kMostOfRim = 0.9;
-constexpr double kPlane = 0.003;  // of a rim's length: a hand cut at the wrist has 0.0007, holes of other kinds 0.005 and more
-constexpr double kBehindCut = 0.002;
 // Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
 constexpr double kTubeEnd = 0.25;
 
@@ -115,12 +112,6 @@ std::size_t inside_samples(const BandField& field) {
   return inside;
 }
 
-/// Does the scan end in one plane with all of it on one side, as a hand ends at the wrist? Then the plane is as good an end as any; what a hole in the
-/// middle should look like, nobody knows.
-bool is_cut(const OpenRim& rim) {
-  return rim.samples > 0 && rim.longest > kMostOfRim * rim.length && rim.bent < kPlane * rim.longest && rim.behind < kBehindCut;
-}
-
 std::string per_cent(double share) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f %%", share < 0.1 ? 1 : 0, 100.0 * share);
@@ -141,7 +132,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   verdict.empty = volume == 0.0;
   const std::vector<Vector3d> measured(sound.points.positions.begin(),
                                        sound.points.positions.begin() + static_cast<std::ptrdiff_t>(sound.measured));
-  const bool closed = sound.measured == sound.points.size();
+  const bool closed = !sound.is_sheet;
   const auto count = static_cast<double>(sound.measured);
   verdict.noise_spacing = sound.spacing > 0.0 ? sound.noise / sound.spacing : 0.0;
   verdict.stray_share = static_cast<double>(sound.strays + repair.isolated) / (count + static_cast<double>(sound.strays));
@@ -202,10 +193,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
          "wall; save the scan with outward normals, or scan more densely");
-  const bool cut = closed && is_cut(sound.rim);
-  refuse(!cut && verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet),
+  refuse(verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet),
          per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
-  refuse(closed && !cut && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
+  refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
   const double rounded = sound.rounding / field.grid.edge;
@@ -228,9 +218,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(repair.twice_enclosed > kMostTwice,
          per_cent(repair.twice_enclosed) +
              " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
-  refuse(!cut && verdict.volume_of_enclosed > kMostVolume,
-         "the body has " + per_cent(verdict.volume_of_enclosed) +
-             " of the volume that the points enclose; check the normals and scan missing parts");
+  refuse(verdict.volume_of_enclosed > kMostVolume, "the body has " + per_cent(verdict.volume_of_enclosed) +
+                                                       " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   const std::size_t removed = repair.debris.pieces + repair.debris.cavities;

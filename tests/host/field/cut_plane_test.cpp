@@ -1,0 +1,82 @@
+#include "host/field/cut_plane.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+
+#include "host/cloud/shapes.h"
+
+namespace isotouch::field {
+namespace {
+
+using cloud::OrientedPoints;
+using Eigen::Vector3d;
+
+/// The part of a shape that lies below a place along a direction.
+Scan below(const char* shape, const Vector3d& direction, double height, std::size_t points = 4000) {
+  const OrientedPoints all = cloud::sample_shape(cloud::shape(shape), points);
+  OrientedPoints part;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (direction.dot(all.positions[i]) > height) continue;
+    part.positions.push_back(all.positions[i]);
+    part.normals.push_back(all.normals[i]);
+    part.stiffness.push_back(direction.dot(all.positions[i]) > height - 20 ? 2.0 : 1.0);
+  }
+  return Scan(part);
+}
+
+TEST(CutPlane, IsFoundWhereABallWasCut) {
+  const Vector3d direction = Vector3d(1, -2, 3).normalized();
+  for (const std::size_t points : {1000U, 4000U, 16000U}) {
+    const Scan scan = below("sphere", direction, 20, points);
+    const auto plane = cut_plane(scan, open_rim(scan));
+    ASSERT_TRUE(plane) << points;
+    EXPECT_GT(plane->axis.dot(direction), 0.999) << points;
+    EXPECT_NEAR(direction.dot(plane->place), 20, 0.5 * scan.median_spacing()) << points;
+  }
+}
+
+TEST(CutPlane, AHoleThatMayBeABulgeIsNone) {
+  const Scan scan = below("sphere", Vector3d::UnitZ(), 60);
+  EXPECT_GT(open_rim(scan).samples, 12U);
+  EXPECT_FALSE(cut_plane(scan, open_rim(scan)));
+}
+
+TEST(CutPlane, AScanThatGoesOnBehindItIsNone) {
+  OrientedPoints all = cloud::sample_shape(cloud::shape("torus"), 4000);
+  OrientedPoints part;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all.positions[i].x() > 40 && std::abs(all.positions[i].y()) < 12) continue;  // a tube that ends in two planes
+    part.positions.push_back(all.positions[i]);
+    part.normals.push_back(all.normals[i]);
+  }
+  const Scan scan(part);
+  EXPECT_GT(open_rim(scan).samples, 24U);
+  EXPECT_FALSE(cut_plane(scan, open_rim(scan)));
+  const Scan closed(all);
+  EXPECT_FALSE(cut_plane(closed, open_rim(closed)));
+}
+
+TEST(CutPlane, ItsCapFillsARingAndLeavesItsHole) {
+  const Scan scan = below("torus", Vector3d::UnitZ(), 0, 8000);
+  const OpenRim rim = open_rim(scan);
+  const auto plane = cut_plane(scan, rim);
+  ASSERT_TRUE(plane);
+  const OrientedPoints cap = plane_cap(scan, rim, *plane);
+  ASSERT_GT(cap.size(), 400U);
+  for (std::size_t i = 0; i < cap.size(); ++i) {
+    const double radius = cap.positions[i].head<2>().norm();
+    EXPECT_GT(radius, 44);
+    EXPECT_LT(radius, 96);
+    EXPECT_NEAR(cap.positions[i].z(), 0, 0.5 * scan.median_spacing());
+    EXPECT_GT(cap.normals[i].z(), 0.999);
+    EXPECT_EQ(cap.stiffness[i], 2.0);
+  }
+  const double ring = M_PI * (95 * 95 - 45 * 45), each = 0.75 * 0.75 * std::sqrt(0.75) * scan.median_spacing() * scan.median_spacing();
+  EXPECT_NEAR(static_cast<double>(cap.size()), ring / each, 0.15 * ring / each);
+}
+
+}  // namespace
+}  // namespace isotouch::field
