@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "host/field/angle.h"
 #include "host/field/parallel.h"
+#include "host/field/sets.h"
 
 namespace isotouch::field {
 
@@ -81,23 +81,6 @@ struct Chain {
   Vector3d sum = Vector3d::Zero(), normals = Vector3d::Zero();
 
   Vector3d middle() const { return sum / static_cast<double>(samples); }
-};
-
-/// Sets that grow together, of samples.
-class Sets {
- public:
-  explicit Sets(std::size_t samples) : above_(samples) { std::iota(above_.begin(), above_.end(), 0U); }
-
-  /// The one sample that stands for a sample's set.
-  std::uint32_t of(std::uint32_t sample) {
-    while (above_[sample] != sample) sample = above_[sample] = above_[above_[sample]];
-    return sample;
-  }
-  /// root, other   each stands for its set; `root` stands for both from now on
-  void join(std::uint32_t root, std::uint32_t other) { above_[other] = root; }
-
- private:
-  std::vector<std::uint32_t> above_;
 };
 
 /// Unit, in the sample's tangent plane: away from its neighbours on the same surface.

@@ -23,6 +23,7 @@
 #include "host/field/rounding.h"
 #include "host/field/scan.h"
 #include "host/field/sheet_back.h"
+#include "host/field/turned_patches.h"
 
 namespace isotouch::field {
 
@@ -198,7 +199,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
   result.one_sided = facing.one_sided;
-  bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
+  bool as_faced = options.estimate || turn_outvoted(*scan) + turn_patches(*scan) == 0;
   if (!options.estimate) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);

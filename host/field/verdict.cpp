@@ -193,8 +193,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
          "wall; save the scan with outward normals, or scan more densely");
-  refuse(verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet),
-         per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
+  // What points enclose is known as far as they close.
+  const bool gaps = verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet);
+  refuse(gaps, per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
   refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
@@ -218,8 +219,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(repair.twice_enclosed > kMostTwice,
          per_cent(repair.twice_enclosed) +
              " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
-  refuse(verdict.volume_of_enclosed > kMostVolume, "the body has " + per_cent(verdict.volume_of_enclosed) +
-                                                       " of the volume that the points enclose; check the normals and scan missing parts");
+  refuse(!gaps && verdict.volume_of_enclosed > kMostVolume,
+         "the body has " + per_cent(verdict.volume_of_enclosed) +
+             " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   const std::size_t removed = repair.debris.pieces + repair.debris.cavities;
