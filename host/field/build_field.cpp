@@ -127,7 +127,7 @@ std::vector<std::string> Repair::warnings() const {
   };
   std::vector<std::string> list;
   if (isolated > 0) list.push_back(times(isolated, "point", "points") + " too far from others to know a surface there left out");
-  if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned because the neighbours contradict");
+  if (turned > 0) list.push_back(times(turned, "normal was", "normals were") + " turned because nearly all neighbours contradict");
   if (debris.pieces > 0) list.push_back(times(debris.pieces, "piece", "pieces") + " of surface that no points support left out");
   if (debris.cavities > 0) list.push_back(times(debris.cavities, "cavity", "cavities") + " that no points support filled");
   return list;

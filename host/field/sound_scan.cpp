@@ -183,6 +183,7 @@ std::unique_ptr<Scan> smoothed(const Scan& scan, double noise) {
 
 SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   SoundScan result;
+  result.is_estimated = options.estimate;
   const OrientedPoints given = points;
   if (options.estimate) points.normals = estimated_normals(points.positions);
   auto scan = std::make_unique<Scan>(std::move(points));

@@ -25,6 +25,7 @@ enum class Outside {
 struct SoundScan {
   cloud::OrientedPoints points;       ///< the measured ones in their order, then the invented
   std::size_t measured = 0;           ///< how many of them were measured
+  bool is_estimated = false;          ///< its normals are not the file's
   bool is_sheet = false;              ///< of one side: what was invented are walls and a back
   bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
   std::size_t strays = 0;             ///< points far from all others, left out

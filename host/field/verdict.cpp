@@ -172,13 +172,15 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const auto refuse = [&](bool wrong, const std::string& sentence) {
     if (wrong) verdict.reasons.push_back(sentence);
   };
+  const std::string again = sound.is_estimated ? "save the scan with outward normals, or scan more densely"
+                                               : "estimate the normals again, or try --normals estimate";
   refuse(sound.outside == Outside::kDoubtful,
-         "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals estimate or --viewpoint");
+         sound.is_estimated ? "nobody knows which side of the points is outside; save the scan with outward normals, or try --viewpoint"
+                            : "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals "
+                              "estimate or --viewpoint");
   refuse(verdict.off_surface_share > kMostOffSurface,
          per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
-  refuse(
-      verdict.opposed_share > kMostOpposed,
-      per_cent(verdict.opposed_share) + " of the normals point against the surface; estimate the normals again, or try --normals estimate");
+  refuse(verdict.opposed_share > kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);
   refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
          "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
          "normals, or scan more densely");
@@ -186,7 +188,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const bool as_whole = sound.outside == Outside::kTurned || sound.outside == Outside::kViewpoint;
   const double singly_turned = as_whole ? std::min(verdict.turned_share, 1.0 - verdict.turned_share) : verdict.turned_share;
   refuse(sound.outside != Outside::kNeighbours && singly_turned > kMostTurned,
-         per_cent(singly_turned) + " of the normals had to be turned; estimate the normals again, or try --normals estimate");
+         per_cent(singly_turned) + " of the normals had to be turned; " + again);
   refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
   refuse(verdict.noise_spacing > kMostNoise,
          "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
