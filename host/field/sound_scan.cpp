@@ -200,7 +200,10 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
   result.one_sided = facing.one_sided;
-  bool as_faced = options.estimate || turn_outvoted(*scan) + turn_patches(*scan) == 0;
+  bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
+  // What a person said about the sensor, or what nobody knows, is left as it is.
+  const bool knows_side = result.outside != Outside::kViewpoint && result.outside != Outside::kDoubtful;
+  if (!options.estimate && knows_side && turn_patches(*scan) > 0) as_faced = false;
   if (!options.estimate) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);

@@ -35,7 +35,8 @@ constexpr double kLayersApart = 0.03;  // of the noise in spacings: less is the 
 constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
 constexpr double kPerStray = 0.33;     // a stray that was not found lies beside the surface; it surprises, and harms little
 constexpr double kMostTwice = 0.03;    // 19 real scans and most bodies have 0, an edge with estimated normals 0.009; see entry 174
-constexpr double kMostVolume = 1.08;   // areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
+constexpr double kMostVolume =
+    0.08;  // more than the points enclose: areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
 constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
 constexpr double kMostOfHull = 1.05;
 constexpr double kMostDebris = 0.05;
@@ -48,6 +49,8 @@ constexpr double kAlongAxis = 0.99;   // cosine
 constexpr double kAlongAxes = 0.9;    // of the normals: a body of flat faces along the axes may well lie on a lattice
 // Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
 constexpr double kMostPatches = 0.005;
+
+constexpr double kMostTogether = 2.0;  // sum of the squares of all figures over their limits
 
 constexpr std::size_t kAsked = 20'000;  // points, at most
 
@@ -172,15 +175,27 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const auto refuse = [&](bool wrong, const std::string& sentence) {
     if (wrong) verdict.reasons.push_back(sentence);
   };
+  // What is wrong shows in several figures; each may be within its limit.
+  double together = 0.0, nearest = 0.0;
+  std::string above_all;
+  const auto limit = [&](double figure, double most, const std::string& sentence) {
+    refuse(figure > most, sentence);
+    const double of_limit = std::max(0.0, figure) / most;
+    together += of_limit * of_limit;
+    if (of_limit <= nearest) return;
+    nearest = of_limit;
+    above_all = sentence;
+  };
+  const double most_gaps = closed ? kMostGaps : kMostGapsOfSheet;
   const std::string again = sound.is_estimated ? "save the scan with outward normals, or scan more densely"
                                                : "estimate the normals again, or try --normals estimate";
   refuse(sound.outside == Outside::kDoubtful,
          sound.is_estimated ? "nobody knows which side of the points is outside; save the scan with outward normals, or try --viewpoint"
                             : "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals "
                               "estimate or --viewpoint");
-  refuse(verdict.off_surface_share > kMostOffSurface,
-         per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
-  refuse(verdict.opposed_share > kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);
+  limit(verdict.off_surface_share, kMostOffSurface,
+        per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
+  limit(verdict.opposed_share, kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);
   refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
          "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
          "normals, or scan more densely");
@@ -195,9 +210,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
          "wall; save the scan with outward normals, or scan more densely");
-  // What points enclose is known as far as they close.
-  const bool gaps = verdict.gap_share > (closed ? kMostGaps : kMostGapsOfSheet);
-  refuse(gaps, per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
+  limit(verdict.gap_share, most_gaps,
+        per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
   refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
@@ -212,23 +226,27 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "
                                                "behind them; scan what surrounds them, or "
                                                "remove them");
-  refuse(verdict.unexplained_share > kMostUnexplained, "no smooth surface explains " + per_cent(verdict.unexplained_share) +
-                                                           " of the points; estimate the normals again, or scan again with less noise");
+  limit(verdict.unexplained_share, kMostUnexplained,
+        "no smooth surface explains " + per_cent(verdict.unexplained_share) +
+            " of the points; estimate the normals again, or scan again with less noise");
   const double in_noise = std::max(0.0, 1.0 - kPerNoise * verdict.noise_spacing * verdict.noise_spacing);
-  refuse(verdict.surprising_share > kMostSurprising * in_noise + kPerStray * verdict.stray_share,
-         per_cent(verdict.surprising_share) +
-             " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
-  refuse(repair.twice_enclosed > kMostTwice,
-         per_cent(repair.twice_enclosed) +
-             " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
-  refuse(!gaps && verdict.volume_of_enclosed > kMostVolume,
-         "the body has " + per_cent(verdict.volume_of_enclosed) +
-             " of the volume that the points enclose; check the normals and scan missing parts");
+  limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * verdict.stray_share,
+        per_cent(verdict.surprising_share) +
+            " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
+  limit(repair.twice_enclosed, kMostTwice,
+        per_cent(repair.twice_enclosed) +
+            " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
+  const double beyond = verdict.gap_share > most_gaps ? 0.0 : verdict.volume_of_enclosed - 1.0;  // known as far as the points close
+  limit(beyond, kMostVolume,
+        "the body has " + per_cent(verdict.volume_of_enclosed) +
+            " of the volume that the points enclose; check the normals and scan missing parts");
   refuse(verdict.volume_of_hull < kLeastOfHull, "the body has hardly any volume; check the normals");
   refuse(closed && verdict.volume_of_hull > kMostOfHull, "the body is larger than the hull of its points; check the normals");
   const std::size_t removed = repair.debris.pieces + repair.debris.cavities;
-  refuse(verdict.debris_share > kMostDebris, std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
-                                                 " that no points support had to be removed; check the normals and remove strays");
+  limit(verdict.debris_share, kMostDebris,
+        std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
+            " that no points support had to be removed; check the normals and remove strays");
+  refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
   return verdict;
 }
 

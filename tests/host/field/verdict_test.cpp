@@ -135,6 +135,24 @@ TEST(Verdict, AViewpointTurnsAWholeViewButNotTheHiddenSide) {
   EXPECT_THAT(reasons(whole), Contains(HasSubstr("had to be turned")));
 }
 
+TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
+  const SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  const auto reasons = [&](double surprising, double unexplained, double twice) {
+    Repair repair = built.repair;
+    repair.surprising = surprising;
+    repair.unexplained = unexplained;
+    repair.twice_enclosed = twice;
+    return judge(built.field, sound, repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons(0.018, 0.36, 0.0), IsEmpty());
+  EXPECT_THAT(reasons(0.0, 0.36, 0.027), IsEmpty());
+  const auto together = reasons(0.018, 0.36, 0.028);
+  ASSERT_EQ(together.size(), 1U);
+  EXPECT_THAT(together[0], HasSubstr("near their limits, above all this: 2.8 % of the surface lies within another layer"));
+}
+
 TEST(Verdict, SurprisesWeighMoreInNoise) {
   SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
