@@ -18,7 +18,10 @@ class ServiceNotify {
   ServiceNotify(const ServiceNotify&) = delete;
   ServiceNotify& operator=(const ServiceNotify&) = delete;
 
-  void ready() const { say("READY=1"); }
+  void ready() {
+    say("READY=1");
+    is_ready_ = true;
+  }
   void ending() const { say("STOPPING=1"); }
   /// A line for people, shown by `systemctl status`.
   void status(const std::string& line) const { say("STATUS=" + line); }
@@ -27,14 +30,18 @@ class ServiceNotify {
   /// service and starts it anew.
   void alive(std::uint64_t ticks);
 
-  /// Tells that the service lives, though no ticks can come: a run begins or follows another.
-  void busy() const { say("WATCHDOG=1"); }
+  /// Tells that the service lives, though no ticks can come: a run follows another. Before the first one it tells nothing: systemd would count its
+  /// WatchdogSec from then on, and reading a field from a slow card may take longer.
+  void busy() const {
+    if (is_ready_) say("WATCHDOG=1");
+  }
 
  private:
   void say(std::string_view message) const;
 
   int socket_ = -1;
   std::uint64_t ticks_ = 0;
+  bool is_ready_ = false;
 };
 
 }  // namespace isotouch::daemon
