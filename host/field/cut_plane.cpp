@@ -23,8 +23,6 @@ constexpr double kMostOfRim = 0.9;
 constexpr double kNear = 3.0;   // rms distances: that near to the plane a sample is on it
 constexpr double kClear = 0.5;  // of the distance to the sixth neighbour: that far from the plane a sample is on one side
 constexpr double kBehindCut = 0.002;
-constexpr double kEnd =
-    0.5;  // of the mean of the rim's normals along the axis: a ball cut in the middle has 0, one whose top is missing more
 constexpr double kOutermost = 0.95;  // of the rim's samples: the plane is that far out
 constexpr double kApart = 0.75;      // of the distance to the sixth neighbour
 constexpr double kFromRim = 0.5;     // spacings of the cap
@@ -58,7 +56,7 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
     longest += 1.0;
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread / longest);
-  CutPlane plane{rim.place, solver.eigenvectors().col(0)};
+  CutPlane plane{.place = rim.place, .axis = solver.eigenvectors().col(0)};
   const double bent = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
   if (bent > std::max(kPlane * rim.longest, kOfSpacing * scan.median_spacing())) return std::nullopt;
 
@@ -82,7 +80,8 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
     along_axis += place.length * scan.normals()[place.sample].dot(plane.axis);
     heights.push_back(off);
   }
-  if (within < kMostOfRim * length || std::abs(along_axis) > kEnd * within) return std::nullopt;
+  if (within < kMostOfRim * length) return std::nullopt;
+  plane.along_axis = along_axis / within;
   const auto outermost = heights.begin() + static_cast<std::ptrdiff_t>(kOutermost * static_cast<double>(heights.size() - 1));
   std::nth_element(heights.begin(), outermost, heights.end());
   plane.place += *outermost * plane.axis;

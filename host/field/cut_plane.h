@@ -1,4 +1,4 @@
-/// A scan that ends in one plane, as a hand ends at the wrist: the plane, and what closes the body there.
+/// A scan that ends in one plane, as a hand ends at the wrist or a table at its edge: the plane, and what closes the body there.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,12 +13,14 @@ namespace isotouch::field {
 struct CutPlane {
   Eigen::Vector3d place;  ///< on the plane, the scan's unit
   Eigen::Vector3d axis;   ///< unit, away from the scan
-  bool is_end =
-      false;  ///< the surface runs into the plane, it does not turn into it: it was cut off there, and no hole closes with a bulge
+  double along_axis = 0;  ///< mean of the rims' normals along it: 0 at a cut through a limb
+
+  /// Does the surface run into the plane? A hole in a ball may as well be closed by a bulge, and nobody knows which.
+  bool is_cut() const { return along_axis > -0.5 && along_axis < 0.5; }
+  /// Does the surface there look back at the scan? Then the object stands on something that was scanned, too.
+  bool is_table() const { return along_axis < -0.7; }
 };
 
-/// The plane as good an end as any; what a hole in the middle should look like, nobody knows.
-///
 /// returns   nothing where the rims of `scan` lie in no plane, or where it goes on behind that
 std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim);
 

@@ -24,6 +24,7 @@ constexpr double kGap = 140 * std::numbers::pi / 180;
 constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is farther off shows that the surface turns away
 constexpr double kBehind = 0.5;      // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
 constexpr std::size_t kFewest = 12;  // samples a rim
+constexpr double kNotAll = 0.95;     // of the samples: a patch lies beside something, such as the object over a table
 constexpr double kOutward = 1.0;     // spacings: a patch ends that far beyond the middle of its rim
 
 /// The eighth of the plane in which a place lies, counted round the origin.
@@ -123,7 +124,8 @@ std::size_t patch_samples(const Scan& scan, const MiddleOf& middle_of) {
   }
   std::size_t samples = 0;
   for (const Surface& surface : surfaces) {
-    const bool patch = surface.on_rim > 0 && surface.outward > kOutward * surface.on_rim && surface.samples < scan.size() / 2;
+    const bool patch = surface.on_rim > 0 && surface.outward > kOutward * surface.on_rim &&
+                       static_cast<double>(surface.samples) < kNotAll * static_cast<double>(scan.size());
     samples += patch ? surface.samples : 0;
   }
   return samples;

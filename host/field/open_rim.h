@@ -24,7 +24,7 @@ struct OpenRim {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
   double longest = 0;                               ///< length of the longest rim, the scan's unit
   double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
-  std::size_t patches = 0;  ///< samples of all patches: parts, less than half of the scan, that end outward all round and hang on nothing
+  std::size_t patches = 0;  ///< samples of all patches: parts, of a scan that has others, that end outward all round and hang on nothing
   std::vector<RimPlace> along = {};                        ///< all samples on rims
   std::vector<std::array<Eigen::Vector3d, 2>> links = {};  ///< from sample to sample along all rims, the scan's unit
 };

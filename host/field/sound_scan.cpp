@@ -240,7 +240,9 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     result.points.append(sheet_back(*scan, line_of_sight(*scan, facing.front, options.viewpoint)));
     return result;
   }
-  if (const std::optional<CutPlane> cut = cut_plane(*scan, result.rim)) {
+  const std::optional<CutPlane> cut = cut_plane(*scan, result.rim);
+  result.is_on_table = cut && cut->is_table();
+  if (cut && cut->is_cut()) {
     result.is_capped = true;
     result.points.append(plane_cap(*scan, result.rim, *cut));
     result.enclosed = field::facing(Scan(result.points)).enclosed;

@@ -28,6 +28,7 @@ struct SoundScan {
   bool is_estimated = false;          ///< its normals are not the file's
   bool is_sheet = false;              ///< of one side: what was invented are walls and a back
   bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
+  bool is_on_table = false;           ///< the scan ends in a plane that looks back at it
   std::size_t strays = 0;             ///< points far from all others, left out
   std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
   double contradicted = 0;            ///< of the clear pairs of neighbours: their normals contradict each other still

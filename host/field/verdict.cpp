@@ -189,7 +189,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double most_gaps = closed ? kMostGaps : kMostGapsOfSheet;
   const std::string again = sound.is_estimated ? "save the scan with outward normals, or scan more densely"
                                                : "estimate the normals again, or try --normals estimate";
-  refuse(sound.outside == Outside::kDoubtful,
+  refuse(sound.is_on_table,
+         "the scan ends at the edge of a flat part, such as a table on which the object stands; remove the table, or scan what is missing");
+  refuse(sound.outside == Outside::kDoubtful && !sound.is_on_table,
          sound.is_estimated ? "nobody knows which side of the points is outside; save the scan with outward normals, or try --viewpoint"
                             : "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals "
                               "estimate or --viewpoint");

@@ -41,7 +41,27 @@ TEST(CutPlane, IsFoundWhereABallWasCut) {
 TEST(CutPlane, AHoleThatMayBeABulgeIsNone) {
   const Scan scan = below("sphere", Vector3d::UnitZ(), 60);
   EXPECT_GT(open_rim(scan).samples, 12U);
-  EXPECT_FALSE(cut_plane(scan, open_rim(scan)));
+  const auto plane = cut_plane(scan, open_rim(scan));
+  EXPECT_TRUE(!plane || !plane->is_cut());
+}
+
+TEST(CutPlane, ATableLooksBackAtTheScan) {
+  const Scan cut = below("sphere", -Vector3d::UnitZ(), 20);  // the upper part
+  OrientedPoints standing{cut.positions(), cut.normals(), {}};
+  const double step = 0.7 * cut.median_spacing();
+  for (double x = -160; x <= 160; x += step) {
+    for (double y = -160; y <= 160; y += step) {
+      if (std::hypot(x, y) < 78) continue;
+      standing.positions.emplace_back(x, y, -20);
+      standing.normals.emplace_back(0, 0, 1);
+    }
+  }
+  const Scan scan(standing);
+  const auto plane = cut_plane(scan, open_rim(scan));
+  ASSERT_TRUE(plane);
+  EXPECT_TRUE(plane->is_table());
+  EXPECT_FALSE(plane->is_cut());
+  EXPECT_TRUE(cut_plane(cut, open_rim(cut))->is_cut());
 }
 
 TEST(CutPlane, AScanThatGoesOnBehindItIsNone) {
