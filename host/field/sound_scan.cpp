@@ -22,6 +22,7 @@
 #include "host/field/roughness.h"
 #include "host/field/rounding.h"
 #include "host/field/scan.h"
+#include "host/field/scan_lines.h"
 #include "host/field/sheet_back.h"
 #include "host/field/turned_patches.h"
 
@@ -217,7 +218,10 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   const Roughness rough = roughness(*scan, result.spacing);
   result.noise = rough.noise();
   result.tilt = rough.tilt;
-  if (options.estimate) result.layered = rough.layered;
+  if (options.estimate) {
+    result.layered = rough.layered;
+    result.in_lines = share_in_lines(*scan);
+  }
   if (!options.estimate && rough.of_normals > kNoisyNormals) {
     scan = std::make_unique<Scan>(OrientedPoints{scan->positions(), filtered_normals(*scan, rough.of_normals), scan->stiffness()});
     as_faced = false;

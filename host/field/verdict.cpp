@@ -44,9 +44,10 @@ constexpr double kMostDebris = 0.05;
 // Of a rim's mean normal: a hole in a face has 0.4 and more, the open end of a limb or of a plate at most 0.2.
 constexpr double kTubeEnd = 0.25;
 
-constexpr double kMostRounded = 4.5;  // voxels: up to 4.4 seven bodies came out right, at 5.0 one had 1.13 times its volume
-constexpr double kAlongAxis = 0.99;   // cosine
-constexpr double kAlongAxes = 0.9;    // of the normals: a body of flat faces along the axes may well lie on a lattice
+constexpr double kMostInLines = 0.25;  // lines five times as far apart as the points on them have 0.36 and more, real scans 0.001
+constexpr double kMostRounded = 4.5;   // voxels: up to 4.4 seven bodies came out right, at 5.0 one had 1.13 times its volume
+constexpr double kAlongAxis = 0.99;    // cosine
+constexpr double kAlongAxes = 0.9;     // of the normals: a body of flat faces along the axes may well lie on a lattice
 // Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
 constexpr double kMostPatches = 0.005;
 
@@ -217,6 +218,10 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
+  refuse(
+      sound.in_lines > kMostInLines,
+      "the points lie in lines that are far apart, and without normals nobody knows the surface between them; save the scan with outward "
+      "normals, or scan more lines");
   const double rounded = sound.rounding / field.grid.edge;
   const auto along_axis = [](const Vector3d& normal) { return normal.cwiseAbs().maxCoeff() > kAlongAxis; };
   const auto straight = std::count_if(sound.points.normals.begin(), sound.points.normals.end(), along_axis);

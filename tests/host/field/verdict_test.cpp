@@ -104,6 +104,18 @@ TEST(Verdict, CoordinatesOfTooFewDigitsAreRefused) {
   EXPECT_THAT(rounded("box", 8.0), Each(Not(HasSubstr("rounded")))) << "its faces lie on the lattice";
 }
 
+TEST(Verdict, LinesFarApartNeedNormals) {
+  SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  const auto reasons = [&](double in_lines) {
+    sound.in_lines = in_lines;
+    return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons(0.24), IsEmpty());
+  EXPECT_THAT(reasons(0.26), Contains(HasSubstr("scan more lines")));
+}
+
 TEST(Verdict, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
