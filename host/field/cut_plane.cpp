@@ -58,7 +58,8 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread / longest);
   CutPlane plane{.place = rim.place, .axis = solver.eigenvectors().col(0)};
   const double bent = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
-  if (bent > std::max(kPlane * rim.longest, kOfSpacing * scan.median_spacing())) return std::nullopt;
+  plane.is_clean = bent < kPlane * rim.longest;
+  if (!plane.is_clean && bent > kOfSpacing * scan.median_spacing()) return std::nullopt;
 
   const auto height = [&](const Vector3d& place) { return plane.axis.dot(place - plane.place); };
   const double clear = std::max(2.0 * bent, kClear * scan.median_spacing());

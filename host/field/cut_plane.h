@@ -14,6 +14,7 @@ struct CutPlane {
   Eigen::Vector3d place;  ///< on the plane, the scan's unit
   Eigen::Vector3d axis;   ///< unit, away from the scan
   double along_axis = 0;  ///< mean of the rims' normals along it: 0 at a cut through a limb
+  bool is_clean = false;  ///< the longest rim is so flat that no hole of another kind ends like this: somebody cut the scan off here
 
   /// Does the surface run into the plane? A hole in a ball may as well be closed by a bulge, and nobody knows which.
   bool is_cut() const { return along_axis > -0.5 && along_axis < 0.5; }

@@ -313,6 +313,7 @@ Facing facing(const Scan& scan) {
   middle /= area;
   double volume = 0.0;
   for (std::size_t i = 0; i < scan.size(); ++i) volume += areas[i] * scan.normals()[i].dot(scan.positions()[i] - middle) / 3.0;
+  result.area = area;
   result.enclosed = volume;
   const double radius = std::sqrt(area / (4.0 * std::numbers::pi));
   result.volume = volume / (area * radius / 3.0);

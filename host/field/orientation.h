@@ -46,6 +46,7 @@ struct Facing {
   double outward = 0;  ///< 1: the outermost points' normals all point out, -1: all in, near 0: nobody can tell
   double volume =
       0;  ///< that the surface encloses, by the divergence theorem, over that of the ball with its area; negative when it is inside out
+  double area = 0;       ///< of the surface, the points' unit squared
   double enclosed = 0;   ///< that volume itself, the points' unit cubed
   double one_sided = 0;  ///< length of the mean normal, weighted by area: 0 for a closed surface, 1 for a flat sheet
   Eigen::Vector3d front = Eigen::Vector3d::Zero();  ///< unit, the mean normal's direction; zero where there is none

@@ -51,7 +51,7 @@ constexpr double kAlongAxes = 0.9;     // of the normals: a body of flat faces a
 // Of the points: in patches. 19 real clouds have none; a wall seen through a ball's opening is 0.017 of six views together.
 constexpr double kMostPatches = 0.005;
 
-constexpr double kMostTogether = 2.0;  // sum of the squares of all figures over their limits
+constexpr double kMostTogether = 2.6;  // sum of the squares of all figures over their limits
 
 constexpr std::size_t kAsked = 20'000;  // points, at most
 
