@@ -82,7 +82,8 @@ Model SourceFile::faces() const {
 
 InputError SourceFile::not_read(const std::string& otherwise) const {
   if (kind_ != FileKind::kLaserScan) return InputError(name() + ": " + otherwise);
-  return InputError(name() + ": E57, LAS and LAZ files, which laser scanners write, are not read; open it in CloudCompare and save it as PLY or PCD");
+  return InputError(
+      name() + ": E57, LAS and LAZ files, which laser scanners write, are not read; open it in CloudCompare and save it as PLY or PCD");
 }
 
 }  // namespace isotouch::cloud
