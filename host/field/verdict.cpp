@@ -181,7 +181,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   std::string above_all;
   const auto limit = [&](double figure, double most, const std::string& sentence) {
     refuse(figure > most, sentence);
-    const double of_limit = std::max(0.0, figure) / most;
+    const double of_limit = most > 0.0 ? std::max(0.0, figure) / most : 0.0;  // much noise leaves nothing to be surprised at
     together += of_limit * of_limit;
     if (of_limit <= nearest) return;
     nearest = of_limit;

@@ -182,6 +182,11 @@ TEST(Verdict, SurprisesWeighMoreInNoise) {
   EXPECT_THAT(reasons(0.5, 0.0095), IsEmpty());
   EXPECT_THAT(reasons(0.5, 0.0105), Contains(HasSubstr("do not expect")));
   EXPECT_THAT(reasons(0.79, 0.0), IsEmpty());
+  // Where no surprise is allowed, the other figures count together all the same.
+  repair.unexplained = 0.39;
+  repair.twice_enclosed = 0.029;
+  repair.debris.pieces = 145;
+  EXPECT_THAT(reasons(0.79, 0.0), ElementsAre(HasSubstr("several figures")));
 }
 
 TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
