@@ -16,8 +16,8 @@ struct CutPlane {
   double along_axis = 0;  ///< mean of the rims' normals along it: 0 at a cut through a limb
   bool is_clean = false;  ///< the longest rim is so flat that no hole of another kind ends like this: somebody cut the scan off here
 
-  /// Does the surface run into the plane? A hole in a ball may as well be closed by a bulge, and nobody knows which.
-  bool is_cut() const { return along_axis > -0.5 && along_axis < 0.5; }
+  /// Was it cut off, by a plane into which the surface runs? A hole in a ball may as well be closed by a bulge, and nobody knows which.
+  bool is_cut() const { return is_clean && along_axis > -0.5 && along_axis < 0.5; }
   /// Does the surface there look back at the scan? Then the object stands on something that was scanned, too.
   bool is_table() const { return along_axis < -0.7; }
 };

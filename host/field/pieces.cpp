@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <cstdint>
+
+#include "host/field/sets.h"
 
 namespace isotouch::field {
 
 namespace {
-
-std::size_t root_of(std::vector<std::size_t>& parent, std::size_t a) {
-  while (parent[a] != a) a = parent[a] = parent[parent[a]];
-  return a;
-}
 
 double jump_between(const WeightedSample& a, const WeightedSample& b) {
   const Eigen::Vector3d step = b.position - a.position;
@@ -47,14 +44,15 @@ JumpTree::JumpTree(std::span<const WeightedSample> samples) : samples_(samples.s
 }
 
 void JumpTree::split(std::size_t count, std::vector<std::size_t>& piece_of) const {
-  std::vector<std::size_t> parent(samples_);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (std::size_t k = 0; k + count < samples_; ++k) parent[root_of(parent, edges_[k].a)] = root_of(parent, edges_[k].b);
+  Sets sets(samples_);
+  for (std::size_t k = 0; k + count < samples_; ++k) {
+    sets.join(sets.of(static_cast<std::uint32_t>(edges_[k].b)), sets.of(static_cast<std::uint32_t>(edges_[k].a)));
+  }
   std::vector<std::size_t> number(samples_, samples_);
   std::size_t next = 0;
   piece_of.resize(samples_);
   for (std::size_t i = 0; i < samples_; ++i) {
-    auto& n = number[root_of(parent, i)];
+    auto& n = number[sets.of(static_cast<std::uint32_t>(i))];
     if (n == samples_) n = next++;
     piece_of[i] = n;
   }

@@ -13,6 +13,7 @@ class Sets {
  public:
   explicit Sets(std::size_t count) : above_(count) { std::iota(above_.begin(), above_.end(), 0U); }
 
+  std::size_t size() const { return above_.size(); }
   /// The one member that stands for a member's set.
   std::uint32_t of(std::uint32_t member) {
     while (above_[member] != member) member = above_[member] = above_[above_[member]];

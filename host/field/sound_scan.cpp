@@ -248,7 +248,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   }
   const std::optional<CutPlane> cut = cut_plane(*scan, result.rim);
   result.is_on_table = cut && cut->is_table();
-  if (cut && cut->is_cut() && cut->is_clean) {
+  if (cut && cut->is_cut()) {
     OrientedPoints with_cap = result.points;
     with_cap.append(plane_cap(*scan, result.rim, *cut));
     const Facing open = field::facing(*scan), closed = field::facing(Scan(with_cap));

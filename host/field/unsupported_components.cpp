@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 
 #include "host/field/brick_mask.h"
@@ -14,6 +13,7 @@
 #include "host/field/parallel.h"
 #include "host/field/remaining_distance.h"
 #include "host/field/sample_masks.h"
+#include "host/field/sets.h"
 #include "host/field/unlisted_regions.h"
 
 namespace isotouch::field {
@@ -45,8 +45,7 @@ class Pieces {
       add_parts(b, false, ~inside[b]);
     }
     first_.push_back(static_cast<std::uint32_t>(parts_.size()));
-    parent_.resize(parts_.size() + 2 * regions_.count());
-    std::iota(parent_.begin(), parent_.end(), 0U);
+    pieces_ = Sets(parts_.size() + 2 * regions_.count());
     std::vector<std::array<bool, 3>> has_before(bricks.size(), {false, false, false});
     for (std::uint32_t b = 0; b < bricks.size(); ++b) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -67,10 +66,7 @@ class Pieces {
 
   const std::vector<Part>& parts() const { return parts_; }
   /// The piece that a part belongs to, less than count().
-  std::uint32_t of(std::uint32_t part) {
-    while (parent_[part] != part) part = parent_[part] = parent_[parent_[part]];
-    return part;
-  }
+  std::uint32_t of(std::uint32_t part) { return pieces_.of(part); }
   /// The same for a brick's sample.
   std::uint32_t at(std::size_t brick, std::size_t sample) {
     std::uint32_t part = first_[brick];
@@ -81,7 +77,7 @@ class Pieces {
   std::uint32_t beyond(std::uint32_t region, bool inside) {
     return of(static_cast<std::uint32_t>(parts_.size()) + 2 * region + (inside ? 1U : 0U));
   }
-  std::size_t count() const { return parent_.size(); }
+  std::size_t count() const { return pieces_.size(); }
 
   /// Calls use(piece, other) for pieces that lie face to face; they have different signs. Some more than once.
   template <class Use>
@@ -128,13 +124,13 @@ class Pieces {
   }
   void join(std::uint32_t a, std::uint32_t b) {
     const std::uint32_t first = of(a), second = of(b);
-    parent_[std::max(first, second)] = std::min(first, second);  // the first part of a piece is its root
+    pieces_.join(std::min(first, second), std::max(first, second));  // the first part of a piece stands for it
   }
 
   UnlistedRegions regions_;
   std::vector<Part> parts_;
   std::vector<std::uint32_t> first_;  ///< of every brick, and their end
-  std::vector<std::uint32_t> parent_;
+  Sets pieces_{0};                    ///< of parts, and of both sides of every region
 };
 
 /// How many points lie in a cell of eight samples that belongs to each piece.
