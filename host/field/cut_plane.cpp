@@ -81,7 +81,7 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
     along_axis += place.length * scan.normals()[place.sample].dot(plane.axis);
     heights.push_back(off);
   }
-  if (within < kMostOfRim * length) return std::nullopt;
+  plane.is_only_end = within >= kMostOfRim * length;
   plane.along_axis = along_axis / within;
   const auto outermost = heights.begin() + static_cast<std::ptrdiff_t>(kOutermost * static_cast<double>(heights.size() - 1));
   std::nth_element(heights.begin(), outermost, heights.end());

@@ -11,18 +11,19 @@
 namespace isotouch::field {
 
 struct CutPlane {
-  Eigen::Vector3d place;  ///< on the plane, the scan's unit
-  Eigen::Vector3d axis;   ///< unit, away from the scan
-  double along_axis = 0;  ///< mean of the rims' normals along it: 0 at a cut through a limb
-  bool is_clean = false;  ///< the longest rim is so flat that no hole of another kind ends like this: somebody cut the scan off here
+  Eigen::Vector3d place;     ///< on the plane, the scan's unit
+  Eigen::Vector3d axis;      ///< unit, away from the scan
+  double along_axis = 0;     ///< mean of the rims' normals along it: 0 at a cut through a limb
+  bool is_only_end = false;  ///< nearly all rims lie on it
+  bool is_clean = false;     ///< the longest rim is so flat that no hole of another kind ends like this: somebody cut the scan off here
 
   /// Was it cut off, by a plane into which the surface runs? A hole in a ball may as well be closed by a bulge, and nobody knows which.
-  bool is_cut() const { return is_clean && along_axis > -0.5 && along_axis < 0.5; }
+  bool is_cut() const { return is_only_end && is_clean && along_axis > -0.5 && along_axis < 0.5; }
   /// Does the surface there look back at the scan? Then the object stands on something that was scanned, too.
   bool is_table() const { return along_axis < -0.7; }
 };
 
-/// returns   nothing where the rims of `scan` lie in no plane, or where it goes on behind that
+/// returns   the plane of the longest rim; nothing where that lies in none, or where the scan goes on behind it
 std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim);
 
 /// Oriented points on the plane within the rims, about as far apart as the samples are. A stiffness as at the nearest place of a rim.

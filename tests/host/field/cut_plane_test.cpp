@@ -45,23 +45,31 @@ TEST(CutPlane, AHoleThatMayBeABulgeIsNone) {
   EXPECT_TRUE(!plane || !plane->is_cut());
 }
 
-TEST(CutPlane, ATableLooksBackAtTheScan) {
-  const Scan cut = below("sphere", -Vector3d::UnitZ(), 20);  // the upper part
-  OrientedPoints standing{cut.positions(), cut.normals(), {}};
-  const double step = 0.7 * cut.median_spacing();
+/// The upper part of a ball, and a table that begins at a distance from it.
+Scan on_table(const Scan& ball, double gap) {
+  OrientedPoints standing{ball.positions(), ball.normals(), {}};
+  const double step = 0.7 * ball.median_spacing();
   for (double x = -160; x <= 160; x += step) {
     for (double y = -160; y <= 160; y += step) {
-      if (std::hypot(x, y) < 78) continue;
-      standing.positions.emplace_back(x, y, -20);
+      if (std::hypot(x, y) < 78 + gap) continue;
+      standing.positions.emplace_back(x, y, -20 - gap);
       standing.normals.emplace_back(0, 0, 1);
     }
   }
-  const Scan scan(standing);
-  const auto plane = cut_plane(scan, open_rim(scan));
-  ASSERT_TRUE(plane);
-  EXPECT_TRUE(plane->is_table());
-  EXPECT_FALSE(plane->is_cut());
+  return Scan(standing);
+}
+
+TEST(CutPlane, ATableLooksBackAtTheScan) {
+  const Scan cut = below("sphere", -Vector3d::UnitZ(), 20);
   EXPECT_TRUE(cut_plane(cut, open_rim(cut))->is_cut());
+  for (const double gap : {0.0, 12.0}) {  // with a gap, the body has a rim of its own
+    const Scan scan = on_table(cut, gap);
+    const auto plane = cut_plane(scan, open_rim(scan));
+    ASSERT_TRUE(plane) << gap;
+    EXPECT_EQ(plane->is_only_end, gap == 0.0);
+    EXPECT_TRUE(plane->is_table()) << gap;
+    EXPECT_FALSE(plane->is_cut()) << gap;
+  }
 }
 
 TEST(CutPlane, AScanThatGoesOnBehindItIsNone) {
