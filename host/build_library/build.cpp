@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -71,10 +72,28 @@ std::uint64_t hash_of(const double* points, std::size_t count) {
   return hash64(reinterpret_cast<const std::uint8_t*>(points), 3 * count * sizeof *points);
 }
 
+/// A sentence that names options of the command, for a caller who sets a struct.
+std::string in_options(std::string sentence) {
+  constexpr std::pair<std::string_view, std::string_view> kNames[] = {{"--normals estimate", "no normals"},
+                                                                      {"--viewpoint X Y Z", "viewpoint"},
+                                                                      {"--viewpoint", "viewpoint"},
+                                                                      {"--voxel", "voxel_mm"},
+                                                                      {"--grid", "grid"},
+                                                                      {"--band", "band"},
+                                                                      {"--stiffness", "stiffness_n_mm"},
+                                                                      {"--fit", "fit_mm"},
+                                                                      {"--units", "mm_per_unit"}};
+  for (const auto& [typed, set] : kNames) {
+    for (std::size_t at = sentence.find(typed); at != std::string::npos; at = sentence.find(typed, at + set.size()))
+      sentence.replace(at, typed.size(), set);
+  }
+  return sentence;
+}
+
 void copy_lines(const std::vector<std::string>& lines, char* to, std::size_t room) {
   if (room == 0) return;
   std::string text;
-  for (const std::string& line : lines) text += line + '\n';
+  for (const std::string& line : lines) text += in_options(line) + '\n';
   const std::size_t size = std::min(text.size(), room - 1);
   std::memcpy(to, text.data(), size);
   to[size] = 0;
@@ -104,7 +123,7 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   cloud::PlacementOptions size{{}, options.fit_mm};
   if (options.mm_per_unit != 0) size.mm_per_unit = options.mm_per_unit;
   const cloud::Placement placement = cloud::place(std::span(scan.points.positions.data(), scan.measured), size);
-  field::GridWish wish{.grid_name = "grid"};
+  field::GridWish wish;
   if (options.voxel_mm != 0) wish.voxel_mm = options.voxel_mm;
   if (options.grid != 0) wish.grid = static_cast<int>(options.grid);
   const auto [edge, too_fine] = field::scan_voxel(scan, box.sizes(), placement.scale, wish, scan.usual_grid(box.sizes()));
@@ -167,7 +186,12 @@ isotouch_status isotouch_build(size_t count, const double* points, const double*
       model.stiffness.assign(stiffness, stiffness + count);
     }
     const field::ThreadLimit limit(wanted.threads);
-    const Built made = built(std::move(model), hash_of(points, count), wanted);
+    Built made;
+    try {
+      made = built(std::move(model), hash_of(points, count), wanted);
+    } catch (const InputError& error) {
+      throw InputError(in_options(error.what()));
+    }
     isotouch_field handle = 0;
     if (const isotouch_status status = isotouch_field_read(made.packed.data(), made.packed.size(), &handle); status != ISOTOUCH_OK)
       refuse(status, isotouch_last_error());

@@ -14,8 +14,8 @@ ScanVoxel scan_voxel(const SoundScan& sound, const Eigen::Vector3d& sides, doubl
     std::array<char, 200> text{};
     std::snprintf(
         text.data(), text.size(),
-        "the grid is finer than the scan supports: neighbouring points are %.3g mm apart, a voxel is %.3g mm; %s %d shows as much", spacing,
-        voxel.edge_mm, wish.grid_name, finest_grid(side, sound.spacing));
+        "the grid is finer than the scan supports: neighbouring points are %.3g mm apart, a voxel is %.3g mm; --grid %d shows as much",
+        spacing, voxel.edge_mm, finest_grid(side, sound.spacing));
     voxel.warning = text.data();
   }
   return voxel;

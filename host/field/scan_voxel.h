@@ -15,7 +15,6 @@ namespace isotouch::field {
 struct GridWish {
   std::optional<double> voxel_mm = {};  ///< edge of a voxel, mm of the workspace, above 0
   std::optional<int> grid = {};         ///< voxels along the longest side, 1 or more
-  const char* grid_name = "--grid";     ///< the name of the grid's option, for the warning
 };
 
 struct ScanVoxel {

@@ -71,6 +71,19 @@ class FieldTest(unittest.TestCase):
         with self.assertRaisesRegex(isotouch.DataError, "points: "):
             isotouch.Field.build(points, normals, grid=32)
 
+    def test_sentences_name_arguments_and_no_options_of_the_command(self) -> None:
+        points = ball(300)
+        fine = isotouch.Field.build(points, points / 25, grid=200)
+        self.assertRegex(" ".join(fine.warnings), r"; grid \d+ shows as much")
+        x, y = np.meshgrid(np.arange(20.0), np.arange(20.0))
+        with self.assertRaisesRegex(isotouch.DataError, "the sensor's place with viewpoint$"):
+            isotouch.Field.build(np.stack([x.ravel(), y.ravel(), 0.01 * x.ravel() * y.ravel()], axis=1), grid=32)
+        normals = np.random.default_rng(1).normal(size=points.shape)
+        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        with self.assertRaisesRegex(isotouch.DataError, "or try no normals or viewpoint; ") as refused:
+            isotouch.Field.build(points, normals, grid=32)
+        self.assertNotIn("--", str(refused.exception))
+
     def test_wrong_sizes_types_and_numbers_are_errors(self) -> None:
         points = ball(100)
         wrong: dict[str, dict[str, Any]] = {
