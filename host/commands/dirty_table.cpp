@@ -1,5 +1,6 @@
 #include "host/commands/dirty_table.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -93,6 +94,13 @@ struct Tally {
   }
 };
 
+/// The dirt of a scan's rows that contain a text.
+std::vector<evaluate::Dirt> chosen_dirt(const evaluate::DirtyScan& scan, const std::string& only) {
+  std::vector<evaluate::Dirt> chosen = evaluate::all_dirt();
+  std::erase_if(chosen, [&](const evaluate::Dirt& dirt) { return (scan.name() + ' ' + dirt.name).find(only) == std::string::npos; });
+  return chosen;
+}
+
 }  // namespace
 
 std::size_t print_dirty(const DirtyChoice& choice, bool json) {
@@ -105,24 +113,25 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   Tally tally;
   std::size_t believed = 0, wrong = 0, doubted = 0, all = 0;
   auto list = nlohmann::ordered_json::array();
+  const std::vector<evaluate::DirtyScan> scans = evaluate::dirty_scans(std::move(bodies));
+  std::vector<std::vector<evaluate::Dirt>> chosen;
+  for (const evaluate::DirtyScan& scan : scans) chosen.push_back(chosen_dirt(scan, choice.only));
+  if (std::all_of(chosen.begin(), chosen.end(), [](const auto& dirt) { return dirt.empty(); }))
+    throw InputError("--only: no row of the dirty scans contains '" + choice.only + "'; a row is, for example, '" + scans[0].name() + ' ' +
+                     evaluate::all_dirt()[0].name + "'");
   if (!json) {
     std::printf(
         "dirty scans; surface: truth to field, truth: field to truth, rms voxels; volume over the true one; wrong side two voxels off\n");
     std::printf("  %-19s %-16s %8s %8s %7s %8s %11s  %s\n", "scan", "dirt", "surface", "truth", "pieces", "volume", "wrong side",
                 "verdict");
   }
-  const std::vector<evaluate::DirtyScan> scans = evaluate::dirty_scans(std::move(bodies));
   std::vector<PlannedStage> plan;
   for (const evaluate::DirtyScan& scan : scans) plan.push_back({scan.name(), 1});
   ProgressBar bar(plan);
-  for (const evaluate::DirtyScan& scan : scans) {
-    bar.begin(scan.name());
-    std::vector<evaluate::Dirt> dirt;
-    for (evaluate::Dirt& kind : evaluate::all_dirt()) {
-      if ((scan.name() + ' ' + kind.name).find(choice.only) != std::string::npos) dirt.push_back(std::move(kind));
-    }
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    bar.begin(scans[i].name());
     evaluate::dirty_rows(
-        scan, dirt,
+        scans[i], chosen[i],
         [&](const DirtyRow& row) {
           ++all;
           believed += row.believed_wrong() ? 1U : 0U;

@@ -12,6 +12,7 @@
 #include "host/commands/damage_table.h"
 #include "host/commands/dirty_table.h"
 #include "host/commands/progress_bar.h"
+#include "host/error.h"
 #include "host/evaluate/force_error.h"
 #include "host/evaluate/published_table.h"
 #include "host/evaluate/shape_trial.h"
@@ -42,10 +43,22 @@ struct MethodResult {
   std::vector<DamageRow> damage;   ///< of the default method alone
 };
 
-/// One method on all shapes.
-MethodResult measure(Method method, ProgressBar& bar) {
+/// The shapes whose name contains a text.
+std::vector<std::string> chosen_shapes(const std::string& only) {
+  std::vector<std::string> chosen;
+  std::string all;
+  for (const std::string name : kShapes) {
+    if (name.find(only) != std::string::npos) chosen.push_back(name);
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  if (chosen.empty()) throw InputError("--only: no object's name contains '" + only + "'; the objects are " + all);
+  return chosen;
+}
+
+/// One method on these shapes.
+MethodResult measure(const std::vector<std::string>& shapes, Method method, ProgressBar& bar) {
   MethodResult result;
-  for (const char* name : kShapes) {
+  for (const std::string& name : shapes) {
     bar.begin(name);
     const evaluate::ShapeTrial trial = evaluate::shape_trial(name);
     const field_file::OpenField built = evaluate::trial_field(trial, method);
@@ -85,8 +98,11 @@ Json method_json(const MethodResult& result) {
                               {"floor_rms_voxel", row.floor.rms_voxel},
                               {"floor_normal_rms_deg", row.floor.normal_rms_deg}});
   }
-  const ForceError force = judged(result.forces);
-  json["force"] = {{"magnitude_rms_pct", force.magnitude_rms_pct}, {"direction_max_deg", force.direction_max_deg}};
+  json["force"] = nullptr;
+  if (!result.forces.empty()) {
+    const ForceError force = judged(result.forces);
+    json["force"] = {{"magnitude_rms_pct", force.magnitude_rms_pct}, {"direction_max_deg", force.direction_max_deg}};
+  }
   json["force_at"] = Json::array();
   for (std::size_t i = 0; i < result.forces.size(); ++i) {
     json["force_at"].push_back({{"mm_per_s", kSpeeds[i]},
@@ -150,23 +166,23 @@ void print(const std::vector<evaluate::PublishedRow>& table) {
 }
 
 /// One stage a shape and method; the published method builds once, ours also from damaged scans.
-std::vector<PlannedStage> plan_for(bool published) {
+std::vector<PlannedStage> plan_for(const std::vector<std::string>& shapes, bool published) {
   std::vector<PlannedStage> plan;
-  for (const char* name : kShapes) plan.push_back({name, 1});
-  for (const char* name : kShapes) {
-    if (published) plan.push_back({name, 1});
+  for (int method = 0; method < (published ? 2 : 1); ++method) {
+    for (const std::string& name : shapes) plan.push_back({name, 1});
   }
   if (published) plan.push_back({"Table 1", 5});
   return plan;
 }
 
-void run(bool json, bool published) {
-  ProgressBar bar(plan_for(published));
-  const MethodResult ours = measure(Method::kDefault, bar);
+void run(const std::string& only, bool json, bool published) {
+  const std::vector<std::string> shapes = chosen_shapes(only);
+  ProgressBar bar(plan_for(shapes, published));
+  const MethodResult ours = measure(shapes, Method::kDefault, bar);
   std::optional<MethodResult> theirs;
   std::vector<evaluate::PublishedRow> table;
   if (published) {
-    theirs = measure(Method::kPublished, bar);
+    theirs = measure(shapes, Method::kPublished, bar);
     bar.begin("Table 1");
     table = evaluate::published_table();
   }
@@ -204,8 +220,8 @@ void add_evaluate(CLI::App& app) {
   CLI::Option* dirty = command->add_flag(
       "--dirty", options->dirty,
       "measure dirty scans instead: strays, noise, turned normals, holes; exit code 3 when a wrong field is called plausible");
-  command->add_option("--only", options->choice.only, "of the dirty scans, those whose row contains this text, such as 'owl strays'")
-      ->needs(dirty);
+  command->add_option("--only", options->choice.only,
+                      "the objects whose name contains this text; of the dirty scans those whose row contains it, such as 'owl strays'");
   command->add_option("--mesh", options->choice.meshes, "dirty scans of these closed meshes instead of the project's own objects")
       ->needs(dirty);
   command->add_option("--seed", options->choice.seed, "for other points and other dirt of the same kinds; 1 unless given")->needs(dirty);
@@ -215,7 +231,7 @@ void add_evaluate(CLI::App& app) {
           "a command that turns oriented points into a closed mesh, run as COMMAND POINTS.ply MESH.ply: measured on the same scans")
       ->needs(dirty);
   command->callback([options] {
-    if (!options->dirty) return run(options->json, options->published);
+    if (!options->dirty) return run(options->choice.only, options->json, options->published);
     const std::size_t wrong = print_dirty(options->choice, options->json);
     if (wrong > 0) throw ComparisonFailed(std::to_string(wrong) + " wrong fields were called plausible");
   });

@@ -27,7 +27,7 @@ Answer answer(std::vector<std::string> words) {
   testing::internal::CaptureStderr();
   Answer got;
   const auto add = [](CLI::App& app) {
-    for (const auto command : {add_build, add_info, add_trace, add_bench}) command(app);
+    for (const auto command : {add_build, add_info, add_trace, add_bench, add_evaluate}) command(app);
   };
   got.code = run("isotouch", "about", add, static_cast<int>(argv.size()), argv.data());
   got.out = testing::internal::GetCapturedStdout();
@@ -53,6 +53,17 @@ TEST(Run, AMistypedCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
   EXPECT_EQ(answer({"build", "a.ply", "--stifness=3"}).code, 2);
   EXPECT_EQ(answer({"nonsense"}).err, "isotouch: there is no command 'nonsense'; isotouch --help lists them\n");
   EXPECT_EQ(answer({"nonsense"}).code, 2);
+}
+
+TEST(Run, AnEvaluationOfNothingIsNoSuccess) {
+  const Answer clean = answer({"evaluate", "--only", "shpere"});
+  EXPECT_EQ(clean.code, 1);
+  EXPECT_EQ(clean.err, "isotouch: --only: no object's name contains 'shpere'; the objects are sphere, torus, box, plate, capsules\n");
+  const Answer dirty = answer({"evaluate", "--dirty", "--only", "owl stray 5"});
+  EXPECT_EQ(dirty.code, 1);
+  EXPECT_EQ(dirty.out, "");
+  EXPECT_THAT(dirty.err, testing::HasSubstr(
+                             "isotouch: --only: no row of the dirty scans contains 'owl stray 5'; a row is, for example, 'sphere clean'"));
 }
 
 TEST(Run, AWrongChoiceNamesTheChoicesAndNoWordOfTheParser) {
