@@ -116,13 +116,12 @@ nlohmann::ordered_json times_json(const TickTimes& times) {
 }
 
 /// A cold tick needs some 10 ms of writing before it, or 60 ms where the last cache is large, so there are fewer of them.
-void bench_cold_tick(bool as_json) {
-  constexpr int kTicks = 500;
+void bench_cold_tick(int ticks, bool as_json) {
   ProgressBar bar({{"motion", 3}, {"warm", 1}, {"cold", 15}, {"cold 1024", 15}}, ProgressBar::Drawn::kAtBegins);
   bar.begin("motion");
   const Sphere small(186), large(1024);
   const field_file::OpenField field = small.field(), large_field = large.field();
-  const Motion motion = small.wander(kTicks), large_motion = large.wander(kTicks);
+  const Motion motion = small.wander(ticks), large_motion = large.wander(ticks);
   bar.begin("warm");
   const TickTimes warm = time_device(field.view, motion);
   const TickTimes large_warm = time_core(large_field.view, large_motion);
@@ -274,6 +273,7 @@ void add_bench(CLI::App& app) {
   struct Options {
     std::vector<std::filesystem::path> fields;
     bool cold = false;
+    int ticks = 500;
     bool quick = false;
     bool json = false;
   };
@@ -284,10 +284,16 @@ void add_bench(CLI::App& app) {
                                            "Time of one tick, from HIP to force and from counts to motor commands, with warm caches, "
                                            "sliding 4 voxels deep on a sphere at 100 to 300 mm/s");
   CLI::Option* fields = tick->add_option("FIELD", options->fields, "time these fields too, sliding on each");
-  tick->add_flag("--cold", options->cold, "with cold caches: 64 MiB, or more than the last cache holds, are written before each tick")
-      ->excludes(fields);
+  CLI::Option* cold =
+      tick->add_flag("--cold", options->cold, "with cold caches: 64 MiB, or more than the last cache holds, are written before each tick")
+          ->excludes(fields);
+  tick->add_option("--ticks", options->ticks, "cold ticks on each of two grids; a tick takes 10 ms, or 60 ms where the last cache is large")
+      ->check(CLI::Range(20, 100'000))
+      ->capture_default_str()
+      ->needs(cold);
   tick->add_flag("--json", options->json, "print one JSON object");
-  tick->callback([options] { options->cold ? bench_cold_tick(options->json) : bench_tick(options->fields, options->json); });
+  tick->callback(
+      [options] { options->cold ? bench_cold_tick(options->ticks, options->json) : bench_tick(options->fields, options->json); });
   CLI::App* field = command->add_subcommand("field", "Time from a file of points to a verified field file, beside the published method");
   field->add_flag("--json", options->json, "print one JSON object");
   field->callback([options] { bench_field(options->json); });
