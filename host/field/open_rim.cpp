@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/field/angle.h"
@@ -21,11 +22,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kGap = 140 * std::numbers::pi / 180;
-constexpr double kTurned = 0.5;      // cosine: a neighbour whose normal is farther off shows that the surface turns away
-constexpr double kBehind = 0.5;      // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
-constexpr std::size_t kFewest = 12;  // samples a rim
-constexpr double kNotAll = 0.95;     // of the samples: a patch lies beside something, such as the object over a table
-constexpr double kOutward = 1.0;     // spacings: a patch ends that far beyond the middle of its rim
+constexpr double kTurned = 0.5;  // cosine: a neighbour whose normal is farther off shows that the surface turns away
+constexpr double kBehind = 0.5;  // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
+constexpr double kGapOfWall = 110 * std::numbers::pi / 180;  // among twice as many neighbours and more
+constexpr std::size_t kFewest = 12;                          // samples a rim
+constexpr double kNotAll = 0.95;  // of the samples: a patch lies beside something, such as the object over a table
+constexpr double kOutward = 1.0;  // spacings: a patch ends that far beyond the middle of its rim
 
 /// The eighth of the plane in which a place lies, counted round the origin.
 unsigned octant(double x, double y) {
@@ -34,14 +36,32 @@ unsigned octant(double x, double y) {
   return x < y ? 1 : 0;
 }
 
+/// Two directions that span a sample's tangent plane.
+std::array<Vector3d, 2> tangents(const Vector3d& normal) {
+  int least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vector3d u = normal.cross(Vector3d::Unit(least)).normalized();
+  return {u, normal.cross(u)};
+}
+
+/// The widest sector between directions; angles are in any order, and there is at least one.
+double widest_sector(std::span<double> angles) {
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+  return widest;
+}
+
+/// Is the neighbour at `step` on the other face of a thin wall?
+bool is_behind(const Scan& scan, std::size_t sample, const Vector3d& step, double alike) {
+  return alike < -kTurned && std::abs(step.dot(scan.normals()[sample])) > kBehind * scan.spacing(sample);
+}
+
 /// The widest sector, as an angle, that the neighbours leave empty in the sample's tangent plane; 0 where one of them lies round an edge, or where
 /// it is narrower than kGap.
 double widest_gap(const Scan& scan, std::size_t sample) {
   const Vector3d& normal = scan.normals()[sample];
-  int least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  const Vector3d u = normal.cross(Vector3d::Unit(least)).normalized();
-  const Vector3d v = normal.cross(u);
+  const auto [u, v] = tangents(normal);
   std::array<std::array<double, 2>, Scan::kListed> places;  // along u and v
   std::size_t count = 0;
   unsigned octants = 0;  // in which there are any
@@ -49,7 +69,7 @@ double widest_gap(const Scan& scan, std::size_t sample) {
     if (neighbour.index == sample) continue;
     const Vector3d step = scan.positions()[neighbour.index] - scan.positions()[sample];
     const double alike = scan.normals()[neighbour.index].dot(normal);
-    if (alike < -kTurned && std::abs(step.dot(normal)) > kBehind * scan.spacing(sample)) continue;
+    if (is_behind(scan, sample, step, alike)) continue;
     if (alike < kTurned) return 0;
     places[count] = {step.dot(u), step.dot(v)};
     octants |= 1U << octant(places[count][0], places[count][1]);
@@ -59,12 +79,7 @@ double widest_gap(const Scan& scan, std::size_t sample) {
   if ((empty & (empty << 1 | empty >> 7)) == 0) return 0;  // nowhere two in a row: no gap is wider than three octants
   std::array<double, Scan::kListed> angles{};
   for (std::size_t i = 0; i < count; ++i) angles[i] = angle_of(places[i][1], places[i][0]);
-  if (count == 0) return 0;
-  const auto end = angles.begin() + static_cast<std::ptrdiff_t>(count);
-  std::sort(angles.begin(), end);
-  double widest = angles[0] + 2 * std::numbers::pi - angles[count - 1];
-  for (std::size_t i = 1; i < count; ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
-  return widest;
+  return count == 0 ? 0 : widest_sector({angles.data(), count});
 }
 
 /// Two neighbours on a rim.
@@ -92,6 +107,27 @@ Vector3d outward(const Scan& scan, std::uint32_t sample) {
     if (scan.normals()[neighbour.index].dot(normal) > kTurned) away += scan.positions()[sample] - scan.positions()[neighbour.index];
   }
   return (away - normal * normal.dot(away)).normalized();
+}
+
+/// Does a thin wall go on where the nearest neighbours leave a gap? Many of them lie on its other face, so a gap may be chance where points lie at
+/// random. The neighbours of the neighbours decide.
+bool wall_goes_on(const Scan& scan, std::uint32_t sample) {
+  const Vector3d &own = scan.positions()[sample], &normal = scan.normals()[sample];
+  const auto around = scan.around(sample);
+  const auto behind = [&](const Neighbour& n) {
+    return is_behind(scan, sample, scan.positions()[n.index] - own, scan.normals()[n.index].dot(normal));
+  };
+  if (std::none_of(around.begin(), around.end(), behind)) return false;
+  const auto [u, v] = tangents(normal);
+  std::vector<double> angles;
+  for (const Neighbour& first : around) {
+    for (const Neighbour& second : scan.around(first.index)) {
+      if (second.index == sample || scan.normals()[second.index].dot(normal) < kTurned) continue;
+      const Vector3d step = scan.positions()[second.index] - own;
+      angles.push_back(angle_of(step.dot(v), step.dot(u)));
+    }
+  }
+  return !angles.empty() && widest_sector(angles) < kGapOfWall;
 }
 
 /// The samples of all patches: sets of neighbours, but for those behind a wall, that end outward of their rims. Round a hole a surface ends towards the
@@ -136,7 +172,7 @@ std::size_t patch_samples(const Scan& scan, const MiddleOf& middle_of) {
 OpenRim open_rim(const Scan& scan) {
   std::vector<std::uint8_t> on_rim(scan.size());
   in_parallel(scan.size(), 256, [&](std::size_t begin, std::size_t end) {
-    for (const std::uint32_t i : scan.together(begin, end)) on_rim[i] = widest_gap(scan, i) > kGap ? 1 : 0;
+    for (const std::uint32_t i : scan.together(begin, end)) on_rim[i] = widest_gap(scan, i) > kGap && !wall_goes_on(scan, i) ? 1 : 0;
   });
   std::vector<Link> links;
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {

@@ -30,8 +30,9 @@ struct OpenRim {
 };
 
 /// A sample is on a rim when its neighbours, seen in its tangent plane, leave a wide sector empty and none of them shows that the surface turns
-/// away there: that is an edge or a tip, not an end. Rim samples that are neighbours hang together; the length is that of their shortest spanning
-/// tree, closed to a ring. What hangs together in fewer than a dozen samples is chance.
+/// away there: that is an edge or a tip, not an end. On a thin wall, whose other face takes many of the neighbours, the
+/// neighbours' neighbours must leave one, too. Rim samples that are neighbours hang together; the length is that of their shortest spanning tree,
+/// closed to a ring. What hangs together in fewer than a dozen samples is chance.
 OpenRim open_rim(const Scan& scan);
 
 }  // namespace isotouch::field

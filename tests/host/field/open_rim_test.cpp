@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "host/cloud/random.h"
 #include "host/cloud/shapes.h"
 #include "tests/support/sanitized.h"
 
@@ -37,6 +38,28 @@ void expect_no_shape_is_open(std::size_t points) {
 TEST(OpenRim, NoShapeOfOursIsOpen) { expect_no_shape_is_open(1500); }
 
 TEST(OpenRimHeavy, NorAreTheyWithMorePoints) { expect_no_shape_is_open(4000); }
+
+/// Points at random places of a ball's wall, without order, and of its inner side.
+cloud::OrientedPoints hollow_ball(double thickness, std::size_t points, double below) {
+  cloud::OrientedPoints ball;
+  cloud::Random random(1);
+  while (ball.size() < points) {
+    const Vector3d p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    if (p.norm() > 1 || p.norm() < 0.1 || p.normalized().z() > below) continue;
+    const bool inner = ball.size() % 2 == 1;
+    ball.positions.push_back((inner ? 35 - thickness : 35) * p.normalized());
+    ball.normals.push_back((inner ? -1 : 1) * p.normalized());
+  }
+  return ball;
+}
+
+TEST(OpenRim, AThinWallOfPointsAtRandomIsNotOpen) {
+  EXPECT_EQ(open_rim(Scan(hollow_ball(5, 2500, 2))).samples, 0U);
+  EXPECT_EQ(open_rim(Scan(hollow_ball(3, 2500, 2))).samples, 0U);
+  const OpenRim cut = open_rim(Scan(hollow_ball(3, 2500, 0)));
+  EXPECT_GT(cut.samples, 100U);
+  EXPECT_LT(cut.least_surrounded, 0.2);
+}
 
 TEST(OpenRim, OfAHemisphereIsItsEquator) {
   const double equator = 2 * M_PI * 80;
