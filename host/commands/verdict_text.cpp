@@ -30,6 +30,7 @@ nlohmann::ordered_json to_json(const field::Verdict& verdict) {
           {"opposed_share", verdict.opposed_share},
           {"unexplained_share", verdict.unexplained_share},
           {"surprising_share", verdict.surprising_share},
+          {"thin_share", verdict.thin_share},
           {"debris_share", verdict.debris_share}};
 }
 

@@ -29,6 +29,7 @@ struct Verdict {
   double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
   double volume_of_enclosed = 1;     ///< the body's volume over what the points' areas and normals enclose; 1 for a scan of one side
   double off_surface_share = 0;   ///< of the measured points: more than a voxel, and more than the noise explains, off the field's surface
+  double thin_share = 0;          ///< of the measured points: on walls of about 1.5 voxels and less, or as near to an edge
   double unexplained_share = 0;   ///< of the samples: no local surface explains their neighbours
   double debris_share = 0;        ///< pieces and cavities that no points stand for, over the number of points
   double contradicted_share = 0;  ///< of the clear pairs of neighbours: their normals contradict each other still

@@ -95,6 +95,19 @@ TEST(Verdict, AWallSeenThroughAnOpeningIsRefused) {
   EXPECT_THAT(verdict_of(seen).reasons, Contains(HasSubstr("form patches")));
 }
 
+TEST(Verdict, WallsThinnerThanTheVoxelsAllowAreRefused) {
+  const auto plate = [](double voxel) {
+    Progress progress;
+    return scan_field(sound_scan(of("plate")), voxel, kBand, progress).verdict;
+  };
+  const Verdict coarse = plate(3.2);  // 1.25 voxels
+  EXPECT_THAT(coarse.reasons, Contains(HasSubstr("walls thinner than two voxels")));
+  EXPECT_GT(coarse.thin_share, 0.99);
+  const Verdict fine = plate(1.6);  // 2.5
+  EXPECT_THAT(fine.reasons, IsEmpty());
+  EXPECT_LT(fine.thin_share, 0.2);
+}
+
 TEST(Verdict, CoordinatesOfTooFewDigitsAreRefused) {
   const auto rounded = [](const char* shape, double step) {
     OrientedPoints points = of(shape, 6000);
