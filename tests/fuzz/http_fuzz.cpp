@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <new>
 #include <string>
@@ -91,7 +92,10 @@ class Socket {
   /// Something that has come within that time; empty: nothing, or the other side has closed.
   std::string hear(int wait_ms) {
     pollfd one{socket_, POLLIN, 0};
-    if (::poll(&one, 1, wait_ms) <= 0) return {};
+    int ready = 0;
+    do ready = ::poll(&one, 1, wait_ms);
+    while (ready < 0 && errno == EINTR);  // libFuzzer's alarm
+    if (ready <= 0) return {};
     std::string bytes(1 << 16, '\0');
     const ssize_t got = ::recv(socket_, bytes.data(), bytes.size(), 0);
     ended_ = got <= 0;
