@@ -241,9 +241,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "
                                                "behind them; scan what surrounds them, or "
                                                "remove them");
-  refuse(
-      closed && verdict.thin_share > kMostThin,
-      per_cent(verdict.thin_share) + " of the surface belongs to walls thinner than two voxels, which come out too thick; choose a finer --voxel");
+  refuse(closed && verdict.thin_share > kMostThin,
+         per_cent(verdict.thin_share) +
+             " of the surface belongs to walls thinner than two voxels, which come out too thick; choose a finer --voxel");
   limit(verdict.unexplained_share, kMostUnexplained,
         "no smooth surface explains " + per_cent(verdict.unexplained_share) +
             " of the points; estimate the normals again, or scan again with less noise");
