@@ -36,14 +36,6 @@ unsigned octant(double x, double y) {
   return x < y ? 1 : 0;
 }
 
-/// Two directions that span a sample's tangent plane.
-std::array<Vector3d, 2> tangents(const Vector3d& normal) {
-  int least = 0;
-  normal.cwiseAbs().minCoeff(&least);
-  const Vector3d u = normal.cross(Vector3d::Unit(least)).normalized();
-  return {u, normal.cross(u)};
-}
-
 /// The widest sector between directions; angles are in any order, and there is at least one.
 double widest_sector(std::span<double> angles) {
   std::sort(angles.begin(), angles.end());
@@ -61,7 +53,7 @@ bool is_behind(const Scan& scan, std::size_t sample, const Vector3d& step, doubl
 /// it is narrower than kGap.
 double widest_gap(const Scan& scan, std::size_t sample) {
   const Vector3d& normal = scan.normals()[sample];
-  const auto [u, v] = tangents(normal);
+  const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   std::array<std::array<double, 2>, Scan::kListed> places;  // along u and v
   std::size_t count = 0;
   unsigned octants = 0;  // in which there are any
@@ -118,7 +110,7 @@ bool wall_goes_on(const Scan& scan, std::uint32_t sample) {
     return is_behind(scan, sample, scan.positions()[n.index] - own, scan.normals()[n.index].dot(normal));
   };
   if (std::none_of(around.begin(), around.end(), behind)) return false;
-  const auto [u, v] = tangents(normal);
+  const Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<double> angles;
   for (const Neighbour& first : around) {
     for (const Neighbour& second : scan.around(first.index)) {
