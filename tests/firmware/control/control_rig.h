@@ -39,20 +39,34 @@ class FakeTick {
   loop::TickStats stats;
   loop::Latest<loop::TickRecord> shown;
   loop::TraceRing ring;
-  std::atomic<std::uint8_t> obeyed{0};       ///< all commands that ever came
-  std::atomic<std::uint32_t> generation{0};  ///< of the field of the last tick
-  std::atomic<std::uint64_t> felt{0};        ///< hash of that field, as far as it was read in the tick
-  std::atomic<std::int16_t> count{0};        ///< of every arm, homed
-  std::atomic<std::int16_t> sway{0};         ///< added to it in every other tick
+  std::atomic<std::uint8_t> obeyed{0};  ///< all commands that ever came
+  std::atomic<std::int16_t> count{0};   ///< of every arm, homed
+  std::atomic<std::int16_t> sway{0};    ///< added to it in every other tick
   std::atomic<std::uint16_t> faults{0}, shown_faults{0};
   std::atomic<std::uint32_t> author{0};  ///< of the last request that had one
   std::atomic<std::int16_t> word{0};     ///< motor command of the next tick alone
   std::atomic<bool> rests{false};        ///< no ticks meanwhile
 
+  /// Hash of the field of the last tick, as far as it was read there. A tick takes a field over before it reads it: one that runs is waited for.
+  std::uint64_t felt() const {
+    wait_for_tick();
+    return felt_;
+  }
+  /// Its generation.
+  std::uint32_t generation() const {
+    wait_for_tick();
+    return generation_;
+  }
+
  private:
+  void wait_for_tick() const {
+    for (const std::uint64_t running = begun_; ended_ < running;) std::this_thread::yield();
+  }
+
   void run() {
     for (std::uint64_t number = 1; !stop_; ++number) {
       while (rests && !stop_) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      begun_ = number;
       const loop::ActiveField field = slots_.field();
       loop::TickRecord record;
       record.number = number;
@@ -62,15 +76,16 @@ class FakeTick {
       record.in.fresh = true;
       const loop::Asked asked = commands.take();
       record.in.requests = asked.bits;
-      if (field.patched_from != 0 && field.patched_from == generation) record.in.requests |= kRequestMoved;
+      if (field.patched_from != 0 && field.patched_from == generation_) record.in.requests |= kRequestMoved;
       record.out.faults = faults;
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
       record.out.commands[0] = word.exchange(0);
       obeyed |= record.in.requests;
       if (asked.author != kNobody) author = asked.author;
-      if (field.generation != generation) felt = field.view->hash();
-      generation = field.generation;
+      if (field.generation != generation_) felt_ = field.view->hash();
+      generation_ = field.generation;
+      ended_ = number;
       stats.ticks.add();
       stats.tick_time.add(static_cast<std::int64_t>(number % 1000));
       shown.put(record);
@@ -81,6 +96,9 @@ class FakeTick {
   }
 
   loop::FieldSlots& slots_;
+  std::atomic<std::uint64_t> begun_{0}, ended_{0};  ///< numbers of ticks
+  std::atomic<std::uint32_t> generation_{0};
+  std::atomic<std::uint64_t> felt_{0};
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

@@ -279,7 +279,7 @@ TEST(ControlServer, TenThousandRandomConnectionsDisturbNobody) {
     }
     if (random.bits() % 8 == 0) (void)speaker.hear();
   }
-  EXPECT_EQ(rig.tick.felt, old.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), old.promise.image_hash);
   Heard heard;
   for (int tries = 0; tries < 100 && heard.kind != Kind::kAccepted; ++tries) {
     Speaker speaker(rig.settings.path);

@@ -24,8 +24,8 @@ TEST(ControlServer, AnUploadIsFeltWhenItIsAccepted) {
   const Heard heard = upload(speaker, ball);
   ASSERT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
   EXPECT_EQ(protocol::decode<protocol::Accepted>(heard.body)->image_hash, ball.promise.image_hash);
-  EXPECT_EQ(rig.tick.felt, ball.promise.image_hash);
-  EXPECT_EQ(rig.tick.generation, protocol::decode<protocol::Accepted>(heard.body)->generation);
+  EXPECT_EQ(rig.tick.felt(), ball.promise.image_hash);
+  EXPECT_EQ(rig.tick.generation(), protocol::decode<protocol::Accepted>(heard.body)->generation);
 }
 
 TEST(ControlServer, RequestsMayBeSentAheadOfTheirAnswers) {
@@ -83,12 +83,12 @@ TEST(ControlServer, AnUploadCutAtAnyFrameLeavesTheOldField) {
         EXPECT_NE(speaker.hear().kind, Kind::kRefused);  // the server has begun to read when the sender dies
       }
     }
-    ASSERT_EQ(rig.tick.felt, old.promise.image_hash) << "cut after " << whole << " frames";
+    ASSERT_EQ(rig.tick.felt(), old.promise.image_hash) << "cut after " << whole << " frames";
   }
   Speaker speaker(rig.settings.path);
   Heard heard = upload(speaker, other);
   EXPECT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
-  EXPECT_EQ(rig.tick.felt, other.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), other.promise.image_hash);
 }
 
 TEST(ControlServer, AnUploadThatStartsAgainBeginsFromTheFront) {
@@ -142,7 +142,7 @@ TEST(ControlServer, WhatCannotBeAnUploadIsRefusedWithASentence) {
   expect_sentence(speaker.hear(), "too short for its kind");
   speaker.say(static_cast<Kind>(100));
   expect_sentence(speaker.hear(), "does not know the request");
-  EXPECT_EQ(rig.tick.generation, 0U);
+  EXPECT_EQ(rig.tick.generation(), 0U);
   EXPECT_EQ(upload(speaker, ball).kind, Kind::kAccepted) << "and the connection is as good as before";
 }
 
@@ -206,11 +206,11 @@ TEST(ControlServer, PatchesAreFeltOneAfterTheOther) {
     ASSERT_EQ(heard.kind, Kind::kAccepted) << heard.refusal();
     const auto accepted = protocol::decode<protocol::Accepted>(heard.body);
     EXPECT_EQ(accepted->image_hash, store::ball_image(which).view().hash());
-    EXPECT_EQ(rig.tick.felt, accepted->image_hash);
-    EXPECT_EQ(rig.tick.generation, accepted->generation);
+    EXPECT_EQ(rig.tick.felt(), accepted->image_hash);
+    EXPECT_EQ(rig.tick.generation(), accepted->generation);
   }
   expect_sentence(send_patch(speaker, patch_of_balls(2, 3)), "this patch is for the field ");
-  EXPECT_EQ(rig.tick.felt, store::ball_image(7).view().hash());
+  EXPECT_EQ(rig.tick.felt(), store::ball_image(7).view().hash());
   EXPECT_EQ(send_patch(speaker, patch_of_balls(7, 1)).kind, Kind::kAccepted);
 }
 
@@ -229,7 +229,7 @@ TEST(ControlServer, APatchCutAtAnyFrameLeavesTheFieldBefore) {
     for (std::size_t i = 0; i < whole; ++i) speaker.send(frames[i]);
     speaker.send(std::span(frames[whole]).first(frames[whole].size() / 2));
     EXPECT_TRUE(whole == 0 || speaker.hear().kind == Kind::kDone);
-    ASSERT_EQ(rig.tick.felt, before) << "cut after " << whole << " frames";
+    ASSERT_EQ(rig.tick.felt(), before) << "cut after " << whole << " frames";
   }
   Speaker speaker(rig.settings.path);
   speaker.greet();

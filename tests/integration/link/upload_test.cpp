@@ -74,7 +74,7 @@ TEST(Upload, AFieldIsFeltListedAndSelected) {
   Controller controller("unix:" + rig.settings.path);
   EXPECT_EQ(controller.upload(one.promise, one.packed).image_hash, one.promise.image_hash);
   EXPECT_EQ(controller.upload(two.promise, two.packed).image_hash, two.promise.image_hash);
-  EXPECT_EQ(rig.tick.felt, two.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), two.promise.image_hash);
   const std::vector<protocol::FieldEntry> fields = controller.fields();
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_EQ(fields[0].name.view(), "ball");
@@ -82,7 +82,7 @@ TEST(Upload, AFieldIsFeltListedAndSelected) {
   EXPECT_FALSE(fields[0].active != 0);
   EXPECT_TRUE(fields[1].active != 0);
   (void)controller.select(one.promise.image_hash);
-  EXPECT_EQ(rig.tick.felt, one.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), one.promise.image_hash);
   EXPECT_EQ(controller.status().field_hash, one.promise.image_hash);
   EXPECT_THAT(refusal([&] { (void)controller.select(1); }), HasSubstr("no field of this hash"));
 }
@@ -98,9 +98,9 @@ TEST(Upload, WhatIsRefusedIsToldAndTheOldFieldStays) {
   protocol::Begin large = other.promise;
   large.image_bytes = 1U << 30;
   EXPECT_THAT(refusal([&] { (void)controller.upload(large, other.packed); }), HasSubstr("larger --voxel"));
-  EXPECT_EQ(rig.tick.felt, old.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), old.promise.image_hash);
   (void)controller.upload(other.promise, other.packed);
-  EXPECT_EQ(rig.tick.felt, other.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), other.promise.image_hash);
 }
 
 TEST(Upload, ASenderThatIsKilledLeavesTheOldField) {
@@ -124,11 +124,11 @@ TEST(Upload, ASenderThatIsKilledLeavesTheOldField) {
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(rig.tick.felt, old.promise.image_hash);
+    EXPECT_EQ(rig.tick.felt(), old.promise.image_hash);
   }
   Controller controller("unix:" + rig.settings.path);
   (void)controller.upload(other.promise, other.packed);
-  EXPECT_EQ(rig.tick.felt, other.promise.image_hash);
+  EXPECT_EQ(rig.tick.felt(), other.promise.image_hash);
 }
 
 /// What came of a recording, checked as it came.
@@ -257,7 +257,7 @@ TEST_F(Ssh, AFieldGoesThroughAProgramThatStandsForIt) {
   const Ball ball(20);
   Controller controller("ssh://me@board:2222" + rig_.settings.path);
   (void)controller.upload(ball.promise, ball.packed);
-  EXPECT_EQ(rig_.tick.felt, ball.promise.image_hash);
+  EXPECT_EQ(rig_.tick.felt(), ball.promise.image_hash);
   std::ifstream words(rig_.scratch.path() / "words");
   std::string line;
   std::getline(words, line);
@@ -304,7 +304,7 @@ TEST_F(Ssh, ARealOneOnThisMachine) {
     const Ball ball(20);
     Controller controller("ssh://127.0.0.1:" + port + rig_.settings.path);
     (void)controller.upload(ball.promise, ball.packed);
-    EXPECT_EQ(rig_.tick.felt, ball.promise.image_hash);
+    EXPECT_EQ(rig_.tick.felt(), ball.promise.image_hash);
   }
   std::ifstream pid_file(at + "/pid");
   pid_t pid = 0;
