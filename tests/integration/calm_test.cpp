@@ -96,7 +96,7 @@ struct Error {
   double buzz() const { return std::sqrt(std::max(rms() * rms() - offset() * offset(), 0.0)); }
 };
 
-TEST(Calm, ATremblingHandAtRestFeelsTheExactForce) {
+TEST(CalmHeavy, ATremblingHandAtRestFeelsTheExactForce) {
   const char* data = std::getenv("ISOTOUCH_DATA");
   if (data == nullptr) GTEST_SKIP() << "ISOTOUCH_DATA is not set";
 

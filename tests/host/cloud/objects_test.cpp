@@ -109,7 +109,7 @@ struct Published {
   std::array<double, 3> grid;  ///< 0 where the paper names none
 };
 
-TEST(Objects, AreClosedBodiesOfOnePieceInThePublishedSizes) {
+TEST(ObjectsHeavy, AreClosedBodiesOfOnePieceInThePublishedSizes) {
   const std::map<std::string, Published> published = {{"hydrant", {586222, {0, 187, 0}}},
                                                       {"owl", {824436, {186, 173, 87}}},
                                                       {"boy", {304072, {126, 187, 72}}},

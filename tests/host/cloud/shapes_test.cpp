@@ -83,7 +83,7 @@ TEST(Shapes, ScatteredPointsLieOnTheSurfaceAndKnowItsNormal) {
   }
 }
 
-TEST(Shapes, NoDistanceExceedsTheWayToTheSurfaceAndTheExactOnesReachIt) {
+TEST(ShapesHeavy, NoDistanceExceedsTheWayToTheSurfaceAndTheExactOnesReachIt) {
   for (const std::string& name : shape_names()) {
     const Shape object = shape(name);
     const OrientedPoints surface = scatter_on_shape(object, 3000, 6);

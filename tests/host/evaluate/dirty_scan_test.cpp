@@ -42,7 +42,7 @@ TEST(DirtyScans, AreTwentyOfThirtyKindsWithNamesOfTheirOwn) {
   EXPECT_EQ(dirty_scans().size(), 20U);
 }
 
-TEST(DirtyScans, OfATorusComeOutRight) {
+TEST(DirtyScansHeavy, OfATorusComeOutRight) {
   for (const DirtyRow& row :
        rows("torus", false, test::examples<std::string>({"noise 25 %", "strays 5 %", "tilt 30°", "flipped 40 %", "no normals"}))) {
     EXPECT_EQ(row.refused, "") << row.dirt;
@@ -76,14 +76,14 @@ TEST(DirtyScansHeavy, OfOneSideAreClosedAlongTheLineOfSight) {
   }
 }
 
-TEST(DirtyScans, OfOtherBodiesAreEachWholeAndFromOneSide) {
+TEST(DirtyScansHeavy, OfOtherBodiesAreEachWholeAndFromOneSide) {
   const std::vector<DirtyScan> scans = dirty_scans({cloud::shape("box"), cloud::shape("owl")});
   ASSERT_EQ(scans.size(), 4U);
   EXPECT_EQ(scans[1].name(), "owl");
   EXPECT_EQ(scans[3].name(), "owl, one side");
 }
 
-TEST(DirtyScans, StraysLeaveNothingInTheAir) {
+TEST(DirtyScansHeavy, StraysLeaveNothingInTheAir) {
   for (const DirtyRow& row : rows("sphere", false, {"strays 2 %", "strays 5 %"}, 2)) {
     EXPECT_EQ(row.pieces, 1U) << row.dirt;
     EXPECT_LT(row.truth_rms, 0.06) << row.dirt;
@@ -114,7 +114,7 @@ void expect_nearer(const std::vector<Rival>& rivals) {
   }
 }
 
-TEST(DirtyScans, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
+TEST(DirtyScansHeavy, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "tilt 30°", 0.749, 0.409},
                  {"owl", "tilt 30°", 0.532, 0.318},
                  {"plate", "tilt 30°", 0.521, 0.420},
@@ -123,7 +123,7 @@ TEST(DirtyScans, WithTiltedNormalsAreNearerToTheTruthThanPoisson) {
                  {"box", "tilt 30°", 0.513, 0.336}});
 }
 
-TEST(DirtyScans, WithMuchNoiseAreNearerToTheTruthThanPoisson) {
+TEST(DirtyScansHeavy, WithMuchNoiseAreNearerToTheTruthThanPoisson) {
   expect_nearer({{"hydrant", "noise 50 %", 0.981, 0.698}, {"plate", "noise 50 %", 0.765, 0.691}});
 }
 

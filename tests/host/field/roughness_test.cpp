@@ -25,7 +25,7 @@ OrientedPoints detailed() { return cloud::sample_shape(cloud::shape("hydrant"), 
 
 Roughness of(OrientedPoints points, double spacing) { return roughness(Scan(std::move(points)), spacing); }
 
-TEST(Roughness, DetailAloneIsNoNoise) {
+TEST(RoughnessHeavy, DetailAloneIsNoNoise) {
   const OrientedPoints points = detailed();
   const double spacing = cloud::median_spacing(points.positions);
   const Roughness found = of(points, spacing);
@@ -54,7 +54,7 @@ Roughness of_ball(const std::function<double(std::size_t)>& height) {
   return of(std::move(points), spacing);
 }
 
-TEST(Roughness, TellsTwoLayersFromNoise) {
+TEST(RoughnessHeavy, TellsTwoLayersFromNoise) {
   cloud::Random random(5);
   for (const double size : {0.1, 0.25, 0.5}) {
     EXPECT_LT(of_ball([&](std::size_t) { return size * scatter(random).x(); }).layered, 0.83) << size;

@@ -28,7 +28,7 @@ std::size_t wrong_signs(const BandField& field, const cloud::Shape& truth) {
   return wrong;
 }
 
-class BumpsOfAHydrant : public ::testing::Test {
+class BumpsOfAHydrantHeavy : public ::testing::Test {
  protected:
   const cloud::Shape truth = cloud::shape("hydrant");
   cloud::OrientedPoints points = cloud::sample_shape(truth, 3756);
@@ -40,7 +40,7 @@ class BumpsOfAHydrant : public ::testing::Test {
   }
 };
 
-TEST_F(BumpsOfAHydrant, AreFewInNoise) {
+TEST_F(BumpsOfAHydrantHeavy, AreFewInNoise) {
   const double deviation = 0.25 * cloud::median_spacing(points.positions);
   for (Vector3d& p : points.positions) {
     for (double& x : p) {
@@ -52,14 +52,14 @@ TEST_F(BumpsOfAHydrant, AreFewInNoise) {
   EXPECT_LT(wrong(), 800U);  // with the models alone 1560
 }
 
-TEST_F(BumpsOfAHydrant, AreFewBesideTurnedNormals) {
+TEST_F(BumpsOfAHydrantHeavy, AreFewBesideTurnedNormals) {
   for (Vector3d& normal : points.normals) {
     if (random.uniform() < 0.06) normal = -normal;
   }
   EXPECT_LT(wrong(), 180U);  // with the models alone 264
 }
 
-TEST_F(BumpsOfAHydrant, AreFewBesideStrays) {
+TEST_F(BumpsOfAHydrantHeavy, AreFewBesideStrays) {
   for (int n = 0; n < 200; ++n) {
     const Vector3d place = Vector3d::NullaryExpr([&](Eigen::Index axis) { return random.uniform(truth.low[axis], truth.high[axis]); });
     points.positions.push_back(place);

@@ -207,7 +207,7 @@ TEST(SoundScan, NormalsWithoutMeaningAreLeftAndSaidToBeDoubtful) {
   EXPECT_THAT(scan.warnings(), Contains(HasSubstr("do not agree")));
 }
 
-TEST(SoundScan, FindsMostStraysAndHardlyASoundPoint) {
+TEST(SoundScanHeavy, FindsMostStraysAndHardlyASoundPoint) {
   const OrientedPoints points = of("owl");
   for (const double share : test::examples<double>({0.1, 0.02, 0.2})) {
     OrientedPoints more = points;

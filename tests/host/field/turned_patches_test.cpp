@@ -30,7 +30,7 @@ std::size_t wrong(const Scan& scan, const OrientedPoints& truth) {
   return count;
 }
 
-TEST(TurnedPatches, AreTurnedBackWhateverTheirSize) {
+TEST(TurnedPatchesHeavy, AreTurnedBackWhateverTheirSize) {
   for (const std::string& name : test::examples<std::string>({"owl", "torus", "hydrant", "jaguar"})) {
     const OrientedPoints truth = cloud::sample_shape(cloud::shape(name), 4000);
     for (const std::size_t count : {40U, 200U, 500U}) {

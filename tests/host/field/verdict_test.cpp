@@ -54,7 +54,7 @@ TEST(Verdict, TheVolumeOfTheHullIsThatOfGeometry) {
   EXPECT_NEAR(verdict_of(of("torus")).volume_of_hull, torus / hull, 0.06);
 }
 
-TEST(Verdict, WithoutNormalsAThinWallIsNoNoise) {
+TEST(VerdictHeavy, WithoutNormalsAThinWallIsNoNoise) {
   OrientedPoints wall = cloud::sample_shape(cloud::shape("sphere"), 4000);
   const double spacing = cloud::median_spacing(wall.positions);
   Random random(3);
@@ -67,7 +67,7 @@ TEST(Verdict, WithoutNormalsAThinWallIsNoNoise) {
   EXPECT_THAT(verdict.reasons, Contains(HasSubstr("two layers")));
 }
 
-TEST(Verdict, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
+TEST(VerdictHeavy, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
   const OrientedPoints points = of("sphere", 5000);
   const double spacing = cloud::median_spacing(points.positions);
   for (const double apart : test::examples<double>({4.0, 7.0})) {
@@ -84,7 +84,7 @@ TEST(Verdict, HalvesOfAScanThatOverlapBesideEachOtherAreRefused) {
   EXPECT_THAT(verdict_of(points).reasons, IsEmpty());
 }
 
-TEST(Verdict, AWallSeenThroughAnOpeningIsRefused) {
+TEST(VerdictHeavy, AWallSeenThroughAnOpeningIsRefused) {
   const OrientedPoints ball = of("sphere", 5000);
   OrientedPoints seen = ball;
   for (std::size_t i = 0; i < ball.size(); ++i) {
@@ -95,7 +95,7 @@ TEST(Verdict, AWallSeenThroughAnOpeningIsRefused) {
   EXPECT_THAT(verdict_of(seen).reasons, Contains(HasSubstr("form patches")));
 }
 
-TEST(Verdict, WallsThinnerThanTheVoxelsAllowAreRefused) {
+TEST(VerdictHeavy, WallsThinnerThanTheVoxelsAllowAreRefused) {
   const auto plate = [](double voxel) {
     Progress progress;
     return scan_field(sound_scan(of("plate")), voxel, kBand, progress).verdict;
@@ -108,7 +108,7 @@ TEST(Verdict, WallsThinnerThanTheVoxelsAllowAreRefused) {
   EXPECT_LT(fine.thin_share, 0.2);
 }
 
-TEST(Verdict, CoordinatesOfTooFewDigitsAreRefused) {
+TEST(VerdictHeavy, CoordinatesOfTooFewDigitsAreRefused) {
   const auto rounded = [](const char* shape, double step) {
     OrientedPoints points = of(shape, 6000);
     for (Vector3d& p : points.positions) p = step * (p / step).array().round().matrix();
@@ -131,7 +131,7 @@ TEST(Verdict, LinesFarApartNeedNormals) {
   EXPECT_THAT(reasons(0.26), Contains(HasSubstr("scan more lines")));
 }
 
-TEST(Verdict, NormalsWithoutMeaningAreRefused) {
+TEST(VerdictHeavy, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
   EXPECT_THAT(verdict_of(points).reasons, Contains(HasSubstr("normals")));
@@ -229,7 +229,7 @@ OrientedPoints finger(double length) {
   return points;
 }
 
-TEST(Verdict, ASmallEndThatWasCutOffIsFlat) {
+TEST(VerdictHeavy, ASmallEndThatWasCutOffIsFlat) {
   const Verdict verdict = verdict_of(finger(200));
   EXPECT_THAT(verdict.reasons, IsEmpty());
   EXPECT_GT(verdict.invented_share, 0.03);

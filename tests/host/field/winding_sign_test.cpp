@@ -38,7 +38,7 @@ TEST(SampleAreas, GrowWhereSamplesAreFartherApart) {
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0) / (4.0 * std::numbers::pi * 80.0 * 80.0), 1.0, 0.05);
 }
 
-TEST(WindingSign, IsOneInTheBodyAndZeroOutside) {
+TEST(WindingSignHeavy, IsOneInTheBodyAndZeroOutside) {
   for (const char* name : {"sphere", "torus", "box", "capsules"}) {
     const cloud::Shape shape = cloud::shape(name);
     const Scan scan(cloud::sample_shape(shape, 2500));
