@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "host/field/brick_gradient.h"
 #include "host/field/parallel.h"
 #include "host/field/sample_masks.h"
+#include "host/field/sign_step.h"
 #include "host/field/unseen_share.h"
 
 namespace isotouch::field {
@@ -17,25 +19,28 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-/// A brick beside which the surface passes, less than a voxel away.
+/// A brick beside which the surface passes, less than a voxel away, or through which the sign alone draws one.
 struct Crossed {
   std::size_t brick;
   Vector3d place;  ///< its sample nearest to the surface, mm
   Vector3d outward;
-  double area;  ///< square voxels of surface: a sample stands for as much as it is nearer than a voxel
+  double area;  ///< square voxels of surface: as much as each sample is nearer than a voxel, and a whole one for a step of the sign
 };
 
 std::vector<Crossed> crossed_bricks(const BandField& field) {
   std::vector<Crossed> crossed;
   for (std::size_t b = 0; b < field.bricks.size(); ++b) {
     const Brick& brick = field.bricks[b];
-    if (samples_that(brick.distance, [](Four d) { return magnitude(d) < 1.0F; }) == 0) continue;
+    const bool is_near = samples_that(brick.distance, [](Four d) { return magnitude(d) < 1.0F; }) != 0;
+    const BrickMask steps = sign_steps(brick.distance);
+    if (!is_near && steps == 0) continue;
     double area = 0.0;
     int nearest = 0;
+    float least = std::numeric_limits<float>::max();
     for (int s = 0; s < 64; ++s) {
-      const float away = std::abs(brick.distance[static_cast<std::size_t>(s)]);
+      const float away = (steps >> s & 1) != 0 ? 0.0F : std::abs(brick.distance[static_cast<std::size_t>(s)]);
       area += std::max(0.0, 1.0 - static_cast<double>(away));
-      if (away < std::abs(brick.distance[static_cast<std::size_t>(nearest)])) nearest = s;
+      if (away < least) least = away, nearest = s;
     }
     if (area > 0.0) {
       crossed.push_back({b, field.grid.position(4 * brick.cell + Vector3i(nearest & 3, nearest >> 2 & 3, nearest >> 4)),

@@ -7,6 +7,8 @@
 
 #include "host/field/brick_gradient.h"
 #include "host/field/parallel.h"
+#include "host/field/sample_masks.h"
+#include "host/field/sign_step.h"
 
 namespace isotouch::field {
 
@@ -27,8 +29,9 @@ std::vector<Place> beside_surface(const BandField& field, Showing showing) {
   std::vector<Place> places;
   std::size_t beside = 0;
   for (const Brick& brick : field.bricks) {
+    const BrickMask passed = samples_that(brick.distance, [](Four d) { return magnitude(d) < 0.5F; }) | sign_steps(brick.distance);
     for (int s = 0; s < 64; ++s) {
-      if (!(std::abs(brick.distance[static_cast<std::size_t>(s)]) < 0.5F) || beside++ % kStep != 0) continue;
+      if ((passed >> s & 1) == 0 || beside++ % kStep != 0) continue;
       places.push_back({field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)),
                         any_side ? Vector3d(Vector3d::Zero()) : gradient_at(brick, s)});
     }

@@ -222,7 +222,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
          "wall; save the scan with outward normals, or scan more densely");
   limit(verdict.gap_share, most_gaps,
-        per_cent(verdict.gap_share) + " of the surface closes gaps that nobody scanned; scan the missing parts");
+        per_cent(verdict.gap_share) +
+            " of the surface closes gaps that nobody scanned; scan the missing parts, or remove points within the body");
   refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");

@@ -59,6 +59,25 @@ TEST(UnseenShare, OfAWallIsTheSideWithoutPoints) {
   EXPECT_NEAR(invented_surface(wall, sound, spacings).share, inner, 0.1) << "a brick may hold both sides, and is judged once";
 }
 
+TEST(UnseenShare, OfACavityThatTheSignAloneMakesIsItsSurface) {
+  constexpr double kCavity = 8.0, kDeep = 2.5;  // no sample is nearer to the cavity's surface than that
+  const auto with_cavity = [](const Vector3d& p) { return p.norm() < kCavity ? kDeep : std::max(p.norm() - kRadius, -kDeep); };
+  const BandField body = sample_distance(with_cavity, ball().grid, kBand);
+  const double share = kCavity * kCavity / (kCavity * kCavity + kRadius * kRadius);
+  const cloud::OrientedPoints outside = seen(-2.0);
+  const Spacings spacings(outside);
+  EXPECT_NEAR(unseen_share(body, spacings, kGap), share, 0.02);
+  SoundScan sound;
+  sound.points = outside;
+  sound.measured = outside.size();
+  const InventedSurface invented = invented_surface(body, sound, spacings);
+  EXPECT_NEAR(invented.share, share, 0.02);
+  const auto within = [&](const Eigen::Vector3i& cell) {
+    return (body.grid.position(4 * cell) + 1.5 * body.grid.edge * Vector3d::Ones()).norm() < kCavity + 3.0;
+  };
+  EXPECT_TRUE(std::all_of(invented.cells.begin(), invented.cells.end(), within));
+}
+
 TEST(UnseenShare, OfNoSurfaceIsNothing) {
   BandField empty = ball();
   empty.bricks.clear();

@@ -95,6 +95,21 @@ TEST(VerdictHeavy, AWallSeenThroughAnOpeningIsRefused) {
   EXPECT_THAT(verdict_of(seen).reasons, Contains(HasSubstr("form patches")));
 }
 
+TEST(Verdict, ACavityRoundABallInTheBodyIsRefused) {
+  OrientedPoints points = of("box");
+  const OrientedPoints ball = of("sphere", 100);
+  double least = 1e9;
+  for (const Vector3d& p : points.positions) least = std::min(least, p.norm());
+  const double scale = 0.35 * least / ball.positions.front().norm();
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    points.positions.push_back(scale * ball.positions[i]);
+    points.normals.push_back(ball.normals[i]);
+  }
+  const Verdict verdict = verdict_of(points);
+  EXPECT_THAT(verdict.reasons, Contains(HasSubstr("remove points within the body")));
+  EXPECT_GT(verdict.invented_share, 0.01);
+}
+
 TEST(VerdictHeavy, WallsThinnerThanTheVoxelsAllowAreRefused) {
   const auto plate = [](double voxel) {
     Progress progress;
