@@ -48,8 +48,59 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
   }
 }
 
-void merge_duplicates(OrientedPoints& points, CloudReport& report) {
-  const std::vector<std::uint32_t> first = first_at_place(points.positions);
+/// What nanoflann wants to know about the points.
+struct PointsView {
+  const std::vector<Vector3d>& positions;
+
+  std::size_t kdtree_get_point_count() const { return positions.size(); }
+  double kdtree_get_pt(std::size_t index, std::size_t axis) const { return positions[index][static_cast<Eigen::Index>(axis)]; }
+  template <class Box>
+  bool kdtree_get_bbox(Box&) const {
+    return false;
+  }
+};
+
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsView>, PointsView, 3, std::size_t>;
+
+/// The distances from some points, spread over the list, to their nth nearest neighbours, the median of each.
+///
+/// positions  more than N, no two at one place
+template <std::size_t N>
+std::array<double, N + 1> median_distances(const std::vector<Vector3d>& positions, std::size_t asked) {
+  const PointsView view{positions};
+  const Tree tree(3, view, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  std::array<std::vector<double>, N + 1> squared;
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / asked);
+  for (std::size_t i = 0; i < positions.size(); i += step) {
+    std::array<std::size_t, N + 1> indices{};
+    std::array<double, N + 1> distances{};
+    tree.knnSearch(positions[i].data(), N + 1, indices.data(), distances.data());
+    for (std::size_t n = 0; n <= N; ++n) squared[n].push_back(distances[n]);  // the nearest is the point itself
+  }
+  std::array<double, N + 1> medians{};
+  for (std::size_t n = 0; n <= N; ++n) {
+    const auto middle = squared[n].begin() + static_cast<std::ptrdiff_t>(squared[n].size() / 2);
+    std::nth_element(squared[n].begin(), middle, squared[n].end());
+    medians[n] = std::sqrt(*middle);
+  }
+  return medians;
+}
+
+/// A scan that was saved several times, and moved a little each time, lies in clumps: the nearest neighbour of most points is many times nearer than the
+/// next places are.
+///
+/// returns   the largest distance of two points of a clump; 0: there are none
+double clump_size(const std::vector<Vector3d>& positions) {
+  constexpr std::size_t kFar = 16, kAsked = 512;
+  constexpr double kClumped = 0.06;  // random points have 0.21, lines of points 0.125, points on a grid 0.4
+  constexpr double kOfFar = 0.2;     // in the scans that were saved five times the sixteenth neighbour is one place away
+  if (positions.size() <= kFar) return 0.0;
+  const auto distance = median_distances<kFar>(positions, kAsked);
+  return distance[1] < kClumped * distance[kFar] ? kOfFar * distance[kFar] : 0.0;
+}
+
+/// first     of each point, the first one at its place
+void merge_places(OrientedPoints& points, const std::vector<std::uint32_t>& first, CloudReport& report) {
   struct Place {
     Vector3d normals = Vector3d::Zero();  ///< their sum
     double stiffness = 0;                 ///< also
@@ -97,39 +148,24 @@ void merge_duplicates(OrientedPoints& points, CloudReport& report) {
   if (has_stiffness) points.stiffness.resize(kept);
 }
 
-/// What nanoflann wants to know about the points.
-struct PointsView {
-  const std::vector<Vector3d>& positions;
-
-  std::size_t kdtree_get_point_count() const { return positions.size(); }
-  double kdtree_get_pt(std::size_t index, std::size_t axis) const { return positions[index][static_cast<Eigen::Index>(axis)]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
-};
+void merge_duplicates(OrientedPoints& points, CloudReport& report) {
+  merge_places(points, first_at_place(points.positions), report);
+  const double size = clump_size(points.positions);
+  if (size == 0.0) return;
+  OrientedPoints merged = points;
+  CloudReport told = report;
+  merge_places(merged, first_at_place(merged.positions, size), told);
+  if (told.two_faced) return;  // the clumps are the two sides of a wall
+  told.two_faced = report.two_faced;
+  points = std::move(merged);
+  report = std::move(told);
+}
 
 std::string times(std::size_t count, const char* one, const char* many) { return std::to_string(count) + ' ' + (count == 1 ? one : many); }
 
 }  // namespace
 
-double median_spacing(const std::vector<Vector3d>& positions) {
-  using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsView>, PointsView, 3, std::size_t>;
-  const PointsView view{positions};
-  const Tree tree(3, view, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  std::vector<double> squared;
-  const std::size_t step = std::max<std::size_t>(1, positions.size() / 4096);
-  for (std::size_t i = 0; i < positions.size(); i += step) {
-    const Vector3d& p = positions[i];
-    std::array<std::size_t, 2> indices{};
-    std::array<double, 2> distances{};
-    tree.knnSearch(p.data(), 2, indices.data(), distances.data());
-    squared.push_back(distances[1]);  // the nearest is the point itself: no two share a place any more
-  }
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(*middle);
-}
+double median_spacing(const std::vector<Vector3d>& positions) { return median_distances<1>(positions, 4096)[1]; }
 
 OrientedPoints check(const std::string& name, Model model, CloudReport& report) {
   report.format = model.format;

@@ -40,6 +40,8 @@ struct CloudReport {
 /// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals and stiffnesses; when that mean is
 ///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out,
 ///              unless that happens at a tenth of all places: then the first is kept
+/// clumps       a scan that was saved several times, and moved a little, lies in clumps, each of which becomes one point in the same way; not where a tenth
+///              of the clumps have opposite normals
 ///
 /// name      of the file, for the sentences
 /// fails     InputError: no points, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,

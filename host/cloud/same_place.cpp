@@ -62,9 +62,9 @@ void join_over_borders(const std::vector<Vector3d>& positions, double size, cons
 
 }  // namespace
 
-std::vector<std::uint32_t> first_at_place(const std::vector<Vector3d>& positions) {
+std::vector<std::uint32_t> first_at_place(const std::vector<Vector3d>& positions, double at_least) {
   std::vector<Vector3d> cell_of = positions;  // where all points are at one place, each position is a cell
-  const double size = one_place(positions);
+  const double size = std::max(at_least, one_place(positions));
   if (size > 0.0) {
     for (Vector3d& p : cell_of) p = (p / size).array().floor();
   }

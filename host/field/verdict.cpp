@@ -266,6 +266,13 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
         std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
             " that no points support had to be removed; check the normals and remove strays");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
+  if (sound.outside == Outside::kViewpoint && !verdict.plausible()) {
+    refuse(
+        true,
+        "every normal was turned towards the sensor's place; if not all of the points were seen from there, leave out --viewpoint, or save "
+        "the scan with outward normals");
+    std::rotate(verdict.reasons.begin(), verdict.reasons.end() - 1, verdict.reasons.end());  // it explains the others
+  }
   return verdict;
 }
 

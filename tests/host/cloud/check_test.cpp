@@ -86,6 +86,47 @@ TEST(Check, ACloudSavedOnceForEachSideKeepsOnePointOfEachPlace) {
   EXPECT_THAT(report.warnings(), ::testing::ElementsAre(::testing::HasSubstr("opposite normals")));
 }
 
+/// So many times, each time moved a little at random.
+OrientedPoints saved_again(const OrientedPoints& scan, int times, double moved) {
+  OrientedPoints all = scan;
+  Random random(7);
+  for (int n = 1; n < times; ++n) {
+    for (std::size_t i = 0; i < scan.size(); ++i) {
+      all.positions.emplace_back(scan.positions[i] + moved * Vector3d(random.uniform(-2, 2), random.uniform(-2, 2), random.uniform(-2, 2)));
+      all.normals.push_back(scan.normals[i]);
+    }
+  }
+  return all;
+}
+
+TEST(Check, AScanThatWasSavedSeveralTimesIsOne) {
+  const OrientedPoints cloud = sample_shape(shape("torus"), 1000, 1);
+  const double spacing = median_spacing(cloud.positions);
+  for (const int times : {2, 3, 5}) {
+    for (const double moved : {1e-4, 0.01, 0.02}) {
+      CloudReport report;
+      const OrientedPoints checked = check("cloud", model_of(saved_again(cloud, times, moved * spacing)), report);
+      EXPECT_EQ(checked.positions, cloud.positions) << times << ' ' << moved;
+      EXPECT_EQ(report.merged, static_cast<std::size_t>(times - 1) * 1000);
+    }
+    CloudReport report;
+    (void)check("cloud", model_of(saved_again(cloud, times, 0.2 * spacing)), report);
+    EXPECT_EQ(report.merged, 0U) << "that is noise";
+  }
+}
+
+TEST(Check, TheTwoSidesOfAThinSheetStay) {
+  OrientedPoints sheet = sample_shape(shape("sphere"), 1000, 1);
+  const double thickness = 0.01 * median_spacing(sheet.positions);
+  for (std::size_t i = 0; i < 1000; ++i) {
+    sheet.positions.emplace_back(sheet.positions[i] - thickness * sheet.normals[i]);
+    sheet.normals.emplace_back(-sheet.normals[i]);
+  }
+  CloudReport report;
+  EXPECT_EQ(check("cloud", model_of(sheet), report).positions, sheet.positions);
+  EXPECT_THAT(report.warnings(), ::testing::IsEmpty());
+}
+
 TEST(Check, PointsWithoutNormalsPassAndAreSaidToHaveNone) {
   OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
   cloud.positions.push_back(cloud.positions[3]);

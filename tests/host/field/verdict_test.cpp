@@ -175,6 +175,7 @@ TEST(Verdict, AViewpointTurnsAWholeViewButNotTheHiddenSide) {
   };
   EXPECT_THAT(reasons(view), IsEmpty());
   EXPECT_THAT(reasons(whole), Contains(HasSubstr("had to be turned")));
+  EXPECT_THAT(reasons(whole).front(), HasSubstr("leave out --viewpoint"));
 }
 
 TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
