@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kAsked = 2000;    // points, at most
 constexpr double kUneven = 0.02;        // of a step: what the sums of decimals leave
+constexpr double kAlike = 0.95;         // of the points: rounding leaves half
 constexpr std::size_t kOfEachStep = 4;  // points at least: fewer, and the least difference says nothing
 
 double step_along(const std::vector<Eigen::Vector3d>& positions, int axis) {
@@ -30,10 +31,22 @@ double step_along(const std::vector<Eigen::Vector3d>& positions, int axis) {
   return std::any_of(values.begin(), values.end(), uneven) ? 0.0 : step;
 }
 
+/// Do the points lie in the middle of a lattice's edges, or of its faces? There as many coordinates of each are odd; rounding leaves every number of them.
+bool are_middles(const std::vector<Eigen::Vector3d>& positions, double step) {
+  const auto is_odd = [&](const Eigen::Vector3d& position) {
+    const double steps = ((position - positions.front()) / step).array().round().sum();
+    return std::fmod(steps, 2.0) != 0.0;
+  };
+  const auto odd = static_cast<double>(std::count_if(positions.begin(), positions.end(), is_odd));
+  const double all = static_cast<double>(positions.size());
+  return std::max(odd, all - odd) > kAlike * all;
+}
+
 }  // namespace
 
 double rounding_step(const std::vector<Eigen::Vector3d>& positions) {
-  return std::min({step_along(positions, 0), step_along(positions, 1), step_along(positions, 2)});
+  const double step = std::min({step_along(positions, 0), step_along(positions, 1), step_along(positions, 2)});
+  return step > 0.0 && are_middles(positions, step) ? 2.0 * step : step;
 }
 
 }  // namespace isotouch::field

@@ -7,7 +7,8 @@
 namespace isotouch::field {
 
 /// positions   any length unit, in the file's frame: a rotation hides the steps
-/// returns     the step of which all coordinates differ by whole multiples, the least of the three axes; 0 where an axis has none
+/// returns     the step of which all coordinates differ by whole multiples, the least of the three axes; 0 where an axis has none. Where the points lie in the
+///             middle of a lattice's edges or faces, such as the border of a volume of voxels, the lattice's own step, two of these
 double rounding_step(const std::vector<Eigen::Vector3d>& positions);
 
 }  // namespace isotouch::field

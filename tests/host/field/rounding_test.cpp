@@ -25,6 +25,18 @@ TEST(Rounding, StepsAreFound) {
   EXPECT_NEAR(rounding_step(far_away), 1.0, 1e-6);
 }
 
+TEST(Rounding, TheMiddlesOfALatticesEdgesOrFacesHaveItsStep) {
+  std::vector<Vector3d> edges = owl(2.0);
+  std::vector<Vector3d> faces = edges;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Vector3d along = Vector3d::Unit(static_cast<Eigen::Index>(i % 3));
+    edges[i] += along;
+    faces[i] += Vector3d::Ones() - along;
+  }
+  EXPECT_NEAR(rounding_step(edges), 2.0, 1e-9);
+  EXPECT_NEAR(rounding_step(faces), 2.0, 1e-9);
+}
+
 TEST(Rounding, OneFreeAxisIsEnough) {
   std::vector<Vector3d> positions = owl(2.0);
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y() += 0.01 * static_cast<double>(i % 1000);

@@ -146,6 +146,21 @@ TEST(Verdict, LinesFarApartNeedNormals) {
   EXPECT_THAT(reasons(0.26), Contains(HasSubstr("scan more lines")));
 }
 
+TEST(Verdict, EstimatedNormalsNeedMoreDigits) {
+  SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  const auto reasons = [&](double voxels, bool is_estimated) {
+    sound.rounding = 1.6 * voxels;
+    sound.is_estimated = is_estimated;
+    return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons(4.4, false), IsEmpty());
+  EXPECT_THAT(reasons(4.6, false), Contains(HasSubstr("rounded to steps of 4.6 voxels")));
+  EXPECT_THAT(reasons(2.9, true), IsEmpty());
+  EXPECT_THAT(reasons(3.1, true), Contains(HasSubstr("rounded to steps of 3.1 voxels")));
+}
+
 TEST(VerdictHeavy, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
