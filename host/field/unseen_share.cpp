@@ -29,7 +29,8 @@ std::vector<Place> beside_surface(const BandField& field, Showing showing) {
   std::vector<Place> places;
   std::size_t beside = 0;
   for (const Brick& brick : field.bricks) {
-    const BrickMask passed = samples_that(brick.distance, [](Four d) { return magnitude(d) < 0.5F; }) | sign_steps(brick.distance);
+    const BrickMask near = samples_that(brick.distance, [](Four d) { return magnitude(d) < 0.5F; });
+    const BrickMask passed = any_side ? near : near | sign_steps(brick.distance);
     for (int s = 0; s < 64; ++s) {
       if ((passed >> s & 1) == 0 || beside++ % kStep != 0) continue;
       places.push_back({field.grid.position(4 * brick.cell + Vector3i(s & 3, s >> 2 & 3, s >> 4)),

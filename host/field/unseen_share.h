@@ -13,7 +13,7 @@ inline constexpr double kGap = 1.5;
 
 /// Which points show a place.
 enum class Showing : std::uint8_t {
-  kAny,       ///< all of them
+  kAny,       ///< all of them; what the sign alone draws, such as in a shadow of the only view, is no surface then
   kSameSide,  ///< those that look to the same side as the surface there: the other side of a wall shows nothing of this one
 };
 
