@@ -97,7 +97,7 @@ class Desk:
         self.start("controller.log", self.bin / "isotouchd", "--device", device, "--control", self.room / "control", *options)
         self._await_socket("control", "the controller")
         print(f"controller    on {what}", flush=True)
-        if not within(120, lambda: self.is_in("idle", "ready", "active", "hold")):
+        if not within(120, self.is_homed):
             raise Failure("the device was not homed")
 
     def _await_socket(self, name: str, who: str) -> None:
@@ -132,13 +132,24 @@ class Desk:
     def upload(self, field: str | Path) -> str:
         return self.tell("an upload was refused", "upload", field, "--to", self.control)
 
+    def is_homed(self) -> bool:
+        self.resume_if_busy()
+        return self.is_in("idle", "ready", "active", "hold")
+
     def is_felt(self) -> bool:
-        """Does the hand feel the field? Where a busy machine's late ticks led to a fault, the simulated person resumes, which counts in `resumed`; a real
+        """Does the hand feel the field?"""
+        self.resume_if_busy()
+        return self.is_in("active")
+
+    def resume_if_busy(self) -> None:
+        """Where a busy machine's late ticks, or its late simulated device, led to a fault, the simulated person resumes, which counts in `resumed`; a real
         person does so by hand. A recording that begins in a fault turns its reason into "stopped"."""
-        status = self.status()
-        if self.simulated and status["state"] == "fault" and {"late", "stopped"} & set(status["faults"]):
+        answer = self.ask("status", "--to", self.control, "--json")
+        if not self.simulated or answer.returncode != 0:
+            return
+        status = json.loads(answer.stdout)
+        if status["state"] == "fault" and {"late", "silent", "stopped"} & set(status["faults"]):
             self.resumed += self.ask("resume", "--to", self.control).returncode == 0
-        return bool(status["state"] == "active")
 
     def await_touch(self) -> None:
         if not within(20, self.is_felt):
