@@ -1,7 +1,6 @@
 #include "host/cloud/check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nanoflann.hpp>
 #include <utility>
@@ -61,29 +60,24 @@ struct PointsView {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointsView>, PointsView, 3, std::size_t>;
+constexpr std::size_t kOfLeaf = 10;
 
-/// The distances from some points, spread over the list, to their nth nearest neighbours, the median of each.
+/// Of some points, spread over the list: the median of the distances to the nth nearest of the others.
 ///
-/// positions  more than N, no two at one place
-template <std::size_t N>
-std::array<double, N + 1> median_distances(const std::vector<Vector3d>& positions, std::size_t asked) {
-  const PointsView view{positions};
-  const Tree tree(3, view, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  std::array<std::vector<double>, N + 1> squared;
+/// tree      of the positions, more than n, no two at one place
+/// asked     points, about
+double median_distance(const Tree& tree, const std::vector<Vector3d>& positions, std::size_t nth, std::size_t asked) {
+  std::vector<double> squared;
+  std::vector<std::size_t> indices(nth + 1);
+  std::vector<double> distances(nth + 1);  // the first is the point itself
   const std::size_t step = std::max<std::size_t>(1, positions.size() / asked);
   for (std::size_t i = 0; i < positions.size(); i += step) {
-    std::array<std::size_t, N + 1> indices{};
-    std::array<double, N + 1> distances{};
-    tree.knnSearch(positions[i].data(), N + 1, indices.data(), distances.data());
-    for (std::size_t n = 0; n <= N; ++n) squared[n].push_back(distances[n]);  // the nearest is the point itself
+    tree.knnSearch(positions[i].data(), nth + 1, indices.data(), distances.data());
+    squared.push_back(distances[nth]);
   }
-  std::array<double, N + 1> medians{};
-  for (std::size_t n = 0; n <= N; ++n) {
-    const auto middle = squared[n].begin() + static_cast<std::ptrdiff_t>(squared[n].size() / 2);
-    std::nth_element(squared[n].begin(), middle, squared[n].end());
-    medians[n] = std::sqrt(*middle);
-  }
-  return medians;
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return std::sqrt(*middle);
 }
 
 /// A scan that was saved several times, and moved a little each time, lies in clumps: the nearest neighbour of most points is many times nearer than the
@@ -93,10 +87,12 @@ std::array<double, N + 1> median_distances(const std::vector<Vector3d>& position
 double clump_size(const std::vector<Vector3d>& positions) {
   constexpr std::size_t kFar = 16, kAsked = 512;
   constexpr double kClumped = 0.06;  // random points have 0.21, lines of points 0.125, points on a grid 0.4
-  constexpr double kOfFar = 0.2;     // in the scans that were saved five times the sixteenth neighbour is one place away
+  constexpr double kOfFar = 0.2;     // of a scan that was saved five times, the sixteenth neighbour is one place away
   if (positions.size() <= kFar) return 0.0;
-  const auto distance = median_distances<kFar>(positions, kAsked);
-  return distance[1] < kClumped * distance[kFar] ? kOfFar * distance[kFar] : 0.0;
+  const PointsView view{positions};
+  const Tree tree(3, view, {kOfLeaf});
+  const double far = median_distance(tree, positions, kFar, kAsked);
+  return median_distance(tree, positions, 1, kAsked) < kClumped * far ? kOfFar * far : 0.0;
 }
 
 /// first     of each point, the first one at its place
@@ -165,7 +161,10 @@ std::string times(std::size_t count, const char* one, const char* many) { return
 
 }  // namespace
 
-double median_spacing(const std::vector<Vector3d>& positions) { return median_distances<1>(positions, 4096)[1]; }
+double median_spacing(const std::vector<Vector3d>& positions) {
+  const PointsView view{positions};
+  return median_distance(Tree(3, view, {kOfLeaf}), positions, 1, 4096);
+}
 
 OrientedPoints check(const std::string& name, Model model, CloudReport& report) {
   report.format = model.format;
