@@ -133,22 +133,22 @@ class Desk:
         return self.tell("an upload was refused", "upload", field, "--to", self.control)
 
     def is_homed(self) -> bool:
-        self.resume_if_busy()
-        return self.is_in("idle", "ready", "active", "hold")
+        """A simulated device that a busy machine made silent before, or late, is resumed."""
+        if not self.is_in("fault"):
+            return self.is_in("idle", "ready", "active", "hold")
+        self.resume_after(self.status(), "late", "silent", "stopped")
+        return False
 
     def is_felt(self) -> bool:
-        """Does the hand feel the field?"""
-        self.resume_if_busy()
-        return self.is_in("active")
+        """Does the hand feel the field? Where a busy machine's late ticks led to a fault, it is resumed. A recording that begins in a fault turns its reason
+        into "stopped"."""
+        status = self.status()
+        self.resume_after(status, "late", "stopped")
+        return bool(status["state"] == "active")
 
-    def resume_if_busy(self) -> None:
-        """Where a busy machine's late ticks, or its late simulated device, led to a fault, the simulated person resumes, which counts in `resumed`; a real
-        person does so by hand. A recording that begins in a fault turns its reason into "stopped"."""
-        answer = self.ask("status", "--to", self.control, "--json")
-        if not self.simulated or answer.returncode != 0:
-            return
-        status = json.loads(answer.stdout)
-        if status["state"] == "fault" and {"late", "silent", "stopped"} & set(status["faults"]):
+    def resume_after(self, status: dict[str, Any], *faults: str) -> None:
+        """The simulated person resumes after these faults, which counts in `resumed`; a real person does so by hand."""
+        if self.simulated and status["state"] == "fault" and set(faults) & set(status["faults"]):
             self.resumed += self.ask("resume", "--to", self.control).returncode == 0
 
     def await_touch(self) -> None:

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What hil/soak promises."""
 
+import json
 import subprocess
 import unittest
 
@@ -56,12 +57,21 @@ class SoakTest(unittest.TestCase):
 
     def test_late_ticks_of_a_busy_machine_are_resumed_and_no_other_fault(self) -> None:
         desk = fakes.load("soak").Desk("BIN")
-        for simulated, fault, resumed in ((True, "late", 1), (True, "stopped", 1), (True, "penetration", 0), (False, "late", 0)):
+        for simulated, fault, resumed in ((True, "late", 1), (True, "stopped", 1), (True, "silent", 0), (True, "penetration", 0), (False, "late", 0)):
             with self.subTest(fault, simulated=simulated), desk:
                 desk.simulated, desk.resumed = simulated, 0
                 desk.status = lambda: {"state": "fault", "faults": [fault]}
                 desk.ask = lambda *_: subprocess.CompletedProcess([], 0)
                 self.assertFalse(desk.is_felt())
+                self.assertEqual(desk.resumed, resumed)
+
+    def test_before_homing_a_silent_simulated_device_is_resumed(self) -> None:
+        desk = fakes.load("soak").Desk("BIN")
+        for simulated, fault, resumed in ((True, "silent", 1), (True, "late", 1), (True, "penetration", 0), (False, "silent", 0)):
+            with self.subTest(fault, simulated=simulated), desk:
+                desk.simulated, desk.resumed = simulated, 0
+                desk.ask = lambda *_: subprocess.CompletedProcess([], 0, json.dumps({"state": "fault", "faults": [fault]}))
+                self.assertFalse(desk.is_homed())
                 self.assertEqual(desk.resumed, resumed)
 
     def test_gaps_are_counted_between_ticks_alone(self) -> None:
