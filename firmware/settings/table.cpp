@@ -139,7 +139,7 @@ constexpr Setting kTable[] = {
     of("limits", rows::kPenetration, &S::penetration_mm),
     of("limits", rows::kSpeed, &S::speed_mm_s),
     of("limits", rows::kHoldTicks, "hold_ms", "ms", kMsPerTick, &S::hold_ms,
-       "time without a fresh packet until the force stops; at least two ticks"),
+       "time without a fresh packet, or of missed ticks, until the force stops; at least two ticks"),
     of("limits", rows::kFaultAge, "fault_age_ms", "ms", 1e-6, &S::fault_age_ms, rows::kFaultAge.meaning),
     of("limits", rows::kCountJump, &S::count_jump),
     of("limits", rows::kRestRampTicks, "ramp_after_rest_ms", "ms", kMsPerTick, &S::ramp_after_rest_ms,
