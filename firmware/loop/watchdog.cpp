@@ -21,7 +21,8 @@ Watchdog::Watchdog(const WatchdogSettings& settings, SafetyLines& lines, Clock& 
 }
 
 void Watchdog::step() {
-  next_ns_ = std::max(next_ns_ + settings_.step_ns, clock_.now_ns());
+  const std::int64_t begin = clock_.now_ns();  // before its time, where an edge ended the last wait
+  next_ns_ = std::clamp(next_ns_ + settings_.step_ns, begin, begin + settings_.step_ns);
   lines_.wait(next_ns_);
   const std::int64_t now = clock_.now_ns();
   const std::uint64_t ticks = ticks_.value();

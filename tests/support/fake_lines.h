@@ -1,6 +1,9 @@
 /// Lines whose ends a test holds.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "firmware/loop/clock.h"
 #include "firmware/loop/safety_lines.h"
 
@@ -13,11 +16,12 @@ class FakeLines final : public loop::SafetyLines {
   bool pressed = false;
   bool stuck_on = false, stuck_off = false;  ///< the enable's relay
   loop::LineOutputs out;
-  std::int64_t edge_ns = 0;  ///< of the stop
-  bool sleeps = true;        ///< else somebody else moves the time
+  std::int64_t edge_ns = 0;   ///< of the stop
+  bool sleeps = true;         ///< else somebody else moves the time
+  std::int64_t edges_ns = 0;  ///< so long after a wait begins, an edge ends it; 0: none does
 
   void wait(std::int64_t until_ns) override {
-    if (sleeps) clock_.sleep_until_ns(until_ns);
+    if (sleeps) clock_.sleep_until_ns(edges_ns > 0 ? std::min(until_ns, clock_.now_ns() + edges_ns) : until_ns);
   }
   loop::LineInputs read() override {
     if (pressed != was_pressed_) edge_ns = clock_.now_ns();

@@ -81,6 +81,18 @@ TEST(Watchdog, ItsStepsStayOnTheirGridHoweverLongTheirWorkTakes) {
   EXPECT_EQ(bench.clock.now_ns(), held + 1'000'000) << "what was missed is not made up for";
 }
 
+TEST(Watchdog, EdgesThatEndWaitsEarlyDoNotPutOffTheNextLook) {
+  Bench bench;
+  bench.lines.edges_ns = 100'000;
+  bench.run(10'000);
+  bench.lines.edges_ns = 0;
+  for (int t = 0; t < 10; ++t) {
+    const std::int64_t before = bench.clock.now_ns();
+    bench.run(1);
+    ASSERT_EQ(bench.clock.now_ns() - before, 1'000'000) << "as if nothing had been";
+  }
+}
+
 TEST(Watchdog, BeforeTheFirstTickThereIsNeither) {
   Bench bench;
   bench.in(S::kActive);
