@@ -1,5 +1,8 @@
 #include "host/files/whole_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -9,6 +12,7 @@
 #include <utility>
 
 #include "host/error.h"
+#include "shared/files/sync_folder.h"
 
 namespace isotouch {
 namespace {
@@ -90,12 +94,15 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
     std::filesystem::remove(temporary, failed);
     return refusal(file, "cannot be written: " + reason(error_number));
   };
-  Stream stream(std::fopen(temporary.c_str(), "wb"));
+  const int part = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (part < 0 && errno == ELOOP) throw refusal(temporary, "is a symbolic link, which may lead anywhere; remove it");
+  Stream stream(part < 0 ? nullptr : ::fdopen(part, "wb"));
   if (!stream) throw refusal(file, "cannot be written: " + reason(errno));
-  if (!write_all(stream.get(), data, size)) throw give_up(errno);
+  if (!write_all(stream.get(), data, size) || std::fflush(stream.get()) != 0 || ::fsync(part) != 0) throw give_up(errno);
   if (std::fclose(stream.release()) != 0) throw give_up(errno);
   std::filesystem::rename(temporary, file, failed);
   if (failed) throw give_up(failed.value());
+  if (!files::sync_folder_of(file)) throw refusal(file, "is written, but may be lost with the power: " + reason(errno));
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

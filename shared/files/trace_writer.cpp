@@ -12,6 +12,7 @@
 
 #include "shared/bytes.h"
 #include "shared/files/scoped_file.h"
+#include "shared/files/sync_folder.h"
 
 namespace isotouch::files {
 
@@ -118,7 +119,7 @@ Refusal TraceWriter::finish(Keep keep) {
   const bool wanted = records() > 0 || keep == Keep::kAllOrNothing;
   const TraceHeaderBytes bytes = encode(header_);
   const bool kept = whole && wanted && ::pwrite(file_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()) &&
-                    ::fsync(file_) == 0 && std::rename(part().c_str(), path_.c_str()) == 0;
+                    ::fsync(file_) == 0 && std::rename(part().c_str(), path_.c_str()) == 0 && sync_folder_of(path_);
   const int why = errno;
   ::close(std::exchange(file_, -1));
   if (!kept) {

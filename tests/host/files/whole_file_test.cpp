@@ -59,6 +59,16 @@ TEST(Files, ARefusalNamesTheFileAndTheReason) {
             folder.path().string() + ": cannot be written: it is a folder, name a file");
 }
 
+TEST(Files, ALinkThatSomebodyLaidInTheWayIsNotFollowed) {
+  const ScratchFolder folder;
+  const std::filesystem::path victim = folder.path() / "victim", file = folder.path() / "file";
+  write_file(victim, "kept");
+  std::filesystem::create_symlink(victim, file.string() + ".part");
+  EXPECT_THROW(write_file(file, "new"), InputError);
+  EXPECT_EQ(std::filesystem::file_size(victim), 4U);
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST(Files, AFailedWriteLeavesTheOldFile) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const std::vector<std::uint8_t> bytes(100000);

@@ -1,0 +1,16 @@
+/// After a rename: the new name survives a power cut.
+///
+/// tick      no: it waits for the disk
+#pragma once
+
+#include <string>
+
+namespace isotouch::files {
+
+/// Syncs the folder that a file is in. A file system that cannot sync folders has nothing to wait for.
+///
+/// file      its path
+/// returns   false: the folder cannot be opened or the disk failed; errno says why
+bool sync_folder_of(const std::string& file);
+
+}  // namespace isotouch::files
