@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "shared/files/sync_folder.h"
+
 namespace isotouch::recording {
 
 namespace {
@@ -55,8 +57,10 @@ Refusal PatchWriter::finish() {
   const bool written = ::fsync(file_) == 0;
   const bool closed = ::close(file_) == 0;
   file_ = -1;
-  if (written && closed && std::rename(part().c_str(), path_.c_str()) == 0) return {};
-  return because(path_, "the patches of the recording cannot be written", errno);
+  if (written && closed && std::rename(part().c_str(), path_.c_str()) == 0 && files::sync_folder_of(path_)) return {};
+  Refusal refusal = because(path_, "the patches of the recording cannot be written", errno);
+  ::unlink(part().c_str());
+  return refusal;
 }
 
 void PatchWriter::discard() {

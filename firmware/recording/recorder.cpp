@@ -31,11 +31,11 @@ Recorder::~Recorder() {
   last_ticks_.end();
 }
 
-/// What a killed run left becomes a file of its own; then the place is this run's.
+/// What a killed run left becomes a file of its own; then the place is this run's. Where that cannot be, the place stays what it is.
 void Recorder::keep_last_ticks() {
   const std::string place = settings_.state + "/last-ticks";
   TraceHeader header;
-  const std::vector<LastTick> left = settings_.crashed ? LastTicks::read(place, header) : std::vector<LastTick>{};
+  const std::vector<LastTick> left = LastTicks::read(place, header);  // an orderly end leaves nothing
   if (!left.empty()) {
     const std::string path = free_path("crash");
     TickWriter writer;
@@ -44,7 +44,8 @@ void Recorder::keep_last_ticks() {
       if (!refusal) refusal = writer.append(last.tick);
     }
     if (Refusal unfinished = writer.finish(left.back().field_hash)) refusal = std::move(unfinished);
-    tell_(refusal ? refusal.sentence() : path + ": the last ticks of the run before");
+    if (refusal) return tell_(refusal.sentence() + "; they stay in " + place + ", and this run keeps none: free space and start again");
+    tell_(path + ": the last ticks of the run before");
   }
   if (const Refusal refusal = last_ticks_.begin(place, settings_.header, memory_.size())) tell_(refusal.sentence());
 }
@@ -65,6 +66,7 @@ Refusal Recorder::start(const std::string& path) {
   hash_ = 0;
   if (Refusal refusal = writer_.begin(path, settings_.header)) return refusal;
   patch_writer_.begin(path);
+  record_patches(true);
   requests_.ask(kRequestRestart);
   return {};
 }
@@ -76,8 +78,19 @@ void Recorder::stop() {
 
 void Recorder::tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch) {
   const std::lock_guard guard(patches_mutex_);
-  if (patches_.size() == kPatchesKept) patches_.pop_front();
+  const auto is_too_much = [&] { return patches_.size() == kPatchesKept || patch_bytes_ + patch.size() > kPatchBytesKept; };
+  while (!patches_.empty() && (!records_patches_ || is_too_much())) {
+    patch_bytes_ -= patches_.front().bytes.size();
+    patches_.pop_front();
+  }
   patches_.push_back({hash_after, {patch.begin(), patch.end()}});
+  patch_bytes_ += patch.size();
+}
+
+/// The last that was told stays: its tick may come after a recording has begun.
+void Recorder::record_patches(bool wanted) {
+  const std::lock_guard guard(patches_mutex_);
+  records_patches_ = wanted;
 }
 
 void Recorder::drain() {
@@ -118,6 +131,7 @@ Refusal Recorder::record_patch(std::uint32_t moved_to) {
     const auto found = std::find_if(patches_.begin(), patches_.end(),
                                     [=](const Patch& one) { return static_cast<std::uint32_t>(one.hash_after) == moved_to; });
     if (found == patches_.end()) return "a patch was not kept until its tick came";
+    for (auto one = patches_.begin(); one != found + 1; ++one) patch_bytes_ -= one->bytes.size();
     patch = std::move(*found);
     patches_.erase(patches_.begin(), found + 1);
   }
@@ -144,11 +158,15 @@ void Recorder::remember(const loop::TickRecord& tick) {
 }
 
 void Recorder::end(const std::string& why) {
+  record_patches(false);
   const std::string& path = writer_.path();
-  if (const Refusal refusal = patch_writer_.finish()) tell_(refusal.sentence());
   const Refusal refusal = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
+  if (records == 0) patch_writer_.discard();
+  const Refusal without = patch_writer_.finish();  // after the trace: patches alone would stand beside an older one
+  if (refusal || without) lost_a_recording_ = true;
   if (refusal) return tell_(refusal.sentence());
+  if (without) return tell_(without.sentence() + "; without them " + path + " does not replay");
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);
 }
 

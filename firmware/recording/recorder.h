@@ -34,7 +34,6 @@ struct RecorderSettings {
   std::size_t remembered = 5000;  ///< ticks before a fault
   std::size_t after_fault = 500;  ///< ticks after it, saved too
   std::size_t most_saved = 16;    ///< in one run of the program
-  bool crashed = false;           ///< the run before had no orderly end: what it left of its last ticks is saved
 };
 
 class Recorder {
@@ -57,11 +56,15 @@ class Recorder {
   /// Ends the recording. Any thread.
   void stop();
 
-  /// A patch is going to be handed to the tick. It is kept until the tick that takes it over comes, or many others were told since. Any thread.
+  /// A patch is going to be handed to the tick. In a recording it is kept until the tick that takes it over comes, or too much was told since; without
+  /// one, until the next is told. Any thread.
   void tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch);
 
   /// The recorder's thread, every 50 ms or so: takes what the ring holds.
   void drain();
+
+  /// A recording has ended that is not whole under its name. Any thread.
+  bool has_lost_a_recording() const { return lost_a_recording_; }
 
   /// Of the newest tick taken; any thread.
   SupervisorState state() const { return static_cast<SupervisorState>(state_.load(std::memory_order_relaxed)); }
@@ -72,6 +75,7 @@ class Recorder {
   void take(const loop::TickRecord& tick);
   void record(const loop::TickRecord& tick);
   Refusal record_patch(std::uint32_t moved_to);
+  void record_patches(bool wanted);
   void remember(const loop::TickRecord& tick);
   void end(const std::string& why);
   void save();
@@ -97,9 +101,11 @@ class Recorder {
     std::uint64_t hash_after = 0;
     std::vector<std::uint8_t> bytes;
   };
-  static constexpr std::size_t kPatchesKept = 64;
+  static constexpr std::size_t kPatchesKept = 64, kPatchBytesKept = 32U << 20U;
   std::mutex patches_mutex_;
-  std::deque<Patch> patches_;  ///< the newest last
+  std::deque<Patch> patches_;    ///< the newest last
+  std::size_t patch_bytes_ = 0;  ///< of all of them
+  bool records_patches_ = false;
 
   LastTicks last_ticks_;                  ///< the same for a kill
   LastTick newest_;                       ///< its field, so that its hash is asked for once
@@ -108,6 +114,7 @@ class Recorder {
   std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
   std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
+  std::atomic<bool> lost_a_recording_{false};
   std::atomic<std::uint16_t> state_{0};
   loop::Latest<files::Condition> condition_;
 };

@@ -1,5 +1,6 @@
 #include "firmware/recording/recorder.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 
 namespace isotouch::recording {
 namespace {
+
+using testing::HasSubstr;
 
 /// The recordings in a state folder.
 std::vector<std::string> saved(const std::string& state) {
@@ -124,6 +127,46 @@ TEST(Recorder, EndsAtAPatchThatIsMissing) {
   EXPECT_FALSE(std::filesystem::exists(patches_of(bench.path)));
 }
 
+TEST(Recorder, OutsideARecordingTheLastPatchAloneIsKept) {
+  for (const bool last : {false, true}) {
+    Bench bench;
+    bench.recorder->tell_patch(1, std::vector<std::uint8_t>{1});
+    bench.recorder->tell_patch(2, std::vector<std::uint8_t>{2});
+    ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+    bench.ticks(5, 1);
+    moved_tick(bench, 2, last ? 2 : 1);
+    bench.recorder->stop();
+    EXPECT_EQ(std::filesystem::exists(patches_of(bench.path)), last);
+    EXPECT_EQ(bench.read(bench.path).size(), last ? 6U : 5U);
+  }
+}
+
+TEST(Recorder, PatchesThatNoTickTakesDoNotFillTheMemory) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(5, 1);
+  const std::vector<std::uint8_t> large(std::size_t{20} << 20U, 7);
+  bench.recorder->tell_patch(1, large);
+  bench.recorder->tell_patch(2, large);
+  moved_tick(bench, 2, 1);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 5 ticks recorded; a patch was not kept until its tick came"});
+}
+
+TEST(Recorder, WithoutItsPatchesARecordingIsLost) {
+  Bench bench;
+  std::filesystem::create_directory(patches_of(bench.path));  // no file can get that name
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(5, 1);
+  bench.recorder->tell_patch(1, std::vector<std::uint8_t>{1});
+  moved_tick(bench, 2, 1);
+  EXPECT_FALSE(bench.recorder->has_lost_a_recording());
+  bench.recorder->stop();
+  EXPECT_TRUE(bench.recorder->has_lost_a_recording());
+  ASSERT_EQ(bench.said.size(), 1U);
+  EXPECT_THAT(bench.said[0], HasSubstr("without them " + bench.path + " does not replay"));
+  EXPECT_FALSE(std::filesystem::exists(patches_of(bench.path) + ".part"));
+}
+
 TEST(Recorder, ThePatchesOfATraceHaveItsName) {
   EXPECT_EQ(patches_of("/a.b/c.trace"), "/a.b/c.patches");
   EXPECT_EQ(patches_of("/a.b/c"), "/a.b/c.patches");
@@ -198,15 +241,19 @@ TEST(Recorder, TheLastTicksOfAKilledRunAreSavedByTheNext) {
   std::filesystem::copy_file(left, aside);  // as a kill leaves it
   bench.recorder.reset();
   EXPECT_FALSE(std::filesystem::exists(left)) << "an orderly end";
-  const auto start = [&](bool crashed) {
-    std::filesystem::copy_file(aside, left, std::filesystem::copy_options::overwrite_existing);
-    RecorderSettings settings{TraceHeader{}, bench.state, 50, 10, 2, crashed};
+  std::string said;
+  const auto start = [&] {
+    const RecorderSettings settings{TraceHeader{}, bench.state, 50, 10, 2};
     const Recorder next(
-        settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [](const std::string&) {});
+        settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [&](const std::string& line) { said = line; });
   };
-  start(false);
-  EXPECT_TRUE(saved(bench.state).empty());
-  start(true);
+  std::filesystem::copy_file(aside, left);
+  std::filesystem::create_symlink("nowhere", bench.state + "/crash-1.trace.part");
+  start();
+  EXPECT_THAT(said, HasSubstr("they stay in " + left));
+  EXPECT_EQ(bytes_of(left), bytes_of(aside)) << "what cannot be saved is not lost";
+  std::filesystem::remove(bench.state + "/crash-1.trace.part");
+  start();
   ASSERT_EQ(saved(bench.state), std::vector<std::string>{"crash-1.trace"});
   const files::TraceFile trace = Bench::read(bench.state + "/crash-1.trace");
   EXPECT_EQ(trace.size(), 61U);
