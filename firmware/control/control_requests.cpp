@@ -36,6 +36,7 @@ ControlRequests::ControlRequests(const TraceHeader& recordings, const ControlNei
       clients_(clients),
       feed_(neighbours.ring, recordings_, neighbours.requests),
       worker_(neighbours.fields, neighbours.calibration),
+      last_worked_for_(clients.size() - 1),
       upload_(neighbours.fields, patience_ns),
       reader_(neighbours.fields),
       scratch_(std::max(kHistogramScratch, protocol::kMaxBody)) {}
@@ -187,7 +188,12 @@ void ControlRequests::start_work(ControlClient& client, FieldWork::Kind kind, co
   // A stored field is read to where an upload is put together.
   if (kind == FieldWork::Kind::kSelect && upload_.is_under_way()) return client.refuse(Kind::kSelect, kSomebodySends);
   worker_.begin({kind, field, {}, client.user});
+  await(client);
+}
+
+void ControlRequests::await(ControlClient& client) {
   awaiting_ = &client;
+  last_worked_for_ = static_cast<std::size_t>(&client - clients_.data());
   client.waiting = true;
 }
 
@@ -299,8 +305,7 @@ void ControlRequests::calibrate(ControlClient& client, const protocol::Calibrate
   work.measured = measured;
   work.user = client.user;
   worker_.begin(work);
-  awaiting_ = &client;
-  client.waiting = true;
+  await(client);
 }
 
 }  // namespace isotouch::control

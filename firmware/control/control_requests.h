@@ -71,6 +71,8 @@ class ControlRequests {
   bool is_sending(const ControlClient& client) const { return upload_.is_from(client); }
   bool sends_too_slowly(const ControlClient& client) const { return upload_.is_too_slow(client, neighbours_.clock.now_ns()); }
   bool is_working() const { return !worker_.is_idle(); }
+  /// The place among the clients of whoever had the worker last.
+  std::size_t last_worked_for() const { return last_worked_for_; }
   /// Readable when `go_on` has something to answer; for poll.
   int bell() const { return worker_.bell(); }
 
@@ -80,6 +82,7 @@ class ControlRequests {
   void commit(ControlClient& client);
   void read_image(ControlClient& client, const protocol::ReadImage& wanted);
   void start_work(ControlClient& client, FieldWork::Kind kind, const protocol::Begin& field);
+  void await(ControlClient& client);
   void finish_work();
   void log_done(const FieldDone& done) const;
   void set(ControlClient& client, const protocol::Set& wanted);
@@ -97,6 +100,7 @@ class ControlRequests {
   TickFeed feed_;
   FieldWorker worker_;
   ControlClient* awaiting_ = nullptr;  ///< whoever asked for the work under way; nullptr: has gone
+  std::size_t last_worked_for_;        ///< place of the client; at first the last one
   Upload upload_;
   FieldReader reader_;
   ControlClient* measuring_ = nullptr;  ///< whoever asked where the arms stand; nullptr: nobody, or has gone

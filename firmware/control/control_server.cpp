@@ -61,7 +61,10 @@ void ControlServer::run() {
     if (!wait(busy)) continue;
     busy = requests_.go_on();
     const std::int64_t now = neighbours_.clock.now_ns();
-    for (ControlClient& client : clients_) {
+    // Whoever comes behind the one that had the worker last begins: nobody who asks and asks keeps it from the others.
+    const std::size_t first = requests_.last_worked_for() + 1;
+    for (std::size_t i = 0; i < clients_.size(); ++i) {
+      ControlClient& client = clients_[(first + i) % clients_.size()];
       if (client.is_open()) serve(client);
       if (client.is_open() && (!client.send(now) || (client.leaving && !client.has_unsent()))) forget(client);
     }

@@ -47,8 +47,12 @@ Refusal relay(const std::string& socket_path, int input, int output) {
            "); start isotouchd, or name its socket, and check that this user may use it";
   }
   std::array<pollfd, 2> both = {{{input, POLLIN, 0}, {socket, POLLIN, 0}}};
+  Refusal refusal;
   for (bool open = true; open;) {
-    if (::poll(both.data(), both.size(), -1) < 0 && errno != EINTR) break;
+    if (::poll(both.data(), both.size(), -1) < 0 && errno != EINTR) {
+      refusal = socket_path + ": the connection cannot be watched: " + std::strerror(errno);
+      break;
+    }
     if (both[1].revents != 0) open = pass_on(socket, output);
     // A controller that refuses closes at once: what it said is still read, though it takes no more.
     if (open && both[0].fd >= 0 && both[0].revents != 0 && !pass_on(input, socket)) {
@@ -58,7 +62,9 @@ Refusal relay(const std::string& socket_path, int input, int output) {
     both[0].revents = both[1].revents = 0;
   }
   ::close(socket);
-  return {};
+  if (!refusal && both[0].fd >= 0)  // nobody here has asked for the end
+    refusal = socket_path + ": the controller ended the connection; see what isotouchd prints";
+  return refusal;
 }
 
 }  // namespace isotouch::control

@@ -213,6 +213,25 @@ TEST(ControlServer, WithoutFileHandlesItWaitsInsteadOfSpinning) {
   EXPECT_EQ(knocking.greet().kind, Kind::kWelcome) << "as soon as there are some again";
 }
 
+TEST(ControlServer, WhoeverAsksAndAsksKeepsTheWorkerFromNobody) {
+  ControlRig rig;
+  Speaker greedy(rig.settings.path), other(rig.settings.path);
+  greedy.greet();
+  ASSERT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted);
+  std::vector<std::uint8_t> once(protocol::kMaxFrame), many;
+  once.resize(protocol::encode(Kind::kReadImage, protocol::ReadImage{0, 1}, once));
+  constexpr std::size_t kTimes = 1000;
+  for (std::size_t n = 0; n < kTimes; ++n) many.insert(many.end(), once.begin(), once.end());
+  greedy.send(many);
+  EXPECT_EQ(greedy.hear().kind, Kind::kImagePart) << "it is at work";
+  other.say(Kind::kFields);
+  EXPECT_EQ(other.hear().kind, Kind::kFieldList);
+  pollfd one{greedy.socket(), POLLIN, 0};
+  std::size_t heard = 1;
+  for (; heard<kTimes&& ::poll(&one, 1, 0)> 0; ++heard) greedy.hear();
+  EXPECT_LT(heard, kTimes / 2) << "the other one had to wait until all of these were answered";
+}
+
 TEST(ControlServer, WhoStopsInTheMiddleIsNotWaitedFor) {
   ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.clients = 1, settings.patience_ns = 50'000'000; });
   Speaker half(rig.settings.path);

@@ -74,6 +74,17 @@ TEST(Relay, WhatARefusingControllerSaysArrives) {
   }
 }
 
+TEST(Relay, AControllerThatGoesIsNoGoodEnd) {
+  ControlRig rig;
+  Relayed relayed(rig.settings.path);
+  relayed.say(hello());
+  EXPECT_EQ(relayed.hear().kind, protocol::Kind::kWelcome);
+  rig.server->stop();
+  EXPECT_EQ(relayed.hear().kind, protocol::Kind{});
+  relayed.join();
+  EXPECT_THAT(relayed.complaint, testing::HasSubstr("the controller ended the connection"));
+}
+
 TEST(Relay, WithoutAControllerItSaysSo) {
   const ScratchFolder scratch;
   const std::string path = (scratch.path() / "none").string();
