@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <string>
 
 #include "firmware/daemon/controller.h"
 #include "firmware/daemon/ending_signals.h"
@@ -21,8 +22,11 @@ int refuse(const char* sentence) {
 
 int run(const Options& options) {
   settings::LiveSettings live(options.settings);
-  const char* socket = std::getenv("NOTIFY_SOCKET");
-  ServiceNotify systemd(socket == nullptr ? "" : socket);
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  ServiceNotify systemd(variable("NOTIFY_SOCKET"), variable("WATCHDOG_USEC"));
   std::uint32_t heat = 0;
   for (bool again = false;; again = true) {
     Controller controller(options, live, systemd, heat);
@@ -33,7 +37,7 @@ int run(const Options& options) {
     heat = controller.heat();
     if (end == Controller::End::kOver) {
       std::fputs(controller.summary().c_str(), stdout);
-      return 0;
+      return controller.has_lost_its_recording() ? 1 : 0;
     }
     systemd.busy();
     std::puts("device: calibrated; the controller starts again with the new angles");
@@ -46,14 +50,14 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace isotouch::daemon;
-  sigset_t signals = ending_signals();
-  sigaddset(&signals, SIGPIPE);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, the controller takes them
   isotouch::loop::limit_stacks();
   try {
     Options options;
     int exit_code = 0;
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
+    sigset_t signals = ending_signals();
+    sigaddset(&signals, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, the controller takes them
     return run(options);
   } catch (const std::exception& error) {
     return refuse(error.what());

@@ -118,7 +118,6 @@ Refusal Controller::load_field(bool again) {
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
   const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
   Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
-  systemd_.busy();  // a large field from a slow card
   if (by_name) return refusal;
   if (refusal) say(refusal.sentence());
   return {};
@@ -126,9 +125,8 @@ Refusal Controller::load_field(bool again) {
 
 Refusal Controller::begin_recording() {
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
-  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16,
-                                                mark_ && mark_->crashed()},
-                    trace_, settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16}, trace_,
+                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
@@ -178,7 +176,10 @@ void Controller::start() {
   memory_check_.emplace(fields_, loop::MemoryCheck::Prepared{loop_->constants(), guard_->constants()});
   records_ = std::thread([this] {
     loop::keep_crash_stack();
-    for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) recorder_->drain();
+    for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) {
+      recorder_->drain();
+      if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();  // here, because it waits for a disk
+    }
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
   const settings::Threads rights = settings::thread_rights(settings_);
@@ -208,7 +209,6 @@ Controller::End Controller::supervise() {
     systemd_.alive(stats_.ticks.value());
     stay_awake();
     check_memory();
-    if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
     if (may_begin_again()) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }

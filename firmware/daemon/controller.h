@@ -68,6 +68,9 @@ class Controller {
   /// As core::heat_input gives it, when it has stopped: for the next run.
   std::uint32_t heat() const { return loop_ ? loop_->heat() : heat_; }
 
+  /// What was to be recorded is not whole under its name. When it has stopped.
+  bool has_lost_its_recording() const { return recorder_ && recorder_->has_lost_a_recording(); }
+
   /// What there is to say when it has stopped.
   std::string summary();
 
@@ -112,6 +115,7 @@ class Controller {
   std::optional<store::LinuxFolder> folder_;
   std::optional<store::FieldStore> store_;
   std::optional<store::CalibrationStore> measured_;
+  std::optional<store::RunMark> mark_;
   std::optional<control::Calibration> calibration_;
   TraceHeader header_;  ///< of every recording
   Lines lines_;
@@ -121,7 +125,6 @@ class Controller {
   std::optional<store::FieldIntake> intake_;
   std::optional<recording::Recorder> recorder_;
   std::optional<control::ControlServer> control_;
-  std::optional<store::RunMark> mark_;
   std::optional<loop::Loop> loop_;
   std::optional<loop::MemoryCheck> memory_check_;
   std::optional<RestOnCrash> crash_;

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace isotouch::daemon {
 
-ServiceNotify::ServiceNotify(const std::string& socket) {
+ServiceNotify::ServiceNotify(const std::string& socket, std::string watchdog_usec) : watchdog_usec_(std::move(watchdog_usec)) {
   sockaddr_un address{};
   if (socket.size() < 2 || socket.size() >= sizeof address.sun_path || (socket[0] != '/' && socket[0] != '@')) return;
   address.sun_family = AF_UNIX;

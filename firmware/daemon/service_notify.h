@@ -12,14 +12,15 @@ namespace isotouch::daemon {
 
 class ServiceNotify {
  public:
-  /// socket    as $NOTIFY_SOCKET: a path, or '@' and an abstract name; empty: nobody listens
-  explicit ServiceNotify(const std::string& socket);
+  /// socket          as $NOTIFY_SOCKET: a path, or '@' and an abstract name; empty: nobody listens
+  /// watchdog_usec   as $WATCHDOG_USEC: the unit's WatchdogSec in microseconds; empty: it has none
+  explicit ServiceNotify(const std::string& socket, std::string watchdog_usec = {});
   ~ServiceNotify();
   ServiceNotify(const ServiceNotify&) = delete;
   ServiceNotify& operator=(const ServiceNotify&) = delete;
 
   void ready() {
-    say("READY=1");
+    say(is_ready_ && !watchdog_usec_.empty() ? "READY=1\nWATCHDOG_USEC=" + watchdog_usec_ : "READY=1");
     is_ready_ = true;
   }
   void ending() const { say("STOPPING=1"); }
@@ -30,16 +31,17 @@ class ServiceNotify {
   /// service and starts it anew.
   void alive(std::uint64_t ticks);
 
-  /// Tells that the service lives, though no ticks can come: a run follows another. Before the first one it tells nothing: systemd would count its
-  /// WatchdogSec from then on, and reading a field from a slow card may take longer.
+  /// Tells that no ticks can come until it is `ready` again: a run follows another. Taking memory and reading a field from a slow card may take longer than
+  /// WatchdogSec, so systemd waits for two minutes. Before the first run it tells nothing: nothing is counted yet.
   void busy() const {
-    if (is_ready_) say("WATCHDOG=1");
+    if (is_ready_ && !watchdog_usec_.empty()) say("WATCHDOG_USEC=120000000\nWATCHDOG=1");
   }
 
  private:
   void say(std::string_view message) const;
 
   int socket_ = -1;
+  std::string watchdog_usec_;
   std::uint64_t ticks_ = 0;
   bool is_ready_ = false;
 };

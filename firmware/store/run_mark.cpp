@@ -37,8 +37,8 @@ Refusal RunMark::note_calibration() {
 }
 
 void RunMark::confirm() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!confirms_) return;
+  const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+  if (!lock || !confirms_) return;
   confirms_ = false;
   if (folder_.remove(kRecalibrated)) (void)folder_.sync_names();
 }

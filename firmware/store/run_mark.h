@@ -30,7 +30,8 @@ class RunMark {
   /// returns   why they must not be
   Refusal note_calibration();
 
-  /// A person has resumed, and the device is homed: what was recalibrated before this run is confirmed. What was in this run is not. Any thread.
+  /// A person has resumed, and the device is homed: what was recalibrated before this run is confirmed. What was in this run is not. Any thread; does
+  /// nothing while another one stores angles, so whoever calls it calls it again.
   void confirm();
 
   /// The end of an orderly run. Where it fails, the next start finds the mark.

@@ -36,7 +36,7 @@ TEST(ServiceNotify, SaysWhatSystemdWantsToHear) {
   const ScratchFolder folder;
   for (const std::string& name : {(folder.path() / "notify").string(), "@isotouch-test-" + std::to_string(::getpid())}) {
     const Listener listener(name);
-    ServiceNotify notify(name);
+    ServiceNotify notify(name, "2000000");
     notify.busy();
     EXPECT_EQ(listener.hear(), "") << "from the first word on, systemd counts the time until the next one";
     notify.ready();
@@ -44,11 +44,25 @@ TEST(ServiceNotify, SaysWhatSystemdWantsToHear) {
     notify.status("state: active");
     EXPECT_EQ(listener.hear(), "STATUS=state: active");
     notify.busy();
-    EXPECT_EQ(listener.hear(), "WATCHDOG=1");
+    EXPECT_EQ(listener.hear(), "WATCHDOG_USEC=120000000\nWATCHDOG=1") << "a run that follows another may take its time";
+    notify.ready();
+    EXPECT_EQ(listener.hear(), "READY=1\nWATCHDOG_USEC=2000000");
     notify.ending();
     EXPECT_EQ(listener.hear(), "STOPPING=1");
     EXPECT_EQ(listener.hear(), "");
   }
+}
+
+TEST(ServiceNotify, WithoutAWatchdogNobodyIsAskedToWait) {
+  const ScratchFolder folder;
+  const std::string name = (folder.path() / "notify").string();
+  const Listener listener(name);
+  ServiceNotify notify(name);
+  notify.ready();
+  notify.busy();
+  notify.ready();
+  EXPECT_EQ(listener.hear() + listener.hear(), "READY=1READY=1");
+  EXPECT_EQ(listener.hear(), "");
 }
 
 TEST(ServiceNotify, LivesAsLongAsTicksCome) {
