@@ -72,6 +72,10 @@ inline constexpr SettingRow kDeviceDamping{
     "damping_n_s_mm", "N s/mm", 24, 0.0001, 0.1, 0, "damping of the device itself at the grip; it limits how stiff a field may be", true};
 inline constexpr SettingRow kDelayTicks{"delay_ticks", "ticks", 0, 0, 7, 0, "ticks from a reply of the device to the force made of it"};
 
+// What is taken for the two above where nobody measured them: by a field that advises a stiffness, and by a controller's settings. A trace begins with 0.
+inline constexpr double kAssumedDamping = 0.003;  ///< N s/mm; the Falcon's own is about that
+inline constexpr int kAssumedDelayTicks = 1;
+
 // The device.
 inline constexpr SettingRow kArm{"arm", "mm", 20, 20, 120, 60, "upper arm a"};
 inline constexpr SettingRow kRod{"rod", "mm", 20, 50, 150, 102.5, "parallelogram b"};

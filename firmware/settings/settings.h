@@ -36,8 +36,8 @@ struct Settings {
   std::optional<double> angle_at_zero_deg;
   std::array<double, 3> workspace_origin_mm = {0, 0, 125};
   double play_mm = rows::kPlay.standard;
-  double damping_n_s_mm = 0.003;
-  int delay_ticks = 1;
+  double damping_n_s_mm = rows::kAssumedDamping;
+  int delay_ticks = rows::kAssumedDelayTicks;
   bool keep_homing_flag = true;
   std::string led_homing = "red";
   std::string led_idle = "blue";

@@ -93,9 +93,9 @@ TickSettings every_feature() {
   settings.friction_damping = Damping::of(0.001);
   settings.hand_damping = Damping::of(0.002);
   settings.passivity = Damping::of(0.012);
-  settings.device_damping = Damping::of(0.003);
+  settings.device_damping = Damping::of(rows::kAssumedDamping);
   settings.weight = Newton::of(0.8);
-  settings.delay_ticks = 1;
+  settings.delay_ticks = rows::kAssumedDelayTicks;
   return settings;
 }
 

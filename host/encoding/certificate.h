@@ -8,6 +8,7 @@
 #include "host/encoding/spline.h"
 #include "host/field/band_field.h"
 #include "shared/field_view.h"
+#include "shared/settings_table.h"
 
 namespace isotouch::encoding {
 
@@ -17,8 +18,8 @@ struct Certificate {
   double thinnest_wall_voxel = 0.0;  ///< between two sides that face away from each other; 0 = none that both bands see
   double stiffness_n_per_mm = 0.0;   ///< the largest advisable one for the three numbers below
   std::uint32_t period_ns = 1'000'000;
-  double damping_ns_per_mm = 0.003;  ///< of the device: the Falcon's own, about 3 N·s/m, is assumed
-  std::uint32_t delay_ticks = 1;     ///< from encoder to motor command
+  double damping_ns_per_mm = rows::kAssumedDamping;      ///< of the device
+  std::uint32_t delay_ticks = rows::kAssumedDelayTicks;  ///< from encoder to motor command
 };
 
 /// K = 2 b / ((2 d + 1) T), N/mm: above it a sampled wall feeds energy into the hand.
