@@ -17,7 +17,7 @@ using protocol::Kind;
 constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
 constexpr int kAsksEnough = 100;
-constexpr int kChecking = 120'000;  ///< a large field on a slow disk
+constexpr int kChecking = 120'000;  ///< a large field on a slow disk, somebody else's, too: the controller does one such work at a time
 constexpr std::size_t kSentAhead =
     16;  ///< chunks, and questions for them, without their answers: a far controller is not waited for each time
 
@@ -30,8 +30,10 @@ std::string for_people(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-Controller::Controller(const std::string& address, std::optional<int> longest_ms)
-    : longest_ms_(longest_ms.value_or(std::numeric_limits<int>::max())), connection_(read_address(address), longest_ms.value_or(0)) {
+Controller::Controller(const std::string& address, std::optional<int> longest_ms, std::function<bool()> is_over)
+    : longest_ms_(longest_ms.value_or(std::numeric_limits<int>::max())),
+      is_over_(std::move(is_over)),
+      connection_(read_address(address), longest_ms.value_or(0)) {
   connection_.send(Kind::kHello, protocol::Hello{});
   welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreeting));
 }
@@ -77,7 +79,7 @@ protocol::Accepted Controller::patch(std::span<const std::uint8_t> patch) {
 
 /// What was announced, its end, and what becomes of it.
 protocol::Accepted Controller::send_upload(std::span<const std::uint8_t> packed) {
-  (void)expect(Kind::kDone, kAnswer);
+  (void)expect(Kind::kDone, kChecking);
   std::size_t unanswered = 0;
   for (std::size_t at = 0; at < packed.size(); at += protocol::kMaxChunk) {
     connection_.send(Kind::kChunk, protocol::Chunk{at, packed.subspan(at, std::min(protocol::kMaxChunk, packed.size() - at))});
@@ -99,7 +101,7 @@ Controller::Image Controller::image() {
     ++unanswered;
   };
   for (ask(); unanswered > 0; --unanswered) {
-    const auto part = read<protocol::ImagePart>(expect(Kind::kImagePart, kAnswer));
+    const auto part = read<protocol::ImagePart>(expect(Kind::kImagePart, kChecking));
     if (part.offset == 0) image.hash = part.image_hash, bytes = part.image_bytes;
     const std::uint64_t wanted = std::min<std::uint64_t>(protocol::kMaxChunk, bytes - image.bytes.size());
     if (part.image_hash != image.hash || part.image_bytes != bytes || part.offset != image.bytes.size() || part.bytes.size() != wanted ||
@@ -113,7 +115,7 @@ Controller::Image Controller::image() {
 
 std::vector<protocol::FieldEntry> Controller::fields() {
   connection_.send(Kind::kFields);
-  const auto list = read<protocol::FieldList>(expect(Kind::kFieldList, kAnswer));
+  const auto list = read<protocol::FieldList>(expect(Kind::kFieldList, kChecking));
   std::vector<protocol::FieldEntry> fields(list.count);
   protocol::BodyReader entries(list.entries);
   for (protocol::FieldEntry& entry : fields) protocol::FieldEntry::fields(entry, entries);
@@ -146,7 +148,7 @@ protocol::PostureReport Controller::posture(DeviceModel& model) {
 
 void Controller::calibrate(const protocol::Calibrate& measured) {
   connection_.send(Kind::kCalibrate, measured);
-  (void)expect(Kind::kDone, kAnswer);
+  (void)expect(Kind::kDone, kChecking);
 }
 
 std::vector<protocol::WorstTick> Controller::worst_ticks(bool anew) {
@@ -238,6 +240,9 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
 
 /// The answer of that kind. Whatever else comes ends the conversation.
 protocol::Frame Controller::expect(Kind kind, int patience_ms) {
+  for (int waited = 0; is_over_ && waited < patient(patience_ms) && !connection_.has_input(kAsksEnough); waited += kAsksEnough) {
+    if (is_over_()) complain("nobody waits for its answer any more");
+  }
   const protocol::Frame frame = connection_.receive(patient(patience_ms));
   if (frame.kind == kind) return frame;
   if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));

@@ -29,7 +29,8 @@ class Controller {
   /// Connects and greets.
   ///
   /// longest_ms  to wait for any answer; without it each request has its own patience, from seconds to minutes
-  explicit Controller(const std::string& address, std::optional<int> longest_ms = {});
+  /// is_over     asked ten times a second while an answer is waited for; true: nobody wants it any more, and the request fails
+  explicit Controller(const std::string& address, std::optional<int> longest_ms = {}, std::function<bool()> is_over = {});
 
   const protocol::Welcome& welcome() const { return welcome_; }
 
@@ -116,6 +117,7 @@ class Controller {
   int patient(int patience_ms) const { return std::min(patience_ms, longest_ms_); }
 
   int longest_ms_;
+  std::function<bool()> is_over_;
   Connection connection_;
   protocol::Welcome welcome_;
 };

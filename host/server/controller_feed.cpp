@@ -120,7 +120,7 @@ void ControllerFeed::follow(const std::stop_token& stop) {
 
 /// fails     InputError: why it ended, always but when this object ends
 void ControllerFeed::follow_once(const std::stop_token& stop) {
-  link::Controller controller(address_);
+  link::Controller controller(address_, {}, [&] { return stop.stop_requested(); });
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(ticks_a_second / kRowsASecond)));
   tell(Topic::kLink, {{"topic", "link"},
@@ -156,7 +156,7 @@ void ControllerFeed::measure(const std::stop_token& stop) {
   (void)::setpriority(PRIO_PROCESS, 0, kNice);  // of this thread: a surface may take a while, and the ticks and pictures come first
   while (wait(stop, kAgain_ms)) {
     try {
-      link::Controller controller(address_);
+      link::Controller controller(address_, {}, [&] { return stop.stop_requested(); });
       int looks = 0;
       do {
         if (looks++ % kLooksAMeasure == 0) tell_measures(controller);

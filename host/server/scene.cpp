@@ -76,6 +76,7 @@ std::string point_bytes(const cloud::OrientedPoints& points) {
 Scene::Scene(std::string name, field_file::OpenField field, const Scan& scan)
     : name_(std::move(name)),
       field_(std::move(field)),
+      hash_(trace::hash_text(field_.view.hash())),
       all_points_(scan.points.size()),
       invented_share_(field_file::share_of(field_.invented, field_.view)) {
   const view::SurfaceMesh mesh = view::surface_mesh(field_.view, field_.invented, kMaxVertices);
@@ -87,8 +88,6 @@ Scene::Scene(std::string name, field_file::OpenField field, const Scan& scan)
   rim_ = line_bytes(scan.rim);
   turned_ = line_bytes(scan.turned);
 }
-
-std::string Scene::hash() const { return trace::hash_text(field_.view.hash()); }
 
 nlohmann::ordered_json Scene::summary() const {
   const FieldView& field = field_.view;

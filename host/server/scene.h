@@ -33,7 +33,7 @@ class Scene {
 
   const FieldView& field() const { return field_.view; }
   /// That names the field: 16 hexadecimal digits.
-  std::string hash() const;
+  const std::string& hash() const { return hash_; }
   /// Figures of the field, with their units in their names.
   nlohmann::ordered_json summary() const;
   /// Whole numbers: vertices, faces. Per vertex 16 bytes: position as three floats (mm), normal as three signed bytes (127 = 1), a byte of marks: 1
@@ -59,6 +59,7 @@ class Scene {
  private:
   std::string name_;
   field_file::OpenField field_;
+  std::string hash_;  ///< kept: it takes time, and the thread of all sockets asks for it
   std::size_t all_points_ = 0;
   double invented_share_ = 0, thin_share_ = 0;
   int step_ = 1;

@@ -124,7 +124,8 @@ void ViewSite::begin(HttpServer& server, const std::string& controller, const Co
                      const std::filesystem::path& cloud) {
   server_ = &server;
   follows_ = !scene_ && cloud.empty();
-  if (!controller.empty()) {
+  live_ = !controller.empty();
+  if (live_) {
     const ControllerFeed::Field field{[this](std::uint64_t hash) { return wants_field(hash); },
                                       [this, controller](const std::string& name, const link::Controller::Image& image) {
                                         take_field(name.empty() ? "field of " + controller : name, image);
@@ -147,9 +148,9 @@ std::vector<Shared> ViewSite::greeting() {
 
 nlohmann::ordered_json ViewSite::hello() const {
   const std::scoped_lock held(lock_);
-  return {{"topic", "hello"},        {"columns", column_names()}, {"status_bits", {{"contact", std::uint32_t{kContact}}}},
-          {"colours", colours()},    {"scene", scene_json()},     {"recordings", recordings_.size()},
-          {"live", feed_ != nullptr}};
+  return {{"topic", "hello"},     {"columns", column_names()}, {"status_bits", {{"contact", std::uint32_t{kContact}}}},
+          {"colours", colours()}, {"scene", scene_json()},     {"recordings", recordings_.size()},
+          {"live", live_}};
 }
 
 /// While the lock is held.
@@ -263,18 +264,22 @@ Reply ViewSite::start_build(Request request) {
     if (std::exchange(builds_, true)) return builds();  // two have come since they were let in
   }
   if (builder_.joinable()) builder_.join();  // it is done
+  std::filesystem::path folder;
   try {
-    const std::filesystem::path folder = temporary_folder(), file = folder / safe_name(text_of(request.query, "name").value_or(""));
+    folder = temporary_folder();
+    const std::filesystem::path file = folder / safe_name(text_of(request.query, "name").value_or(""));
     {
       const std::scoped_lock held(lock_);
       folder_ = folder;
     }
     write_file(file, request.body.data(), request.body.size());
     builder_ = std::jthread([this, file, folder] { build_now(file, file.filename().string(), folder); });
-  } catch (...) {
+  } catch (const std::exception& error) {
+    std::error_code ignored;
+    if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
     const std::scoped_lock held(lock_);
     builds_ = false;
-    throw;
+    throw InputError(without(error.what(), folder.string()));
   }
   return sentence(202, "The scan has come; it is being built.");
 }

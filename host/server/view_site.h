@@ -90,6 +90,7 @@ class ViewSite final : public Site {
   Build build_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Scene> scene_before_;  ///< of a field that changes: a page may still be fetching its parts
+  bool live_ = false;                          ///< there is a controller; from `begin` on it stays so
   bool follows_ = false;                       ///< the object is the controller's field
   std::uint64_t field_read_ = 0;               ///< the hash of the controller's field that was read last
   std::vector<Recording> recordings_;

@@ -87,6 +87,26 @@ std::string complaint(const Bytes& answers, const std::function<void(Controller&
   return {};
 }
 
+TEST(Controller, NobodyWaitsForAnAnswerThatIsNotWantedAnyMore) {
+  const ScratchFolder scratch;
+  const std::string path = (scratch.path() / "socket").string();
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  std::copy(path.begin(), path.end(), name.sun_path);
+  const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);  // lets in, and never answers
+  ASSERT_EQ(::bind(door, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
+  ASSERT_EQ(::listen(door, 1), 0);
+  int asked = 0;
+  try {
+    const Controller controller("unix:" + path, {}, [&] { return ++asked == 3; });
+    ADD_FAILURE() << "it has answered";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nobody waits"));
+  }
+  EXPECT_EQ(asked, 3);
+  ::close(door);
+}
+
 TEST(Controller, WhatTheControllerRefusesIsPassedOn) {
   const Bytes field(100'000);
   const auto upload = [&](Controller& c) { (void)c.upload({field.size(), 1, 2, {}}, field); };
