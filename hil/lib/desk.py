@@ -72,15 +72,25 @@ class Desk:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.end_controller()
-        shutil.rmtree(self.room, ignore_errors=True)
+        try:
+            self.end_controller()
+        finally:
+            shutil.rmtree(self.room, ignore_errors=True)
 
     def end_controller(self) -> None:
         """Ends the controller first, so that its last commands reach the device; then what was started with it."""
+        killed = []
         for process in reversed(self.started):
             process.terminate()
-            process.wait()
+            try:
+                process.wait(30)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+                killed.append(str(process.args))
         self.started.clear()
+        if killed:
+            sys.exit(f"killed, because they did not end within 30 s of SIGTERM: {', '.join(killed)}")
 
     def start(self, log: str, *command: str | Path) -> None:
         with open(self.room / log, "wb") as said:
