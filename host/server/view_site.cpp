@@ -265,6 +265,12 @@ Reply ViewSite::start_build(Request request) {
   }
   if (builder_.joinable()) builder_.join();  // it is done
   std::filesystem::path folder;
+  const auto give_up = [&] {
+    std::error_code ignored;
+    if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+    const std::scoped_lock held(lock_);
+    builds_ = false;
+  };
   try {
     folder = temporary_folder();
     const std::filesystem::path file = folder / safe_name(text_of(request.query, "name").value_or(""));
@@ -274,12 +280,12 @@ Reply ViewSite::start_build(Request request) {
     }
     write_file(file, request.body.data(), request.body.size());
     builder_ = std::jthread([this, file, folder] { build_now(file, file.filename().string(), folder); });
-  } catch (const std::exception& error) {
-    std::error_code ignored;
-    if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
-    const std::scoped_lock held(lock_);
-    builds_ = false;
+  } catch (const InputError& error) {
+    give_up();
     throw InputError(without(error.what(), folder.string()));
+  } catch (...) {
+    give_up();
+    throw;
   }
   return sentence(202, "The scan has come; it is being built.");
 }
