@@ -66,7 +66,7 @@ Refusal Recorder::start(const std::string& path) {
   hash_ = 0;
   if (Refusal refusal = writer_.begin(path, settings_.header)) return refusal;
   patch_writer_.begin(path);
-  record_patches(true);
+  keep_patches(true);
   requests_.ask(kRequestRestart);
   return {};
 }
@@ -78,19 +78,19 @@ void Recorder::stop() {
 
 void Recorder::tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch) {
   const std::lock_guard guard(patches_mutex_);
-  const auto is_too_much = [&] { return patches_.size() == kPatchesKept || patch_bytes_ + patch.size() > kPatchBytesKept; };
-  while (!patches_.empty() && (!records_patches_ || is_too_much())) {
-    patch_bytes_ -= patches_.front().bytes.size();
-    patches_.pop_front();
-  }
+  const auto is_too_much = [&] {
+    std::size_t bytes = patch.size();
+    for (const Patch& kept : patches_) bytes += kept.bytes.size();
+    return patches_.size() == kPatchesKept || bytes > kPatchBytesKept;
+  };
+  while (!patches_.empty() && (!keeps_patches_ || is_too_much())) patches_.pop_front();
   patches_.push_back({hash_after, {patch.begin(), patch.end()}});
-  patch_bytes_ += patch.size();
 }
 
 /// The last that was told stays: its tick may come after a recording has begun.
-void Recorder::record_patches(bool wanted) {
+void Recorder::keep_patches(bool wanted) {
   const std::lock_guard guard(patches_mutex_);
-  records_patches_ = wanted;
+  keeps_patches_ = wanted;
 }
 
 void Recorder::drain() {
@@ -131,7 +131,6 @@ Refusal Recorder::record_patch(std::uint32_t moved_to) {
     const auto found = std::find_if(patches_.begin(), patches_.end(),
                                     [=](const Patch& one) { return static_cast<std::uint32_t>(one.hash_after) == moved_to; });
     if (found == patches_.end()) return "a patch was not kept until its tick came";
-    for (auto one = patches_.begin(); one != found + 1; ++one) patch_bytes_ -= one->bytes.size();
     patch = std::move(*found);
     patches_.erase(patches_.begin(), found + 1);
   }
@@ -158,7 +157,7 @@ void Recorder::remember(const loop::TickRecord& tick) {
 }
 
 void Recorder::end(const std::string& why) {
-  record_patches(false);
+  keep_patches(false);
   const std::string& path = writer_.path();
   const Refusal refusal = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();

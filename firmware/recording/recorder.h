@@ -75,7 +75,7 @@ class Recorder {
   void take(const loop::TickRecord& tick);
   void record(const loop::TickRecord& tick);
   Refusal record_patch(std::uint32_t moved_to);
-  void record_patches(bool wanted);
+  void keep_patches(bool wanted);
   void remember(const loop::TickRecord& tick);
   void end(const std::string& why);
   void save();
@@ -103,9 +103,8 @@ class Recorder {
   };
   static constexpr std::size_t kPatchesKept = 64, kPatchBytesKept = 32U << 20U;
   std::mutex patches_mutex_;
-  std::deque<Patch> patches_;    ///< the newest last
-  std::size_t patch_bytes_ = 0;  ///< of all of them
-  bool records_patches_ = false;
+  std::deque<Patch> patches_;  ///< the newest last
+  bool keeps_patches_ = false;
 
   LastTicks last_ticks_;                  ///< the same for a kill
   LastTick newest_;                       ///< its field, so that its hash is asked for once

@@ -7,7 +7,8 @@
 
 namespace isotouch::files {
 
-/// Syncs the folder that a file is in. A file system that cannot sync folders has nothing to wait for.
+/// Syncs the folder that a file is in. Where the file system cannot sync folders, or this user may write into the folder but not read it, there is
+/// nothing that could be done, and the answer is true.
 ///
 /// file      its path
 /// returns   false: the folder cannot be opened or the disk failed; errno says why
