@@ -12,6 +12,7 @@
 #include <boost/beast/websocket.hpp>
 #include <csignal>
 #include <exception>
+#include <list>
 #include <optional>
 #include <set>
 #include <utility>
@@ -36,6 +37,7 @@ constexpr std::chrono::milliseconds kFarewell{500};
 constexpr std::string_view kSocket = "socket";
 
 class Viewer;
+class Client;
 
 }  // namespace
 
@@ -50,6 +52,7 @@ struct HttpServer::Parts {
   Limits limits;
   std::optional<AccessCheck> access;
   std::set<Viewer*> viewers;
+  std::list<Client*> silent;  // that have not asked yet, or not again, for the longest time first
   std::size_t connections = 0;
   bool ends = false;
   asio::io_context io{1};  // whatever waits in it uses the members above
@@ -162,6 +165,7 @@ class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(Parts& parts, Tcp::socket socket) : parts_(parts), stream_(std::move(socket)) { ++parts_.connections; }
   ~Client() {
+    leave_the_silent();
     if (!handed_on_) --parts_.connections;
   }
   Client(const Client&) = delete;
@@ -172,12 +176,20 @@ class Client : public std::enable_shared_from_this<Client> {
     parser_->header_limit(static_cast<std::uint32_t>(parts_.limits.request_bytes));
     parser_->body_limit(parts_.limits.upload_bytes);  // the header says how long the body will be
     stream_.expires_after(parts_.limits.patience);
+    silent_ = parts_.silent.insert(parts_.silent.end(), this);
     http::async_read_header(stream_, in_, *parser_, [self = shared_from_this()](Fault fault, std::size_t) {
+      self->leave_the_silent();
       if (fault == http::error::header_limit) return self->refuse(431, "This request is too long; load the page again.");
       if (fault == http::error::body_limit) return self->refuse_file();
       if (fault) return;  // gone, too slow, or no HTTP
       self->judge();
     });
+  }
+
+  /// Goes for another one, who may have something to ask.
+  void make_room() {
+    leave_the_silent();
+    stream_.close();
   }
 
   void refuse(unsigned status, std::string_view why) {
@@ -186,6 +198,11 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
  private:
+  void leave_the_silent() {
+    if (silent_) parts_.silent.erase(*silent_);
+    silent_.reset();
+  }
+
   static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
   void refuse_file() {
@@ -291,6 +308,7 @@ class Client : public std::enable_shared_from_this<Client> {
   http::response<http::span_body<const char>> response_;
   Bytes sent_;
   std::vector<char> rest_;
+  std::optional<std::list<Client*>::iterator> silent_;  // its place among them
   bool keep_ = false, handed_on_ = false;
 };
 
@@ -311,7 +329,8 @@ void HttpServer::Parts::accept() {
       pause.async_wait([this](Fault) { accept(); });
       return;
     }
-    const bool full = connections >= limits.connections;
+    const bool full = connections >= limits.connections && silent.empty();
+    if (connections >= limits.connections && !full) silent.front()->make_room();
     const auto client = std::make_shared<Client>(*this, std::move(socket));
     if (full) {
       client->refuse(503, "This server has too many connections; close other pages of it, or wait a moment.");
