@@ -27,14 +27,14 @@ class Console:
         return next(iter(self.said(pattern)[::-1]), None)
 
     def statuses(self) -> list[dict[str, Any]]:
-        """What `status --json` printed, each time that it was asked."""
+        """What `status --json` printed, each time that it was asked; nothing at all where a line of the kernel cut one of them."""
         text = "".join(line.removeprefix("status: ") for line in self.lines if line.startswith("status: "))
         decoder, found, at = json.JSONDecoder(), [], 0
         while (at := text.find("{", at)) >= 0:
             try:
                 status, at = decoder.raw_decode(text, at)
-            except ValueError:   # cut by another line: the figures are not known
-                break
+            except ValueError:
+                return []
             found.append(status)
         return found
 

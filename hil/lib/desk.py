@@ -78,19 +78,23 @@ class Desk:
             shutil.rmtree(self.room, ignore_errors=True)
 
     def end_controller(self) -> None:
-        """Ends the controller first, so that its last commands reach the device; then what was started with it."""
-        killed = []
+        """Ends the controller first, so that its last commands reach the device; then what was started with it. All must end in order."""
+        bad = []
         for process in reversed(self.started):
+            had_ended = process.poll() is not None   # the script judges that
             process.terminate()
             try:
-                process.wait(30)
+                code = process.wait(30)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
-                killed.append(str(process.args))
+                bad.append(f"{process.args!r} was killed, because it did not end within 30 s of SIGTERM")
+            else:
+                if code != 0 and not had_ended:
+                    bad.append(f"{process.args!r} ended with {code} after SIGTERM")
         self.started.clear()
-        if killed:
-            sys.exit(f"killed, because they did not end within 30 s of SIGTERM: {', '.join(killed)}")
+        if bad:
+            sys.exit("; ".join(bad))
 
     def start(self, log: str, *command: str | Path) -> None:
         with open(self.room / log, "wb") as said:
@@ -197,7 +201,9 @@ class Desk:
 
 def at_desk(name: str, programs: str, work: Callable[[Desk], None]) -> int:
     """The exit code of work: 1, with the controller's log, where it failed. A script that is ended ends what it started."""
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
+    for ended in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(ended) != signal.SIG_IGN:   # as under nohup
+            signal.signal(ended, lambda number, _: sys.exit(128 + number))
     with Desk(programs) as desk:
         try:
             work(desk)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import unittest
 from typing import Any
@@ -62,10 +63,28 @@ class RigTest(BoardsTest):
         self.console((STATUS % 0).replace("500", "5[ 3.1] kernel") + "hil: done\n")
         code, outcome = self.rig()
         self.assertEqual((code, outcome["missed"], outcome["ticks"]), (4, None, None))
+        self.console(STATUS % 0 + (STATUS % 7).replace("7", "7[ 3.1] kernel") + "hil: done\n")   # the first alone would pass
+        self.assertEqual(self.rig()[0], 4)
         self.console(CONSOLE + "hil: done\n")
         self.assertEqual(self.rig()[0], 4)
         code, outcome = self.rig(FAKE_LATE="null")
         self.assertEqual((code, outcome["ticks"]), (0, 70))
+
+
+class DialogueTest(fakes.Tree):
+    def test_only_so_many_packets_as_are_compared_are_a_dialogue(self) -> None:
+        self.script("isotouchctl", "printf 'fresh,packet,command_1,command_2,command_3\\n1,5,0,0,0\\n0,5,0,0,0\\n1,6,1,2,3\\n'\nexit $FAKE_EXIT\n")
+        dialogue, tool = str(fakes.ROOT / "hil/rig/guest/dialogue"), str(self.root / "isotouchctl")
+
+        def run(packets: int, ends_with: int) -> tuple[int, str, str]:
+            return self.call("/bin/sh", dialogue, "a.trace", str(packets), ISOTOUCHCTL=tool, FAKE_EXIT=str(ends_with))
+
+        code, said, _ = run(2, 0)
+        self.assertEqual(code, 0)
+        self.assertRegex(said, '^"packets": 2, "with_commands": 1, "hash": "[0-9a-f]{16}"\n$')
+        self.assertEqual(run(1, 0)[:2], (0, '"packets": 1, "with_commands": 0, "hash": "' + hashlib.sha256(b"5 0 0 0\n").hexdigest()[:16] + '"\n'))
+        self.assertEqual(run(3, 0), (1, "", "dialogue: a.trace has 2 packets, and 3 are compared\n"))
+        self.assertEqual(run(2, 1)[:2], (1, ""))
 
 
 class OutsideTest(BoardsTest):

@@ -107,6 +107,7 @@ class CasesTest(fakes.Tree):
             (("--accept", "ball"), 2, "why does 'ball' differ?"),
             (("--accept", "ball", "--reason", "again"), 1, "there is nothing to accept"),
             (("--accept", "cube", "--reason", "x"), 2, "no case is called 'cube'"),
+            (("--accept", "ball", "--reason", "two\nlines"), 1, "one line of text"),
             (("--accept", "real", "--reason", "x"), 1, "made of real data"),
         ):
             found = self.cases(*words)
@@ -156,6 +157,10 @@ class CasesTest(fakes.Tree):
         self.cases("--processor", "chromium", "ball", "patched")
         self.assertEqual((self.root / "words").read_text(), "<build/cases/ball.itfi><build/cases/ball.trace><>"
                          "<build/cases/patched.itfi><build/cases/patched.trace><build/cases/patched.patches>")
+        for name in ("hand.trace", "hand.patches"):
+            (self.root / "kept" / name).write_text("damaged")
+            self.cases("patched")
+            self.assertIn("damaged", (self.root / "build/cases" / name.replace("hand", "patched")).read_text())
         table.write_text(table.read_text().replace("kept/hand.trace", "tour --ticks 32"))
         self.cases("patched")
         self.assertFalse((self.root / "build/cases/patched.patches").exists())

@@ -1,7 +1,8 @@
 """Programs that stand in for ours, so that a script of hil/ can be tried in a second and any of its children can fail.
 
-FAKE_FAILS names the one that fails after its work, by its program or by a command of the tool; FAKE_STATUS is JSON that replaces values of the controller's status;
-FAKE_GROWS names a count of it that grows; FAKE_GAP makes the followed ticks miss one, FAKE_TICKS is their state; FAKE_CALLS is what strace sees; FAKE_PRIORITY is that of the tick's thread.
+FAKE_FAILS names the one that fails after its work, by its program or by a command of the tool; FAKE_CRASHES one that crashes once it is told to end; FAKE_STATUS is
+JSON that replaces values of the controller's status; FAKE_GROWS names a count of it that grows; FAKE_GAP makes the followed ticks miss one, FAKE_TICKS is their
+state; FAKE_CALLS is what strace sees; FAKE_PRIORITY is that of the tick's thread.
 """
 
 from __future__ import annotations
@@ -84,6 +85,7 @@ class Tree(unittest.TestCase):
     def interrupt(self, how: signal.Signals, *command: str, **environment: str) -> int:
         """The exit code of a script that gets a signal once a program that it started has begun SLEEPS; what sleeps then must end, too."""
         file = self.root / "child"
+        file.unlink(missing_ok=True)
         with self.start(*command, **environment) as process:
             while not file.exists() or not file.read_text():
                 self.assertIsNone(process.poll(), "nothing sleeps")

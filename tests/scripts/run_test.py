@@ -37,6 +37,13 @@ class RunTest(fakes.Tree):
         self.script("hil/rig/run", f"echo '{OBJECT % 2}'\nexit 3\n")
         self.assertEqual(self.call("hil/run", "2")[0], 1)
 
+    def test_a_scenario_that_says_nothing_of_itself_has_failed(self) -> None:
+        for said in ("", "{cut off", "cut {off", OBJECT % 3, (OBJECT % 2).replace('"exit": 0', '"exit": 3'), (OBJECT % 2).replace("$2", "7")):
+            self.script("hil/rig/run", f"echo '{said}'\n")
+            code, table, _ = self.call("hil/run", "2")
+            self.assertEqual((code, table.splitlines()[-1]), (1, "0 passed, 1 failed, 0 skipped"), said)
+            self.assertIn("   2  one                          1     1 ", table, said)
+
     def test_a_rung_that_cannot_be_made_fails_its_scenarios(self) -> None:
         self.script("hil/desk/make", "echo no compiler\nexit 2\n")
         code, said, complaints = self.call("hil/run", "0", "--json")
@@ -80,13 +87,19 @@ class RunTest(fakes.Tree):
 
     def test_an_interrupt_ends_what_was_started(self) -> None:
         self.script("hil/desk/run", fakes.SLEEPS)
-        self.assertEqual(self.interrupt(signal.SIGTERM, "hil/run", "0", "one"), 130)
+        for how in (signal.SIGTERM, signal.SIGHUP):
+            self.assertEqual(self.interrupt(how, "hil/run", "0", "one"), 130)
 
 
 class DeskRunTest(fakes.Tree):
     def setUp(self) -> None:
         super().setUp()
-        self.script("build/release/bin/replay_plain", 'echo \'{"ticks": 10, "hash": "00000000000000ab", "first_difference": null}\'\n')
+        self.script("build/release/bin/replay_plain", 'echo \'{"ticks": 10, "hash": "00000000000000ab", "first_difference": null}\'\nshift\necho $* >&2\n')
+        golden = self.root / "tests/golden"
+        golden.mkdir(parents=True)
+        (golden / "recordings").write_text("# a comment\nslow ball\nfast ball\n")
+        for name in ("slow.trace", "fast.trace", "fast.patches"):
+            (golden / name).touch()
 
     def outcome(self, scenario: str) -> tuple[int, dict[str, object], str]:
         code, said, complaints = self.call("hil/desk/run", scenario, "7")
@@ -94,9 +107,20 @@ class DeskRunTest(fakes.Tree):
 
     def test_ticks_are_added_and_several_hashes_become_one(self) -> None:
         code, found, _ = self.outcome("golden")
-        self.assertEqual((code, found["exit"], found["ticks"], found["seed"]), (0, 0, 60, 7))
+        self.assertEqual((code, found["exit"], found["ticks"], found["seed"]), (0, 0, 20, 7))
         self.assertRegex(str(found["trace_hash"]), "^[0-9a-f]{16}$")
         self.assertNotEqual(found["trace_hash"], "00000000000000ab")
+
+    def test_every_recording_is_replayed_with_its_patches(self) -> None:
+        golden = self.root / "tests/golden"
+        self.outcome("golden")
+        self.assertEqual((self.root / "build/hil/golden-7/log").read_text().splitlines()[1::2], [f"{golden}/slow.trace", f"{golden}/fast.trace {golden}/fast.patches"])
+        for stranger in (golden / "new.trace", golden / "slow.trace"):
+            stranger.unlink() if stranger.exists() else stranger.touch()
+            code, found, complaints = self.outcome("golden")
+            self.assertEqual((code, found["exit"]), (1, 1))
+            self.assertIn(f"differ in: {stranger.stem}", complaints)
+            (golden / "new.trace").unlink(missing_ok=True)
 
     def test_a_child_that_fails_fails_the_scenario(self) -> None:
         programs = {"golden": "build/release/bin/replay_plain", "tour": "build/release/bin/isotouch", "closed-loop": "tests/integration/closed_loop", "touch": "hil/touch_demo",

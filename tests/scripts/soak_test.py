@@ -32,6 +32,13 @@ class SoakTest(unittest.TestCase):
                 self.assertIn("did not start" if child in ("falcon-sim", "isotouchd") else "it is meant to fail", said)   # for this reason, and no later one
                 self.assertNotIn("LEFT BEHIND", said)
 
+    def test_a_program_that_crashes_at_its_end_fails_the_script(self) -> None:
+        for program in ("falcon-sim", "isotouchd"):
+            code, said = soak(FAKE_CRASHES=program)
+            self.assertEqual(code, 1, said)
+            self.assertRegex(said, f"{program}.* ended with -11 after SIGTERM")
+            self.assertNotIn("LEFT BEHIND", said)
+
     def test_what_the_tick_must_not_do_fails_the_script(self) -> None:
         for what, environment in (("allocated", {"FAKE_STATUS": '{"allocations": 1}'}), ("page faults", {"FAKE_STATUS": '{"page_faults": 1}'}),
                                   ("ticks did not reach", {"FAKE_GAP": "1"}),

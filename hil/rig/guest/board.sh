@@ -125,7 +125,7 @@ dialogue() {
 
 # as_on_desk FIELD: the recording has that dialogue.
 as_on_desk() {
-  said=$(sh /lib/dialogue /run/all.trace 4000)
+  said=$(sh /lib/dialogue /run/all.trace 4000) || fail "its dialogue is not known"
   say "trace $1 $said"
   [ "$said" = "$(cat "/fields/$1.dialogue")" ] || fail "on the desk it is $(cat "/fields/$1.dialogue")"
 }
