@@ -1,7 +1,9 @@
-/// Ctrl-C, or SIGTERM, as the wish to end well.
+/// Ctrl-C, SIGTERM, or the end of the terminal, as the wish to end well.
 #pragma once
 
+#include <array>
 #include <csignal>
+#include <cstddef>
 
 namespace isotouch::commands {
 
@@ -13,22 +15,23 @@ class Interruption {
     struct sigaction note {};
     note.sa_handler = [](int) { came_ = 1; };
     note.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &note, &interrupt_);
-    sigaction(SIGTERM, &note, &terminate_);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) {
+      sigaction(kSignals[i], nullptr, &before_[i]);
+      if (before_[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &note, nullptr);  // nohup, and a shell's background: it stays ignored
+    }
   }
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption() {
-    sigaction(SIGINT, &interrupt_, nullptr);
-    sigaction(SIGTERM, &terminate_, nullptr);
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
   }
 
   bool has_come() const { return came_ != 0; }
 
  private:
+  static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
   inline static volatile std::sig_atomic_t came_ = 0;
-  struct sigaction interrupt_ {
-  }, terminate_{};
+  std::array<struct sigaction, kSignals.size()> before_{};
 };
 
 }  // namespace isotouch::commands

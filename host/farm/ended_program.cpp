@@ -67,6 +67,12 @@ EndedProgram run_program(std::vector<std::string> words, const Patience& patienc
   if (printed.number < 0 || complained.number < 0) throw InputError(words[0] + ": no memory for what it prints: " + std::strerror(errno));
   const pid_t child = start(words, printed.number, complained.number);
   const ScopedFile end(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));  // glibc 2.36 names it only for C
+  if (end.number < 0) {
+    const int reason = errno;
+    ::kill(-child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    throw InputError(words[0] + " cannot be waited for: " + std::strerror(reason) + "; start fewer at a time, or allow more files");
+  }
   EndedProgram ended;
   const auto begin = std::chrono::steady_clock::now();
   for (pollfd wait{end.number, POLLIN, 0}; ::poll(&wait, 1, kLookEveryMs) <= 0;) {

@@ -25,7 +25,7 @@ struct EndedProgram {
 /// killed together with what it has started.
 ///
 /// words     the program, searched for in PATH as a shell does, and its arguments; at least one
-/// fails     InputError: the program cannot be started, or no memory is left for what it prints
+/// fails     InputError: the program cannot be started, or no memory or no descriptor is left for what it prints and for its end
 EndedProgram run_program(std::vector<std::string> words, const Patience& patience = {});
 
 }  // namespace isotouch::farm

@@ -41,14 +41,32 @@ void require_rows(const fs::path& file, const std::vector<Row>& rows, const char
   if (rows.empty()) throw InputError(file.string() + ": it lists no " + what + "; write one JSON object a line");
 }
 
-/// A word that begins with ./ is a file or folder beside the table.
+/// A word that begins with ./ is a file or folder beside the table; other words name nothing.
+fs::path named_by(const std::string& word, const fs::path& folder) { return word.starts_with("./") ? folder / word.substr(2) : fs::path(); }
+
+/// The names and bytes of all files below a folder, in the order of their names. Of a link its target's name, which may be meant for another machine.
+void add_folder(const fs::path& folder, Digest& content) {
+  std::set<fs::path> all;
+  for (const fs::directory_entry& each : fs::recursive_directory_iterator(folder)) all.insert(each.path());
+  for (const fs::path& each : all) {
+    content.add(each.lexically_relative(folder).string());
+    if (fs::is_symlink(each)) {
+      content.add(fs::read_symlink(each).string());
+    } else if (fs::is_regular_file(each)) {
+      content.add(read_file(each));
+    }
+  }
+}
+
+/// A word of a command as it is given to the system.
 std::string resolved(const std::string& word, const fs::path& folder, Digest& content, const std::string& place) {
   content.add(word);
-  if (!word.starts_with("./")) return word;
-  const fs::path file = folder / word.substr(2);
-  if (!fs::exists(file)) throw InputError(place + ": " + file.string() + " is not there; build it, or correct the command");
-  if (fs::is_regular_file(file)) content.add(read_file(file));
-  return fs::absolute(file).string();
+  const fs::path named = named_by(word, folder);
+  if (named.empty()) return word;
+  if (!fs::exists(named)) throw InputError(place + ": " + named.string() + " is not there; build it, or correct the command");
+  if (fs::is_regular_file(named)) content.add(read_file(named));
+  if (fs::is_directory(named)) add_folder(named, content);
+  return fs::absolute(named).string();
 }
 
 /// Adds a line to a table that others may add to at the same time.
@@ -109,12 +127,12 @@ std::vector<Program> read_programs(const fs::path& file) {
     bool is_named = false;
     for (const std::string& word : line.texts("command")) {
       program.command.push_back(resolved(word, file.parent_path(), content, line.place()));
-      is_named = is_named || word.starts_with("./");
+      is_named = is_named || fs::is_regular_file(named_by(word, file.parent_path()));
     }
     if (!is_named)
       throw InputError(
           line.place() +
-          ": no word of the command begins with ./, so a new build would be taken for the old one; put the program beside the table");
+          ": no word of the command names a file by ./, so a new build would be taken for the old one; put the program beside the table");
     program.content = content.text();
     all.push_back(std::move(program));
   });

@@ -36,7 +36,7 @@ std::vector<Recording> read_recordings(const std::filesystem::path& file);
 /// Reads a table of programs. No two may have the same processor, commit, compiler and rung. The table lists the oldest commit first, because the order
 /// says since when something differs.
 ///
-/// fails     InputError as read_recordings; also if a file of the command is not there, or if no word of the command begins with ./
+/// fails     InputError as read_recordings; also if a file of the command is not there, or if none of its words names a file by ./
 std::vector<Program> read_programs(const std::filesystem::path& file);
 
 /// Replays a trace in this program, and adds it to a table, with the hash that it gives. The table is made if there is none.

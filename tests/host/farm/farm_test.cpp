@@ -1,13 +1,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "host/error.h"
 #include "host/farm/answer.h"
+#include "host/farm/ended_program.h"
 #include "host/farm/report.h"
 #include "host/farm/share.h"
 #include "host/farm/task.h"
@@ -284,6 +289,41 @@ TEST_F(Farm, TheTableHasARowForEachTaskAnsweredOrNot) {
                 "\"left, then \"\"right\"\"\",a,1,none,0,missing,,\n");
 }
 
+TEST_F(Farm, AFolderThatACommandNamesIsPartOfItsProgram) {
+  const fs::path library = folder_.path() / "sysroot/lib/libc.so";
+  fs::create_directories(library.parent_path());
+  std::ofstream(library) << "old";
+  fs::create_symlink("/lib/nowhere", folder_.path() / "sysroot/usr");
+  std::ofstream(programs_file())
+      << R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["./recordings.jsonl", "./sysroot"]})";
+  const auto content = [this] { return read_programs(programs_file())[0].content; };
+  std::set<std::string> seen = {content()};
+  EXPECT_EQ(content(), *seen.begin());
+  std::ofstream(library) << "new";
+  EXPECT_TRUE(seen.insert(content()).second) << "a file's bytes";
+  fs::rename(library, library.parent_path() / "libm.so");
+  EXPECT_TRUE(seen.insert(content()).second) << "a file's name";
+  fs::remove(folder_.path() / "sysroot/usr");
+  fs::create_symlink("/lib/elsewhere", folder_.path() / "sysroot/usr");
+  EXPECT_TRUE(seen.insert(content()).second) << "a link's target";
+}
+
+/// Without a descriptor for its end, a program would be waited for without end.
+TEST_F(Farm, WithoutDescriptorsAProgramIsNotWaitedFor) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+  for (rlim_t more = 0; more <= 3; ++more) {
+    const int next = dup(0);
+    close(next);
+    const rlimit few{static_cast<rlim_t>(next) + more, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &few), 0);
+    const std::string complained = complaint([] { (void)run_program({"true"}, {.seconds = 20}); });
+    ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_THAT(complained, HasSubstr(more == 3 ? "" : more == 2 ? "true cannot be waited for" : "no memory for what it prints"));
+    EXPECT_EQ(complained.empty(), more == 3);
+  }
+}
+
 TEST_F(Farm, TablesAreRefusedWithTheirLine) {
   EXPECT_THAT(complaint_on_programs("\n{\"processor\": \"a\"\n"), HasSubstr("line 2: no JSON object"));
   EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\"}\n"), HasSubstr("line 1: \"commit\" is missing"));
@@ -297,7 +337,10 @@ TEST_F(Farm, TablesAreRefusedWithTheirLine) {
   EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["./none"]})"),
               HasSubstr("none is not there"));
   EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["isotouch"]})"),
-              HasSubstr("no word of the command begins with ./"));
+              HasSubstr("no word of the command names a file by ./"));
+  fs::create_directory(folder_.path() / "sysroot");
+  EXPECT_THAT(complaint_on_programs(R"({"processor": "a", "commit": "1", "compiler": "c", "rung": "0", "command": ["sh", "./sysroot"]})"),
+              HasSubstr("no word of the command names a file by ./"));
   EXPECT_THAT(complaint_on_programs("{\"processor\": \"a\\u001b[2J\"}"), HasSubstr("holds a control character"));
   EXPECT_THAT(complaint([this] { add("hand", kTrace); }), HasSubstr("'hand' is there; choose another with --name"));
   std::ofstream(recordings_file()) << R"({"name": "x", "field": "f", "trace": "t", "field_hash": "12", "trace_hash": "", "expected": ""})";
