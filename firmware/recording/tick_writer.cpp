@@ -9,12 +9,12 @@ TraceRecord RecordMaker::operator()(const loop::TickRecord& tick) {
   return {tick.in, tick.out, chain_.extend(tick.in, tick.out), static_cast<std::uint64_t>(since_ns)};
 }
 
-Refusal TickWriter::begin(const std::string& path, const TraceHeader& header) {
+Refusal TickWriter::begin(const std::string& path, const TraceHeader& header, files::Leftover leftover) {
   TraceHeader written = header;
   written.field_hash = 0;
   written.has_outputs = true;
   records_ = RecordMaker(written);
-  return file_.begin(path, written);
+  return file_.begin(path, written, leftover);
 }
 
 Refusal TickWriter::append(const loop::TickRecord& tick) { return is_open() ? file_.append(records_(tick)) : std::string(); }

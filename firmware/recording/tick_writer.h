@@ -28,7 +28,7 @@ class TickWriter {
  public:
   /// header    device, settings and period
   /// returns   none when it has begun, and only then it is open
-  Refusal begin(const std::string& path, const TraceHeader& header);
+  Refusal begin(const std::string& path, const TraceHeader& header, files::Leftover leftover = files::Leftover::kReplace);
 
   /// returns   the file takes no more, which may be so since some ticks before; `finish` keeps what it took whole
   Refusal append(const loop::TickRecord& tick);

@@ -48,7 +48,7 @@ void run(const RecordOptions& options) {
       [&](std::span<const std::uint8_t> bytes) {
         const Result<TraceHeader> header = decode_header(bytes, bytes.size());
         if (!header) throw refuse("the recording's header cannot be read");
-        writer.emplace(options.out, *header);
+        writer.emplace(options.out, *header, files::Leftover::kRefuse);
       },
       [&](std::span<const std::uint8_t> bytes) {
         if (bytes.size() != kRecordBytes) throw refuse("the recording has another format");

@@ -109,9 +109,8 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
   return {};
 }
 
-}  // namespace
-
-int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
+/// Does what the command line asks.
+int answer(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
   CLI::App app{about, program};
   app.set_version_flag("--version", files::version_text(program), "print version, commit, formats and compiler");
   app.footer("Exit codes: 0 done, 1 bad input, 2 wrong usage, 3 a comparison failed, 4 ended early; what was done until then is kept.");
@@ -142,6 +141,15 @@ int run(const char* program, const char* about, void (*add)(CLI::App& app), int 
   } catch (const std::exception& e) {
     return complain(program, kBadInput, e.what());
   }
+}
+
+}  // namespace
+
+int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
+  const int code = answer(program, about, add, argc, argv);
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  if (code != kDone && code != kComparisonFailed && code != kEndedEarly) return code;  // it has been said already that there is no result
+  return complain(program, kBadInput, "standard output cannot be written to its end; free space, or write somewhere else");
 }
 
 }  // namespace isotouch::commands

@@ -13,12 +13,12 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/read_mesh.h"
 #include "host/commands/progress_bar.h"
-#include "host/commands/temporary_folder.h"
 #include "host/commands/verdict_text.h"
 #include "host/error.h"
 #include "host/evaluate/dirty_scan.h"
 #include "host/evaluate/mesh_shape.h"
 #include "host/field/closed_mesh.h"
+#include "host/files/temporary_folder.h"
 
 namespace isotouch::commands {
 

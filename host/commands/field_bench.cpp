@@ -6,7 +6,7 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/commands/built_field.h"
-#include "host/commands/temporary_folder.h"
+#include "host/files/temporary_folder.h"
 
 namespace isotouch::commands {
 

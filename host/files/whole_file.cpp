@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "host/error.h"
+#include "shared/files/part_file.h"
+#include "shared/files/scoped_file.h"
 #include "shared/files/sync_folder.h"
 
 namespace isotouch {
@@ -27,6 +29,18 @@ InputError refusal(const std::filesystem::path& file, const std::string& what) {
 /// Nothing is written from nowhere: fwrite wants a pointer even then.
 bool write_all(std::FILE* stream, const std::uint8_t* data, std::size_t size) {
   return size == 0 || std::fwrite(data, 1, size, stream) == size;
+}
+
+/// Sets errno when it fails.
+bool write_all(int file, const std::uint8_t* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t taken = ::write(file, data, size);
+    if (taken < 0 && errno == EINTR) continue;
+    if (taken == 0) errno = ENOSPC;
+    if (taken <= 0) return false;
+    data += taken, size -= static_cast<std::size_t>(taken);
+  }
+  return true;
 }
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
@@ -80,29 +94,27 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
   }
   std::error_code failed;
   if (std::filesystem::is_directory(file, failed)) throw refusal(file, "cannot be written: it is a folder, name a file");
-  if (std::filesystem::exists(file, failed) &&
-      !std::filesystem::is_regular_file(file, failed)) {  // /dev/stdout, a pipe: nothing to replace
-    const Stream stream(std::fopen(file.c_str(), "wb"));
-    if (!stream || !write_all(stream.get(), data, size) || std::fflush(stream.get()) != 0) {
-      throw refusal(file, "cannot be written: " + reason(errno));
-    }
+  const auto cannot = [&](const std::string& why) { return refusal(file, "cannot be written: " + why); };
+  const files::OutputPlace place = files::output_place(file);
+  if (place.descriptor >= 0) {  // /dev/stdout: behind what was printed before, and nothing to replace
+    if (std::fflush(nullptr) != 0 || !write_all(place.descriptor, data, size)) throw cannot(reason(errno));
     return;
   }
-  std::filesystem::path temporary = file;
-  temporary += ".part";
-  const auto give_up = [&](int error_number) {
-    std::filesystem::remove(temporary, failed);
-    return refusal(file, "cannot be written: " + reason(error_number));
-  };
-  const int part = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (part < 0 && errno == ELOOP) throw refusal(temporary, "is a symbolic link, which may lead anywhere; remove it");
-  Stream stream(part < 0 ? nullptr : ::fdopen(part, "wb"));
-  if (!stream) throw refusal(file, "cannot be written: " + reason(errno));
-  if (!write_all(stream.get(), data, size) || std::fflush(stream.get()) != 0 || ::fsync(part) != 0) throw give_up(errno);
-  if (std::fclose(stream.release()) != 0) throw give_up(errno);
-  std::filesystem::rename(temporary, file, failed);
-  if (failed) throw give_up(failed.value());
-  if (!files::sync_folder_of(file)) throw refusal(file, "is written, but may be lost with the power: " + reason(errno));
+  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed)) {  // a pipe or a device
+    const ScopedFile open(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
+    if (open.number < 0 || !write_all(open.number, data, size)) throw cannot(reason(errno));
+    return;
+  }
+  const std::string part = place.path + ".part";
+  const files::OpenPart opened = files::open_part(part, files::Leftover::kReplace);
+  if (opened.refusal) throw cannot(opened.refusal.sentence());
+  const ScopedFile open(opened.file);
+  if (!write_all(open.number, data, size) || ::fsync(open.number) != 0 || std::rename(part.c_str(), place.path.c_str()) != 0) {
+    const int why = errno;
+    std::remove(part.c_str());
+    throw cannot(reason(why));
+  }
+  if (!files::sync_folder_of(place.path)) throw refusal(file, "is written, but may be lost with the power: " + reason(errno));
 }
 
 void write_file(const std::filesystem::path& file, std::string_view text) {

@@ -28,8 +28,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 /// and so does a file that cannot be read.
 std::array<std::uint8_t, 16> first_bytes(const std::filesystem::path& file);
 
-/// Writes to a temporary beside `file`, syncs, then renames: the old file or the new one, never half of one, whatever ends the program or the power.
-/// What is no regular file is written as it is.
+/// Writes to a temporary beside `file`, syncs, then renames: the old file or the new one, never half of one, whatever ends the program or the power. A
+/// symbolic link stays, and what it leads to is replaced. What is no regular file, or open in this program as /dev/stdout is, is written as it is.
 ///
 /// fails     InputError naming the file
 void write_file(const std::filesystem::path& file, const std::uint8_t* data, std::size_t size);

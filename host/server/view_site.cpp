@@ -11,6 +11,7 @@
 
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/temporary_folder.h"
 #include "host/files/whole_file.h"
 #include "host/server/bundle.h"
 #include "host/server/exported_page.h"
@@ -65,12 +66,6 @@ std::string safe_name(std::string_view sent) {
   }
   if (name.empty() || name.front() == '.' || name.front() == '-') name.insert(0, "cloud");
   return name;
-}
-
-std::filesystem::path temporary_folder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "isotouch-view-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw InputError(pattern + ": no folder can be made there; free space, or set TMPDIR");
-  return pattern;
 }
 
 /// As style sheets write it.
@@ -272,7 +267,7 @@ Reply ViewSite::start_build(Request request) {
     builds_ = false;
   };
   try {
-    folder = temporary_folder();
+    folder = make_temporary_folder();
     const std::filesystem::path file = folder / safe_name(text_of(request.query, "name").value_or(""));
     {
       const std::scoped_lock held(lock_);

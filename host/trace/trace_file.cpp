@@ -1,10 +1,13 @@
 #include "host/trace/trace_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "host/error.h"
@@ -18,8 +21,14 @@ void or_throw(const Refusal& refusal) {
   if (refusal) throw InputError(refusal.sentence());
 }
 
-/// A file of this process's own.
-std::filesystem::path aside() { return std::filesystem::temp_directory_path() / ("isotouch-" + std::to_string(::getpid()) + ".trace"); }
+/// An empty file without a name, which goes with the program.
+int nameless_file() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "isotouch-XXXXXX").string();
+  const int file = ::mkostemp(pattern.data(), O_CLOEXEC);
+  if (file < 0) throw InputError(pattern + ": no file can be made there: " + std::strerror(errno) + "; free space, or set TMPDIR");
+  ::unlink(pattern.c_str());
+  return file;
+}
 
 }  // namespace
 
@@ -40,8 +49,9 @@ Trace read_trace(const std::filesystem::path& file, InputKind kind) {
                         : ": holds the packets of a device, this needs positions of a hand"));
 }
 
-TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& header) : to_standard_(is_standard(file)) {
-  or_throw(writer_.begin(to_standard_ ? aside().string() : file.string(), header));
+TraceWriter::TraceWriter(const std::filesystem::path& file, const TraceHeader& header, files::Leftover leftover)
+    : aside_(is_standard(file) ? nameless_file() : -1) {
+  or_throw(aside_.number < 0 ? writer_.begin(file.string(), header, leftover) : writer_.begin(file.string(), header, aside_.number));
 }
 
 void TraceWriter::finish() {
@@ -50,11 +60,13 @@ void TraceWriter::finish() {
 }
 
 void TraceWriter::pass_on() const {
-  if (!to_standard_) return;
-  const std::vector<std::uint8_t> bytes = read_file(aside());
-  std::error_code ignored;
-  std::filesystem::remove(aside(), ignored);
-  write_file("-", bytes.data(), bytes.size());
+  if (aside_.number < 0) return;
+  std::vector<std::uint8_t> bytes(std::size_t{1} << 20);
+  off_t from = 0;
+  for (ssize_t size = 0; (size = ::pread(aside_.number, bytes.data(), bytes.size(), from)) != 0; from += size) {
+    if (size < 0) throw InputError(std::string("-: what was put aside cannot be read again: ") + std::strerror(errno));
+    write_file("-", bytes.data(), static_cast<std::size_t>(size));
+  }
 }
 
 TraceWriter::Kept TraceWriter::finish_with_what_fits() {

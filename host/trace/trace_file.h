@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "shared/files/scoped_file.h"
 #include "shared/files/trace_file.h"
 #include "shared/files/trace_writer.h"
 
@@ -27,8 +28,9 @@ Trace read_trace(const std::filesystem::path& file, InputKind kind);
 class TraceWriter {
  public:
   /// header    its record count is ignored and counted instead
+  /// leftover  what to do with a part of somebody who was killed
   /// fails     InputError naming the file
-  TraceWriter(const std::filesystem::path& file, const TraceHeader& header);
+  TraceWriter(const std::filesystem::path& file, const TraceHeader& header, files::Leftover leftover = files::Leftover::kReplace);
 
   void append(const TraceRecord& record) { (void)writer_.append(record); }  // `finish` says what went wrong
   /// Has a write failed? What is appended then is lost.
@@ -47,8 +49,8 @@ class TraceWriter {
  private:
   void pass_on() const;
 
+  ScopedFile aside_;  ///< for standard output; else none is open
   files::TraceWriter writer_;
-  bool to_standard_;
 };
 
 }  // namespace isotouch::trace

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "shared/bytes.h"
-#include "shared/files/scoped_file.h"
 #include "shared/files/sync_folder.h"
 
 namespace isotouch::files {
@@ -30,7 +29,30 @@ std::string because(const std::string& path, const std::string& what, int error)
 
 TraceWriter::~TraceWriter() { discard(); }
 
-Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header) {
+Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header, Leftover leftover) {
+  if (Refusal refusal = check(path, header)) return refusal;
+  const OutputPlace place = output_place(path_);
+  struct stat there {};
+  if (place.descriptor >= 0 ||
+      (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode)))  // a device would be replaced, if the user may do so
+    return path_ + ": is a folder, a device or a pipe; name a file for the trace";
+  target_ = place.path;
+  OpenPart part = open_part(this->part(), leftover);
+  if (part.refusal) return path_ + ": the trace cannot be written: " + part.refusal.sentence();
+  file_ = part.file;
+  return write_header();
+}
+
+Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header, int file) {
+  if (Refusal refusal = check(path, header)) return refusal;
+  target_.clear();
+  file_ = ::fcntl(file, F_DUPFD_CLOEXEC, 0);
+  if (file_ < 0) return because(path_, "the trace cannot be written", errno);
+  return write_header();
+}
+
+/// Forgets what was begun before.
+Refusal TraceWriter::check(const std::string& path, const TraceHeader& header) {
   discard();
   path_ = path;
   header_ = header;
@@ -39,12 +61,10 @@ Refusal TraceWriter::begin(const std::string& path, const TraceHeader& header) {
   failed_ = 0;
   const Result<TraceHeader> readable = decode_header(encode(header_), kHeaderBytes);
   if (!readable) return path_ + ": the trace cannot be written: " + describe(readable.error());
-  struct stat there {};
-  if (::stat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))  // a device would be replaced, too, if the user may do so
-    return path_ + ": is a folder, a device or a pipe; name a file for the trace";
-  file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (file_ < 0 && errno == ELOOP) return part() + ": is a symbolic link, which may lead anywhere; remove it";
-  if (file_ < 0) return because(path_, "the trace cannot be written", errno);
+  return {};
+}
+
+Refusal TraceWriter::write_header() {
   const TraceHeaderBytes bytes = unfinished();
   waiting_.assign(bytes.begin(), bytes.end());
   if (flush()) return {};
@@ -100,9 +120,8 @@ bool TraceWriter::cut_to_whole_records() {
   chain_ = 0;
   if (header_.record_count == 0) return true;
   const std::uint64_t end = kHeaderBytes + header_.record_count * kRecordBytes;
-  const ScopedFile reading{::open(part().c_str(), O_RDONLY | O_CLOEXEC)};
   std::array<std::uint8_t, 8> chain{};
-  const bool read = ::pread(reading.number, chain.data(), chain.size(), static_cast<off_t>(end - kRecordBytes + kChainAt)) == 8;
+  const bool read = ::pread(file_, chain.data(), chain.size(), static_cast<off_t>(end - kRecordBytes + kChainAt)) == 8;
   chain_ = load_le<std::uint64_t>(chain.data());
   return read && ::ftruncate(file_, static_cast<off_t>(end)) == 0;
 }
@@ -118,12 +137,13 @@ Refusal TraceWriter::finish(Keep keep) {
   const bool whole = took_all || cut_to_whole_records();
   const bool wanted = records() > 0 || keep == Keep::kAllOrNothing;
   const TraceHeaderBytes bytes = encode(header_);
-  const bool kept = whole && wanted && ::pwrite(file_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()) &&
-                    ::fsync(file_) == 0 && std::rename(part().c_str(), path_.c_str()) == 0 && sync_folder_of(path_);
+  const bool kept =
+      whole && wanted && ::pwrite(file_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()) &&
+      (target_.empty() || (::fsync(file_) == 0 && std::rename(part().c_str(), target_.c_str()) == 0 && sync_folder_of(target_)));
   const int why = errno;
+  if (!kept && !target_.empty()) std::remove(part().c_str());  // before the lock ends with the file
   ::close(std::exchange(file_, -1));
   if (!kept) {
-    std::remove(part().c_str());
     header_.record_count = 0;
     chain_ = 0;
   }
@@ -137,8 +157,8 @@ Refusal TraceWriter::finish(Keep keep) {
 void TraceWriter::discard() {
   if (!is_open()) return;
   waiting_.clear();
+  if (!target_.empty()) std::remove(part().c_str());  // before the lock ends with the file
   ::close(std::exchange(file_, -1));
-  std::remove(part().c_str());
 }
 
 }  // namespace isotouch::files

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "shared/files/part_file.h"
 #include "shared/files/refusal.h"
 #include "shared/trace.h"
 
@@ -17,8 +18,8 @@ enum class Keep : std::uint8_t {
   kWhatFits,  ///< the whole records that it took
 };
 
-/// Writes to "NAME.part", and renames it at the end: the old file or the whole new one. Where the program is killed, the part holds a valid header of
-/// an unfinished file and all records but the last few hundred. Used by one thread.
+/// Writes to "NAME.part", and renames it at the end: the old file or the whole new one. A symbolic link stays, and what it leads to is replaced. Where the
+/// program is killed, the part holds a valid header of an unfinished file and all records but the last few hundred. Used by one thread.
 class TraceWriter {
  public:
   TraceWriter() = default;
@@ -28,8 +29,13 @@ class TraceWriter {
   TraceWriter& operator=(const TraceWriter&) = delete;
 
   /// header    its record count is ignored and counted instead
+  /// leftover  what to do with a part of somebody who was killed
   /// returns   why not, also for a header that could not be read again; none when it has begun, and only then it is open
-  Refusal begin(const std::string& path, const TraceHeader& header);
+  Refusal begin(const std::string& path, const TraceHeader& header, Leftover leftover = Leftover::kReplace);
+  /// The same into an empty file that is open for reading and writing, and is kept open by its owner. It gets no other name.
+  ///
+  /// path      for sentences
+  Refusal begin(const std::string& path, const TraceHeader& header, int file);
 
   /// Where it is not open, nothing happens.
   ///
@@ -56,7 +62,9 @@ class TraceWriter {
   std::uint64_t chain() const { return chain_; }
 
  private:
-  std::string part() const { return path_ + ".part"; }
+  Refusal check(const std::string& path, const TraceHeader& header);
+  Refusal write_header();
+  std::string part() const { return target_ + ".part"; }
   TraceHeaderBytes unfinished() const;
   bool flush();
   bool cut_to_whole_records();
@@ -65,6 +73,7 @@ class TraceWriter {
   int failed_ = 0;                     ///< errno of the write that the file did not take
   std::vector<std::uint8_t> waiting_;  ///< to be written
   std::string path_;
+  std::string target_;  ///< behind the links of path_; empty: the file is somebody else's
   TraceHeader header_;
   std::uint64_t chain_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "host/files/whole_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -7,6 +8,8 @@
 #include <string>
 
 #include "host/error.h"
+#include "shared/files/part_file.h"
+#include "shared/files/scoped_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch {
@@ -67,6 +70,50 @@ TEST(Files, ALinkThatSomebodyLaidInTheWayIsNotFollowed) {
   EXPECT_THROW(write_file(file, "new"), InputError);
   EXPECT_EQ(std::filesystem::file_size(victim), 4U);
   EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Files, ALinkStaysAndItsTargetIsReplaced) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path() / "real");
+  const auto there = folder.write("real/file", "old"), link = folder.path() / "link", dangling = folder.path() / "dangling";
+  std::filesystem::create_symlink("real/file", link);
+  std::filesystem::create_symlink("real/new", dangling);
+  write_file(link, "new");
+  write_file(dangling, "made");
+  EXPECT_TRUE(std::filesystem::is_symlink(link) && std::filesystem::is_symlink(dangling));
+  EXPECT_EQ(std::filesystem::file_size(there), 3U);
+  EXPECT_EQ(read_file(there), read_file(link));
+  EXPECT_EQ(std::filesystem::file_size(folder.path() / "real/new"), 4U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path() / "real"), {}), 2);
+}
+
+/// As /dev/stdout is that a shell has sent to a file.
+TEST(Files, AnOpenFileIsWrittenWhereItStands) {
+  const ScratchFolder folder;
+  const auto file = folder.write("file", "before ");
+  const auto link = folder.path() / "link";
+  const ScopedFile open(::open(file.c_str(), O_WRONLY | O_APPEND));
+  std::filesystem::create_symlink("/proc/self/fd/" + std::to_string(open.number), link);
+  write_file(link, "after");
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  const auto bytes = read_file(file);
+  EXPECT_EQ(std::string(bytes.begin(), bytes.end()), "before after");
+}
+
+TEST(Files, TwoWritersDoNotMeet) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "file";
+  folder.write("file.part", "left of a killed program");
+  {
+    const files::OpenPart other = files::open_part(file.string() + ".part", files::Leftover::kReplace);
+    const ScopedFile open(other.file);
+    ASSERT_GE(open.number, 0) << other.refusal.sentence();
+    EXPECT_THROW(write_file(file, "mine"), InputError);
+    EXPECT_FALSE(std::filesystem::exists(file));
+  }
+  write_file(file, "mine");
+  EXPECT_EQ(std::filesystem::file_size(file), 4U);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }
 
 TEST(Files, AFailedWriteLeavesTheOldFile) {

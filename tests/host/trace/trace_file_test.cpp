@@ -148,6 +148,50 @@ TEST(TraceFile, APartThatIsASymbolicLinkIsNotFollowed) {
   EXPECT_EQ(bytes_of(victim), "precious");
 }
 
+TEST(TraceFile, ALinkStaysAndItsTargetIsReplaced) {
+  const ScratchFolder folder;
+  const std::filesystem::path there = folder.write("there", "old"), link = folder.path() / "a.trace";
+  std::filesystem::create_symlink("there", link);
+  write_trace(folder, 5, true);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ(read_trace(there).size(), 5U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 2);
+}
+
+TEST(TraceFile, TwoWritersOfOneTraceDoNotMeet) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "a.trace";
+  TraceWriter first(file, {});
+  first.append(record_at(0, false));
+  for (const files::Leftover leftover : {files::Leftover::kReplace, files::Leftover::kRefuse}) {
+    try {
+      const TraceWriter second(file, {}, leftover);
+      ADD_FAILURE() << "both write it";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a.trace.part: another program is writing there"));
+    }
+  }
+  first.finish();
+  EXPECT_EQ(read_trace(file).size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
+}
+
+TEST(TraceFile, WhatAKillLeftOfARecordingIsNotWrittenOver) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "a.trace", part = folder.write("a.trace.part", "seven minutes");
+  try {
+    const TraceWriter writer(file, {}, files::Leftover::kRefuse);
+    ADD_FAILURE() << "it is gone";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.trace.part: is left of a recording that was cut off; rename it to keep it, or remove it"));
+  }
+  EXPECT_EQ(bytes_of(part), "seven minutes");
+  TraceWriter again(file, {});  // what can be made again
+  again.append(record_at(0, false));
+  again.finish();
+  EXPECT_EQ(read_trace(file).size(), 1U);
+}
+
 /// Whoever may write into /dev would otherwise have a file there instead of the device.
 TEST(TraceFile, WhatIsNoFileIsNotReplaced) {
   const ScratchFolder folder;

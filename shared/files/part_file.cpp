@@ -1,0 +1,77 @@
+#include "shared/files/part_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#include "shared/files/c_deleter.h"
+
+namespace isotouch::files {
+
+namespace {
+
+constexpr int kMostLinks = 40;  // as many as the kernel follows
+
+/// The number of the open file of this process that a path under /proc names; -1: it names none.
+int descriptor_at(const std::string& path) {
+  const std::size_t name = path.rfind('/') + 1;  // npos + 1 is 0
+  const std::unique_ptr<char, CDeleter<std::free>> folder(::realpath(name == 0 ? "." : path.substr(0, name).c_str(), nullptr));
+  if (!folder || folder.get() != "/proc/" + std::to_string(::getpid()) + "/fd") return -1;
+  char* end = nullptr;
+  const long number = std::strtol(path.c_str() + name, &end, 10);
+  return *end == '\0' && end != path.c_str() + name && number >= 0 && number <= INT_MAX ? static_cast<int>(number) : -1;
+}
+
+bool is_at(int file, const std::string& path) {
+  struct stat open {
+  }, there{};
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &there) == 0 && open.st_dev == there.st_dev && open.st_ino == there.st_ino;
+}
+
+}  // namespace
+
+OutputPlace output_place(const std::string& name) {
+  OutputPlace place{name};
+  for (int links = 0; links < kMostLinks; ++links) {
+    if ((place.descriptor = descriptor_at(place.path)) >= 0) return place;
+    std::array<char, PATH_MAX> target{};
+    const ssize_t size = ::readlink(place.path.c_str(), target.data(), target.size());
+    if (size <= 0) return place;
+    const std::string to(target.data(), static_cast<std::size_t>(size));
+    place.path = to.front() == '/' ? to : place.path.substr(0, place.path.rfind('/') + 1) + to;
+  }
+  return place;
+}
+
+OpenPart open_part(const std::string& part, Leftover leftover) {
+  const auto refused = [&](const std::string& what) { return OpenPart{-1, part + ": " + what}; };
+  for (;;) {
+    const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
+    if (file < 0 && errno == ELOOP) return refused("is a symbolic link, which may lead anywhere; remove it");
+    if (file < 0) return {-1, std::strerror(errno)};
+    const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // a file system without locks has none to respect
+    if (locked && !is_at(file, part)) {  // another program has just finished it: it has another name now
+      ::close(file);
+      continue;
+    }
+    struct stat there {};
+    const bool regular = ::fstat(file, &there) == 0 && S_ISREG(there.st_mode);
+    if (locked && regular && (there.st_size == 0 || (leftover == Leftover::kReplace && ::ftruncate(file, 0) == 0))) return {file, {}};
+    const int why = errno;
+    ::close(file);
+    if (!regular) return refused("is no file; remove it");
+    if (!locked) return refused("another program is writing there; wait for its end, or choose another name");
+    if (leftover == Leftover::kReplace) return {-1, std::strerror(why)};
+    return refused("is left of a recording that was cut off; rename it to keep it, or remove it");
+  }
+}
+
+}  // namespace isotouch::files
