@@ -72,7 +72,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/motion",
      {{"host/trace", "host/cloud", "host/field/angle.h", "host/files", "host/error.h", "host/to_double.h", "firmware/core", "shared"}}},
     {"host/evaluate", {{"host", "firmware/core", "shared"}}},
-    {"host/bag", {{"host/motion", "host/error.h", "host/files", "host/to_double.h", "shared"}}},
+    {"host/bag", {{"host/motion", "host/trace/recorded_patches.h", "host/error.h", "host/files", "host/to_double.h", "shared"}}},
     {"host/view", {{"host", "firmware/core", "shared"}}},
     {"tests/host/touch", {{"host/touch", "hil/plain_replay.h", "shared", "tests/support"}}},
     {"host/touch", {{"firmware/core", "hil/plain_replay.h", "shared"}}},  // it runs in a page: no library of the host is there

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <set>
+#include <utility>
 
 #include "host/bag/mcap_reader.h"
 #include "host/bag/ros2_bag.h"
@@ -15,7 +17,7 @@ namespace isotouch::bag {
 
 namespace {
 
-constexpr double kMmPerMetre = 1000;
+constexpr double kLongestGap = 0.1;  ///< s, between a position and the next force: at 10 Hz, a hand cannot be followed anyway
 
 using Use = std::function<void(const Channel&, std::uint64_t, std::span<const std::uint8_t>)>;
 
@@ -23,6 +25,14 @@ void each_message(const std::filesystem::path& file, const Use& use) {
   if (is_sqlite(first_bytes(file))) return read_ros2_bag(file, use);
   if (!read_mcap(read_file(file), file.string(), {use, {}}))
     std::fprintf(stderr, "isotouch: %s: its end is missing; what is whole was read\n", file.string().c_str());
+}
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::string text_of(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", seconds);
+  return text;
 }
 
 /// What one topic says. Nanoseconds since 1970 need 61 bits, more than a double has.
@@ -64,8 +74,7 @@ class Collector {
   std::vector<motion::TimedPoint> points() const {
     require_one(position_topics_, topics_.positions, "a position", "--topic");
     if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
-    const bool stamped = positions_.stamps_ns.size() == positions_.values.size() &&
-                         (!topics_.with_forces || forces_.stamps_ns.size() == forces_.values.size());
+    const bool stamped = is_stamped(positions_) && (!topics_.with_forces || is_stamped(forces_));
     const std::vector<std::int64_t>& all = stamped ? positions_.stamps_ns : positions_.recorded_ns;
     const std::int64_t first = all.empty() ? 0 : all.front();
     const std::vector<double> times = times_of(positions_, stamped, first), force_times = times_of(forces_, stamped, first);
@@ -73,7 +82,7 @@ class Collector {
       throw InputError(file_ + ": the topic has fewer than two positions; record for longer, or choose another topic with --topic");
     std::vector<motion::TimedPoint> points;
     for (std::size_t i = 0; i < times.size(); ++i) {
-      motion::TimedPoint point{times[i], kMmPerMetre * positions_.values[i]};
+      motion::TimedPoint point{times[i], topics_.mm_per_unit * positions_.values[i]};
       if (topics_.with_forces) point.force = force_at(times[i], force_times);
       points.push_back(point);
     }
@@ -92,6 +101,12 @@ class Collector {
       throw InputError(file_ + ": several topics have " + what + "; choose one with " + option + ": " + all);
   }
 
+  /// A clock that always says zero is none; one of a simulation may begin there.
+  static bool is_stamped(const Series& series) {
+    return series.stamps_ns.size() == series.values.size() &&
+           std::any_of(series.stamps_ns.begin(), series.stamps_ns.end(), [](std::int64_t stamp) { return stamp != 0; });
+  }
+
   /// Seconds since the first position.
   std::vector<double> times_of(const Series& series, bool stamped, std::int64_t first_ns) const {
     std::vector<double> times;
@@ -107,6 +122,12 @@ class Collector {
 
   Eigen::Vector3d force_at(double time, const std::vector<double>& times) const {
     const auto after = std::lower_bound(times.begin(), times.end(), time);
+    const double since = after == times.begin() ? kNever : time - *(after - 1), until = after == times.end() ? kNever : *after - time;
+    if (std::min(since, until) > kLongestGap) {
+      throw InputError(file_ + ": no force within " + text_of(kLongestGap) + " s of the position at " + text_of(time) +
+                       " s; the forces are from " + text_of(times.front()) + " to " + text_of(times.back()) +
+                       " s. Record both topics all the time and by one clock, or leave --forces out");
+    }
     if (after == times.begin()) return forces_.values.front();
     if (after == times.end()) return forces_.values.back();
     const auto i = static_cast<std::size_t>(after - times.begin());
@@ -135,13 +156,15 @@ std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& fil
   return collector.points();
 }
 
-std::optional<Bytes> attached_trace(const std::filesystem::path& file) {
+std::optional<AttachedTrace> attached_trace(const std::filesystem::path& file) {
   if (!is_mcap(first_bytes(file))) return std::nullopt;
-  std::optional<Bytes> found;
+  std::optional<Bytes> trace, patches;
   read_mcap(read_file(file), file.string(), {{}, [&](std::string_view, std::string_view media_type, std::span<const std::uint8_t> data) {
-                                               if (media_type == kTraceMediaType) found.emplace(data.begin(), data.end());
+                                               if (media_type == kTraceMediaType) trace.emplace(data.begin(), data.end());
+                                               if (media_type == kPatchesMediaType) patches.emplace(data.begin(), data.end());
                                              }});
-  return found;
+  if (!trace) return std::nullopt;
+  return AttachedTrace{std::move(*trace), std::move(patches)};
 }
 
 }  // namespace isotouch::bag

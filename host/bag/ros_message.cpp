@@ -93,7 +93,7 @@ std::optional<Measured> from_cdr(const Type& type, Span data) {
   if (type.has_header) {
     const auto seconds = static_cast<std::int32_t>(from.number<std::uint32_t>());
     const auto nanoseconds = from.number<std::uint32_t>();
-    if (seconds != 0 || nanoseconds != 0) measured.stamp_ns = seconds * kNsPerS + nanoseconds;
+    measured.stamp_ns = seconds * kNsPerS + nanoseconds;
     (void)from.text();
     if (type.has_child_frame) measured.frame = from.text();
   }
@@ -110,7 +110,7 @@ double number_in(const nlohmann::json& object, const char* name) {
 std::optional<std::int64_t> stamp_in(const nlohmann::json& whole) {
   const auto of = [](const nlohmann::json& stamp, const char* nanoseconds) -> std::optional<std::int64_t> {
     const double s = number_in(stamp, "sec"), ns = number_in(stamp, nanoseconds);
-    if (!(std::fabs(s) < 4e9) || !(ns >= 0 && ns < 1e9) || (s == 0 && ns == 0)) return std::nullopt;
+    if (!(std::fabs(s) < 4e9) || !(ns >= 0 && ns < 1e9)) return std::nullopt;
     return static_cast<std::int64_t>(s) * kNsPerS + static_cast<std::int64_t>(ns);
   };
   if (!whole.is_object()) return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include "host/bag/bag_motion.h"
 #include "host/to_double.h"
+#include "host/trace/recorded_patches.h"
 
 namespace isotouch::bag {
 
@@ -52,10 +53,12 @@ Json pose_at(const Vec3<Mm>& place, std::uint64_t time_ns) {
 
 }  // namespace
 
-Bytes trace_to_mcap(const files::TraceFile& trace, const std::string& name, std::span<const std::uint8_t> whole, const std::string& library,
+Bytes trace_to_mcap(const files::TraceFile& trace, const std::string& name, std::span<const std::uint8_t> whole,
+                    const std::optional<std::vector<std::uint8_t>>& patches, const std::string& library,
                     const std::function<Json(std::size_t)>& row) {
   McapWriter writer(library);
   writer.attach(name, kTraceMediaType, whole);
+  if (patches) writer.attach(trace::patches_of(name).string(), kPatchesMediaType, *patches);
   const std::uint16_t pose = writer.schema("foxglove.PoseInFrame", "jsonschema", pose_schema());
   const std::uint16_t tick_schema = writer.schema("isotouch.Tick", "jsonschema", schema_of(trace.size() > 0 ? row(0) : Json::object()));
   const std::uint16_t ticks = writer.channel(tick_schema, "/isotouch/tick", "json");

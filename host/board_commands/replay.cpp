@@ -15,8 +15,10 @@
 #include "host/board_commands/quantiles_json.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/rendering_difference.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
@@ -148,6 +150,8 @@ void check_renderer(const ReplayOptions& options, const FieldView& field, const 
 }
 
 Replayed replayed(const ReplayOptions& options, const FieldView& field, const trace::Trace& trace) {
+  std::optional<std::vector<std::uint8_t>> patches;
+  if (!options.out.empty()) patches = trace::patches_for(options.out, trace);
   std::unique_ptr<trace::Renderer> god_object;
   if (options.renderer == kGodObject) god_object = options.make_god_object(field, options.mesh, trace.header());
   std::optional<trace::TraceWriter> writer;
@@ -167,6 +171,7 @@ Replayed replayed(const ReplayOptions& options, const FieldView& field, const tr
     }
   }
   if (writer) writer->finish();
+  if (patches) write_file(trace::patches_of(options.out), patches->data(), patches->size());
   return replayed;
 }
 

@@ -52,15 +52,31 @@ double TextLines::number(std::string_view what) {
 
 InputError TextLines::refusal(const std::string& what) const { return InputError(name_ + ": line " + std::to_string(line_) + ": " + what); }
 
+namespace {
+
+/// Of a number that is written well and is not zero: from where its first digit that is not 0 stands, and its exponent.
+bool is_below_one(std::string_view number) {
+  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+  std::string_view exponent = number.substr(std::min(e + 1, number.size()));
+  if (exponent.starts_with('+')) exponent.remove_prefix(1);
+  long long shift = 0;
+  if (std::from_chars(exponent.data(), exponent.data() + exponent.size(), shift).ec == std::errc::result_out_of_range)
+    return exponent.starts_with('-');
+  const std::string_view digits = number.substr(0, e);
+  const auto first = static_cast<long long>(digits.find_first_of("123456789"));
+  const auto point = static_cast<long long>(std::min(digits.find('.'), digits.size()));
+  return point - first + (first > point ? 1 : 0) + std::clamp(shift, -(1LL << 40), 1LL << 40) <= 0;
+}
+
+}  // namespace
+
 std::optional<double> as_number(std::string_view field) {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   if (end != field.data() + field.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {  // too large, or too small to matter: from_chars leaves `value` as it was
-    const std::size_t exponent = field.find_first_of("eE");
-    const bool tiny = exponent != std::string_view::npos && field.substr(exponent + 1).starts_with('-');
-    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+    return is_below_one(field) ? 0.0 : std::numeric_limits<double>::infinity();
   }
   if (error != std::errc{}) return std::nullopt;
   return value;

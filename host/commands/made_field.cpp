@@ -71,6 +71,15 @@ void require_default_method(const BuildOptions& options, const char* what) {
   }
 }
 
+/// fails     InputError when something is said about normals, which what is no cloud does not need
+void require_no_normals(const BuildOptions& options, const char* what) {
+  const auto refuse = [&](const char* option) {
+    throw InputError(options.input.string() + ": " + option + " is for the normals of points, this is " + what + "; leave it out");
+  };
+  if (options.estimate_normals) refuse("--normals");
+  if (options.sensor.viewpoint) refuse("--viewpoint");
+}
+
 /// Says where the file, and not the person, puts the sensor.
 std::string sensor_sentence(const Eigen::Vector3d& place) {
   std::array<char, 96> text{};
@@ -178,6 +187,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
 
 Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   require_default_method(options, "a mesh");
+  require_no_normals(options, "a mesh");
   cloud::MeshReport read;
   const cloud::TriangleMesh file = cloud::read_mesh(source, read);
   progress.begin("check");
@@ -219,6 +229,7 @@ double band_within(const BuildOptions& options, double known) {
 
 Made from_level_set(std::span<const std::uint8_t> bytes, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   require_default_method(options, "a level set");
+  require_no_normals(options, "a level set");
   if (options.sensor.camera)
     throw InputError(options.input.string() + ": --intrinsics describes a depth camera, this is a level set; leave it out");
   const vdb::LevelSet set = vdb::LevelSet::read(options.input, bytes, options.grid_name);

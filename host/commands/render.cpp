@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/board_commands/choice.h"
+#include "host/board_commands/number_in.h"
 #include "host/cloud/check.h"
 #include "host/cloud/read_cloud.h"
 #include "host/commands/camera_options.h"
@@ -153,7 +154,8 @@ void add_render(CLI::App& app) {
           "--axis", [run = slice_run](const std::string& name) { run->axis = name.front(); },
           "across the slice; by default z, or with --trace the axis that shows the touch best")
       ->check(one_of({"x", "y", "z"}));
-  CLI::Option* at = slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest");
+  CLI::Option* at = slice->add_option("--at", slice_run->at, "mm on that axis, workspace; default: where the object is widest")
+                        ->check(number_in(-512.0, 512.0));
   slice_run->touch.add_to(*slice)->excludes(at);
 }
 

@@ -13,7 +13,7 @@
 
 #include "host/board_commands/output.h"
 #include "host/cloud/file_kind.h"
-#include "host/cloud/source_file.h"
+#include "host/cloud/ply.h"
 #include "host/cloud/text_lines.h"
 #include "host/commands/commands.h"
 #include "host/encoding/write_image.h"
@@ -48,7 +48,8 @@ std::vector<Vector3d> places_of_text(const std::string& name, const std::vector<
 
 std::vector<Vector3d> read_places(const std::filesystem::path& file) {
   std::vector<std::uint8_t> bytes = read_file(file);
-  if (cloud::file_kind(file, bytes) == cloud::FileKind::kPly) return cloud::SourceFile(file, std::move(bytes)).points().positions;
+  if (cloud::file_kind(file, bytes) == cloud::FileKind::kPly)
+    return cloud::read_ply(file.string(), bytes).positions;  // a row for each point
   return places_of_text(file.string(), bytes);
 }
 

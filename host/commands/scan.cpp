@@ -174,11 +174,16 @@ void add_scan(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--seed", options->scan.seed, "with a mesh: seed of the hand's random numbers")->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
-  command->callback([options] {
+  command->callback([options, command] {
     require_apart(options->out, options->json);
     if (is_standard(options->trace)) throw CLI::ValidationError("--trace", "the trace is read again after it was written; name a file");
     if (options->touch.stiffness_n_per_mm > 0) options->scan.stiffness_n_per_mm = options->touch.stiffness_n_per_mm;
-    is_trace(*options) ? scan_trace(*options) : scan_mesh(*options);
+    const bool from_trace = is_trace(*options);
+    for (const char* name : {"--trace", "--seconds", "--seed"}) {
+      if (from_trace && command->count(name) > 0)
+        throw InputError(options->input.string() + ": " + name + " is for a hand that strokes a mesh, this is a trace; leave it out");
+    }
+    from_trace ? scan_trace(*options) : scan_mesh(*options);
   });
 }
 

@@ -66,8 +66,9 @@ void export_trace(const ToMcapOptions& options) {
     throw InputError(options.trace.string() + ": a pipe can be read only once, and this reads the trace twice; write it to a file first");
   const std::vector<std::uint8_t> whole = read_file(options.trace);
   const trace::Trace trace = trace::read_trace(options.trace);
-  const bag::Bytes bytes = bag::trace_to_mcap(trace, options.trace.filename().string(), whole, files::short_version_text("isotouch"),
-                                              [&](std::size_t tick) { return tick_json(trace, tick); });
+  const bag::Bytes bytes =
+      bag::trace_to_mcap(trace, options.trace.filename().string(), whole, trace::patch_bytes(trace), files::short_version_text("isotouch"),
+                         [&](std::size_t tick) { return tick_json(trace, tick); });
   write_file(options.out, bytes.data(), bytes.size());
 }
 

@@ -12,14 +12,15 @@
 
 #include "host/bag/bag_motion.h"
 #include "host/commands/new_trace.h"
-#include "host/commands/temporary_folder.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/temporary_folder.h"
 #include "host/files/whole_file.h"
 #include "host/motion/felt_surface.h"
 #include "host/motion/motion_csv.h"
 #include "host/motion/resample.h"
 #include "host/to_double.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/trace_file.h"
 #include "shared/trace.h"
 
@@ -79,35 +80,55 @@ Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) 
 /// A trace that was exported comes back as it was; what else the recording holds is left out.
 bool bring_back(const ImportOptions& options) {
   if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
-  const std::optional<bag::Bytes> whole = bag::attached_trace(options.source);
-  if (!whole) return false;
+  const std::optional<bag::AttachedTrace> found = bag::attached_trace(options.source);
+  if (!found) return false;
   if (!options.given.empty()) {
     throw InputError(options.source.string() + ": it holds a whole trace, which comes back as it was; leave " + options.given +
                      " out, or name the positions to import anew with --topic");
   }
   const TemporaryFolder folder;
   const fs::path looked_at = folder.path / "attached.trace";
-  write_file(looked_at, whole->data(), whole->size());
+  write_file(looked_at, found->trace.data(), found->trace.size());
+  if (found->patches) write_file(trace::patches_of(looked_at), found->patches->data(), found->patches->size());
+  std::optional<trace::Trace> trace;
   try {
-    (void)trace::read_trace(looked_at);
+    trace.emplace(trace::read_trace(looked_at));
+    (void)trace::patch_bytes(*trace);  // are they there?
   } catch (const InputError& error) {
     throw InputError(options.source.string() + ": the trace that it holds cannot be read (" + error.what() +
                      "); choose a topic with --topic");
   }
-  write_file(options.trace.out, whole->data(), whole->size());
+  const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, *trace);
+  write_file(options.trace.out, found->trace.data(), found->trace.size());
+  if (patches) write_file(trace::patches_of(options.trace.out), patches->data(), patches->size());
   std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;
 }
 
+/// An option that says nothing about this kind of source would be taken for one that was followed.
+void require_fitting(const ImportOptions& options, bool from_bag) {
+  const auto refuse = [&](const char* option, const char* what) {
+    throw InputError(options.source.string() + ": " + option + " is for " + what + "; leave it out");
+  };
+  if (from_bag && !options.columns.empty()) refuse("--columns", "a table, and this is a recording with topics");
+  if (from_bag && !options.time_unit.empty()) refuse("--time-unit", "a table, and a recording has its times in ns");
+  if (!from_bag && !options.topic.empty()) refuse("--topic", "a recording (MCAP, .db3), and this is a table");
+  if (!from_bag && !options.force_topic.empty()) refuse("--force-topic", "a recording (MCAP, .db3), and this is a table");
+  if (!options.forces && !options.force_topic.empty()) refuse("--force-topic", "forces, which --forces asks for");
+}
+
 void import_table(const ImportOptions& options) {
   if (bring_back(options)) return;
+  const bool from_bag = bag::is_bag(options.source);
+  require_fitting(options, from_bag);
   motion::MotionColumns columns = motion::parse_columns(options.columns);
   columns.time_unit = options.time_unit;
   columns.length_unit = options.length_unit;
   columns.with_forces = options.forces;
-  std::vector<motion::TimedPoint> points = bag::is_bag(options.source)
-                                               ? bag::read_bag_motion(options.source, {options.topic, options.force_topic, options.forces})
-                                               : motion::read_motion_csv(options.source, columns);
+  bag::BagTopics topics{options.topic, options.force_topic, options.forces};
+  if (!options.length_unit.empty()) topics.mm_per_unit = motion::millimetres_in(options.length_unit);
+  std::vector<motion::TimedPoint> points =
+      from_bag ? bag::read_bag_motion(options.source, topics) : motion::read_motion_csv(options.source, columns);
   place(points, options);
   TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0;
@@ -146,7 +167,7 @@ void add_import(CLI::App& trace) {
   command->add_flag("--forces", options->forces,
                     "also read the forces on the hand, N, for isotouch scan; give the wall's stiffness with --stiffness");
   command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
-  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the ending of x's name");
+  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the endings of the columns' names, m in a recording");
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
   command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);

@@ -99,8 +99,8 @@ TouchKind touch_kind(const TraceRecord& record, double least_force_n) {
 
 OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchReport& report) {
   const double area = touched_area(touches, points);
-  report.spacing_mm = std::sqrt(area / static_cast<double>(points));
-  const OrientedPoints places = averaged(touches, std::max(report.spacing_mm / 4, 1e-6));
+  const double wanted_mm = std::sqrt(area / static_cast<double>(points));
+  const OrientedPoints places = averaged(touches, std::max(wanted_mm / 4, 1e-6));
   report.places = places.size();
   // A place at the rim of its cell may hold one touch only, so each that is kept is averaged once more over the touches round it.
   const field::Nearest near(touches.positions);
@@ -109,7 +109,7 @@ OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchR
   for (const std::size_t i : cloud::spread_out(places, area, points)) {
     Vector3d position = places.positions[i], normal = places.normals[i];
     double count = 1;
-    near.within(position, report.spacing_mm / 5, found);
+    near.within(position, wanted_mm / 5, found);
     for (const field::Neighbour& touch : found) {
       if (touches.normals[touch.index].dot(places.normals[i]) <= kSameSide) continue;
       position += touches.positions[touch.index];
@@ -120,6 +120,7 @@ OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchR
     kept.normals.emplace_back(normal.normalized());
   }
   report.points = kept.size();
+  report.spacing_mm = std::sqrt(area / static_cast<double>(std::max<std::size_t>(kept.size(), 1)));
   return kept;
 }
 

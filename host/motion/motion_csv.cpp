@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include "host/cloud/text_lines.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
 
@@ -15,9 +16,16 @@ namespace isotouch::motion {
 
 namespace {
 
-using Factors = std::array<std::pair<std::string_view, double>, 4>;
-constexpr Factors kSeconds = {{{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
-constexpr Factors kMillimetres = {{{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}}};
+using Factor = std::pair<std::string_view, double>;
+using Factors = std::vector<Factor>;
+constexpr std::size_t kStated = 4;  // may be stated as an option; behind them is what else the endings of names say
+const Factors kSeconds = {
+    {"s", 1.0},       {"ms", 1e-3},           {"us", 1e-6},    {"ns", 1e-9},     {"sec", 1.0},           {"secs", 1.0},
+    {"seconds", 1.0}, {"msec", 1e-3},         {"msecs", 1e-3}, {"millis", 1e-3}, {"milliseconds", 1e-3}, {"usec", 1e-6},
+    {"micros", 1e-6}, {"microseconds", 1e-6}, {"nsec", 1e-9},  {"nanos", 1e-9},  {"nanoseconds", 1e-9}};
+const Factors kMillimetres = {{"mm", 1.0},          {"cm", 10.0},         {"m", 1000.0},         {"in", 25.4},
+                              {"millimetres", 1.0}, {"millimeters", 1.0}, {"centimetres", 10.0}, {"centimeters", 10.0},
+                              {"metres", 1000.0},   {"meters", 1000.0},   {"inch", 25.4},        {"inches", 25.4}};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \r\"";
@@ -41,20 +49,21 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   }
 }
 
-/// The factor of a stated unit, else of the one that the column's name ends with, else 1.
-double unit_factor(const Factors& factors, const std::string& stated, std::string_view column) {
-  const auto find = [&](std::string_view unit) {
-    return std::find_if(factors.begin(), factors.end(), [&](auto& f) { return f.first == unit; });
-  };
-  if (!stated.empty()) {
-    const auto found = find(stated);
-    if (found != factors.end()) return found->second;
-    std::string known;
-    for (const auto& [name, factor] : factors) known.append(" ").append(name);
-    throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
-  }
+/// The factor of a stated unit.
+double stated_factor(const Factors& factors, const std::string& stated) {
+  const auto end = factors.begin() + kStated;
+  const auto found = std::find_if(factors.begin(), end, [&](const Factor& f) { return f.first == stated; });
+  if (found != end) return found->second;
+  std::string known;
+  std::for_each(factors.begin(), end, [&](const Factor& f) { known.append(" ").append(f.first); });
+  throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
+}
+
+/// The factor of the unit that a column's name ends with, else 1.
+double named_factor(const Factors& factors, std::string_view column) {
   const std::size_t ending = column.rfind('_');
-  const auto found = ending == std::string_view::npos ? factors.end() : find(column.substr(ending + 1));
+  if (ending == std::string_view::npos) return 1.0;
+  const auto found = std::find_if(factors.begin(), factors.end(), [&](const Factor& f) { return f.first == column.substr(ending + 1); });
   return found == factors.end() ? 1.0 : found->second;
 }
 
@@ -73,6 +82,7 @@ class Table {
       const std::string_view text = trimmed(line_);
       if (!text.empty() && text.front() != '#') return true;
     }
+    if (in_.bad()) refuse_file("cannot be read to its end");
     return false;
   }
   const std::string& line() const { return line_; }
@@ -99,15 +109,16 @@ std::size_t find_column(const Table& table, const std::vector<std::string_view>&
 }
 
 double number(const Table& table, std::string_view field, std::string_view column) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (error != std::errc{} || end != field.data() + field.size() || !std::isfinite(value)) {
+  const std::optional<double> value = cloud::as_number(field);
+  if (!value || !std::isfinite(*value)) {
     table.refuse(in_quotes(field) + " in column " + in_quotes(column) + " is not a finite number; correct or remove the row");
   }
-  return value;
+  return *value;
 }
 
 }  // namespace
+
+double millimetres_in(const std::string& unit) { return stated_factor(kMillimetres, unit); }
 
 MotionColumns parse_columns(const std::string& text) {
   MotionColumns columns;
@@ -147,8 +158,14 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
   if (columns.with_forces) {
     for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) at.push_back(find_column(table, names, *name));
   }
-  const double seconds = unit_factor(kSeconds, columns.time_unit, columns.time);
-  const double millimetres = unit_factor(kMillimetres, columns.length_unit, columns.x);
+  const double seconds = columns.time_unit.empty() ? named_factor(kSeconds, columns.time) : stated_factor(kSeconds, columns.time_unit);
+  const double millimetres =
+      columns.length_unit.empty() ? named_factor(kMillimetres, columns.x) : stated_factor(kMillimetres, columns.length_unit);
+  for (const std::string* other : {&columns.y, &columns.z}) {
+    if (columns.length_unit.empty() && named_factor(kMillimetres, *other) != millimetres)
+      table.refuse("the columns " + in_quotes(columns.x) + " and " + in_quotes(*other) +
+                   " have different units; write --length-unit for all three, or rename one");
+  }
 
   std::vector<TimedPoint> points;
   while (table.next()) {

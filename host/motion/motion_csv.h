@@ -25,8 +25,13 @@ struct MotionColumns {
   std::string fz = "fz_N";
   bool with_forces = false;  ///< read them, N
   std::string time_unit;     ///< s ms us ns; empty: the ending of the column's name (t_s, stamp_ns), else s
-  std::string length_unit;   ///< mm cm m in; empty: the ending of x's name, else mm
+  std::string length_unit;   ///< mm cm m in; empty: the endings of the columns' names, which must agree, else mm
 };
+
+/// How many mm a unit of length has: mm cm m in.
+///
+/// fails     InputError: another unit
+double millimetres_in(const std::string& unit);
 
 /// Reads `t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME`; what is not named keeps its default.
 ///

@@ -1,6 +1,7 @@
 #include "host/trace/recorded_patches.h"
 
 #include <string>
+#include <utility>
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
@@ -13,18 +14,43 @@ std::filesystem::path patches_of(const std::filesystem::path& trace) {
   return std::filesystem::path(trace).replace_extension(".patches");
 }
 
-std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field) {
+namespace {
+
+/// How many ticks take a patch over.
+std::size_t moves_of(const Trace& trace) {
   std::size_t moves = 0;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     if ((trace.record(tick).input.requests & kRequestMoved) != 0) ++moves;
   }
-  if (moves == 0) return std::nullopt;
+  return moves;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
+  if (moves_of(trace) == 0) return std::nullopt;
   const std::filesystem::path file = patches_of(trace.path());
   if (!std::filesystem::exists(file)) {
     throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() +
                      " is not there; keep that file beside the trace");
   }
-  RecordedPatches patches{read_file(file), 0};
+  return read_file(file);
+}
+
+std::optional<std::vector<std::uint8_t>> patches_for(const std::filesystem::path& other, const Trace& trace) {
+  std::optional<std::vector<std::uint8_t>> bytes = patch_bytes(trace);
+  if (bytes && is_standard(other))
+    throw InputError(trace.path() +
+                     ": its field was patched, and the patches belong into a file beside the trace; write to a file, not to -");
+  return bytes;
+}
+
+std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field) {
+  std::optional<std::vector<std::uint8_t>> bytes = patch_bytes(trace);
+  if (!bytes) return std::nullopt;
+  const std::size_t moves = moves_of(trace);
+  const std::filesystem::path file = patches_of(trace.path());
+  RecordedPatches patches{std::move(*bytes), 0};
   const Result<Patches> found = check_patches(patches.bytes, field.hash());
   if (!found) throw InputError(file.string() + ": " + describe(found.error()) + "; give the file that was written beside the trace");
   if (found->count < moves) {

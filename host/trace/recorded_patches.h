@@ -26,6 +26,16 @@ struct RecordedPatches {
 /// Where they are: the trace's name with the extension `.patches`; of an unfinished `NAME.trace.part`, `NAME.patches.part`.
 std::filesystem::path patches_of(const std::filesystem::path& trace);
 
+/// The bytes of that file, as they are. A trace without a tick that takes a patch over has none.
+///
+/// fails     InputError: the file is not there
+std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace);
+
+/// The same, to be written beside another trace that needs them, too.
+///
+/// fails     also InputError: standard output has nothing beside it
+std::optional<std::vector<std::uint8_t>> patches_for(const std::filesystem::path& other, const Trace& trace);
+
 /// Reads and checks them. A trace without a tick that takes a patch over has none.
 ///
 /// field     that the trace was recorded on

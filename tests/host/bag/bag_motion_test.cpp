@@ -87,6 +87,43 @@ TEST(Bag, AMessageThatIsNoPositionIsRefused) {
     EXPECT_THAT(refusal_of(written("bad.mcap", with_topics({"/a"}, text))), HasSubstr("message 0 of /a cannot be read")) << text;
 }
 
+/// Positions every 10 ms of one second; forces of 2 N from one time to another.
+Bytes with_forces(std::uint64_t from_ms, std::uint64_t to_ms) {
+  McapWriter writer("test");
+  const auto positions = writer.channel(writer.schema("geometry_msgs/msg/PointStamped", "jsonschema", "{}"), "/hand", "json");
+  const auto forces = writer.channel(writer.schema("geometry_msgs/msg/WrenchStamped", "jsonschema", "{}"), "/force", "json");
+  const std::string place = R"({"point":{"x":0,"y":0,"z":0}})", force = R"({"wrench":{"force":{"x":2,"y":0,"z":0}}})";
+  for (std::uint64_t ms = 0; ms <= 1000; ms += 10) {
+    writer.message(positions, ms * 1'000'000, Bytes(place.begin(), place.end()));
+    if (ms >= from_ms && ms <= to_ms) writer.message(forces, ms * 1'000'000, Bytes(force.begin(), force.end()));
+  }
+  return writer.finish();
+}
+
+TEST(Bag, WhereNoForceWasRecordedThereIsNone) {
+  const BagTopics topics{.with_forces = true};
+  EXPECT_EQ(read_bag_motion(written("whole.mcap", with_forces(50, 950)), topics).back().force.x(), 2.0);
+  EXPECT_THAT(refusal_of(written("late.mcap", with_forces(400, 1000)), topics),
+              HasSubstr("no force within 0.1 s of the position at 0 s; the forces are from 0.4 to 1 s"));
+  EXPECT_THAT(refusal_of(written("early.mcap", with_forces(0, 600)), topics), HasSubstr("of the position at 0.71 s"));
+}
+
+TEST(Bag, PositionsMayHaveAnotherUnit) { EXPECT_NEAR(read_bag_motion(kReference, {.mm_per_unit = 1})[3].position.x(), 0.003, 1e-9); }
+
+/// A simulation's clock begins at zero.
+TEST(Bag, AStampOfZeroIsOneWhereOthersAreNot) {
+  for (const bool all : {false, true}) {
+    McapWriter writer("test");
+    const auto channel = writer.channel(writer.schema("geometry_msgs/PointStamped", "jsonschema", "{}"), "/a", "json");
+    for (std::uint64_t i = 0; i < 3; ++i) {
+      const std::string text =
+          R"({"header":{"stamp":{"sec":0,"nanosec":)" + std::to_string(all ? 0 : i * 10'000'000) + R"(}},"point":{"x":1,"y":2,"z":3}})";
+      writer.message(channel, i * 20'000'000, Bytes(text.begin(), text.end()));
+    }
+    EXPECT_NEAR(read_bag_motion(written("zero.mcap", writer.finish()), {})[2].time, all ? 0.04 : 0.02, 1e-12);
+  }
+}
+
 TEST(Bag, TheStampOfAJsonMessageCounts) {
   McapWriter writer("test");
   const auto channel = writer.channel(writer.schema("geometry_msgs/PointStamped", "jsonschema", "{}"), "/a", "json");
@@ -129,8 +166,11 @@ TEST(Bag, ATraceComesBackToTheBit) {
   McapWriter writer("test");
   const Bytes trace = {1, 2, 3, 0, 255};
   writer.attach("felt.trace", kTraceMediaType, trace);
-  EXPECT_EQ(attached_trace(written("attached.mcap", writer.finish())), trace);
-  EXPECT_EQ(attached_trace(kReference), std::nullopt);
+  const std::optional<AttachedTrace> found = attached_trace(written("attached.mcap", writer.finish()));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->trace, trace);
+  EXPECT_FALSE(found->patches);
+  EXPECT_FALSE(attached_trace(kReference));
 }
 
 TEST(Bag, ManyMessagesFillManyChunks) {

@@ -43,7 +43,15 @@ TEST(TextLines, NumbersAreWholeFields) {
   EXPECT_EQ(as_number("-1.5e3"), -1500.0);
   EXPECT_EQ(as_number("+2"), 2.0);
   EXPECT_EQ(as_number("1e-400"), 0.0);
+  EXPECT_EQ(as_number("-0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_EQ(as_number("0." + std::string(400, '0') + "1e5"), 0.0);
+  EXPECT_EQ(as_number("1e-99999999999999999999"), 0.0);
+  EXPECT_EQ(as_number("12e-400"), 0.0);
   EXPECT_TRUE(std::isinf(*as_number("1e400")));
+  EXPECT_TRUE(std::isinf(*as_number("1e+99999999999999999999")));
+  EXPECT_TRUE(std::isinf(*as_number(std::string(400, '9'))));
+  EXPECT_TRUE(std::isinf(*as_number(std::string(400, '9') + ".5e-3")));
+  EXPECT_TRUE(std::isinf(*as_number("0.001e400")));
   EXPECT_TRUE(std::isnan(*as_number("nan")));
   EXPECT_EQ(as_number("1.5x"), std::nullopt);
   EXPECT_EQ(as_number("0x10"), std::nullopt);

@@ -44,6 +44,16 @@ std::string refusal(const std::string& arguments) {
   return "accepted";
 }
 
+TEST(Replay, KeepsThePatchesOfAFieldBesideWhatItWrites) {
+  const ScratchFolder folder;
+  const std::string golden = ISOTOUCH_GOLDEN "/field_1_3.itf " ISOTOUCH_GOLDEN "/positions_patches.trace",
+                    out = (folder.path() / "a.trace").string();
+  replay(golden + " -o " + out);
+  EXPECT_EQ(read_file(folder.path() / "a.patches"), read_file(ISOTOUCH_GOLDEN "/positions_patches.patches"));
+  EXPECT_THAT(replay(ISOTOUCH_GOLDEN "/field_1_3.itf " + out + " --check"), testing::HasSubstr("equal to the recorded outputs"));
+  EXPECT_THAT(refusal(golden + " -o -"), testing::HasSubstr("write to a file, not to -"));
+}
+
 /// A ball far from the origin of its scan and in units of its own: the tool makes it 42 mm long and puts it into the workspace's middle.
 class ReplayRenderer : public testing::Test {
  protected:

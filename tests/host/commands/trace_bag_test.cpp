@@ -27,6 +27,34 @@ TEST_F(TraceInABag, ComesBackToTheBit) {
   EXPECT_EQ(read_file(file("again.trace")), read_file(file("hand.trace")));
 }
 
+TEST_F(TraceInABag, ComesBackWithThePatchesOfItsField) {
+  for (const std::string kind : {".trace", ".patches"})
+    std::filesystem::copy_file(ISOTOUCH_GOLDEN "/positions_patches" + kind, file("felt" + kind));
+  run_command("trace export " + file("felt.trace") + " -o " + file("felt.mcap"));
+  run_command("trace import " + file("felt.mcap") + " -o " + file("back.trace"));
+  EXPECT_EQ(read_file(file("back.trace")), read_file(file("felt.trace")));
+  EXPECT_EQ(read_file(file("back.patches")), read_file(file("felt.patches")));
+  EXPECT_NE(complaint_on("trace import " + file("felt.mcap") + " -o -").find("write to a file, not to -"), std::string::npos);
+  std::filesystem::remove(file("felt.patches"));
+  EXPECT_NE(complaint_on("trace export " + file("felt.trace") + " -o " + file("no.mcap")).find("felt.patches is not there"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("no.mcap")));
+}
+
+TEST_F(TraceInABag, AnOptionForAnotherKindOfSourceIsRefused) {
+  const auto refuses = [&](const std::string& source, const std::string& options, const std::string& words) {
+    const std::string sentence = complaint_on("trace import " + source + " " + options + " -o " + file("no.trace"));
+    EXPECT_NE(sentence.find(words), std::string::npos) << options << ": " << sentence;
+    EXPECT_FALSE(std::filesystem::exists(file("no.trace")));
+  };
+  write_file(file("table.csv"), "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1,1,1,1\n");
+  refuses(file("hand.mcap"), "--topic /isotouch/hip --columns t=a", "--columns is for a table");
+  refuses(file("hand.mcap"), "--topic /isotouch/hip --time-unit ms", "--time-unit is for a table");
+  refuses(file("table.csv"), "--topic /hand", "--topic is for a recording");
+  refuses(file("table.csv"), "--forces --force-topic /hand", "--force-topic is for a recording");
+  refuses(file("hand.mcap"), "--topic /isotouch/hip --force-topic /hand", "--force-topic is for forces");
+}
+
 TEST_F(TraceInABag, AnOptionThatWouldHaveNoEffectIsRefusedByItsName) {
   for (const std::string option : {"--scale 2", "--stiffness 0.5", "--forces"}) {
     const std::string sentence = complaint_on("trace import " + file("hand.mcap") + " " + option + " -o " + file("no.trace"));

@@ -34,6 +34,27 @@ TEST(MotionCsv, UnitsComeFromTheNameUnlessTheyAreStated) {
   EXPECT_NEAR(read_motion_csv(file, columns)[0].position.z(), 0.0762, 1e-12);
 }
 
+TEST(MotionCsv, EndingsOfNamesAreReadInFullAndMustAgree) {
+  const ScratchFolder folder;
+  const auto file = folder.write("a.csv", "t_msec,x_meters,y_meters,z_meters\n0,+0.5,0,0\n250,0,0,0\n");
+  const auto points = read_motion_csv(file, parse_columns("t=t_msec,x=x_meters,y=y_meters,z=z_meters"));
+  EXPECT_EQ(points[1].time, 0.25);
+  EXPECT_EQ(points[0].position.x(), 500.0);
+  const auto mixed = folder.write("b.csv", "t_s,x_m,y_mm,z_mm\n0,1,1,1\n1,2,2,2\n");
+  MotionColumns columns = parse_columns("x=x_m");
+  EXPECT_THAT([&] { (void)read_motion_csv(mixed, columns); },
+              testing::ThrowsMessage<InputError>(
+                  HasSubstr("the columns 'x_m' and 'y_mm' have different units; write --length-unit for all three")));
+  columns.length_unit = "mm";
+  EXPECT_EQ(read_motion_csv(mixed, columns)[1].position, Eigen::Vector3d(2, 2, 2));
+}
+
+/// /proc/self/mem opens, and cannot be read at its beginning.
+TEST(MotionCsv, AFileThatCannotBeReadToItsEndIsNoShortOne) {
+  EXPECT_THAT([] { (void)read_motion_csv("/proc/self/mem", {}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("cannot be read to its end")));
+}
+
 TEST(MotionCsv, EveryMalformedTableGetsItsSentence) {
   const std::string head = "t_s,x_mm,y_mm,z_mm\n";
   const std::pair<std::string, const char*> cases[] = {
