@@ -6,6 +6,7 @@
 
 #include "host/link/words.h"
 #include "shared/files/state_text.h"
+#include "shared/printable.h"
 #include "shared/protocol_messages.h"
 
 namespace isotouch::commands {
@@ -20,9 +21,10 @@ inline CLI::Option* add_optional_address(CLI::App& command, std::string& address
 /// The same, required.
 inline void add_address(CLI::App& command, std::string& address) { add_optional_address(command, address)->required(); }
 
-/// For `option->check(...)` of a field's name: one that the protocol would have to cut is wrong usage.
+/// For `option->check(...)` of a field's name: one that the protocol would have to cut or change is wrong usage.
 inline CLI::Validator field_name() {
   const auto check = [](std::string& text) -> std::string {
+    if (!is_printable(text)) return "a field's name has no control characters and is UTF-8";
     if (!text.empty() && text.size() <= protocol::kMaxName) return {};
     return "a field's name has 1 to " + std::to_string(protocol::kMaxName) + " bytes, and this one " + std::to_string(text.size());
   };

@@ -90,7 +90,12 @@ BuiltField built_field(const BuildOptions& options) {
   const field::BuiltScan built{made.repair ? made.field : field::BandField{}, made.repair.value_or(field::Repair{})};
   const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;
   std::future<field::JudgedScan> judged;
-  if (made.repair) judged = std::async(policy, [&] { return field::judged_scan(built, *made.scan); });
+  if (made.repair) {
+    judged = std::async(policy, [&] {
+      const field::ThreadLimit own(options.threads);
+      return field::judged_scan(built, *made.scan);
+    });
+  }
   if (!made.live) progress.begin("blob");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());

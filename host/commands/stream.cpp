@@ -55,6 +55,7 @@ struct StreamingOptions {
   std::string units;
   double fit_mm = 70;
   std::optional<double> rate, seconds, keep_s;
+  bool every_frame = false;
   std::optional<std::uint32_t> enough;
   unsigned threads = 0;
   bool json = false;
@@ -128,7 +129,7 @@ stream::Source source_of(FrameSource kind, StreamingOptions& options, Scene& sce
   }
   switch (kind) {
     case FrameSource::kFiles: return stream::files({options.sources.begin(), options.sources.end()}, options.rate, options.sensor);
-    case FrameSource::kInput: return stream::standard_input(options.sensor);
+    case FrameSource::kInput: return stream::standard_input(options.sensor, options.every_frame);
     case FrameSource::kRecording: return stream::recording(options.sources[0], rate, options.rate.has_value());
     case FrameSource::kController:
       if (options.sources[0] == options.stream.to)
@@ -250,6 +251,8 @@ void work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& 
 
 void run(StreamingOptions& options) {
   const FrameSource kind = kind_of(options);
+  if (options.every_frame && kind != FrameSource::kInput)
+    throw InputError("--every-frame is for frames on standard input; leave it out: files wait without --rate, and a device does not");
   const field::ThreadLimit limit(options.threads);
   if (!options.units.empty()) options.stream.space.size.mm_per_unit = cloud::mm_per_unit(options.units);
   options.stream.space.size.fit_mm = options.fit_mm;
@@ -328,6 +331,8 @@ void add_stream(CLI::App& app) {
       ->add_option("--rate", options->rate,
                    "frames per second: by default 30 of a camera and of touches; files and recordings come as fast as they are taken")
       ->check(number_in(0.1, 1000.0));
+  command->add_flag("--every-frame", options->every_frame,
+                    "with standard input: leave no frame out; whoever writes them waits until they are taken");
   command->add_option("--seconds", options->seconds, "how long at most; by default until the source ends")
       ->check(number_in(0.001, 86400.0));
   add_viewpoint(*command, options->sensor, "the sensor's place X Y Z in the input's coordinates: every normal is turned towards it");

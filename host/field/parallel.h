@@ -6,26 +6,25 @@
 #include <cstddef>
 #include <exception>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace isotouch::field {
 
-/// How many threads loops use that begin while it lives, in all of the process; then as many as before.
+/// How many threads loops use that this thread begins while it lives, and those that such a loop begins itself; then as many as before. Another thread that
+/// does a part of the work is told by its own.
 class ThreadLimit {
  public:
   /// threads   0 = as many as there are processors
-  explicit ThreadLimit(unsigned threads) : before_(wanted_.exchange(threads)) {}
+  explicit ThreadLimit(unsigned threads) : before_(std::exchange(wanted_, threads)) {}
   ~ThreadLimit() { wanted_ = before_; }
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
-  static unsigned threads() {
-    const unsigned wanted = wanted_;
-    return wanted != 0 ? wanted : std::max(1U, std::thread::hardware_concurrency());
-  }
+  static unsigned threads() { return wanted_ != 0 ? wanted_ : std::max(1U, std::thread::hardware_concurrency()); }
 
  private:
-  static inline std::atomic<unsigned> wanted_{0};
+  static inline thread_local unsigned wanted_ = 0;
   unsigned before_;
 };
 
@@ -50,7 +49,13 @@ void in_parallel(std::size_t count, std::size_t grain, const Work& work) {
   };
   const std::size_t ranges = (count + grain - 1) / grain;
   std::vector<std::jthread> helpers;
-  for (std::size_t t = 1; t < std::min<std::size_t>(ThreadLimit::threads(), ranges); ++t) helpers.emplace_back(run);
+  const unsigned threads = ThreadLimit::threads();
+  for (std::size_t t = 1; t < std::min<std::size_t>(threads, ranges); ++t) {
+    helpers.emplace_back([&] {
+      const ThreadLimit same(threads);
+      run();
+    });
+  }
   run();
   helpers.clear();  // joins
   if (reason) std::rethrow_exception(reason);

@@ -15,6 +15,7 @@
 #include "host/link/controller.h"
 #include "host/link/status.h"
 #include "host/trace/trace_file.h"
+#include "shared/printable.h"
 #include "shared/trace.h"
 
 using namespace isotouch;
@@ -79,6 +80,7 @@ std::string text_of(const char* text, const char* name) {
   if (whole.empty() || whole.size() > protocol::kMaxName)
     refuse(ISOTOUCH_BAD_ARGUMENT, std::string(name) + " has " + std::to_string(whole.size()) + " bytes, and must have 1 to " +
                                       std::to_string(protocol::kMaxName) + "; choose another one");
+  if (!is_printable(whole)) refuse(ISOTOUCH_BAD_ARGUMENT, std::string(name) + " has control characters or is no UTF-8; choose another one");
   return whole;
 }
 
@@ -179,7 +181,7 @@ isotouch_status isotouch_controller_record(isotouch_controller controller, uint6
           const Result<TraceHeader> header = decode_header(bytes, bytes.size());
           if (!header) throw InputError("the recording's header cannot be read; install the same release on both sides");
           try {
-            writer.emplace(name, *header);
+            writer.emplace(name, *header, files::Leftover::kRefuse);
           } catch (const InputError& error) {
             refuse(ISOTOUCH_BAD_DATA, error.what());
           }

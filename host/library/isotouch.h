@@ -176,17 +176,55 @@ typedef enum isotouch_state {
   ISOTOUCH_FAULT = 6   /**< no force until it is resumed */
 } isotouch_state;
 
+/** What is true in a tick, one bit each; a limit at work is no fault. */
+typedef enum isotouch_status_bit {
+  ISOTOUCH_STATUS_CONTACT = 1 << 0,           /**< the surface holds the proxy back */
+  ISOTOUCH_STATUS_FOLLOWING = 1 << 1,         /**< the proxy is on its way to the hand in free space: no force */
+  ISOTOUCH_STATUS_OUTSIDE_GRID = 1 << 2,      /**< the hand is outside the sampled box */
+  ISOTOUCH_STATUS_HELD_INSIDE = 1 << 3,       /**< the hand began inside the object: no force until it has left */
+  ISOTOUCH_STATUS_RAMPING = 1 << 4,           /**< the force is below its full value, because contact did not begin at rest */
+  ISOTOUCH_STATUS_FORCE_LIMITED = 1 << 5,     /**< the force was shortened to the limit, its direction kept */
+  ISOTOUCH_STATUS_STALE = 1 << 6,             /**< no fresh sample came */
+  ISOTOUCH_STATUS_INPUT_CLAMPED = 1 << 7,     /**< the hand was outside ±512 mm and was moved to the border */
+  ISOTOUCH_STATUS_BAD_REPLY = 1 << 8,         /**< the device's packet was malformed and counts as none */
+  ISOTOUCH_STATUS_COUNT_JUMP = 1 << 9,        /**< the encoders took another reference: the pose is sought anew */
+  ISOTOUCH_STATUS_POSE_UNCERTAIN = 1 << 10,   /**< it is not known where the hand is: no force */
+  ISOTOUCH_STATUS_NEAR_SINGULAR = 1 << 11,    /**< the arms are nearly stretched: torques are smaller than asked for */
+  ISOTOUCH_STATUS_TOO_FAST = 1 << 12,         /**< the hand is faster than the device's limit */
+  ISOTOUCH_STATUS_COMMANDS_LIMITED = 1 << 13, /**< the motor commands were shortened to the limit */
+  ISOTOUCH_STATUS_SLEW_LIMITED = 1 << 14,     /**< the change of the motor commands was shortened */
+  ISOTOUCH_STATUS_HEAT_LIMITED = 1 << 20,     /**< the motors are warm, and their limit is lowered */
+  ISOTOUCH_STATUS_LATE = 1 << 21,             /**< periods were left out before this tick */
+  ISOTOUCH_STATUS_DAMPED = 1 << 24,           /**< the passivity controller adds damping */
+  ISOTOUCH_STATUS_LAGGING = 1 << 25           /**< the surface has moved by itself, and the force has not followed yet */
+} isotouch_status_bit;
+
+/** Why the supervisor is in fault, one bit each; kept until it is resumed. */
+typedef enum isotouch_fault_bit {
+  ISOTOUCH_FAULT_STOPPED = 1 << 0,     /**< somebody asked for it */
+  ISOTOUCH_FAULT_SILENT = 1 << 1,      /**< no fresh sample for too long */
+  ISOTOUCH_FAULT_PENETRATION = 1 << 2, /**< the hand was too deep in the object */
+  ISOTOUCH_FAULT_ENCODERS = 1 << 3,    /**< the encoders jumped while there was force */
+  ISOTOUCH_FAULT_POSE = 1 << 4,        /**< it was not known for too long where the hand is */
+  ISOTOUCH_FAULT_SPEED = 1 << 5,       /**< the hand was too fast for too long */
+  ISOTOUCH_FAULT_LATE = 1 << 6,        /**< ticks were late for too long */
+  ISOTOUCH_FAULT_EMERGENCY = 1 << 7,   /**< the emergency stop */
+  ISOTOUCH_FAULT_ENABLE = 1 << 8,      /**< the motors' enable line reads back wrong */
+  ISOTOUCH_FAULT_MEMORY = 1 << 9,      /**< memory has changed by itself */
+  ISOTOUCH_FAULT_GUARD = 1 << 10       /**< the guard took the force away */
+} isotouch_fault_bit;
+
 /** What one tick answers. */
 typedef struct isotouch_felt {
-  uint64_t tick;         /**< counted from 0 */
-  double hip_mm[3];      /**< where the hand is */
+  uint64_t tick;    /**< counted from 0 */
+  double hip_mm[3]; /**< where the hand is; of encoder counts zeros as long as that is not known, as in ISOTOUCH_BOOT and ISOTOUCH_HOMING */
   double proxy_mm[3];    /**< the point on the surface that the hand is held by; in free space the hand itself */
   double force_n[3];     /**< on the hand */
   double penetration_mm; /**< from the hand to the proxy in contact, else 0 */
   uint32_t contact;      /**< 1: the surface holds the proxy back */
-  uint32_t status;       /**< status bits, see GLOSSARY.md and SPEC.md */
+  uint32_t status;       /**< #isotouch_status_bit */
   uint32_t state;        /**< #isotouch_state; of positions always 0: there is no device that could be unsafe */
-  uint32_t faults;       /**< fault bits; of positions always 0 */
+  uint32_t faults;       /**< #isotouch_fault_bit; of positions always 0 */
   uint32_t buttons;      /**< bits 0 to 3 */
   int32_t commands[3];   /**< motor commands, legs top, right, left; of positions always 0 */
 } isotouch_felt;

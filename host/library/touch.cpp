@@ -23,6 +23,38 @@
 using namespace isotouch;
 using namespace isotouch::library;
 
+// What the header promises is what a tick says.
+static_assert(std::uint32_t{ISOTOUCH_STATUS_CONTACT} == kContact);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_FOLLOWING} == kFollowing);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_OUTSIDE_GRID} == kOutsideGrid);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_HELD_INSIDE} == kHeldInside);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_RAMPING} == kRamping);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_FORCE_LIMITED} == kForceLimited);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_STALE} == kStale);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_INPUT_CLAMPED} == kInputClamped);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_BAD_REPLY} == kBadReply);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_COUNT_JUMP} == kCountJump);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_POSE_UNCERTAIN} == kPoseUncertain);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_NEAR_SINGULAR} == kNearSingular);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_TOO_FAST} == kTooFast);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_COMMANDS_LIMITED} == kCommandsLimited);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_SLEW_LIMITED} == kSlewLimited);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_HEAT_LIMITED} == kHeatLimited);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_LATE} == kLate);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_DAMPED} == kDamped);
+static_assert(std::uint32_t{ISOTOUCH_STATUS_LAGGING} == kLagging);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_STOPPED} == kFaultStopped);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_SILENT} == kFaultSilent);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_PENETRATION} == kFaultPenetration);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_ENCODERS} == kFaultEncoders);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_POSE} == kFaultPose);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_SPEED} == kFaultSpeed);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_LATE} == kFaultLate);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_EMERGENCY} == kFaultEmergency);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_ENABLE} == kFaultEnable);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_MEMORY} == kFaultMemory);
+static_assert(std::uint32_t{ISOTOUCH_FAULT_GUARD} == kFaultGuard);
+
 namespace {
 
 constexpr std::uint64_t kMaxKept = 10'000'000;

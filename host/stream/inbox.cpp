@@ -30,6 +30,11 @@ bool Inbox::hand_over(Frame frame) {
   return true;
 }
 
+bool Inbox::has_room() const {
+  const std::lock_guard hold(lock_);
+  return !waiting_;
+}
+
 void Inbox::miss(std::uint64_t frames) {
   const std::lock_guard hold(lock_);
   offered_ += frames;

@@ -32,6 +32,8 @@ class Inbox {
   bool offer(Frame frame);
   /// A frame of a source that can wait until the one before was taken.
   bool hand_over(Frame frame);
+  /// Does no frame wait? Then the next one that is offered takes nobody's place.
+  bool has_room() const;
   /// So many frames were due and could not even be made: they count as left out.
   void miss(std::uint64_t frames);
   /// False at once when nobody takes any more.

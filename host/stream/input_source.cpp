@@ -30,9 +30,9 @@ std::size_t read_some(std::span<std::uint8_t> into, const Inbox& inbox) {
 
 }  // namespace
 
-Source standard_input(const cloud::SensorOptions& sensor) {
+Source standard_input(const cloud::SensorOptions& sensor, bool waits) {
   claim_standard_input();
-  return [sensor](Inbox& inbox) {
+  return [sensor, waits](Inbox& inbox) {
     FrameReader reader("standard input", [&inbox](std::span<std::uint8_t> into) { return read_some(into, inbox); });
     try {
       while (auto bytes = reader.next()) {
@@ -42,7 +42,7 @@ Source standard_input(const cloud::SensorOptions& sensor) {
                       return cloud::SourceFile("standard input: frame " + std::to_string(number), std::move(bytes), sensor).points();
                     },
                     {}};
-        if (!inbox.offer(std::move(frame))) return;
+        if (!(waits ? inbox.hand_over(std::move(frame)) : inbox.offer(std::move(frame)))) return;
       }
     } catch (const InputError&) {
       if (!inbox.is_closed()) throw;  // else it was only left in the middle

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "host/field/parallel.h"
 #include "host/files/whole_file.h"
 
 namespace isotouch::stream {
@@ -25,7 +26,8 @@ Source files(std::vector<std::filesystem::path> files, std::optional<double> rat
 }
 
 std::jthread run(Source source, Inbox& inbox) {
-  return std::jthread([source = std::move(source), &inbox] {
+  return std::jthread([source = std::move(source), &inbox, threads = field::ThreadLimit::threads()] {
+    const field::ThreadLimit same(threads);
     try {
       source(inbox);
       inbox.finish();

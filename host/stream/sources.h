@@ -25,7 +25,9 @@ using Source = std::function<void(Inbox&)>;
 Source files(std::vector<std::filesystem::path> files, std::optional<double> rate, const cloud::SensorOptions& sensor);
 
 /// Standard input, in frames (frame_reader.h).
-Source standard_input(const cloud::SensorOptions& sensor);
+///
+/// waits     for each frame to be taken, so that none is left out and the writer waits, too
+Source standard_input(const cloud::SensorOptions& sensor, bool waits);
 
 /// What a recorded hand felt: a frame for each `1 / rate` s of its ticks, in workspace mm. It waits, or comes at its own pace.
 ///

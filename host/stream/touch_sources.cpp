@@ -61,6 +61,7 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
       if (in_time && !inbox.wait_until(
                          begin + std::chrono::nanoseconds((std::int64_t{1} + static_cast<std::int64_t>(tick)) * trace.header().period_ns)))
         return;
+      if (in_time && !inbox.has_room() && tick + 1 < trace.size()) continue;  // no touch comes twice
       if (!(in_time ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
     }
   };
@@ -78,11 +79,12 @@ Source controller(std::string address, double rate) {
           bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
       if (!record) throw InputError(address + ": a record cannot be read; install the same release on both sides");
       touches.add(*record);
-      if (tick < next) return;
+      if (tick < next || !inbox.has_room()) return;  // no touch comes twice, so those of a frame that cannot go yet stay for the next one
       next = tick + of_frame;
       (void)inbox.offer(touches.frame());
     };
     const auto watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, [&inbox] { return inbox.is_closed(); });
+    (void)inbox.hand_over(touches.frame());
     if (!watched.ended.empty()) throw InputError(watched.ended);
   };
 }

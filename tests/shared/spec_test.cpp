@@ -1,15 +1,20 @@
 /// SPEC.md against the lists that the code is made of. Where a table differs, the test prints the one that belongs there.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <regex>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "shared/device_model.h"
 #include "shared/settings_table.h"
+#include "shared/tick_io.h"
 #include "shared/trace.h"
 
 namespace isotouch {
@@ -45,6 +50,46 @@ TEST(Spec, TheTableOfSettingsIsThatOfTheCode) {
              " | " + std::string(row.meaning) + " |\n";
   }
   EXPECT_NE(spec().find(table), std::string::npos) << "SPEC.md, 3.1 must hold this table:\n" << table;
+}
+
+TEST(Spec, TheBitsOfATickAreThoseOfTheCode) {
+  const std::vector<std::pair<std::string, std::uint32_t>> bits = {
+      {"contact", kContact},
+      {"following", kFollowing},
+      {"outside grid", kOutsideGrid},
+      {"held inside", kHeldInside},
+      {"ramping", kRamping},
+      {"force limited", kForceLimited},
+      {"stale", kStale},
+      {"input clamped", kInputClamped},
+      {"bad reply", kBadReply},
+      {"count jump", kCountJump},
+      {"pose uncertain", kPoseUncertain},
+      {"near singular", kNearSingular},
+      {"too fast", kTooFast},
+      {"commands limited", kCommandsLimited},
+      {"slew limited", kSlewLimited},
+      {"heat limited", kHeatLimited},
+      {"late", kLate},
+      {"damped", kDamped},
+      {"lagging", kLagging},
+      {"stopped", kFaultStopped},
+      {"silent", kFaultSilent},
+      {"penetration", kFaultPenetration},
+      {"encoders", kFaultEncoders},
+      {"pose", kFaultPose},
+      {"speed", kFaultSpeed},
+      {"late", kFaultLate},
+      {"emergency", kFaultEmergency},
+      {"enable", kFaultEnable},
+      {"memory", kFaultMemory},
+      {"guard", kFaultGuard},
+  };
+  const std::string text = spec();
+  for (const auto& [name, value] : bits) {
+    const std::string row = "| " + std::to_string(std::countr_zero(value)) + " | " + name + " | ";
+    EXPECT_NE(text.find(row), std::string::npos) << "SPEC.md, section 3 must have a row that begins with: " << row;
+  }
 }
 
 TEST(Spec, TheTableOfTheDeviceModelIsThatOfTheCode) {

@@ -25,7 +25,7 @@ from isotouch._library import (
 )
 from isotouch.controller import Controller
 from isotouch.field import Field, FieldFacts, Samples
-from isotouch.touch import FELT, Settings, Touch, state_name
+from isotouch.touch import FELT, Fault, Settings, Status, Touch, state_name
 from isotouch.trace import TraceFacts, describe_trace, load_trace
 
 __all__ = [
@@ -36,12 +36,14 @@ __all__ = [
     "Controller",
     "ControllerError",
     "DataError",
+    "Fault",
     "Field",
     "FieldFacts",
     "IsotouchError",
     "MissingError",
     "Samples",
     "Settings",
+    "Status",
     "Touch",
     "TraceFacts",
     "describe_trace",

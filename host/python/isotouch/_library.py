@@ -271,6 +271,8 @@ def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
         raise ArgumentError(f"{name} has rows of different lengths; give each row {columns or 1} numbers") from None
     if array.dtype.kind not in "fiu":
         raise ArgumentError(f"{name} holds values of type {array.dtype}, not real numbers; convert them to float64")
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        raise ArgumentError(f"{name} has masked values; fill them or leave them out")
     wanted = "a list of numbers" if columns is None else f"an array of shape (n, {columns})"
     if array.size == 0 and array.ndim <= 2:
         array = array.reshape((0,) if columns is None else (0, columns))
@@ -285,6 +287,9 @@ class Handle:
     def __init__(self, handle: int) -> None:
         self._handle = handle
         self._free = weakref.finalize(self, core().isotouch_free, handle)
+
+    def __reduce__(self) -> Any:
+        raise TypeError(f"a {type(self).__name__} can be neither copied nor pickled: it is a number that only this process knows; load or read it again there")
 
     def close(self) -> None:
         """Frees it. Whatever is asked of it afterwards raises ClosedError."""

@@ -106,7 +106,8 @@ class Controller(Handle):
 def _called_from_c(on_tick: Callable[[np.void], bool | None]) -> Iterator[Any]:
     """A function for C, which ends the call where on_tick says so or raises, and on Ctrl-C; what was raised is raised at the end of the block.
 
-    C passes no exceptions on, and a signal's is raised before the first line of a function that C calls. So Ctrl-C waits until the block ends.
+    C passes no exceptions on, and a signal's is raised before the first line of a function that C calls. So Ctrl-C waits for the next
+    tick that is followed, and until the block ends.
     """
     raised: list[BaseException] = []
     interrupts: list[int] = []

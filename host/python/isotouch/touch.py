@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import enum
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
@@ -11,6 +12,45 @@ import numpy as np
 import numpy.typing as npt
 
 from isotouch._library import ArgumentError, CSettings, Handle, call, core, path_bytes, real, reals, whole
+class Status(enum.IntFlag):
+    """What is true in a tick: `Status(felt["status"])`. A limit at work is no fault."""
+
+    CONTACT = 1 << 0   # the surface holds the proxy back
+    FOLLOWING = 1 << 1   # the proxy is on its way to the hand in free space: no force
+    OUTSIDE_GRID = 1 << 2   # the hand is outside the sampled box
+    HELD_INSIDE = 1 << 3   # the hand began inside the object: no force until it has left
+    RAMPING = 1 << 4   # the force is below its full value, because contact did not begin at rest
+    FORCE_LIMITED = 1 << 5   # the force was shortened to the limit, its direction kept
+    STALE = 1 << 6   # no fresh sample came
+    INPUT_CLAMPED = 1 << 7   # the hand was outside ±512 mm and was moved to the border
+    BAD_REPLY = 1 << 8   # the device's packet was malformed and counts as none
+    COUNT_JUMP = 1 << 9   # the encoders took another reference: the pose is sought anew
+    POSE_UNCERTAIN = 1 << 10   # it is not known where the hand is: no force
+    NEAR_SINGULAR = 1 << 11   # the arms are nearly stretched: torques are smaller than asked for
+    TOO_FAST = 1 << 12   # the hand is faster than the device's limit
+    COMMANDS_LIMITED = 1 << 13   # the motor commands were shortened to the limit
+    SLEW_LIMITED = 1 << 14   # the change of the motor commands was shortened
+    HEAT_LIMITED = 1 << 20   # the motors are warm, and their limit is lowered
+    LATE = 1 << 21   # periods were left out before this tick
+    DAMPED = 1 << 24   # the passivity controller adds damping
+    LAGGING = 1 << 25   # the surface has moved by itself, and the force has not followed yet
+
+
+class Fault(enum.IntFlag):
+    """Why the supervisor is in fault; kept until it is resumed."""
+
+    STOPPED = 1 << 0   # somebody asked for it
+    SILENT = 1 << 1   # no fresh sample for too long
+    PENETRATION = 1 << 2   # the hand was too deep in the object
+    ENCODERS = 1 << 3   # the encoders jumped while there was force
+    POSE = 1 << 4   # it was not known for too long where the hand is
+    SPEED = 1 << 5   # the hand was too fast for too long
+    LATE = 1 << 6   # ticks were late for too long
+    EMERGENCY = 1 << 7   # the emergency stop
+    ENABLE = 1 << 8   # the motors' enable line reads back wrong
+    MEMORY = 1 << 9   # memory has changed by itself
+    GUARD = 1 << 10   # the guard took the force away
+
 
 FELT = np.dtype([
     ("tick", "u8"),
@@ -25,8 +65,8 @@ FELT = np.dtype([
     ("buttons", "u4"),
     ("commands", "i4", (3,)),
 ])
-"""What a tick answers. hip_mm: where the hand is. proxy_mm: the point on the surface that holds it. force_n: on the hand. penetration_mm: from the hand to the
-proxy, in contact. contact: 1 where the surface holds the proxy back. status, faults: bits. state: see `state_name`. commands: of the motors. The last four are
+"""What a tick answers. hip_mm: where the hand is; zeros while encoder counts do not tell. proxy_mm: the point on the surface that holds it. force_n: on the hand. penetration_mm: from the hand to the
+proxy, in contact. contact: 1 where the surface holds the proxy back. status, faults: bits of `Status` and `Fault`. state: see `state_name`. commands: of the motors. The last four are
 0 with positions."""
 
 Felt = npt.NDArray[np.void]

@@ -41,6 +41,16 @@ TEST(ThreadLimit, HoldsWhileItLives) {
   EXPECT_EQ(ThreadLimit::threads(), before);
 }
 
+TEST(ThreadLimit, IsThatOfItsThreadAndOfTheLoopsWithin) {
+  const ThreadLimit three(3);
+  unsigned other = 3;
+  std::thread([&] { other = ThreadLimit::threads(); }).join();
+  EXPECT_EQ(other, std::max(1U, std::thread::hardware_concurrency()));
+  std::atomic<unsigned> within{0};
+  in_parallel(64, 1, [&](std::size_t, std::size_t) { within |= 1U << ThreadLimit::threads(); });
+  EXPECT_EQ(within, 1U << 3);
+}
+
 TEST(InParallel, CoversEveryItemOnce) {
   for (const unsigned threads : {1U, 2U, 7U}) {
     const ThreadLimit limit(threads);

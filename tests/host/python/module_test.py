@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import copy
 import gc
+import pickle
+import re
 import subprocess
 import sys
 import tempfile
@@ -113,6 +116,10 @@ class FieldTest(unittest.TestCase):
             isotouch.Field.build(points[:3], points[:3] / 25)
         with self.assertRaises(isotouch.DataError):
             isotouch.Field.build(points, points / 2500)
+
+    def test_masked_values_are_an_error(self) -> None:
+        with self.assertRaisesRegex(isotouch.ArgumentError, "masked"):
+            isotouch.Field.load(FIELD).sample(np.ma.masked_array([[0.0, 0, 0]], [[True, False, False]]))
 
     def test_samples_of_single_precision_and_whole_numbers_are_those_of_doubles(self) -> None:
         field = isotouch.Field.load(FIELD)
@@ -241,6 +248,20 @@ class HandleTest(unittest.TestCase):
         for use in uses:
             with self.assertRaises(isotouch.ClosedError):
                 use()
+
+    def test_what_only_this_process_knows_is_neither_copied_nor_pickled(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        for thing in (field, field.begin()):
+            for use in (copy.copy, copy.deepcopy, pickle.dumps):
+                with self.assertRaisesRegex(TypeError, "neither copied nor pickled"):
+                    use(thing)
+        self.assertEqual(len(field.sample([[0, 0, 0]]).distance_mm), 1)
+
+    def test_bits_have_the_values_of_the_header(self) -> None:
+        header = (GOLDEN.resolve().parents[1] / "host/library/isotouch.h").read_text()
+        for prefix, bits in (("STATUS", isotouch.Status), ("FAULT", isotouch.Fault)):
+            promised = {name: 1 << int(bit) for name, bit in re.findall(rf"ISOTOUCH_{prefix}_(\w+) = 1 << (\d+)", header)}
+            self.assertEqual({bit.name: bit.value for bit in bits}, promised)
 
     def test_forgotten_things_free_themselves(self) -> None:
         for _ in range(5000):   # more than there are handles

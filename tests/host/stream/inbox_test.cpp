@@ -28,6 +28,15 @@ TEST(Inbox, KeepsTheNewestOfTheFramesThatNobodyTook) {
   EXPECT_FALSE(inbox.is_finished());
 }
 
+TEST(Inbox, HasRoomWhereNoFrameWaits) {
+  Inbox inbox;
+  EXPECT_TRUE(inbox.has_room());
+  inbox.offer(frame(1));
+  EXPECT_FALSE(inbox.has_room());
+  (void)inbox.take(0ms);
+  EXPECT_TRUE(inbox.has_room());
+}
+
 TEST(Inbox, AFrameThatMayWaitIsNeverLeftOut) {
   Inbox inbox;
   std::thread source([&] {
