@@ -271,7 +271,7 @@ def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
         raise ArgumentError(f"{name} has rows of different lengths; give each row {columns or 1} numbers") from None
     if array.dtype.kind not in "fiu":
         raise ArgumentError(f"{name} holds values of type {array.dtype}, not real numbers; convert them to float64")
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise ArgumentError(f"{name} has masked values; fill them or leave them out")
     wanted = "a list of numbers" if columns is None else f"an array of shape (n, {columns})"
     if array.size == 0 and array.ndim <= 2:

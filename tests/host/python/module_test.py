@@ -119,7 +119,7 @@ class FieldTest(unittest.TestCase):
 
     def test_masked_values_are_an_error(self) -> None:
         with self.assertRaisesRegex(isotouch.ArgumentError, "masked"):
-            isotouch.Field.load(FIELD).sample(np.ma.masked_array([[0.0, 0, 0]], [[True, False, False]]))
+            isotouch.Field.load(FIELD).sample(np.ma.MaskedArray([[0.0, 0, 0]], [[True, False, False]]))   # type: ignore[no-untyped-call]
 
     def test_samples_of_single_precision_and_whole_numbers_are_those_of_doubles(self) -> None:
         field = isotouch.Field.load(FIELD)
@@ -252,7 +252,8 @@ class HandleTest(unittest.TestCase):
     def test_what_only_this_process_knows_is_neither_copied_nor_pickled(self) -> None:
         field = isotouch.Field.load(FIELD)
         for thing in (field, field.begin()):
-            for use in (copy.copy, copy.deepcopy, pickle.dumps):
+            uses: tuple[Callable[[object], object], ...] = (copy.copy, copy.deepcopy, pickle.dumps)
+            for use in uses:
                 with self.assertRaisesRegex(TypeError, "neither copied nor pickled"):
                     use(thing)
         self.assertEqual(len(field.sample([[0, 0, 0]]).distance_mm), 1)
