@@ -57,12 +57,13 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
     Touches touches;
     for (std::size_t tick = 0; tick < trace.size(); ++tick) {
       touches.add(trace.record(tick));
-      if ((tick + 1) % of_frame != 0 && tick + 1 < trace.size()) continue;
+      const bool is_last = tick + 1 == trace.size();
+      if ((tick + 1) % of_frame != 0 && !is_last) continue;
       if (in_time && !inbox.wait_until(
                          begin + std::chrono::nanoseconds((std::int64_t{1} + static_cast<std::int64_t>(tick)) * trace.header().period_ns)))
         return;
-      if (in_time && !inbox.has_room() && tick + 1 < trace.size()) continue;  // no touch comes twice
-      if (!(in_time ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
+      if (in_time && !is_last && !inbox.has_room()) continue;  // no touch comes twice
+      if (!(in_time && !is_last ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
     }
   };
 }
