@@ -53,12 +53,13 @@ OutputPlace output_place(const std::string& name) {
 
 OpenPart open_part(const std::string& part, Leftover leftover) {
   const auto refused = [&](const std::string& what) { return OpenPart{-1, part + ": " + what}; };
-  for (;;) {
+  constexpr int kTries = 100;  // a file system may give one file several numbers
+  for (int tries = 1;; ++tries) {
     const int file = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (file < 0 && errno == ELOOP) return refused("is a symbolic link, which may lead anywhere; remove it");
     if (file < 0) return {-1, std::strerror(errno)};
     const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // a file system without locks has none to respect
-    if (locked && !is_at(file, part)) {  // another program has just finished it: it has another name now
+    if (locked && tries < kTries && !is_at(file, part)) {  // another program has just finished it: it has another name now
       ::close(file);
       continue;
     }

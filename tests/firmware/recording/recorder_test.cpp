@@ -80,6 +80,16 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
 }
 
+TEST(Recorder, WhatAKillLeftOfARecordingStays) {
+  Bench bench;
+  std::ofstream(bench.path + ".part") << "an hour of ticks";
+  EXPECT_NE(bench.recorder->start(bench.path).sentence().find("is left of a recording that was cut off"), std::string::npos);
+  bench.ticks(5);
+  EXPECT_EQ(std::filesystem::file_size(bench.path + ".part"), 16U);
+  std::filesystem::remove(bench.path + ".part");
+  EXPECT_EQ(bench.recorder->start(bench.path).sentence(), "");
+}
+
 /// A tick that takes a patch over which leads to an image of this hash.
 void moved_tick(Bench& bench, std::uint32_t generation, std::uint32_t moved_to) {
   loop::TickRecord tick;
