@@ -8,33 +8,25 @@
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <span>
 
 #include "firmware/control/control_socket.h"
+#include "shared/files/write_all.h"
 
 namespace isotouch::control {
 
 namespace {
 
-bool write_all(int to, const char* bytes, std::size_t size) {
-  while (size > 0) {
-    const ssize_t taken = ::write(to, bytes, size);
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken <= 0) return false;
-    bytes += taken;
-    size -= static_cast<std::size_t>(taken);
-  }
-  return true;
-}
-
 /// One read's worth. returns false at the end of `from`, or when `to` takes no more
 bool pass_on(int from, int to) {
-  std::array<char, 16384> bytes;
+  std::array<std::uint8_t, 16384> bytes;
   ssize_t got = 0;
   do {
     got = ::read(from, bytes.data(), bytes.size());
   } while (got < 0 && errno == EINTR);
-  return got > 0 && write_all(to, bytes.data(), static_cast<std::size_t>(got));
+  return got > 0 && files::write_all(to, std::span(bytes).first(static_cast<std::size_t>(got)));
 }
 
 }  // namespace

@@ -8,23 +8,13 @@
 #include <cstring>
 
 #include "shared/files/sync_folder.h"
+#include "shared/files/write_all.h"
 
 namespace isotouch::recording {
 
 namespace {
 
 std::string because(const std::string& path, const char* what, int error) { return path + ": " + what + ": " + std::strerror(error); }
-
-bool write_all(int file, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t taken = ::write(file, bytes.data(), bytes.size());
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken == 0) errno = ENOSPC;
-    if (taken <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(taken));
-  }
-  return true;
-}
 
 }  // namespace
 
@@ -43,7 +33,7 @@ void PatchWriter::begin(const std::string& trace) {
 
 Refusal PatchWriter::append(std::span<const std::uint8_t> patch) {
   if (file_ < 0) file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (file_ >= 0 && write_all(file_, patch)) {
+  if (file_ >= 0 && files::write_all(file_, patch)) {
     bytes_ += patch.size();
     return {};
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "shared/files/scoped_file.h"
+#include "shared/files/write_all.h"
 
 namespace isotouch::store {
 
@@ -91,12 +92,7 @@ StoreResult<std::size_t> LinuxFolder::read(const std::string& name, std::span<st
 StoreResult<void> LinuxFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) {
   const ScopedFile file{::openat(folder_, name.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600)};
   if (file.number < 0) return error_of(errno);
-  while (!bytes.empty()) {
-    const ssize_t taken = ::write(file.number, bytes.data(), bytes.size());
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken < 0) return error_of(errno);
-    bytes = bytes.subspan(static_cast<std::size_t>(taken));
-  }
+  if (!files::write_all(file.number, bytes)) return error_of(errno);
   return {};
 }
 

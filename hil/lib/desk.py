@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from lib import endings
 
 SOAK_HZ = 10_000       # ticks a second that a soak asks for, the most that a controller takes
 LAST_LINES = 100       # of its log that are shown when a script fails
@@ -201,9 +202,7 @@ class Desk:
 
 def at_desk(name: str, programs: str, work: Callable[[Desk], None]) -> int:
     """The exit code of work: 1, with the controller's log, where it failed. A script that is ended ends what it started."""
-    for ended in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(ended) != signal.SIG_IGN:   # as under nohup
-            signal.signal(ended, lambda number, _: sys.exit(128 + number))
+    endings.on(lambda number, _: sys.exit(128 + number), signal.SIGTERM, signal.SIGHUP)
     with Desk(programs) as desk:
         try:
             work(desk)

@@ -11,8 +11,8 @@
 
 namespace isotouch::field {
 
-/// How many threads loops use that this thread begins while it lives, and those that such a loop begins itself; then as many as before. Another thread that
-/// does a part of the work is told by its own.
+/// How many threads a loop uses. It holds for the loops that this thread begins as long as the limit lives, and for loops within them; then the limit before
+/// holds again. Another thread that does a part of the work needs a limit of its own.
 class ThreadLimit {
  public:
   /// threads   0 = as many as there are processors

@@ -15,6 +15,7 @@
 #include "shared/files/part_file.h"
 #include "shared/files/scoped_file.h"
 #include "shared/files/sync_folder.h"
+#include "shared/files/write_all.h"
 
 namespace isotouch {
 namespace {
@@ -29,18 +30,6 @@ InputError refusal(const std::filesystem::path& file, const std::string& what) {
 /// Nothing is written from nowhere: fwrite wants a pointer even then.
 bool write_all(std::FILE* stream, const std::uint8_t* data, std::size_t size) {
   return size == 0 || std::fwrite(data, 1, size, stream) == size;
-}
-
-/// Sets errno when it fails.
-bool write_all(int file, const std::uint8_t* data, std::size_t size) {
-  while (size > 0) {
-    const ssize_t taken = ::write(file, data, size);
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken == 0) errno = ENOSPC;
-    if (taken <= 0) return false;
-    data += taken, size -= static_cast<std::size_t>(taken);
-  }
-  return true;
 }
 
 std::string reason(int error_number) { return std::generic_category().message(error_number); }
@@ -97,19 +86,19 @@ void write_file(const std::filesystem::path& file, const std::uint8_t* data, std
   const auto cannot = [&](const std::string& why) { return refusal(file, "cannot be written: " + why); };
   const files::OutputPlace place = files::output_place(file);
   if (place.descriptor >= 0) {  // /dev/stdout: behind what was printed before, and nothing to replace
-    if (std::fflush(nullptr) != 0 || !write_all(place.descriptor, data, size)) throw cannot(reason(errno));
+    if (std::fflush(nullptr) != 0 || !files::write_all(place.descriptor, {data, size})) throw cannot(reason(errno));
     return;
   }
   if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed)) {  // a pipe or a device
     const ScopedFile open(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-    if (open.number < 0 || !write_all(open.number, data, size)) throw cannot(reason(errno));
+    if (open.number < 0 || !files::write_all(open.number, {data, size})) throw cannot(reason(errno));
     return;
   }
   const std::string part = place.path + ".part";
   const files::OpenPart opened = files::open_part(part, files::Leftover::kReplace);
   if (opened.refusal) throw cannot(opened.refusal.sentence());
   const ScopedFile open(opened.file);
-  if (!write_all(open.number, data, size) || ::fsync(open.number) != 0 || std::rename(part.c_str(), place.path.c_str()) != 0) {
+  if (!files::write_all(open.number, {data, size}) || ::fsync(open.number) != 0 || std::rename(part.c_str(), place.path.c_str()) != 0) {
     const int why = errno;
     std::remove(part.c_str());
     throw cannot(reason(why));
