@@ -18,13 +18,6 @@ namespace {
 using cloud::Random;
 using Eigen::Vector3d;
 
-/// Of variance 1, within ±6: twelve uniform numbers are as good as normal here, and need no logarithm.
-double gaussian(Random& random) {
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.uniform();
-  return sum;
-}
-
 Vector3d any_direction(Random& random) {
   for (;;) {
     const Vector3d way = Vector3d::NullaryExpr([&](Eigen::Index) { return random.uniform(-1, 1); });
@@ -43,7 +36,7 @@ cloud::OrientedPoints damaged(const cloud::OrientedPoints& points, const Damage&
     Random random(seed);
     const double deviation = damage.noise * cloud::median_spacing(points.positions);
     for (Vector3d& position : result.positions) {
-      for (double& coordinate : position) coordinate += deviation * gaussian(random);
+      for (double& coordinate : position) coordinate += deviation * random.gaussian();
     }
   }
   if (damage.turned > 0) {

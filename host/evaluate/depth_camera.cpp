@@ -33,13 +33,6 @@ Vector3d place(double turns, double tilt) {
   return (round + tilt * motion::wave(kRises * turns) * Vector3d::UnitZ()).normalized();
 }
 
-/// Nearly normal, mean 0, standard deviation 1, within ±6.
-double normal(cloud::Random& random) {
-  double sum = -6;
-  for (int n = 0; n < 12; ++n) sum += random.uniform();
-  return sum;
-}
-
 }  // namespace
 
 SimulatedDepthCamera::SimulatedDepthCamera(const field::TriangleTree& tree, const DepthCameraOptions& options)
@@ -77,7 +70,7 @@ DepthFrame SimulatedDepthCamera::frame(std::uint64_t number) const {
   cloud::Random random(options_.seed * 0x9E3779B97F4A7C15ULL + number);
   for (std::size_t i = 0; i < pixels; ++i) {
     const bool lost = random.uniform() < options_.dropouts;
-    const double off = options_.noise > 0 ? options_.noise * normal(random) : 0.0;
+    const double off = options_.noise > 0 ? options_.noise * random.gaussian() : 0.0;
     if (lost || depths[i] == 0) {
       seen.model.grid->cells.push_back(cloud::ScanGrid::kNoReturn);
       continue;

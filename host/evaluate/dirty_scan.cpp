@@ -61,12 +61,6 @@ OrientedPoints seen(const DirtyScan& scan, const OrientedPoints& points) {
   return result;
 }
 
-double gaussian(Random& random) {
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.uniform();
-  return sum;
-}
-
 struct Dirtied {
   OrientedPoints points;
   std::size_t own;  ///< the first so many are of the object, the others strays
@@ -100,7 +94,7 @@ Dirtied dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t see
     if (dirt.tilt_deg > 0) {
       const double size = dirt.tilt_deg / 57.29577951308232;
       const Vector3d u = normal.unitOrthogonal();
-      normal = (normal + size * gaussian(random) * u + size * gaussian(random) * normal.cross(u)).normalized();
+      normal = (normal + size * random.gaussian() * u + size * random.gaussian() * normal.cross(u)).normalized();
     }
   }
   return {damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7), points.size()};
