@@ -24,6 +24,7 @@ enum RequestBits : std::uint8_t {
   kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
   kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
   kRequestMoved = 1U << 3,    ///< the field is that of the tick before, patched: the surface moved. Never with a restart or a change
+  kRequestPaused = 1U << 4,   ///< the loop: before this tick more time was left out than a hold may last; ends force with a fault
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever
@@ -147,7 +148,7 @@ enum Faults : std::uint16_t {
   kFaultEncoders = 1U << 3,     ///< the counts jumped while there were forces
   kFaultPose = 1U << 4,         ///< the pose was uncertain for longer than the fault age: no place that the mechanism reaches
   kFaultSpeed = 1U << 5,        ///< the hand was too fast for longer than the fault age
-  kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age
+  kFaultLate = 1U << 6,         ///< ticks were late for longer than the fault age, or one was by so much
   kFaultEmergency = 1U << 7,    ///< kLineStop
   kFaultEnable = 1U << 8,       ///< kLineEnableWrong
   kFaultMemory = 1U << 9,       ///< what the supervisor remembered contradicted itself, or kLineMemory

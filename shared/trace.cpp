@@ -15,7 +15,7 @@ using namespace trace_layout;
 
 namespace {
 
-constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart | kRequestMoved;
+constexpr std::uint8_t kAllRequests = kRequestStop | kRequestResume | kRequestRestart | kRequestMoved | kRequestPaused;
 
 /// Writes the fields of a layout one behind the other.
 struct FieldWriter {

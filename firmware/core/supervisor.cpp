@@ -36,9 +36,22 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
   return static_cast<std::uint16_t>(
       when((seen.requests & kRequestStop) != 0, kFaultStopped) | when(seen.heard && seen.stale_ticks > limits.fault_ticks, kFaultSilent) |
       when(seen.too_deep && state == S::kActive, kFaultPenetration) | when(seen.jumped && seen.homed && forces, kFaultEncoders) |
-      when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) | when(doubts.late && too_long, kFaultLate) |
+      when(doubts.pose && too_long, kFaultPose) | when(doubts.speed && too_long, kFaultSpeed) |
+      when((doubts.late && too_long) || (forces && (seen.requests & kRequestPaused) != 0), kFaultLate) |
       when((seen.lines & kLineStop) != 0, kFaultEmergency) | when((seen.lines & kLineEnableWrong) != 0, kFaultEnable) |
       when((seen.lines & kLineGuard) != 0, kFaultGuard) | when(is_damaged(memory, state) || (seen.lines & kLineMemory) != 0, kFaultMemory));
+}
+
+/// Which of the model's buttons the hand has pressed anew.
+std::uint8_t newly_pressed(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
+  if (!seen.heard || seen.stale_ticks > 0) return 0;
+  const int steady = seen.buttons == memory.shown ? memory.steady + 1 : 1;
+  memory.steady = static_cast<std::uint8_t>(std::min<int>(steady, kSteadyPackets));
+  memory.shown = seen.buttons;
+  if (memory.steady < kSteadyPackets) return 0;
+  const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
+  memory.buttons = seen.buttons;
+  return pressed;
 }
 
 Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits) {
@@ -82,16 +95,15 @@ Permission supervise(const Observations& seen, const Supervision& limits, Superv
   const Doubts doubts = doubts_of(seen, limits, memory);
   if (memory.lateness > 0) --memory.lateness;
 
-  const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
-  memory.buttons = seen.buttons;
-  const bool asks = (seen.requests & kRequestResume) != 0 || pressed != 0;
+  const bool pressed = newly_pressed(seen, limits, memory) != 0;
+  const bool asks = (seen.requests & kRequestResume) != 0 || pressed;
   const S before = memory.state;
   const std::uint16_t now = faults_of(seen, doubts, limits, memory, before);
   const bool resumed = before == S::kFault && asks && now == 0;
   memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
   const S state = next_state(before, finding(seen, doubts, now, resumed, limits));
   memory.state = state;
-  memory.held_ticks = state == S::kHold ? std::min(memory.held_ticks + 1, kMaxTicks) : 0;
+  memory.held_ticks = state == S::kHold ? std::min(memory.held_ticks + std::min(seen.late, kMaxTicks) + 1, kMaxTicks) : 0;
 
   const bool allowed = allows_force(state) && memory.faults == 0 && seen.lines == 0;
   if (allowed && !seen.new_field) return ramped(limits, memory);

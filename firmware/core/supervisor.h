@@ -41,7 +41,7 @@ struct Observations {
   bool new_field = false;         ///< another field than in the tick before
   bool too_deep = false;          ///< beyond the penetration limit
   bool too_fast = false;          ///< beyond the speed limit
-  std::uint32_t stale_ticks = 0;  ///< since the last valid fresh packet
+  std::uint32_t stale_ticks = 0;  ///< since the last valid fresh packet; 0: this tick has one
   std::uint32_t late = 0;         ///< periods left out before this tick
   std::uint8_t lines = 0;         ///< LineBits
   std::uint8_t buttons = 0;       ///< of the newest valid packet
@@ -51,10 +51,12 @@ struct Observations {
 struct SupervisorMemory {
   GuardedState state;
   std::uint16_t faults = 0;
+  std::uint8_t buttons = 0xFF;   ///< as the hand holds them, see kSteadyPackets; at first all, so that a stuck button resumes nothing
+  std::uint8_t shown = 0xFF;     ///< as the newest valid packet shows them
+  std::uint8_t steady = 0;       ///< valid packets in a row that show the same, at most kSteadyPackets
   std::uint32_t ramp = 0;        ///< ticks of the ramp done
   std::uint32_t lateness = 0;    ///< see `supervise`
-  std::uint32_t held_ticks = 0;  ///< in hold, in a row
-  std::uint8_t buttons = 0xFF;   ///< of the tick before; at first all, so that a button that is stuck resumes nothing
+  std::uint32_t held_ticks = 0;  ///< in hold, in a row, those that were left out among them
 };
 
 /// Is a person needed before force may return? Also if the memory contradicts itself.
@@ -71,8 +73,12 @@ struct Permission {
 /// after one tick that is that late or after several that are a little late.
 inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 
+/// A hand holds what so many valid packets in a row show, and lets go of what none of so many shows: 8 ms at the device's rate. No press is as short, and a packet
+/// with a wrong bit, or a contact that bounces, resumes nothing.
+inline constexpr std::uint8_t kSteadyPackets = 8;
+
 /// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by kRequestResume, or by
-/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault. So does a memory that contradicts itself: a state that is
+/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault, and so does a pause before a tick that is that long. So does a memory that contradicts itself: a state that is
 /// none, a fault without a reason, or a reason without a fault.
 ///
 /// tick      yes

@@ -17,6 +17,7 @@ MotorCommands DeviceGuard::pass(const loop::Command& command, std::int64_t now_n
   if (!seal_.holds(*memory_.get())) {
     memory = afresh();
     memory.verdict = GuardVerdict::kMemory;
+    memory.verdict_tick = command.tick;
     memory.replies = command.sample;  // the numbers of the samples go on
   }
   for (std::size_t i = 0; i < kLiveSettings; ++i) {

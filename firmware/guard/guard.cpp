@@ -18,6 +18,8 @@ using enum GuardVerdict;
 // What a true command may differ by from what is computed here.
 constexpr std::uint64_t kTicksToNotice = 3;                      // beyond the tick in which it should have been zero
 constexpr std::int64_t kQuietNs = 100'000'000;                   // without a command until the guard believes the tick again
+constexpr std::uint64_t kTicksToHear = 2;                        // after the one whose command was stopped: the first may have begun before
+constexpr std::uint32_t kSteadyPackets = 4;                      // half as many as the tick waits for, which may miss one
 constexpr double kForceSlack = 0.1, kForcePart = 1.05;           // N; the arms a sample further
 constexpr double kWaySlack = 0.5, kWayPart = 1.5;                // mm; a proxy that slides round an edge
 constexpr double kStep = 0.2;                                    // mm: a hand that trembles less makes no way
@@ -67,10 +69,14 @@ Guard::Guard(const DeviceModel& device, std::uint32_t period_ns) : device_(devic
 MotorCommands Guard::judge(const loop::Command& command, const Evidence& evidence, Memory& memory) const {
   const MotorCommands& asked = command.falcon.words;
   if (!is_zero(asked) || memory.quiet_ns == 0) memory.quiet_ns = evidence.now_ns;
-  if (memory.verdict != kNone && evidence.now_ns - memory.quiet_ns > kQuietNs) memory.verdict = kNone;
+  const bool heard = command.tick >= memory.verdict_tick + kTicksToHear;  // a pause of the tick is no answer
+  if (memory.verdict != kNone && heard && evidence.now_ns - memory.quiet_ns > kQuietNs) memory.verdict = kNone;
   note(command, evidence, memory);
   place(command, evidence, memory);
-  if (memory.verdict == kNone) memory.verdict = contradiction(command, evidence, memory);
+  if (memory.verdict == kNone) {
+    memory.verdict = contradiction(command, evidence, memory);
+    memory.verdict_tick = command.tick;
+  }
 
   memory.tick = command.tick;
   const bool passes = memory.verdict == kNone && evidence.lines == 0;
@@ -140,7 +146,8 @@ void Guard::place(const loop::Command& command, const Evidence& evidence, Memory
   if (!memory.has_grip || memory.placed == memory.replies) return;
   const Point& hip = memory.grip.at;
   const double clear = clear_way(command, evidence, hip);
-  const bool free = clear > kFreeMargin + kLag * memory.step, felt = is_felt(command.falcon.words, evidence, memory);
+  const bool free = clear > kFreeMargin + kLag * memory.step,
+             felt = is_felt(arms_.force(command.falcon.words, memory.grip), evidence, memory);
   if (free && !felt) be_free(memory);
   if (!free && (!memory.near || (clear > 0 && !felt))) {  // it begins where the hand may be inside
     memory.near = true;
@@ -156,9 +163,9 @@ void Guard::place(const loop::Command& command, const Evidence& evidence, Memory
 }
 
 /// Is there more force than what holds the handle's weight?
-bool Guard::is_felt(const MotorCommands& commands, const Evidence& evidence, const Memory& memory) const {
+bool Guard::is_felt(const Point& force, const Evidence& evidence, const Memory& memory) const {
   const double weight = std::abs(to_double(evidence.largest.weight));
-  return length(arms_.force(commands, memory.grip)) > kForcePart * weight + kForceSlack + arms_.rounding(memory.grip);
+  return length(force) > kForcePart * weight + kForceSlack + arms_.rounding(memory.grip);
 }
 
 GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const {
@@ -166,15 +173,17 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
   const std::int64_t slew = static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;
   const bool unseen = command.tick > memory.tick + 1;  // a tick's command that was never sent may have raised the force that fades now
   const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >= (unseen ? slew / 2 : slew);
-  const Point force = arms_.force(command.falcon.words, memory.grip);
+  const Point asked = arms_.force(command.falcon.words, memory.grip), before = arms_.force(memory.commands, memory.grip);
+  // What is left of the force before, which cannot end at once, needs no reason; the rest does.
+  const double left = at_slew && dot(before, before) > 0 ? std::clamp(dot(asked, before) / dot(before, before), 0.0, 1.0) : 0.0;
+  const Point force = asked - Point{left * before[0], left * before[1], left * before[2]};
   const double strength = length(force);
-  if (at_slew && strength < length(arms_.force(memory.commands, memory.grip))) return kNone;
 
   const TickSettings& most = evidence.largest;
   const double weight = std::abs(to_double(most.weight));
   const double damping = (2 * to_double(most.damping) + to_double(most.hand_damping) + to_double(most.passivity)) * memory.fastest;
   const double other = weight + damping + kForceSlack + arms_.rounding(memory.grip);  // all that is not the spring
-  if (!memory.near) return knows(command, memory.since.free) && is_felt(command.falcon.words, evidence, memory) ? kFree : kNone;
+  if (!memory.near) return knows(command, memory.since.free) && is_felt(force, evidence, memory) ? kFree : kNone;
   if (evidence.field == nullptr) return kNone;
   const double stiffness = largest_stiffness(evidence);
   const double way =
@@ -216,8 +225,12 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
   const int change = largest_change(memory.counts, reply->counts);
   const bool jumped = first || change > device_.count_jump * ticks;
-  if ((reply->buttons & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
-  memory.buttons = reply->buttons;
+  memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kSteadyPackets) : 1;
+  memory.shown = reply->buttons;
+  if (memory.steady == kSteadyPackets) {
+    if ((memory.shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
+    memory.buttons = memory.shown;
+  }
   const bool all = reply->homed == 7;
   if (!all && (jumped || reply->counts == std::array<std::int16_t, 3>{} || change > device_.count_jump * ticks / 8)) {
     memory.referenced = false;

@@ -77,12 +77,15 @@ struct Memory {
   std::array<double, 3> heat{};  ///< mean squares
   std::uint32_t stops = 0;       ///< that were asked for
   std::uint64_t stop_tick = 0;   ///< of the first command after a stop that nobody has resumed from; 0 = there was none
-  std::uint8_t buttons = 0xFF;   ///< of the newest packet
+  std::uint8_t buttons = 0xFF;   ///< as the hand holds them: what a few valid packets in a row showed
+  std::uint8_t shown = 0xFF;     ///< by the newest valid packet
+  std::uint32_t steady = 0;      ///< valid packets in a row that show the same
   std::uint64_t lines_tick = 0;  ///< of the first command beside lines that are not good; 0 = they are good
 
   // Of its own verdict.
   GuardVerdict verdict = GuardVerdict::kNone;
-  std::int64_t quiet_ns = 0;  ///< since when the tick has asked for nothing
+  std::uint64_t verdict_tick = 0;  ///< whose command it was
+  std::int64_t quiet_ns = 0;       ///< since when the tick has asked for nothing
 
   LiveRaw largest{};  ///< of every setting since the start
 };
@@ -117,7 +120,7 @@ class Guard {
   void note(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
   GuardVerdict contradiction(const loop::Command& command, const Evidence& evidence, const Memory& memory) const;
   GuardVerdict of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const;
-  bool is_felt(const MotorCommands& commands, const Evidence& evidence, const Memory& memory) const;
+  bool is_felt(const Point& force, const Evidence& evidence, const Memory& memory) const;
   void place(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
   void find_hand(const FalconReply& reply, double took_s, bool leapt, Memory& memory) const;
   void warm(std::int64_t now_ns, Memory& memory) const;

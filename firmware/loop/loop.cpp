@@ -118,7 +118,7 @@ Damage Loop::damage() const {
 /// begins_anew   the state is damaged: the tick is told by its lines, and nobody knows what state it was
 void Loop::hear(const ActiveField& taken, std::uint32_t before, bool begins_anew, Input& in) {
   const Asked asked = neighbours_.requests.take();
-  in.requests = asked.bits;
+  in.requests |= asked.bits;
   in.author = asked.author != kNobody ? asked.author : taken.author;
   if (begins_anew) {
     in.requests |= kRequestRestart;
@@ -156,6 +156,7 @@ Input Loop::look(const Sample& sample, std::uint32_t missed) {
   seen_ = sample.number;
   in.age = static_cast<std::uint16_t>(age_);
   in.late = static_cast<std::uint8_t>(std::min<std::uint32_t>(missed, kMaxLate));
+  if (std::uint64_t{missed} * settings_.period_ns > settings_.device.fault_age_ns) in.requests = kRequestPaused;
   if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
   return in;
 }

@@ -35,7 +35,7 @@ void Watchdog::step() {
   const bool stop = in.stop || in.stop_edge_ns != stop_edge_ns_;  // pressed for less than a step, too
   stop_edge_ns_ = in.stop_edge_ns;
   unsigned told = (stop ? unsigned{kLineStop} : 0U) | (reads_wrong(in.enabled, now) ? unsigned{kLineEnableWrong} : 0U);
-  if (may_have_power(state)) told |= told_;  // until the supervisor has heard of it
+  if (state != SupervisorState::kFault) told |= told_;  // until the supervisor has heard of it
   told_ = static_cast<std::uint8_t>(told);
   state_.put(told_);
 

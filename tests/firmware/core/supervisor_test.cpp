@@ -42,7 +42,8 @@ struct Exhaustive {
     ++steps;
     const bool is_active = memory.state == S::kActive;
     active += is_active ? 1 : 0;
-    const bool pressed = (seen.buttons & ~before.buttons & with.buttons) != 0;
+    const bool fresh = seen.heard && seen.stale_ticks == 0 && seen.buttons == before.shown && before.steady + 1 >= kSteadyPackets;
+    const bool pressed = fresh && (seen.buttons & ~before.buttons & with.buttons) != 0;
     const bool asked = (seen.requests & kRequestResume) != 0 || pressed;
     const auto demand = [&](bool holds, const char* property) {
       if (!holds && broken == nullptr) broken = property;
@@ -92,6 +93,8 @@ TEST(Supervisor, WhateverItFindsAndRemembersItsPromisesHold) {
             before.faults = before.state == S::kFault ? std::uint16_t{kFaultStopped} : std::uint16_t{0};
             before.ramp = (memory & 1) != 0 ? 7 : 0;
             before.buttons = (memory & 2) != 0 ? 0xFF : 0;
+            before.shown = 1;
+            before.steady = (memory & 1) != 0 ? kSteadyPackets - 1 : kSteadyPackets - 2;
             before.held_ticks = (memory & 4) != 0 ? kFault : 0;
             before.lateness = (memory & 8) != 0 ? kHold * kLatenessOfAPeriod - 1 : 0;
             static const Supervision kBoth[] = {limits(false), limits(true)};
@@ -140,6 +143,7 @@ TEST(Supervisor, EachConditionHasItsOwnFault) {
   EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true; }), kFaultEncoders);
   EXPECT_EQ(fault_of([](Observations& o) { o.lines = kLineStop; }), kFaultEmergency);
   EXPECT_EQ(fault_of([](Observations& o) { o.lines = kLineEnableWrong; }), kFaultEnable);
+  EXPECT_EQ(fault_of([](Observations& o) { o.requests = kRequestPaused; }), kFaultLate);
   EXPECT_EQ(fault_of([](Observations& o) { o.jumped = o.homed = false; }), 0);
   EXPECT_EQ(fault_of([](Observations& o) { o.jumped = true, o.homed = false; }), 0) << "homing begins again, by itself";
 }
@@ -162,21 +166,22 @@ TEST(Supervisor, AMemoryThatContradictsItselfIsAFault) {
 }
 
 TEST(Supervisor, AHoldThatLastsIsAFaultOfItsReason) {
-  const auto fault_of = [](auto change, std::uint32_t ticks) {
+  const auto fault_of = [](auto change, std::uint32_t ticks, std::uint32_t most = kFault) {
     SupervisorMemory memory;
     memory.state = S::kActive;
     Observations seen = well();
     change(seen);
     for (std::uint32_t t = 0; t < ticks; ++t) {
       EXPECT_FALSE(supervise(seen, limits(), memory).granted);
-      EXPECT_EQ(memory.state, t < kFault ? S::kHold : S::kFault);
+      EXPECT_EQ(memory.state, t < most ? S::kHold : S::kFault);
     }
     return memory.faults;
   };
   EXPECT_EQ(fault_of([](Observations& o) { o.pose_settled = false; }, kFault), 0);
   EXPECT_EQ(fault_of([](Observations& o) { o.pose_settled = false; }, kFault + 1), kFaultPose);
   EXPECT_EQ(fault_of([](Observations& o) { o.too_fast = true; }, kFault + 1), kFaultSpeed);
-  EXPECT_EQ(fault_of([](Observations& o) { o.late = kHold; }, kFault + 1), kFaultLate);
+  constexpr std::uint32_t kLateTicks = kFault / (kHold + 1);  // each with those that were left out before it
+  EXPECT_EQ(fault_of([](Observations& o) { o.late = kHold; }, kLateTicks + 1, kLateTicks), kFaultLate);
 }
 
 TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
@@ -204,28 +209,58 @@ TEST(Supervisor, AFaultStaysUntilItsCauseIsGoneAndItIsResumed) {
   EXPECT_EQ(memory.faults, 0);
 }
 
+/// So many valid packets show these buttons.
+void show(std::uint8_t buttons, int packets, SupervisorMemory& memory, const Supervision& with = limits()) {
+  Observations seen = well();
+  seen.buttons = buttons;
+  for (int n = 0; n < packets; ++n) supervise(seen, with, memory);
+}
+
 TEST(Supervisor, AButtonResumesWhenItIsPressedAnew) {
   SupervisorMemory memory;
   memory.state = S::kFault;
-  Observations seen = well();
-  seen.buttons = 2;
-  supervise(seen, limits(), memory);
+  memory.faults = kFaultStopped;
+  show(2, 100, memory);
   EXPECT_EQ(memory.state, S::kFault) << "held before anything was known: it may be stuck";
-  seen.buttons = 0;
-  supervise(seen, limits(), memory);
-  EXPECT_EQ(memory.state, S::kFault);
-  seen.buttons = 2;
-  supervise(seen, limits(), memory);
+  show(0, kSteadyPackets, memory);
+  show(2, kSteadyPackets - 1, memory);
+  EXPECT_EQ(memory.state, S::kFault) << "not long enough for a hand";
+  show(2, 1, memory);
   EXPECT_EQ(memory.state, S::kIdle);
 
   memory.state = S::kFault;
-  supervise(seen, limits(), memory);
+  memory.faults = kFaultStopped;
+  show(2, 100, memory);
   EXPECT_EQ(memory.state, S::kFault) << "still held";
-  seen.buttons = 3;
   Supervision other = limits();
   other.buttons = 8;
-  supervise(seen, other, memory);
+  show(3, 100, memory, other);
   EXPECT_EQ(memory.state, S::kFault) << "not one of those that count";
+}
+
+TEST(Supervisor, APacketWithAWrongBitResumesNothing) {
+  for (const std::uint8_t held : {std::uint8_t{0}, std::uint8_t{2}}) {
+    SupervisorMemory memory;
+    memory.state = S::kFault;
+    memory.faults = kFaultStopped;
+    show(held, 100, memory);
+    for (int n = 0; n < 100; ++n) {
+      show(static_cast<std::uint8_t>(held ^ 2), 1 + n % (kSteadyPackets - 1), memory);
+      show(held, 1 + n % 20, memory);
+    }
+    EXPECT_EQ(memory.state, S::kFault) << int{held};
+  }
+}
+
+TEST(Supervisor, APacketThatComesNoMoreIsNoSteadyHand) {
+  SupervisorMemory memory;
+  memory.state = S::kFault;
+  memory.faults = kFaultStopped;
+  show(0, 100, memory);
+  Observations seen = well();
+  seen.buttons = 2;
+  for (seen.stale_ticks = 0; seen.stale_ticks < 50; ++seen.stale_ticks) supervise(seen, limits(), memory);
+  EXPECT_EQ(memory.state, S::kFault);
 }
 
 TEST(Supervisor, WhereAButtonMustBeHeldForcesLastAsLongAsItIs) {
@@ -259,7 +294,8 @@ TEST(Supervisor, LateTicksHoldWhenThreePeriodsAreLeftOutAtOnceOrNearlySo) {
   EXPECT_EQ(state_after({1, 1, 1, 1}), S::kHold);
   EXPECT_EQ(state_after({2, 0, 0, 0, 0, 0, 0, 1}), S::kActive);
   EXPECT_EQ(state_after({31, 0, 0, 0, 0, 0, 0}), S::kHold) << "after a long pause not at once";
-  EXPECT_EQ(state_after({1000, 0}), S::kHold);
+  EXPECT_EQ(state_after({31, 31, 31}), S::kHold);
+  EXPECT_EQ(state_after({31, 31, 31, 31, 31}), S::kFault) << "what is left out is held, too";
 }
 
 TEST(Supervisor, TheRampRisesEvenlyToOneAndBeginsAgainAfterRest) {

@@ -68,6 +68,31 @@ TEST_F(Samples, ACommandThatKnowsNoNewReplyIsStale) {
   EXPECT_EQ(judge(old, true), GuardVerdict::kStale) << name_of(memory_.verdict);
 }
 
+/// Ends what a wrong command has led to: no force for longer than the guard waits, in so many ticks.
+class Stopped : public Samples {
+ protected:
+  void SetUp() override {
+    Samples::SetUp();
+    hear();
+    ASSERT_EQ(judge(heard_, 5000), GuardVerdict::kLimit);
+  }
+  GuardVerdict quiet_for(std::int64_t ns, std::uint64_t ticks) {
+    hear();
+    (void)judge(heard_, 0);
+    now_ns_ += ns;
+    tick_ += ticks - 2;
+    hear();
+    return judge(heard_, 0);
+  }
+};
+
+TEST_F(Stopped, TheGuardBelievesATickAgainThatHasBeenQuiet) { EXPECT_EQ(quiet_for(110'000'000, 110), GuardVerdict::kNone); }
+
+TEST_F(Stopped, APauseOfTheTickIsNoQuiet) {
+  tick_ -= 1;
+  EXPECT_EQ(quiet_for(2'000'000'000, 2), GuardVerdict::kLimit) << "the tick has not heard of it";
+}
+
 /// A hand at a ball of 8 mm and 0.8 N/mm.
 class AtABall : public ::testing::Test {
  protected:
@@ -146,6 +171,10 @@ TEST_F(Fading, ATickWhoseCommandWasNeverSentMayHaveRaisedTheForceThatFades) {
   EXPECT_EQ(judge(heard_, kForce + 2 - slew() * 3 / 4, kNoField), GuardVerdict::kNone) << name_of(memory_.verdict);
   hear();
   EXPECT_EQ(judge(heard_, kForce + 2 - slew() * 3 / 2, kNoField), GuardVerdict::kFree) << "this time no tick was left out";
+}
+
+TEST_F(Fading, AForceThatChangesSidesIsNotFading) {
+  EXPECT_EQ(judge(heard_, -(kForce - slew()), kNoField), GuardVerdict::kFree) << name_of(memory_.verdict);
 }
 
 TEST_F(Fading, BesideATickWhoseCommandWasNeverSentForceMustFadeAllTheSame) {

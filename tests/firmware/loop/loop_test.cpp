@@ -135,8 +135,14 @@ TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
   EXPECT_NE(record.out.status & kLate, 0U);
   EXPECT_EQ(bench.step().in.late, 0);
   bench.device.stall_ns = 90'000'000;
-  EXPECT_EQ(bench.step().in.late, kMaxLate);
-  EXPECT_EQ(bench.step().in.lines, 0);
+  record = bench.step();
+  EXPECT_EQ(record.in.late, kMaxLate);
+  EXPECT_EQ(record.in.requests, 0);
+  bench.device.stall_ns = 110'000'000;
+  EXPECT_EQ(bench.step().in.requests, kRequestPaused) << "longer than a hold may last";
+  record = bench.step();
+  EXPECT_EQ(record.in.requests, 0);
+  EXPECT_EQ(record.in.lines, 0);
   bench.lines.put(kLineStop);
   record = bench.step();
   EXPECT_EQ(record.in.lines, kLineStop);
