@@ -1,7 +1,6 @@
 /// isotouchd: reads the command line and runs the controller, again whenever a new calibration is to hold.
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask
 
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -27,20 +26,20 @@ int run(const Options& options) {
     return std::string(value == nullptr ? "" : value);
   };
   ServiceNotify systemd(variable("NOTIFY_SOCKET"), variable("WATCHDOG_USEC"));
-  std::uint32_t heat = 0;
+  Controller::Legacy before;
   for (bool again = false;; again = true) {
-    Controller controller(options, live, systemd, heat);
+    Controller controller(options, live, systemd, before);
     if (const Refusal refusal = controller.build(again)) return refuse(refusal.sentence().c_str());
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();
-    heat = controller.heat();
+    before = controller.legacy();
     if (end == Controller::End::kOver) {
       std::fputs(controller.summary().c_str(), stdout);
       return controller.has_lost_its_recording() ? 1 : 0;
     }
     systemd.busy();
-    std::puts("device: calibrated; the controller starts again with the new angles");
+    std::puts("device: the controller starts again with the angles of the device that answers");
     std::fflush(stdout);
   }
 }

@@ -46,12 +46,12 @@ Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
 
 }  // namespace
 
-Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat)
+Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Legacy before)
     : options_(options),
       live_(live),
       systemd_(systemd),
       settings_(live.now()),
-      heat_(heat),
+      before_(std::move(before)),
       fields_(settings::field_bytes(settings_)),
       trace_(ticks_in(4)),
       watched_(ticks_in(4)),
@@ -88,7 +88,9 @@ void Controller::choose_calibration() {
     return control::Calibration::Choice{*settings::device_model(settings_, serial),
                                         named ? protocol::AnglesFrom::kSettings : protocol::AnglesFrom::kGeometry};
   };
-  calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial_of(options_, hardware_));
+  const std::string serial = !before_.serial.empty() ? before_.serial : serial_of(options_, hardware_);
+  calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial);
+  if (hardware_.falcon && !options_.lockstep) hardware_.falcon->expect(serial);
   if (calibration_->trouble()) say(calibration_->trouble().sentence());
   header_.device = calibration_->in_use().model;
   header_.settings = settings::tick_settings(settings_);
@@ -148,9 +150,8 @@ Refusal Controller::listen() {
 
 void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
-  if (!doubt) return;
-  requests_.ask(kRequestStop);
-  say(doubt.sentence());
+  if (doubt || before_.fault) requests_.ask(kRequestStop);
+  if (doubt) say(doubt.sentence());
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
@@ -171,7 +172,7 @@ void Controller::start() {
   loop::keep_crash_stack();
   loop::Device& device = direct_ ? static_cast<loop::Device&>(*direct_) : *exchange_;
   loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
-  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, heat_, options_.lockstep}, device, clock,
+  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, before_.heat, options_.lockstep}, device, clock,
                 loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
   memory_check_.emplace(fields_, loop::MemoryCheck::Prepared{loop_->constants(), guard_->constants()});
   records_ = std::thread([this] {
@@ -236,10 +237,8 @@ void Controller::check_memory() {
 void Controller::say_what_changed() {
   if (hardware_.falcon) {
     const falcon::PortReport& report = hardware_.falcon->shown().get();
-    if (std::string line = device_line(report); line != device_line_) {
-      say(device_line_ = std::move(line));
-      calibration_->answers(report.state == falcon::SessionState::kRunning ? report.serial.data() : "");
-    }
+    if (std::string line = device_line(report); line != device_line_) say(device_line_ = std::move(line));
+    know_device(report);
   }
   if (std::string line = supervisor_line(recorder_->condition()); line != supervisor_line_) {
     say(supervisor_line_ = std::move(line));
@@ -252,11 +251,24 @@ void Controller::say_what_changed() {
   if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
 }
 
-/// A calibration waits to be used, and nothing that a person began would be cut off.
+/// A device counts as soon as it is known that the angles in use are its own.
+void Controller::know_device(const falcon::PortReport& report) {
+  const bool runs = report.state == falcon::SessionState::kRunning;
+  if (const std::uint64_t answering = runs ? report.found : 0; answering != answering_) {
+    answering_ = answering;
+    calibration_->answers(runs ? report.serial.data() : "");
+    if (calibration_->waits()) say(other_angles_line());
+  }
+  if (runs && !calibration_->waits()) hardware_.falcon->trust(report.found);
+}
+
+/// A calibration waits to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
-  if (!calibration_->waits() || options_.lockstep || !settings_.record.empty()) return false;
+  if (!calibration_->waits() || options_.lockstep) return false;
   const SupervisorState state = recorder_->state();
-  return state == SupervisorState::kBoot || state == SupervisorState::kHoming || state == SupervisorState::kIdle;
+  if (state == SupervisorState::kBoot) return true;
+  const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
+  return settings_.record.empty() && !gives_force;
 }
 
 std::uint32_t Controller::measured_delay() const { return loop::measured_delay_ticks(stats_, header_.period_ns); }
@@ -294,6 +306,11 @@ void Controller::stop() {
   recorder_->stop();
   if (mark_) mark_->end();
   crash_.reset();
+}
+
+Controller::Legacy Controller::legacy() const {
+  const bool fault = recorder_ && recorder_->state() == SupervisorState::kFault;
+  return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), fault};
 }
 
 std::string Controller::summary() { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }

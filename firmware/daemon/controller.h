@@ -44,11 +44,18 @@ class Controller {
  public:
   enum class End : std::uint8_t { kOver, kBeginAgain };
 
+  /// What a run leaves to the next one.
+  struct Legacy {
+    std::uint32_t heat = 0;  ///< as core::heat_input gives it; 0 = not known
+    std::string serial;      ///< of the device that answered; empty: not known
+    bool fault = false;      ///< it ended in one, so the next one begins in one
+  };
+
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
   ///
   /// live      the settings as they are now; what is set while it runs stays there for the next run
-  /// heat      as core::heat_input gives it, of the run before; 0 = not known
-  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat);
+  /// before    what the run before leaves
+  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Legacy before);
   /// As `stop`.
   ~Controller() { stop(); }
   Controller(const Controller&) = delete;
@@ -65,8 +72,8 @@ class Controller {
 
   void stop();
 
-  /// As core::heat_input gives it, when it has stopped: for the next run.
-  std::uint32_t heat() const { return loop_ ? loop_->heat() : heat_; }
+  /// When it has stopped.
+  Legacy legacy() const;
 
   /// What was to be recorded is not whole under its name. When it has stopped.
   bool has_lost_its_recording() const { return recorder_ && recorder_->has_lost_a_recording(); }
@@ -85,6 +92,7 @@ class Controller {
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
+  void know_device(const falcon::PortReport& report);
   bool may_begin_again() const;
   void stay_awake();
   void check_memory();
@@ -95,7 +103,7 @@ class Controller {
   settings::LiveSettings& live_;
   ServiceNotify& systemd_;
   const settings::Settings settings_;  ///< of this run
-  const std::uint32_t heat_;           ///< at its begin
+  const Legacy before_;
 
   // What the threads exchange.
   std::atomic<bool> stop_ticks_{false}, stop_exchange_{false}, stop_recorder_{false}, ticks_ended_{false};
@@ -133,6 +141,7 @@ class Controller {
   std::latch go_{1};
   std::thread exchanges_, watchdogs_, ticks_, records_;
 
+  std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none
   std::string device_line_, supervisor_line_;                   ///< as said last
   int latency_error_ = 0;                                       ///< the same
   loop::Damage damage_ = loop::Damage::kNone;                   ///< the same

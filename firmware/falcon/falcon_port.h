@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <string_view>
 
 #include "firmware/falcon/falcon_session.h"
 #include "firmware/loop/device.h"
@@ -18,6 +20,7 @@ struct PortReport {
   LinkError trouble{};            ///< when `troubled`: why the last search found nothing, or how the device was lost
   std::uint64_t boots = 0;        ///< ended so far
   BootReport boot;                ///< the last one's end, when there was one
+  std::uint64_t found = 0;        ///< devices so far, the one in use among them; the same one counts anew after an unplug
   std::array<char, 24> serial{};  ///< of the device in use, ends with 0
 };
 
@@ -29,15 +32,26 @@ class FalconPort final : public loop::Port {
 
   loop::Answer exchange(const FalconCommand& command, FalconPacket& reply) override {
     const SessionState before = session_.state();
-    const Exchange exchange = session_.step(command);
+    const bool known = is_known();
+    const Exchange exchange = session_.step(known ? command : FalconCommand{{}, command.flags});
     if (before == SessionState::kBooting) ++report_.boots;
+    if (before == SessionState::kSearching && session_.state() != before) ++report_.found;
     if (session_.state() != before || before == SessionState::kSearching) tell();
     if (before != SessionState::kRunning) return loop::Answer::kAbsent;
+    if (!known) return loop::Answer::kSilent;
     if (exchange.fresh) reply = exchange.packet;
     return exchange.fresh ? loop::Answer::kReply : loop::Answer::kSilent;
   }
 
   void rest() override { session_.stop(); }
+
+  /// From now on a device counts, with its packets and its motors, only if it is the one of this serial, or once it is trusted. Before the first exchange.
+  void expect(std::string_view serial) {
+    asks_ = true;
+    expected_ = serial_array(serial);
+  }
+  /// found     of the report of the device that counts. Any thread
+  void trust(std::uint64_t found) { trusted_.store(found, std::memory_order_release); }
 
   /// Changes of the session's state; for one reader on another thread.
   loop::Latest<PortReport>& shown() { return shown_; }
@@ -48,15 +62,27 @@ class FalconPort final : public loop::Port {
     report_.troubled = session_.trouble().has_value();
     if (report_.troubled) report_.trouble = *session_.trouble();
     report_.boot = session_.last_boot();
-    const auto& serial = link_.identity().serial;
-    report_.serial = {};
-    std::copy_n(serial.begin(), std::min(serial.size(), report_.serial.size() - 1), report_.serial.begin());
+    report_.serial = serial_array(link_.identity().serial);
     shown_.put(report_);
+  }
+
+  bool is_known() const {
+    const bool expected = expected_[0] != 0 && report_.serial == expected_;
+    return !asks_ || expected || trusted_.load(std::memory_order_acquire) == report_.found;
+  }
+
+  static std::array<char, 24> serial_array(std::string_view serial) {
+    std::array<char, 24> text{};
+    std::copy_n(serial.begin(), std::min(serial.size(), text.size() - 1), text.begin());
+    return text;
   }
 
   FalconSession& session_;
   const FalconLink& link_;
   PortReport report_;
+  bool asks_ = false;
+  std::array<char, 24> expected_{};
+  std::atomic<std::uint64_t> trusted_{0};
   loop::Latest<PortReport> shown_;
 };
 

@@ -52,6 +52,26 @@ TEST(FalconPort, ShowsWhatBecameOfTheDevice) {
   EXPECT_EQ(std::string(running.serial.data()), "FAKE0001");
 }
 
+TEST(FalconPort, AnotherDeviceThanTheExpectedOneGetsNoForceAndIsNotHeardUntilItIsTrusted) {
+  for (const bool is_expected : {false, true}) {
+    Desk desk;
+    desk.port.expect(is_expected ? "FAKE0001" : "FAKE0002");
+    desk.falcon.reply = {{1, 2, 3}, 0, 7};
+    while (desk.session.state() != SessionState::kRunning) desk.exchange();
+    for (int n = 0; n < 5; ++n) {
+      EXPECT_EQ(desk.exchange(), is_expected ? Answer::kReply : Answer::kSilent);
+      EXPECT_EQ(desk.falcon.commands.back().words, is_expected ? (MotorCommands{7, 7, 7}) : MotorCommands{});
+    }
+    desk.port.trust(desk.port.shown().get().found);
+    EXPECT_EQ(desk.exchange(), Answer::kReply);
+    desk.falcon.faults.present = false;
+    while (desk.session.state() == SessionState::kRunning) desk.exchange();
+    desk.falcon.faults.present = true;
+    while (desk.session.state() != SessionState::kRunning) desk.exchange();
+    EXPECT_EQ(desk.exchange(), is_expected ? Answer::kReply : Answer::kSilent) << "after an unplug it may be another one";
+  }
+}
+
 TEST(FalconPort, RestsBySwitchingTheDeviceOff) {
   Desk desk;
   while (desk.session.state() != SessionState::kRunning) desk.exchange();
