@@ -137,7 +137,7 @@ TEST(Trace, APatchIsNamedByTheImageAfter) {
       return !decode_record(bad);
     };
     EXPECT_TRUE(refused(4, 0b1100)) << "with a restart";
-    EXPECT_TRUE(refused(4, 0b11000)) << "an unknown request";
+    EXPECT_TRUE(refused(4, 0b101000)) << "an unknown request";
     EXPECT_TRUE(refused(5, 1)) << "with a change of a setting";
     EXPECT_TRUE(refused(12, 0)) << "without a field";
   }
