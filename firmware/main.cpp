@@ -1,5 +1,6 @@
 /// isotouchd: reads the command line and runs the controller, again whenever a new calibration is to hold.
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask
+#include <unistd.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include "firmware/daemon/controller.h"
 #include "firmware/daemon/ending_signals.h"
 #include "firmware/daemon/options.h"
+#include "firmware/daemon/printer.h"
 #include "firmware/loop/realtime.h"
 
 namespace isotouch::daemon {
@@ -26,22 +28,22 @@ int run(const Options& options) {
     const char* value = std::getenv(name);
     return std::string(value == nullptr ? "" : value);
   };
+  Printer printer(STDOUT_FILENO);
   ServiceNotify systemd(variable("NOTIFY_SOCKET"), variable("WATCHDOG_USEC"));
   std::uint32_t heat = 0;
   for (bool again = false;; again = true) {
-    Controller controller(options, live, systemd, heat);
+    Controller controller(options, live, systemd, printer, heat);
     if (const Refusal refusal = controller.build(again)) return refuse(refusal.sentence().c_str());
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();
     heat = controller.heat();
     if (end == Controller::End::kOver) {
-      std::fputs(controller.summary().c_str(), stdout);
+      printer.say(controller.summary());
       return controller.has_lost_its_recording() ? 1 : 0;
     }
     systemd.busy();
-    std::puts("device: calibrated; the controller starts again with the new angles");
-    std::fflush(stdout);
+    printer.say("device: calibrated; the controller starts again with the new angles");
   }
 }
 

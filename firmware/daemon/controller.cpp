@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -24,11 +23,6 @@ namespace isotouch::daemon {
 
 namespace {
 
-void say(const std::string& line) {
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
-}
-
 /// A run that needs a person's confirmation begins in fault and leaves it by a resume.
 bool is_homed_and_confirmed(SupervisorState state) {
   return state == SupervisorState::kIdle || state == SupervisorState::kReady || state == SupervisorState::kActive ||
@@ -46,10 +40,11 @@ Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
 
 }  // namespace
 
-Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat)
+Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Printer& printer, std::uint32_t heat)
     : options_(options),
       live_(live),
       systemd_(systemd),
+      printer_(printer),
       settings_(live.now()),
       heat_(heat),
       fields_(settings::field_bytes(settings_)),
@@ -124,9 +119,10 @@ Refusal Controller::load_field(bool again) {
 }
 
 Refusal Controller::begin_recording() {
+  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16}, trace_,
-                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, tell);
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
@@ -140,9 +136,10 @@ Refusal Controller::listen() {
   const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
     return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});
   };
+  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto different = [this] { return settings::different(live_.now()); };
   control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,
-                                                               set, different, say});
+                                                               set, different, tell});
   return control_->start();
 }
 
@@ -296,6 +293,10 @@ void Controller::stop() {
   crash_.reset();
 }
 
-std::string Controller::summary() { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }
+std::string Controller::summary() {
+  std::string text = "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_);
+  text.pop_back();  // whoever prints it ends the line
+  return text;
+}
 
 }  // namespace isotouch::daemon

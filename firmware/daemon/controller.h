@@ -22,6 +22,7 @@
 #include "firmware/daemon/hardware.h"
 #include "firmware/daemon/lines.h"
 #include "firmware/daemon/options.h"
+#include "firmware/daemon/printer.h"
 #include "firmware/daemon/service_notify.h"
 #include "firmware/guard/device_guard.h"
 #include "firmware/loop/direct_device.h"
@@ -48,7 +49,7 @@ class Controller {
   ///
   /// live      the settings as they are now; what is set while it runs stays there for the next run
   /// heat      as core::heat_input gives it, of the run before; 0 = not known
-  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, std::uint32_t heat);
+  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Printer& printer, std::uint32_t heat);
   /// As `stop`.
   ~Controller() { stop(); }
   Controller(const Controller&) = delete;
@@ -75,6 +76,7 @@ class Controller {
   std::string summary();
 
  private:
+  void say(const std::string& line) { printer_.say(line); }
   Refusal open_state();
   void choose_calibration();
   Refusal connect_device();
@@ -94,6 +96,7 @@ class Controller {
   const Options& options_;
   settings::LiveSettings& live_;
   ServiceNotify& systemd_;
+  Printer& printer_;
   const settings::Settings settings_;  ///< of this run
   const std::uint32_t heat_;           ///< at its begin
 
