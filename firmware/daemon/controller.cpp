@@ -17,6 +17,7 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/table.h"
+#include "shared/fault_names.h"
 #include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
@@ -68,7 +69,10 @@ Refusal Controller::build(bool again) {
 }
 
 Refusal Controller::open_state() {
-  if (settings_.state.empty()) return {};
+  if (settings_.state.empty()) {
+    if (!options_.lockstep) say(no_state_line());
+    return {};
+  }
   folder_.emplace(settings_.state);
   if (!folder_->is_open()) return settings_.state + ": the state folder cannot be used: " + describe(folder_->trouble());
   store_.emplace(*folder_, 8);
@@ -150,6 +154,10 @@ void Controller::mark_run() {
   say(doubt.sentence());
 }
 
+void Controller::confirm() {
+  if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
+}
+
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
 std::thread Controller::begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life) {
   return std::thread([this, name, rights, life = std::move(life)] {
@@ -175,7 +183,7 @@ void Controller::start() {
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) {
       recorder_->drain();
-      if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();  // here, because it waits for a disk
+      confirm();  // here, because it waits for a disk
     }
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
@@ -289,7 +297,8 @@ void Controller::stop() {
   if (records_.joinable()) records_.join();
   recorder_->drain();
   recorder_->stop();
-  if (mark_) mark_->end();
+  confirm();
+  if (mark_) mark_->end((recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
   crash_.reset();
 }
 

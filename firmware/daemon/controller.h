@@ -84,6 +84,7 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
+  void confirm();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;

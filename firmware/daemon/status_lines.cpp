@@ -91,6 +91,12 @@ std::string no_lines_line() {
          "[lines]";
 }
 
+std::string no_state_line() {
+  return "no state folder is set up, so nothing remembers a crash or a fault: the next start gives force without 'resume'; name a folder "
+         "in "
+         "[files] state";
+}
+
 std::string figures(const loop::TickStats& stats) {
   Text text;
   std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, left out %llu\n",

@@ -41,6 +41,9 @@ std::string latency_line(const std::string& file, int error);
 /// What is missing where no safety lines are wired.
 std::string no_lines_line();
 
+/// What is not remembered where the settings name no state folder.
+std::string no_state_line();
+
 /// Several lines: how the ticks began and how long things took.
 std::string figures(const loop::TickStats& stats);
 
