@@ -105,7 +105,7 @@ Refusal Controller::connect_device() {
     if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
     if (!lines_.watchdog) say(no_lines_line());
     exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
-                                                       std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns, &*guard_);
+                                                       std::int64_t{header_.device.hold_ticks} * header_.period_ns, &*guard_);
   } else {
     direct_ = std::make_unique<loop::DirectDevice>(hardware_.port(), virtual_clock_, header_.period_ns, stop_ticks_, &*guard_);
   }

@@ -112,7 +112,7 @@ constexpr Setting kTable[] = {
     {"boot", "ignore_echo", &S::ignore_echo, {}, 0, 0, {}, "true: go on if an echo of the upload differs", {}},
     {"boot", "always_upload", &S::always_upload, {}, 0, 0, {}, "true: upload even if firmware already runs", {}},
     {"boot", "attempts", &S::attempts, {}, 1, 100, {}, "uploads that may fail before the boot counts as failed", {}},
-    {"boot", "reply_ms", &S::reply_ms, "ms", 1, 100, {}, "how long to wait for a reply", {}},
+    {"boot", "reply_ms", &S::reply_ms, "ms", 1, 100, {}, "how long to wait for a reply; never longer than limits.hold_ms", {}},
     {"boot",
      "lost_after",
      &S::lost_after,
