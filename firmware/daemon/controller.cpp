@@ -103,7 +103,7 @@ Refusal Controller::connect_device() {
     return "the system gives no memory for the guard (memfd_create); check the service's limits and system call filter";
   if (!options_.lockstep) {
     if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
-    if (!lines_.watchdog) say(no_lines_line());
+    for (const std::string& missing : missing_lines(settings_)) say(missing);
     exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
                                                        std::int64_t{header_.device.hold_ticks} * header_.period_ns, &*guard_);
   } else {
