@@ -113,7 +113,12 @@ Refusal Controller::connect_device() {
 }
 
 Refusal Controller::load_field(bool again) {
-  const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
+  const auto check = [this](const FieldView& field) {
+    Refusal refusal = settings::refusal_of(field, live_.now(), measured_delay());
+    if (refusal) return refusal;
+    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
+    return refusal;
+  };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
   const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
   Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
