@@ -1,5 +1,6 @@
 /// isotouchd: reads the command line and runs the controller, again whenever a new calibration is to hold.
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include "firmware/daemon/controller.h"
 #include "firmware/daemon/ending_signals.h"
 #include "firmware/daemon/options.h"
+#include "firmware/daemon/printer.h"
 #include "firmware/loop/realtime.h"
 
 namespace isotouch::daemon {
@@ -25,22 +27,22 @@ int run(const Options& options) {
     const char* value = std::getenv(name);
     return std::string(value == nullptr ? "" : value);
   };
+  Printer printer(STDOUT_FILENO);
   ServiceNotify systemd(variable("NOTIFY_SOCKET"), variable("WATCHDOG_USEC"));
   Controller::Legacy before;
   for (bool again = false;; again = true) {
-    Controller controller(options, live, systemd, before);
+    Controller controller(options, live, systemd, printer, before);
     if (const Refusal refusal = controller.build(again)) return refuse(refusal.sentence().c_str());
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();
     before = controller.legacy();
     if (end == Controller::End::kOver) {
-      std::fputs(controller.summary().c_str(), stdout);
+      printer.say(controller.summary());
       return controller.has_lost_its_recording() ? 1 : 0;
     }
     systemd.busy();
-    std::puts("device: the controller starts again with the angles of the device that answers");
-    std::fflush(stdout);
+    printer.say("device: the controller starts again with the angles of the device that answers");
   }
 }
 

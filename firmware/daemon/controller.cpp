@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,16 +17,12 @@
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/table.h"
+#include "shared/fault_names.h"
 #include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
 
 namespace {
-
-void say(const std::string& line) {
-  std::printf("%s\n", line.c_str());
-  std::fflush(stdout);
-}
 
 /// A run that needs a person's confirmation begins in fault and leaves it by a resume.
 bool is_homed_and_confirmed(SupervisorState state) {
@@ -46,10 +41,11 @@ Refusal begin_with_file(const std::string& path, store::FieldIntake& intake) {
 
 }  // namespace
 
-Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Legacy before)
+Controller::Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Printer& printer, Legacy before)
     : options_(options),
       live_(live),
       systemd_(systemd),
+      printer_(printer),
       settings_(live.now()),
       before_(std::move(before)),
       fields_(settings::field_bytes(settings_)),
@@ -73,7 +69,10 @@ Refusal Controller::build(bool again) {
 }
 
 Refusal Controller::open_state() {
-  if (settings_.state.empty()) return {};
+  if (settings_.state.empty()) {
+    if (!options_.lockstep) say(no_state_line());
+    return {};
+  }
   folder_.emplace(settings_.state);
   if (!folder_->is_open()) return settings_.state + ": the state folder cannot be used: " + describe(folder_->trouble());
   store_.emplace(*folder_, 8);
@@ -106,9 +105,9 @@ Refusal Controller::connect_device() {
     return "the system gives no memory for the guard (memfd_create); check the service's limits and system call filter";
   if (!options_.lockstep) {
     if (Refusal refusal = take_lines(settings_, real_clock_, stats_, lines_)) return refusal;
-    if (!lines_.watchdog) say(no_lines_line());
+    for (const std::string& missing : missing_lines(settings_)) say(missing);
     exchange_ = std::make_unique<loop::ExchangeThread>(hardware_.port(), real_clock_, static_cast<std::int64_t>(settings_.refresh_ms * 1e6),
-                                                       std::int64_t{header_.device.hold_ticks + 1} * header_.period_ns, &*guard_);
+                                                       std::int64_t{header_.device.hold_ticks} * header_.period_ns, &*guard_);
   } else {
     direct_ = std::make_unique<loop::DirectDevice>(hardware_.port(), virtual_clock_, header_.period_ns, stop_ticks_, &*guard_);
   }
@@ -116,7 +115,12 @@ Refusal Controller::connect_device() {
 }
 
 Refusal Controller::load_field(bool again) {
-  const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
+  const auto check = [this](const FieldView& field) {
+    Refusal refusal = settings::refusal_of(field, live_.now(), measured_delay());
+    if (refusal) return refusal;
+    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
+    return refusal;
+  };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
   const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
   Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
@@ -126,9 +130,10 @@ Refusal Controller::load_field(bool again) {
 }
 
 Refusal Controller::begin_recording() {
+  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16}, trace_,
-                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, say);
+                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, tell);
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
@@ -142,9 +147,10 @@ Refusal Controller::listen() {
   const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
     return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});
   };
+  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto different = [this] { return settings::different(live_.now()); };
   control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,
-                                                               set, different, say});
+                                                               set, different, tell});
   return control_->start();
 }
 
@@ -152,6 +158,10 @@ void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
   if (doubt || before_.fault) requests_.ask(kRequestStop);
   if (doubt) say(doubt.sentence());
+}
+
+void Controller::confirm() {
+  if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
@@ -179,7 +189,7 @@ void Controller::start() {
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) {
       recorder_->drain();
-      if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();  // here, because it waits for a disk
+      confirm();  // here, because it waits for a disk
     }
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
@@ -304,7 +314,8 @@ void Controller::stop() {
   if (records_.joinable()) records_.join();
   recorder_->drain();
   recorder_->stop();
-  if (mark_) mark_->end();
+  confirm();
+  if (mark_) mark_->end((recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
   crash_.reset();
 }
 
@@ -313,6 +324,10 @@ Controller::Legacy Controller::legacy() const {
   return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), fault};
 }
 
-std::string Controller::summary() { return "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_); }
+std::string Controller::summary() {
+  std::string text = "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_);
+  text.pop_back();  // whoever prints it ends the line
+  return text;
+}
 
 }  // namespace isotouch::daemon

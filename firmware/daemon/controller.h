@@ -22,6 +22,7 @@
 #include "firmware/daemon/hardware.h"
 #include "firmware/daemon/lines.h"
 #include "firmware/daemon/options.h"
+#include "firmware/daemon/printer.h"
 #include "firmware/daemon/service_notify.h"
 #include "firmware/guard/device_guard.h"
 #include "firmware/loop/direct_device.h"
@@ -55,7 +56,7 @@ class Controller {
   ///
   /// live      the settings as they are now; what is set while it runs stays there for the next run
   /// before    what the run before leaves
-  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Legacy before);
+  Controller(const Options& options, settings::LiveSettings& live, ServiceNotify& systemd, Printer& printer, Legacy before);
   /// As `stop`.
   ~Controller() { stop(); }
   Controller(const Controller&) = delete;
@@ -82,6 +83,7 @@ class Controller {
   std::string summary();
 
  private:
+  void say(const std::string& line) { printer_.say(line); }
   Refusal open_state();
   void choose_calibration();
   Refusal connect_device();
@@ -89,6 +91,7 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
+  void confirm();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
@@ -102,6 +105,7 @@ class Controller {
   const Options& options_;
   settings::LiveSettings& live_;
   ServiceNotify& systemd_;
+  Printer& printer_;
   const settings::Settings settings_;  ///< of this run
   const Legacy before_;
 

@@ -91,10 +91,21 @@ std::string latency_line(const std::string& file, int error) {
   return "processors may fall asleep while there is force, and ticks then begin late: " + file + " cannot be held (" + why + "); " + remedy;
 }
 
-std::string no_lines_line() {
-  return "no safety lines are set up, so there is no emergency stop and no watchdog relay: if this program fails, only the device's own "
-         "time limit ends the force; see "
-         "[lines]";
+std::vector<std::string> missing_lines(const settings::Settings& settings) {
+  std::vector<std::string> missing;
+  if (settings.line_stop < 0)
+    missing.emplace_back("no emergency stop is set up, so only the program itself can stop the force; see [lines] stop and chip");
+  if (settings.line_heartbeat < 0)
+    missing.emplace_back(
+        "no watchdog relay is set up, so only the device's own time limit ends the force if this program fails; see [lines] heartbeat and "
+        "chip");
+  return missing;
+}
+
+std::string no_state_line() {
+  return "no state folder is set up, so nothing remembers a crash or a fault: the next start gives force without 'resume'; name a folder "
+         "in "
+         "[files] state";
 }
 
 std::string figures(const loop::TickStats& stats) {

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "firmware/falcon/falcon_port.h"
 #include "firmware/loop/memory_check.h"
 #include "firmware/loop/tick_stats.h"
+#include "firmware/settings/settings.h"
 #include "shared/files/state_text.h"
 #include "shared/tick_io.h"
 
@@ -41,8 +43,11 @@ std::string refusal_line(unsigned refused);
 /// error     as loop::LatencyRequest::hold returns it, not 0
 std::string latency_line(const std::string& file, int error);
 
-/// What is missing where no safety lines are wired.
-std::string no_lines_line();
+/// One sentence for each protection that the safety lines do not give.
+std::vector<std::string> missing_lines(const settings::Settings& settings);
+
+/// What is not remembered where the settings name no state folder.
+std::string no_state_line();
 
 /// Several lines: how the ticks began and how long things took.
 std::string figures(const loop::TickStats& stats);

@@ -1,5 +1,7 @@
 #include "firmware/loop/exchange_thread.h"
 
+#include <algorithm>
+
 #include "firmware/loop/word_delay.h"
 
 namespace isotouch::loop {
@@ -36,7 +38,8 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
     const std::int64_t now = clock_.now_ns();
     if (command.tick != tick) ticked_ns = now;
     tick = command.tick;
-    if (now - ticked_ns > silent_ns_) command.falcon.words = {};  // whoever should answer for them is not there
+    const std::int64_t silent_from = ticked_ns + silent_ns_;
+    if (now >= silent_from) command.falcon.words = {};  // whoever should answer for them is not there
     if (guard_ != nullptr) command.falcon.words = guard_->pass(command, now);
     const std::int64_t sent = clock_.now_ns();
     const Answer answer = port_.exchange(command.falcon, packet);
@@ -47,15 +50,16 @@ void ExchangeThread::serve(const std::atomic<bool>& stop) {
     samples_.put(sample);
     replies_.ring();
     if (guard_ != nullptr) guard_->hear(packet, sample.arrival_ns);  // while the tick works
-    await_words(sample);
+    await_words(sample, now < silent_from ? silent_from : kNever);
   }
   port_.rest();
   ended_.store(true, std::memory_order_release);
   replies_.ring();
 }
 
-void ExchangeThread::await_words(const Sample& sample) {
-  const std::int64_t until = sample.sent_ns + refresh_ns_;
+/// Until the tick has answered this sample, at the latest until the next packet is due: to refresh the commands, or to take them away.
+void ExchangeThread::await_words(const Sample& sample, std::int64_t silent_from) {
+  const std::int64_t until = std::min(sample.sent_ns + refresh_ns_, silent_from);
   for (;;) {
     const std::uint32_t heard = words_.count();
     if (commands_.get().sample >= sample.number || clock_.now_ns() >= until) return;

@@ -21,7 +21,7 @@ class ExchangeThread final : public Device {
  public:
   /// port, clock   live longer; the clock is CLOCK_MONOTONIC
   /// refresh_ns    longest time between two commands while the tick is silent
-  /// silent_ns     without a tick for longer, packets carry no force
+  /// silent_ns     without a tick for so long, packets carry no force: the first one at this moment, or once the port has returned
   /// guard         sees every command and every reply; nullptr: nobody does. Lives longer
   ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000, CommandGuard* guard = nullptr)
       : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns), guard_(guard) {}
@@ -35,7 +35,7 @@ class ExchangeThread final : public Device {
   void serve(const std::atomic<bool>& stop);
 
  private:
-  void await_words(const Sample& sample);
+  void await_words(const Sample& sample, std::int64_t silent_from);
 
   Port& port_;
   Clock& clock_;

@@ -33,6 +33,8 @@ std::uint32_t ticks_of_ms(double ms, const Settings& settings, std::uint32_t lea
   return std::max(static_cast<std::uint32_t>(std::ceil(ms * settings.tick_hz / 1000)), least);
 }
 
+std::uint32_t hold_ticks(const Settings& settings) { return ticks_of_ms(settings.hold_ms, settings, 2); }
+
 std::int64_t ns_of_ms(double ms) { return std::llround(ms * 1e6); }
 
 /// The delay is the longer one of what the settings tell and what was measured.
@@ -92,7 +94,7 @@ Result<DeviceModel> device_model(const Settings& settings, const std::string& se
   model.word_slew = settings.word_slew;
   model.penetration_limit = fixed<Mm>(settings.penetration_mm);
   model.speed_limit = fixed<MmPerS>(settings.speed_mm_s);
-  model.hold_ticks = ticks_of_ms(settings.hold_ms, settings, 2);
+  model.hold_ticks = hold_ticks(settings);
   model.fault_age_ns = static_cast<std::uint32_t>(ns_of_ms(settings.fault_age_ms));
   model.count_jump = settings.count_jump;
   model.play = fixed<Mm>(settings.play_mm);
@@ -156,7 +158,8 @@ falcon::SessionSettings session_settings(const Settings& settings) {
   session.boot.attempts = settings.attempts;
   session.boot.ignore_echo = settings.ignore_echo;
   session.boot.always_upload = settings.always_upload;
-  session.device.reply_ns = ns_of_ms(settings.reply_ms);
+  const std::int64_t hold_ns = std::int64_t{hold_ticks(settings)} * period_ns(settings);
+  session.device.reply_ns = std::min(ns_of_ms(settings.reply_ms), hold_ns);  // the next packet carries no force
   session.device.lost_after = settings.lost_after;
   return session;
 }

@@ -84,6 +84,7 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
   store_number(*setting, *wanted, changed);
   if (Refusal refusal = refusal_of_stiffness(changed, measured_delay)) return refusal;
   change_to(changed, requests, setter.author);
+  if (setting->live == TickSetting::kStiffness) is_fields_limit_ = limit && !begin_.stiffness;
   return {};
 }
 
@@ -116,6 +117,15 @@ std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t me
   return "feel.stiffness was lowered to " + n_mm(most) +
          " N/mm, the largest that this device can render stably at this rate with the measured delay of " + std::to_string(measured_delay) +
          " ticks";
+}
+
+std::string LiveSettings::keep_within_field(loop::Requests& requests, Stiffness fields) {
+  const std::lock_guard guard(mutex_);
+  if (!is_fields_limit_ || tick_settings(now_).stiffness <= fields) return {};
+  Settings changed = now_;
+  changed.stiffness = begin_.stiffness;
+  change_to(changed, requests, kNobody);
+  return "feel.stiffness fell to the new field's own, the limit for the role operate";
 }
 
 }  // namespace isotouch::settings

@@ -43,6 +43,13 @@ class LiveSettings {
   /// returns   one sentence that says so; empty where nothing had to change
   std::string keep_within(loop::Requests& requests, std::uint32_t measured_delay);
 
+  /// Another field is about to be felt. A stiffness that somebody set who may not raise it, and that is above this field's own, is forgotten: the field's
+  /// own holds, from the next tick on. Any thread.
+  ///
+  /// fields    the stiffness of that field itself
+  /// returns   one sentence that says so; empty where nothing had to change
+  std::string keep_within_field(loop::Requests& requests, Stiffness fields);
+
  private:
   void change_to(const Settings& changed, loop::Requests& requests, std::uint32_t author);
   std::optional<double> limit_of(TickSetting setting, Stiffness fields) const;
@@ -50,6 +57,7 @@ class LiveSettings {
   const Settings begin_;
   mutable std::mutex mutex_;
   Settings now_;
+  bool is_fields_limit_ = false;  ///< the stiffness was set within the limit of a field
 };
 
 }  // namespace isotouch::settings

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "firmware/settings/ascii_toml.h"
+#include "firmware/settings/contradiction.h"
 #include "firmware/settings/table.h"
 
 #define TOML_EXCEPTIONS 0
@@ -180,13 +181,7 @@ Refusal parse_settings(std::string_view text, const std::string& name, Settings&
     return name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " + std::string(error.description());
   }
   if (Refusal refusal = Reader(name, settings).read(result.table())) return refusal;
-  if (settings.word_slew < settings.tick_hz) {
-    return name + ": limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall";
-  }
-  const bool has_all =
-      !settings.line_chip.empty() && settings.line_stop >= 0 && settings.line_enable >= 0 && settings.line_enable_back >= 0;
-  if (settings.lines_required && !has_all)
-    return name + ": lines.required is true, so [lines] must name chip, stop, enable and enable_back; name them, or set required = false";
+  if (const Refusal refusal = refusal_of_contradiction(settings)) return name + ": " + refusal.sentence();
   return {};
 }
 

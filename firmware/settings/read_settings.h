@@ -1,4 +1,5 @@
-/// From a TOML file to settings. A key that is not in the table, a value of another kind or outside its range is refused, never ignored.
+/// From a TOML file to settings. A key that is not in the table, a value of another kind or outside its range is refused, never ignored; so are settings that
+/// contradict each other.
 #pragma once
 
 #include <string>

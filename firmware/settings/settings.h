@@ -49,7 +49,7 @@ struct Settings {
   bool always_upload = false;
   int attempts = 3;
   double reply_ms = 5;
-  int lost_after = 20;
+  int lost_after = 34;
 
   // [feel]
   std::optional<double> stiffness;

@@ -1,6 +1,7 @@
-/// Two marks in the state folder. If a start finds either, a person must confirm the next force. `running` is there while a controller runs: one
-/// that a start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip. `recalibrated` is there from
-/// before other angles of the device's arms are stored until a person has confirmed them, whatever ends the runs between. Not for the tick.
+/// Two marks in the state folder. If a start finds either, a person must confirm the next force. `running` is there while a controller runs. One that a
+/// start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip; or by a run that ended before a person
+/// had done what it waited for. `recalibrated` is there from before other angles of the device's arms are stored until a person has confirmed them,
+/// whatever ends the runs between. Not for the tick.
 #pragma once
 
 #include <mutex>
@@ -15,7 +16,7 @@ class RunMark {
   /// folder    lives longer; other files in it are left alone
   explicit RunMark(Folder& folder);
 
-  /// The run before had no orderly end.
+  /// The run before had no orderly end, or still waited for a person.
   bool crashed() const { return crashed_; }
   /// At the start of this run nobody had confirmed the angles of the device's arms.
   bool recalibrated() const { return recalibrated_; }
@@ -30,12 +31,14 @@ class RunMark {
   /// returns   why they must not be
   Refusal note_calibration();
 
-  /// A person has resumed, and the device is homed: what was recalibrated before this run is confirmed. What was in this run is not. Any thread; does
-  /// nothing while another one stores angles, so whoever calls it calls it again.
+  /// A person has resumed, and the device is homed: the crash before this run is confirmed, and so is what was recalibrated before it. What was in this
+  /// run is not. Any thread; does nothing while another one stores angles, so whoever calls it calls it again.
   void confirm();
 
-  /// The end of an orderly run. Where it fails, the next start finds the mark.
-  void end();
+  /// The end of an orderly run. The next start finds the mark if that fails, if this run found it and nobody has confirmed it, or as it is asked here.
+  ///
+  /// needs_a_person  this run ended in a fault that the next start must not forget
+  void end(bool needs_a_person = false);
 
  private:
   bool write(const char* name);
@@ -43,7 +46,8 @@ class RunMark {
   Folder& folder_;
   const bool crashed_, recalibrated_;
   std::mutex mutex_;  ///< of what follows, and of the mark of a calibration
-  bool confirms_;     ///< there is something to confirm
+  bool in_doubt_;     ///< nobody has confirmed the crash before this run
+  bool confirms_;     ///< there are angles to confirm
 };
 
 }  // namespace isotouch::store

@@ -28,11 +28,11 @@ TEST(StateText, EveryStateHasASentenceThatBeginsWithItsName) {
 }
 
 TEST(StateText, AFaultIsExplainedWithTheNextStep) {
-  EXPECT_EQ(
-      text(SupervisorState::kFault, kFaultSilent | kFaultStopped),
-      "fault: no force, because a stop was requested, or the controller began anew after a crash or with changed angles, as it printed; "
-      "check the grip; the device did not answer in time; check its cable and power supply; then press a button of the grip, or run "
-      "'isotouch resume'");
+  EXPECT_EQ(text(SupervisorState::kFault, kFaultSilent | kFaultStopped),
+            "fault: no force, because a stop was requested, or the controller began anew after a crash, a stop or a fault, or with changed "
+            "angles, as it printed; "
+            "check the grip; the device did not answer in time; check its cable and power supply; then press a button of the grip, or run "
+            "'isotouch resume'");
   EXPECT_THAT(text(SupervisorState::kFault, kFaultGuard), HasSubstr("let somebody with the role service run 'isotouch resume'"));
   std::set<std::string> sentences;
   for (const FaultName& fault : kFaultNames) sentences.insert(text(SupervisorState::kFault, fault.fault));

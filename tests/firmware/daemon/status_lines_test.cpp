@@ -48,6 +48,22 @@ TEST(StatusLines, ARefusalNamesWhatIsMissing) {
             0U);
 }
 
+TEST(StatusLines, EveryProtectionThatNoLineGivesIsNamed) {
+  settings::Settings settings;
+  EXPECT_EQ(missing_lines(settings).size(), 2U);
+  settings.line_chip = "gpiochip0";
+  settings.line_enable = 1;
+  EXPECT_EQ(missing_lines(settings).size(), 2U) << "a chip alone protects nobody";
+  settings.line_stop = 2;
+  ASSERT_EQ(missing_lines(settings).size(), 1U);
+  EXPECT_EQ(missing_lines(settings)[0].find("no watchdog relay is set up"), 0U);
+  settings.line_heartbeat = 3;
+  EXPECT_EQ(missing_lines(settings).size(), 0U);
+  settings.line_stop = -1;
+  ASSERT_EQ(missing_lines(settings).size(), 1U);
+  EXPECT_EQ(missing_lines(settings)[0].find("no emergency stop is set up"), 0U);
+}
+
 TEST(StatusLines, AFileThatCannotBeHeldIsToldWithWhatToDo) {
   const std::string begin = "processors may fall asleep while there is force, and ticks then begin late: /dev/x cannot be held (";
   EXPECT_EQ(latency_line("/dev/x", EACCES), begin + "Permission denied); install 60-isotouch-latency.rules and be in the group isotouch");

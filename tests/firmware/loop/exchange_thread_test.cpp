@@ -4,6 +4,7 @@
 
 #include <time.h>  // NOLINT(modernize-deprecated-headers): clock_gettime
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 #include <utility>
@@ -91,6 +92,51 @@ TEST(ExchangeThread, WithoutATickForTooLongPacketsCarryNoForce) {
   ASSERT_EQ(port.commands.size(), 50U);
   EXPECT_EQ(port.commands.front(), (FalconCommand{{7, 7, 7}, 1}));
   EXPECT_EQ(port.commands.back(), (FalconCommand{{}, 1}));
+}
+
+/// Passes by itself: every look takes 10 us.
+class SteppingClock final : public Clock {
+ public:
+  std::int64_t now_ns() override { return now_ns_ += 10'000; }
+  void sleep_until_ns(std::int64_t when_ns) override { now_ns_ = std::max(now_ns_, when_ns); }
+
+ private:
+  std::int64_t now_ns_ = 0;
+};
+
+/// Answers after 0.8 ms; remembers when a packet went out first that carries no force.
+class SteppingPort final : public Port {
+ public:
+  explicit SteppingPort(SteppingClock& clock) : clock_(clock) {}
+  Answer exchange(const FalconCommand& command, FalconPacket& reply) override {
+    const std::int64_t now = clock_.now_ns();
+    if (packets++ == 20) return Answer::kEnd;
+    if (command.words == MotorCommands{} && rested_ns == 0) rested_ns = now;
+    clock_.sleep_until_ns(now + 800'000);
+    reply = encode(FalconReply{});
+    return Answer::kReply;
+  }
+  void rest() override {}
+  std::int64_t rested_ns = 0;
+  int packets = 0;
+
+ private:
+  SteppingClock& clock_;
+};
+
+TEST(ExchangeThread, TheForceOfATickThatStopsEndsInTimeWhateverTheRefresh) {
+  constexpr std::int64_t kMs = 1'000'000;
+  for (const std::int64_t refresh : {kMs / 2, 5 * kMs / 2, 20 * kMs}) {
+    SteppingClock clock;
+    SteppingPort port(clock);
+    ExchangeThread device(port, clock, refresh, 3 * kMs);
+    const std::atomic<bool> stop{false};
+    device.leave({{{7, 7, 7}, 1}, 1, 0, -1});
+    device.serve(stop);
+    EXPECT_GE(port.rested_ns, 3 * kMs) << refresh;
+    EXPECT_LE(port.rested_ns, refresh < kMs ? 3 * kMs + kMs : 3 * kMs + kMs / 2) << refresh << ": a packet that is under way is waited for";
+    EXPECT_GE(clock.now_ns(), 18 * std::max(kMs * 8 / 10, refresh)) << "then packets come no faster than before";
+  }
 }
 
 /// Answers as a script says, each after some time. Before each answer the tick leaves a command made of the newest sample.

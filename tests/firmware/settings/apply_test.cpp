@@ -22,8 +22,9 @@ TEST(ApplySettings, TheDefaultsAreThoseOfTheLayersBelow) {
   EXPECT_EQ(session.boot.attempts, plain.boot.attempts);
   EXPECT_EQ(session.boot.ignore_echo, plain.boot.ignore_echo);
   EXPECT_EQ(session.boot.always_upload, plain.boot.always_upload);
-  EXPECT_EQ(session.device.reply_ns, plain.device.reply_ns);
-  EXPECT_EQ(session.device.lost_after, plain.device.lost_after);
+  EXPECT_EQ(session.device.reply_ns, 3'000'000) << "a hold";
+  EXPECT_EQ(session.device.reply_ns * session.device.lost_after, 102'000'000);
+  EXPECT_EQ(plain.device.reply_ns * plain.device.lost_after, 100'000'000) << "without settings a device is lost as late";
 }
 
 TEST(ApplySettings, TheOtherGeometryIsTheOtherModel) {
@@ -134,14 +135,26 @@ TEST(ApplySettings, HowTheDeviceIsBroughtUpAndGivenUpIsTheSettings) {
   settings.attempts = 9;
   settings.ignore_echo = !settings.ignore_echo;
   settings.always_upload = !settings.always_upload;
-  settings.reply_ms = 7.5;
   settings.lost_after = 77;
   const falcon::SessionSettings session = session_settings(settings);
   EXPECT_EQ(session.boot.attempts, 9);
   EXPECT_EQ(session.boot.ignore_echo, settings.ignore_echo);
   EXPECT_EQ(session.boot.always_upload, settings.always_upload);
-  EXPECT_EQ(session.device.reply_ns, 7'500'000);
   EXPECT_EQ(session.device.lost_after, 77);
+}
+
+TEST(ApplySettings, NoReplyIsWaitedForLongerThanAHold) {
+  Settings settings;
+  settings.reply_ms = 7.5;
+  settings.hold_ms = 7.5;
+  EXPECT_EQ(session_settings(settings).device.reply_ns, 7'500'000);
+  settings.hold_ms = 3;
+  EXPECT_EQ(session_settings(settings).device.reply_ns, 3'000'000);
+  settings.reply_ms = 2.5;
+  EXPECT_EQ(session_settings(settings).device.reply_ns, 2'500'000);
+  settings.reply_ms = 100;
+  settings.tick_hz = 250;  // a hold is at least two ticks
+  EXPECT_EQ(session_settings(settings).device.reply_ns, 8'000'000);
 }
 
 TEST(ApplySettings, TimesStayTimesAtAnyRate) {

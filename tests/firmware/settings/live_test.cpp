@@ -85,6 +85,29 @@ TEST(LiveSettings, WhoMayNotRaiseLimitsStaysWithinThoseOfTheStart) {
   EXPECT_FALSE(lower.set("stiffness", "0.5", requests, 0, operates));
 }
 
+TEST(LiveSettings, WhatOneFieldAllowedIsNotKeptForAnotherThatIsSofter) {
+  loop::Requests requests;
+  const Setter operates{author_of(1000), false, Stiffness::of(0.8)}, services{author_of(1001), true, Stiffness::of(0.8)};
+  LiveSettings live{Settings{}};
+  EXPECT_EQ(live.set("stiffness", "0.75", requests, 0, operates).sentence(), "");
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, Stiffness::of(0.75).raw()}));
+  EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.9)), "");
+  EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.75)), "");
+  EXPECT_EQ(requests.take_change(), loop::AskedChange{});
+  EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.3)),
+            "feel.stiffness fell to the new field's own, the limit for the role operate");
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, 0})) << "the field's own";
+  EXPECT_EQ(live.now(), Settings{});
+  EXPECT_EQ(live.set("stiffness", "0.75", requests, 0, operates).sentence(), "");
+  EXPECT_EQ(live.set("stiffness", "0.7", requests, 0, services).sentence(), "");
+  EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.3)), "") << "the role service may";
+  Settings named;
+  named.stiffness = 0.5;
+  LiveSettings of_a_file{named};
+  EXPECT_EQ(of_a_file.set("stiffness", "0.4", requests, 0, operates).sentence(), "");
+  EXPECT_EQ(of_a_file.keep_within_field(requests, Stiffness::of(0.3)), "") << "the settings name the limit";
+}
+
 TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchForIt) {
   loop::Requests commands;
   Settings settings;

@@ -100,7 +100,7 @@ TEST(ReadSettings, EveryRangeOfTheTableHolds) {
     const double step = whole ? 1 : 0.0001;
     for (const double good : {setting.low, setting.high}) {
       Settings settings;
-      EXPECT_EQ(parse_settings(with(good), "F", settings).sentence(), "");
+      EXPECT_EQ(parse_settings(with(good), "F", settings).sentence().find("F:2: "), std::string::npos) << with(good);
     }
     for (const double bad : {setting.low - step, setting.high + step}) {
       Settings settings;
@@ -131,16 +131,49 @@ TEST(ReadSettings, AWordThatCouldNotChangeByOneInATickIsRefused) {
             "a.toml: limits.word_slew must be at least loop.tick_hz (one unit a tick); with less, motor commands could rise but not fall");
 }
 
+TEST(ReadSettings, SettingsThatContradictEachOtherAreRefused) {
+  const std::string chip = "[lines]\nchip = \"gpiochip0\"\n";
+  const std::pair<std::string, std::string> refused[] = {
+      {"[lines]\nstop = 4", "lines.stop needs a GPIO chip"},
+      {"[lines]\nenable = 4", "lines.enable needs a GPIO chip"},
+      {"[lines]\nenable_back = 4", "lines.enable_back needs a GPIO chip"},
+      {"[lines]\nheartbeat = 0", "lines.heartbeat needs a GPIO chip"},
+      {"[lines]\nlight = 4", "lines.light needs a GPIO chip"},
+      {chip + "stop = 4\nenable = 4", "lines.enable and lines.stop are both line 4"},
+      {chip + "enable_back = 0\nlight = 0", "lines.light and lines.enable_back are both line 0"},
+      {chip + "priority = 80", "lines.priority must be above loop.priority"},
+      {chip + "priority = 0", "lines.priority must be above loop.priority"},
+      {"[loop]\nexchange_priority = 80", "loop.exchange_priority must be below loop.priority"},
+      {"[loop]\npriority = 0", "loop.exchange_priority must be below loop.priority"},
+      {"[device]\nled_idle = \"green\"", "device.led_active must differ"},
+      {"[device]\nled_homing = \"green\"", "device.led_active must differ"},
+      {"[device]\nled_active = \"none\"\nled_idle = \"none\"", "device.led_active must differ"},
+      {"[buttons]\nmask = 0\nhold_to_run = true", "buttons.hold_to_run is true, but buttons.mask = 0"},
+  };
+  for (const auto& [text, complaint] : refused) {
+    Settings settings;
+    EXPECT_EQ(parse_settings(text, "F.toml", settings).sentence().find("F.toml: " + complaint), 0U) << text;
+  }
+  for (const std::string& good :
+       {chip + "stop = 4\nenable = 5", chip + "priority = 81", std::string("[loop]\npriority = 0\nexchange_priority = 0\n") + chip,
+        std::string("[loop]\nexchange_priority = 79"), std::string("[loop]\nexchange_priority = 0"), std::string("[lines]\npriority = 0"),
+        std::string("[device]\nled_idle = \"none\"\nled_homing = \"none\""), std::string("[buttons]\nmask = 0")}) {
+    EXPECT_EQ(read(good).line_light, -1);
+  }
+}
+
 TEST(ReadSettings, WhereLinesAreRequiredTheFileNamesThem) {
   const auto said = [](const std::string& lines) {
     Settings settings;
     return parse_settings("[lines]\nrequired = true\n" + lines, "a.toml", settings).sentence();
   };
-  const std::string all = "chip = \"gpiochip0\"\nstop = 1\nenable = 2\nenable_back = 3\n";
+  const std::string all = "chip = \"gpiochip0\"\nstop = 1\nenable = 2\nenable_back = 3\nheartbeat = 4\n";
   EXPECT_EQ(said(all), "");
-  EXPECT_EQ(said(""),
-            "a.toml: lines.required is true, so [lines] must name chip, stop, enable and enable_back; name them, or set required = false");
-  for (const char* one : {"chip = \"gpiochip0\"\n", "stop = 1\n", "enable = 2\n", "enable_back = 3\n"}) {
+  EXPECT_EQ(
+      said(""),
+      "a.toml: lines.required is true, so [lines] must name chip, stop, enable, enable_back and heartbeat; name them, or set required = "
+      "false");
+  for (const char* one : {"chip = \"gpiochip0\"\n", "stop = 1\n", "enable = 2\n", "enable_back = 3\n", "heartbeat = 4\n"}) {
     std::string without = all;
     without.erase(without.find(one), std::string(one).size());
     EXPECT_NE(said(without), "") << one;

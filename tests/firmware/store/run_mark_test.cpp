@@ -23,15 +23,38 @@ void run(CrashingFolder& folder, const std::function<void(RunMark&)>& life = nul
   mark.end();
 }
 
-TEST(RunMark, OnlyARunWithoutAnOrderlyEndLeavesIt) {
+TEST(RunMark, ACrashIsFoundByEveryStartUntilAPersonHasConfirmedIt) {
   CrashingFolder folder;
   run(folder);
   EXPECT_FALSE(finds_a_crash(folder));
   EXPECT_EQ(RunMark(folder).begin().sentence(), "");  // and has no end
+  for (int times = 0; times < 2; ++times) {
+    RunMark later(folder);
+    EXPECT_TRUE(later.crashed());
+    EXPECT_THAT(later.begin().sentence(), HasSubstr("the previous run crashed"));
+    later.end();
+  }
+  RunMark confirming(folder);
+  EXPECT_TRUE(confirming.begin());
+  confirming.confirm();
+  EXPECT_TRUE(confirming.crashed()) << "as it was at the start";
+  EXPECT_TRUE(finds_a_crash(folder)) << "it may still crash itself";
+  confirming.end();
+  EXPECT_FALSE(finds_a_crash(folder));
+}
+
+TEST(RunMark, ARunThatEndsInAFaultIsFoundUntilAPersonHasConfirmedIt) {
+  CrashingFolder folder;
+  RunMark first(folder);
+  EXPECT_EQ(first.begin().sentence(), "");
+  first.end(true);
+  EXPECT_TRUE(finds_a_crash(folder));
+  RunMark second(folder);
+  second.confirm();
+  second.end(true);
+  EXPECT_TRUE(finds_a_crash(folder)) << "confirmed, and in a fault again";
   RunMark third(folder);
-  EXPECT_TRUE(third.crashed());
-  EXPECT_THAT(third.begin().sentence(), HasSubstr("the previous run crashed"));
-  EXPECT_TRUE(third.crashed());  // until a person has resumed, and longer
+  third.confirm();
   third.end();
   EXPECT_FALSE(finds_a_crash(folder));
 }
