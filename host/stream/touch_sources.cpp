@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -97,10 +98,13 @@ Source controller(std::string address, double rate) {
     const std::uint64_t of_frame = ticks(rate, felt.welcome().period_ns);
     Touches touches(address, settings_at(felt));
     std::uint64_t next = 0;
+    std::optional<std::uint64_t> follows;  // the tick that is expected
     const auto take = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
       const auto record =
           bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
       if (!record) throw InputError(address + ": a record cannot be read; install the same release on both sides");
+      if (follows && tick > *follows) inbox.lose(tick - *follows);
+      follows = tick + 1;
       touches.add(*record);
       if (tick < next || !inbox.has_room()) return;  // no touch comes twice, so those of a frame that cannot go yet stay for the next one
       next = tick + of_frame;
