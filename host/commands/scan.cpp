@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/board_commands/number_in.h"
@@ -93,7 +94,8 @@ nlohmann::ordered_json touch_json(const evaluate::TouchReport& report) {
 }
 
 void print(const ScanOptions& options, const evaluate::TouchReport& report) {
-  std::fprintf(stderr, "%zu ticks: %zu free, %zu unfit (ramping, limited, following, stale), %zu weak, %zu touches at %zu places\n",
+  std::fprintf(stderr,
+               "%zu ticks: %zu free, %zu unfit (ramping, limited, following, stale, no proxy), %zu weak, %zu touches at %zu places\n",
                report.ticks, report.free, report.unfit, report.weak, report.touches, report.places);
   std::fprintf(stderr, "%s: %zu points, about %.3f mm apart\n", options.out.string().c_str(), report.points, report.spacing_mm);
 }
@@ -163,7 +165,7 @@ void add_scan(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--stiffness", options->touch.stiffness_n_per_mm,
-                   "stiffness of the wall that was touched; by default the trace's own, 0.8 for a mesh")
+                   "stiffness of the wall that was touched: of a trace that has forces and no proxies; of a mesh, by default 0.8")
       ->transform(quantity(kStiffness, 0.001, 100.0));
   command->add_option("--least-force", options->touch.least_force_n, "leave out touches weaker than this, N")
       ->check(number_in(0.0, 100.0))
@@ -177,8 +179,9 @@ void add_scan(CLI::App& app) {
   command->callback([options, command] {
     require_apart(options->out, options->json);
     if (is_standard(options->trace)) throw CLI::ValidationError("--trace", "the trace is read again after it was written; name a file");
-    if (options->touch.stiffness_n_per_mm > 0) options->scan.stiffness_n_per_mm = options->touch.stiffness_n_per_mm;
     const bool from_trace = is_trace(*options);
+    if (!from_trace && options->touch.stiffness_n_per_mm > 0)
+      options->scan.stiffness_n_per_mm = std::exchange(options->touch.stiffness_n_per_mm, 0);  // the simulated hand has proxies
     for (const char* name : {"--trace", "--seconds", "--seed"}) {
       if (from_trace && command->count(name) > 0)
         throw InputError(options->input.string() + ": " + name + " is for a hand that strokes a mesh, this is a trace; leave it out");

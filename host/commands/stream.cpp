@@ -159,6 +159,7 @@ Json summary_json(const stream::Stream& of, const std::string& field_hash) {
             {"surplus", all.points.surplus},
             {"expired", all.points.expired},
             {"present", all.points.taken - all.points.expired}}},
+          {"lost_ticks", report.lost},
           {"upload_bytes", report.upload_bytes},
           {"patches", all.patches},
           {"patch_bytes", quantiles_json(report.patch_bytes.quantiles())},
@@ -173,13 +174,15 @@ Json summary_json(const stream::Stream& of, const std::string& field_hash) {
 }
 
 /// What a second brought, for whoever watches.
-void print_second(double now, std::uint64_t thinned, const stream::Tally& of, const stream::Stream& stream) {
+void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const stream::Tally& of, const stream::Stream& stream) {
   const Quantiles delay = of.delay_ms.quantiles();
   std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points, %zu not needed, %zu outside", now,
                static_cast<unsigned long long>(of.frames), static_cast<unsigned long long>(thinned), of.points.taken, of.points.surplus,
                of.points.outside);
   if (of.unoriented > 0) std::fprintf(stderr, ", %llu frames without normals", static_cast<unsigned long long>(of.unoriented));
+  if (lost > 0) std::fprintf(stderr, ", %llu ticks of the hand lost", static_cast<unsigned long long>(lost));
   if (delay.count > 0) std::fprintf(stderr, ", %zu patches, delay %.1f ms, at most %.1f ms", delay.count, delay.median, delay.max);
+  if (of.unanswered) std::fprintf(stderr, "; the controller does not answer");
   if (stream.status() && stream.status()->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*stream.status()).c_str());
   std::fprintf(stderr, "\n");
 }
@@ -194,6 +197,9 @@ void print_text(const stream::Stream& of, const StreamingOptions& options, const
                static_cast<unsigned long long>(all.unoriented));
   std::fprintf(to, "points        %zu taken, %zu not needed, %zu outside the box, %zu without a normal, %zu expired\n", all.points.taken,
                all.points.surplus, all.points.outside, all.points.useless, all.points.expired);
+  if (report.lost > 0)
+    std::fprintf(to, "lost          %llu ticks of the hand, which the link was too slow for\n",
+                 static_cast<unsigned long long>(report.lost));
   const auto& [scale, offset] = of.space().placement;
   std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   const field::Grid& grid = of.space().grid;
@@ -234,14 +240,22 @@ void work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& 
   const Interruption interruption;
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
-  std::uint64_t thinned = 0;
+  std::uint64_t thinned = 0, lost = 0;
+  std::optional<double> interrupted;
+  constexpr double kGrace = 2;  // seconds that a busy controller gets to take the last frame
   try {
-    stream.run(
-        inbox, [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
-        [&](const stream::Tally& second) {
-          print_second(seconds(), inbox.thinned() - thinned, second, stream);
-          thinned = inbox.thinned();
-        });
+    stream.run(inbox, {.is_over = [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
+                       .gives_up =
+                           [&] {
+                             if (interruption.has_come() && !interrupted) interrupted = seconds();
+                             return interrupted && seconds() - *interrupted >= kGrace;
+                           },
+                       .second =
+                           [&](const stream::Tally& second) {
+                             print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, second, stream);
+                             thinned = inbox.thinned();
+                             lost = inbox.lost();
+                           }});
     stream.finish();
   } catch (const InputError& error) {
     if (!interruption.has_come()) throw;  // what interrupts us interrupts the ssh beside us

@@ -91,10 +91,45 @@ OrientedPoints averaged(const OrientedPoints& touches, double edge) {
 
 }  // namespace
 
-TouchKind touch_kind(const TraceRecord& record, double least_force_n) {
-  if ((record.output.status & kContact) == 0) return TouchKind::kFree;
-  if ((record.output.status & kUnfit) != 0 || !record.input.fresh) return TouchKind::kUnfit;
-  return to_double(record.output.force).norm() >= least_force_n ? TouchKind::kTouch : TouchKind::kWeak;
+TouchReader::TouchReader(std::string name, const TickSettings& settings, double least_force_n, double wall)
+    : name_(std::move(name)), settings_(settings), least_force_n_(least_force_n), wall_(wall) {
+  require_no_friction();
+}
+
+void TouchReader::require_no_friction() const {
+  if (settings_.friction == Ratio{} && settings_.friction_damping == Damping{}) return;
+  throw InputError(name_ + ": " + (settings_.friction > Ratio{} ? "friction" : "friction_damping") +
+                   " is set, which moves the proxy along the surface, so touches do not show where that is; set it to 0 and touch anew");
+}
+
+TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
+  const Output& out = record.output;
+  if (record.input.change.setting != TickSetting::kNone) {
+    RawSettings raw = raw_settings(settings_);
+    raw[index_of(record.input.change.setting)] = record.input.change.raw;
+    settings_ = from_raw(raw);
+    require_no_friction();
+  }
+  if ((out.status & kContact) == 0) return TouchKind::kFree;
+  if ((out.status & kUnfit) != 0 || !record.input.fresh) return TouchKind::kUnfit;
+  Vector3d force = to_double(out.force);
+  if (record.input.kind == InputKind::kPacket && !force.isZero(0)) force.y() -= to_double(settings_.weight);
+  if (!(force.norm() >= least_force_n_)) return TouchKind::kWeak;
+  Vector3d way = to_double(out.proxy - out.hip);
+  if (way.isZero(0)) {
+    ++proxyless_;
+    if (!(wall_ > 0)) return TouchKind::kUnfit;
+    way = force / wall_;
+  }
+  touch = {to_double(out.hip) + way, way.normalized()};
+  return TouchKind::kTouch;
+}
+
+void TouchReader::refuse_proxyless() const {
+  throw InputError(
+      name_ +
+      ": it has forces and no proxies, so nobody knows how deep the hand was; import it with --stiffness, the stiffness of the "
+      "wall that was touched");
 }
 
 OrientedPoints thinned(const OrientedPoints& touches, std::size_t points, TouchReport& report) {
@@ -128,30 +163,28 @@ OrientedPoints touch_points(const trace::Trace& trace, const TouchOptions& optio
   const std::string name = trace.path();
   const TraceHeader& header = trace.header();
   if (!header.has_outputs) throw InputError(name + ": it holds no forces; record them with isotouch replay, or import them with --forces");
-  const double stiffness = options.stiffness_n_per_mm > 0 ? options.stiffness_n_per_mm : to_double(header.settings.stiffness);
-  if (!(stiffness > 0)) throw InputError(name + ": it states no stiffness, because that of the field was used; give it with --stiffness");
-  if (header.settings.damping > Damping{}) {
-    throw InputError(name + ": it was recorded with damping, so its forces do not show how deep the hand was; replay it without damping");
-  }
 
   report = {};
   report.ticks = trace.size();
   OrientedPoints touches;
+  TouchReader reader(name, header.settings, options.least_force_n, options.stiffness_n_per_mm);
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
-    const TraceRecord record = trace.record(tick);
-    switch (touch_kind(record, options.least_force_n)) {
+    Touch touch;
+    switch (reader.read(trace.record(tick), touch)) {
       case TouchKind::kFree: ++report.free; break;
       case TouchKind::kUnfit: ++report.unfit; break;
       case TouchKind::kWeak: ++report.weak; break;
       case TouchKind::kTouch: {
-        const Vector3d force = to_double(record.output.force);
-        touches.positions.push_back(to_double(record.output.hip) + force / stiffness);
-        touches.normals.push_back(force.normalized());
+        touches.positions.push_back(touch.position);
+        touches.normals.push_back(touch.normal);
       }
     }
   }
   report.touches = touches.size();
+  if (options.stiffness_n_per_mm > 0 && report.touches > reader.proxyless())
+    throw InputError(name + ": its proxies show where the surface was; leave --stiffness out");
   if (touches.size() == 0) {
+    if (reader.proxyless() > 0) reader.refuse_proxyless();
     throw InputError(name + ": not one of its " + std::to_string(report.ticks) +
                      " ticks touches anything with enough force to show where the surface is");
   }

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "host/error.h"
 #include "host/link/child.h"
@@ -45,8 +46,13 @@ int connect_to(const Address& address, int patience_ms) {
 
 }  // namespace
 
-Connection::Connection(const Address& address, int patience_ms)
-    : address_(address), owner_(::getpid()), frame_(protocol::kMaxFrame), in_(2 * protocol::kMaxFrame) {
+Connection::Connection(const Address& address, int patience_ms, std::function<bool()> is_over)
+    : address_(address),
+      send_patience_ms_(patience_ms),
+      is_over_(std::move(is_over)),
+      owner_(::getpid()),
+      frame_(protocol::kMaxFrame),
+      in_(2 * protocol::kMaxFrame) {
   stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
                                 : connect_to(address, patience_ms);
   if (address.is_remote()) limit_sending(stream_, patience_ms);
@@ -61,11 +67,25 @@ Connection::~Connection() {
 
 void Connection::send_frame(std::size_t bytes) {
   for (std::size_t sent = 0; sent < bytes && !broken_;) {
-    const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL);
+    const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL | (is_over_ ? MSG_DONTWAIT : 0));
     if (taken < 0 && errno == EINTR) continue;
+    if (taken < 0 && is_over_ && errno == EAGAIN && can_send()) continue;
     if (taken < 0) broken_ = true;  // it may have said why
     if (taken > 0) sent += static_cast<std::size_t>(taken);
   }
+}
+
+/// Waits until the other side takes more.
+///
+/// returns   false: it did not in time, or nobody wants it any more
+bool Connection::can_send() {
+  constexpr int kAsksOverMs = 100;
+  for (int waited = 0; send_patience_ms_ == 0 || waited < send_patience_ms_; waited += kAsksOverMs) {
+    pollfd one{stream_, POLLOUT, 0};
+    if (::poll(&one, 1, kAsksOverMs) > 0) return true;
+    if (is_over_()) return false;
+  }
+  return false;
 }
 
 protocol::Frame Connection::receive(int patience_ms) {

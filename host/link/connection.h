@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ class Connection {
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
   /// patience_ms   longest time to wait until the controller takes what is sent; 0 = for ever
+  /// is_over       asked ten times a second meanwhile; true: what is left is not sent, and nothing more
   /// fails         InputError: what is not there and what to do
-  explicit Connection(const Address& address, int patience_ms = 0);
+  explicit Connection(const Address& address, int patience_ms = 0, std::function<bool()> is_over = {});
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -43,10 +45,13 @@ class Connection {
 
  private:
   void send_frame(std::size_t bytes);
+  bool can_send();
   bool read_more(int patience_ms);
   [[noreturn]] void complain_of_the_end();
 
   Address address_;
+  int send_patience_ms_;
+  std::function<bool()> is_over_;
   int stream_ = -1;
   pid_t child_ = -1;
   const pid_t owner_;  ///< the process that made this

@@ -33,7 +33,7 @@ std::string for_people(std::span<const std::uint8_t> bytes) {
 Controller::Controller(const std::string& address, std::optional<int> longest_ms, std::function<bool()> is_over)
     : longest_ms_(longest_ms.value_or(std::numeric_limits<int>::max())),
       is_over_(std::move(is_over)),
-      connection_(read_address(address), longest_ms.value_or(0)) {
+      connection_(read_address(address), longest_ms.value_or(0), is_over_) {
   connection_.send(Kind::kHello, protocol::Hello{});
   welcome_ = read<protocol::Welcome>(expect(Kind::kWelcome, kGreeting));
 }

@@ -29,7 +29,7 @@ class Controller {
   /// Connects and greets.
   ///
   /// longest_ms  to wait for any answer; without it each request has its own patience, from seconds to minutes
-  /// is_over     asked ten times a second while an answer is waited for; true: nobody wants it any more, and the request fails
+  /// is_over     asked ten times a second while the controller is waited for; true: nobody wants its answer any more, and the request fails
   explicit Controller(const std::string& address, std::optional<int> longest_ms = {}, std::function<bool()> is_over = {});
 
   const protocol::Welcome& welcome() const { return welcome_; }

@@ -21,25 +21,55 @@ GrowingField::GrowingField(const live::Space& space, double band, encoding::Fiel
     : space_(space), field_(space.grid, band, with_placement(std::move(info), space.placement)), keep_(keep), enough_(enough) {}
 
 /// Counts a point that its bucket still wants.
-bool GrowingField::has_enough(const live::Point& point) {
+bool GrowingField::has_enough(const live::Point& point, Clock::time_point at) {
   if (enough_ == 0) return false;
-  std::uint32_t& held = held_[live::bucket_key(point)];
-  if (held >= enough_) return true;
-  ++held;
-  return false;
+  Place& place = places_[live::bucket_key(point)];
+  if (place.held < enough_) {
+    ++place.held;
+    return false;
+  }
+  if (keep_) {
+    if (place.waiting.size() == enough_) place.waiting.erase(place.waiting.begin());
+    place.waiting.push_back({at, point});
+  }
+  return true;
+}
+
+void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
+  while (keep_ && !old_.empty() && at - old_.begin()->first >= *keep_) {
+    const std::vector<live::Point>& gone = old_.begin()->second;
+    batch.removed.insert(batch.removed.end(), gone.begin(), gone.end());
+    old_.erase(old_.begin());
+  }
+  if (enough_ == 0) return;
+  for (const live::Point& gone : batch.removed) --places_[live::bucket_key(gone)].held;
+}
+
+/// Places whose points went take those that wait: a place that is seen for long stays.
+void GrowingField::refill(Clock::time_point at, live::Batch& batch) {
+  if (enough_ == 0) return;
+  for (const live::Point& gone : batch.removed) {
+    const auto found = places_.find(live::bucket_key(gone));
+    if (found == places_.end()) continue;
+    Place& place = found->second;
+    for (; place.held < enough_ && !place.waiting.empty(); place.waiting.pop_back()) {
+      const Waiting& next = place.waiting.back();
+      if (at - next.at >= *keep_) {
+        place.waiting.clear();
+        break;
+      }
+      batch.added.push_back(next.point);
+      old_[next.at].push_back(next.point);
+      ++place.held;
+    }
+    if (place.held == 0) places_.erase(found);
+  }
 }
 
 PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) {
   PointCounts counts;
   live::Batch batch;
-  while (keep_ && !old_.empty() && at - old_.front().at >= *keep_) {
-    const std::vector<live::Point>& gone = old_.front().points;
-    batch.removed.insert(batch.removed.end(), gone.begin(), gone.end());
-    old_.pop_front();
-  }
-  for (const live::Point& gone : batch.removed) {
-    if (enough_ > 0 && --held_[live::bucket_key(gone)] == 0) held_.erase(live::bucket_key(gone));
-  }
+  remove_old(at, batch);
   counts.expired = batch.removed.size();
   batch.added.reserve(model.positions.size());
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
@@ -52,16 +82,20 @@ PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) 
                            : std::nullopt;
     if (!point) {
       ++counts.useless;
-    } else if (has_enough(*point)) {
+    } else if (has_enough(*point, at)) {
       ++counts.surplus;
     } else {
       batch.added.push_back(*point);
     }
   }
+  if (keep_ && !batch.added.empty()) {
+    std::vector<live::Point>& now = old_[at];
+    now.insert(now.end(), batch.added.begin(), batch.added.end());
+  }
+  refill(at, batch);
   counts.taken = batch.added.size();
   work_ = field_.apply(batch);
   changed_ = changed_ || work_.changed > 0;
-  if (keep_ && !batch.added.empty()) old_.push_back({at, std::move(batch.added)});
   return counts;
 }
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -22,7 +22,7 @@ struct PointCounts {
   std::size_t taken = 0;
   std::size_t outside = 0;  ///< of the box
   std::size_t useless = 0;  ///< without a normal
-  std::size_t surplus = 0;  ///< of places that have enough
+  std::size_t surplus = 0;  ///< of places that had enough when they came; some are taken later
   std::size_t expired = 0;  ///< taken, and removed again
 
   PointCounts& operator+=(const PointCounts& more) {
@@ -39,7 +39,8 @@ class GrowingField {
  public:
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
-  /// enough    so many points of a bucket count, and further ones are left out as long as they do; 0: all count
+  /// enough    that many points of a bucket count; 0: all. Further ones are left out. With `keep`, the newest of them wait and take the places of
+  ///           those that go, as long as they are no older than `keep` themselves
   /// fails     as LiveField
   GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
                std::uint32_t enough = 0);
@@ -66,19 +67,26 @@ class GrowingField {
   std::uint64_t kept_hash() const { return kept_hash_; }
 
  private:
-  bool has_enough(const live::Point& point);
-
-  struct Old {
+  struct Waiting {
     Clock::time_point at;
-    std::vector<live::Point> points;
+    live::Point point;
   };
+  /// A bucket, where `enough_` counts its points.
+  struct Place {
+    std::uint32_t held = 0;        ///< points that count
+    std::vector<Waiting> waiting;  ///< none unless enough count; the newest last
+  };
+
+  bool has_enough(const live::Point& point, Clock::time_point at);
+  void remove_old(Clock::time_point at, live::Batch& batch);
+  void refill(Clock::time_point at, live::Batch& batch);
 
   live::Space space_;
   live::LiveField field_;
   std::optional<Clock::duration> keep_;
   std::uint32_t enough_;
-  std::unordered_map<std::uint64_t, std::uint32_t> held_;  ///< points of each bucket, where `enough_` counts them
-  std::deque<Old> old_;
+  std::unordered_map<std::uint64_t, Place> places_;            ///< by bucket
+  std::map<Clock::time_point, std::vector<live::Point>> old_;  ///< points that count, where they go again, by when they came
   live::Work work_;
   bool changed_ = false;
   std::optional<field_file::OpenField> kept_;

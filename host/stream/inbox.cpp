@@ -41,6 +41,11 @@ void Inbox::miss(std::uint64_t frames) {
   thinned_ += frames;
 }
 
+void Inbox::lose(std::uint64_t ticks) {
+  const std::lock_guard hold(lock_);
+  lost_ += ticks;
+}
+
 bool Inbox::wait_until(Clock::time_point time) {
   std::unique_lock hold(lock_);
   return !changed_.wait_until(hold, time, [this] { return closed_; });
@@ -89,6 +94,11 @@ std::uint64_t Inbox::offered() const {
 std::uint64_t Inbox::thinned() const {
   const std::lock_guard hold(lock_);
   return thinned_;
+}
+
+std::uint64_t Inbox::lost() const {
+  const std::lock_guard hold(lock_);
+  return lost_;
 }
 
 void Inbox::close() {

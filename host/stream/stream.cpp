@@ -35,28 +35,45 @@ Eigen::AlignedBox3d box_round_first(std::span<const Eigen::Vector3d> positions) 
 
 Stream::Stream(StreamOptions options) : options_(std::move(options)) {
   if (options_.to.empty()) return;
-  controller_.emplace(options_.to);
+  controller_.emplace(options_.to, std::nullopt, [this] { return gives_up(); });
   status_ = controller_->status();
 }
 
-void Stream::run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second) {
+bool Stream::is_due() const { return watch_.second && Clock::now() - reported_ >= 1s; }
+
+/// While the controller is waited for.
+bool Stream::gives_up() {
+  if (is_due()) {
+    second_.unanswered = true;
+    report_second();
+  }
+  return watch_.gives_up && watch_.gives_up();
+}
+
+void Stream::report_second() {
+  reported_ = Clock::now();
+  watch_.second(second_);
+  second_ = {};
+}
+
+void Stream::run(Inbox& inbox, Watch watch) {
   const Clock::time_point begin = Clock::now();
-  Clock::time_point reported = begin;
+  reported_ = begin;
+  watch_ = std::move(watch);
   const auto count = [&](bool is_end) {
     if (is_end) inbox.close();
     report_.offered = inbox.offered();
     report_.thinned = inbox.thinned();
+    report_.lost = inbox.lost();
     report_.seconds = ms_since(begin) / 1e3;
   };
   try {
-    while (!is_over() && !inbox.is_finished()) {
+    while (!watch_.is_over() && !inbox.is_finished()) {
       if (const auto frame = inbox.take(50ms)) work_on(*frame);
       count(false);
-      if (Clock::now() - reported < 1s) continue;
-      reported = Clock::now();
+      if (!is_due()) continue;
       ask_status();  // it shows, too, whether the controller is still there
-      second(second_);
-      second_ = {};
+      report_second();
     }
   } catch (...) {
     count(true);

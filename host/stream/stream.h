@@ -36,13 +36,15 @@ struct Tally {
   std::uint64_t unoriented = 0;  ///< of them with points, and without normals
   PointCounts points;
   std::uint64_t patches = 0, patch_bytes = 0;
-  Classes delay_ms{10};  ///< from the arrival of a frame until the controller has confirmed its patch
+  Classes delay_ms{10};     ///< from the arrival of a frame until the controller has confirmed its patch
+  bool unanswered = false;  ///< the controller was waited for when that time ended
 };
 
 /// Of a whole stream.
 struct StreamReport {
   Tally all;
   std::uint64_t offered = 0, thinned = 0;                             ///< frames
+  std::uint64_t lost = 0;                                             ///< ticks of another controller that did not arrive
   std::uint64_t upload_bytes = 0;                                     ///< of the first field, packed
   Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
   Classes patch_bytes{0.01};
@@ -55,14 +57,20 @@ class Stream {
   ///
   /// fails     InputError: as link::Controller
   explicit Stream(StreamOptions options);
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
 
+  /// What `run` asks and reports. All of it lives until after `finish`.
+  struct Watch {
+    std::function<bool()> is_over;             ///< asked ten times a second and oftener, but not while the controller is waited for
+    std::function<bool()> gives_up;            ///< asked ten times a second while the controller is waited for; true: it fails
+    std::function<void(const Tally&)> second;  ///< called each second with what it brought
+  };
   /// Works until there are no more frames.
   ///
-  /// is_over   asked ten times a second and oftener
-  /// second    called each second with what it brought
   /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses or is gone. What the field held before it
   ///           still holds
-  void run(Inbox& inbox, const std::function<bool()>& is_over, const std::function<void(const Tally&)>& second);
+  void run(Inbox& inbox, Watch watch);
   /// Sends what has not been sent, if anything, and looks whether the controller has it.
   ///
   /// fails     InputError: as `run`
@@ -85,6 +93,9 @@ class Stream {
   void send();
   void upload();
   void patch();
+  bool is_due() const;
+  bool gives_up();
+  void report_second();
   [[noreturn]] void explain_refusal(const std::string& sentence);
   void ask_status();
   void require_own_field() const;
@@ -97,6 +108,8 @@ class Stream {
   std::optional<std::uint64_t> felt_;  ///< hash of the field that the controller has from here
   StreamReport report_;
   Tally second_;
+  Watch watch_;
+  Clock::time_point reported_;
 };
 
 }  // namespace isotouch::stream

@@ -2,7 +2,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "host/error.h"
@@ -22,13 +25,19 @@ constexpr double kLeastForce = 0.05;  // N, as `isotouch scan`: weaker touches h
 /// The points of a frame's ticks. Without a touch the hand may rest or be free: then the frame is empty.
 class Touches {
  public:
+  /// As evaluate::TouchReader.
+  Touches(const std::string& name, const TickSettings& settings) : reader_(name, settings, kLeastForce) {}
+
   void add(const TraceRecord& record) {
-    if (evaluate::touch_kind(record, kLeastForce) != evaluate::TouchKind::kTouch) return;
-    const Eigen::Vector3d proxy = to_double(record.output.proxy), out = proxy - to_double(record.output.hip);
-    const double depth = out.norm();
-    if (!(depth > 0)) return;
-    model_.positions.push_back(proxy);
-    model_.normals.emplace_back(out / depth);
+    evaluate::Touch touch;
+    if (reader_.read(record, touch) != evaluate::TouchKind::kTouch) return;
+    any_ = true;
+    model_.positions.push_back(touch.position);
+    model_.normals.push_back(touch.normal);
+  }
+  /// fails     InputError: there were touches, and none shows where the surface is
+  void require_any() const {
+    if (!any_ && reader_.proxyless() > 0) reader_.refuse_proxyless();
   }
   /// They are gone from here.
   Frame frame() {
@@ -36,9 +45,22 @@ class Touches {
   }
 
  private:
+  evaluate::TouchReader reader_;
   cloud::Model model_;
   std::uint64_t number_ = 0;
+  bool any_ = false;
 };
+
+/// How a running controller feels now.
+TickSettings settings_at(link::Controller& controller) {
+  RawSettings raw = raw_settings(TickSettings{});
+  for (const auto& [name, value] : controller.settings().different) {
+    for (std::size_t i = 0; i < kLiveSettings; ++i) {
+      if (name == "feel." + std::string(kTickSettingRows[i]->name)) raw[i] = kTickSettingRows[i]->raw(std::strtod(value.c_str(), nullptr));
+    }
+  }
+  return from_raw(raw);
+}
 
 /// Ticks of a frame.
 std::uint64_t ticks(double rate, std::uint32_t period_ns) {
@@ -54,7 +76,7 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
       throw InputError(file.string() + ": it holds no proxies and forces; record them with isotouch replay, or import them with --forces");
     const std::uint64_t of_frame = ticks(rate, trace.header().period_ns);
     const Clock::time_point begin = Clock::now();
-    Touches touches;
+    Touches touches(file.string(), trace.header().settings);
     for (std::size_t tick = 0; tick < trace.size(); ++tick) {
       touches.add(trace.record(tick));
       const bool is_last = tick + 1 == trace.size();
@@ -65,6 +87,7 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
       if (in_time && !is_last && !inbox.has_room()) continue;  // no touch comes twice
       if (!(in_time && !is_last ? inbox.offer(touches.frame()) : inbox.hand_over(touches.frame()))) return;
     }
+    touches.require_any();
   };
 }
 
@@ -73,12 +96,15 @@ Source controller(std::string address, double rate) {
     using trace_layout::kRecordBytes;
     link::Controller felt(address);
     const std::uint64_t of_frame = ticks(rate, felt.welcome().period_ns);
-    Touches touches;
+    Touches touches(address, settings_at(felt));
     std::uint64_t next = 0;
+    std::optional<std::uint64_t> follows;  // the tick that is expected
     const auto take = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
       const auto record =
           bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
       if (!record) throw InputError(address + ": a record cannot be read; install the same release on both sides");
+      if (follows && tick > *follows) inbox.lose(tick - *follows);
+      follows = tick + 1;
       touches.add(*record);
       if (tick < next || !inbox.has_room()) return;  // no touch comes twice, so those of a frame that cannot go yet stay for the next one
       next = tick + of_frame;

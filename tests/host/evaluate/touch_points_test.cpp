@@ -31,6 +31,7 @@ TraceRecord touch(cloud::Random& random) {
   TraceRecord record;
   record.input = position_input(to_fixed<Mm>(Vector3d((kRadius - 1) * way)));
   record.output.hip = record.input.hip;
+  record.output.proxy = to_fixed<Mm>(Vector3d(kRadius * way));
   record.output.force = to_fixed<Newton>(Vector3d(kStiffness * way));
   record.output.status = kContact;
   return record;
@@ -84,7 +85,8 @@ TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
   const std::uint32_t unfit[] = {kRamping, kForceLimited, kStale, kInputClamped, kFollowing, kHeldInside};
   const auto spoil = [&](std::size_t tick, TraceRecord& record) {
     if (tick % 10 >= 8) return;
-    record.output.force = to_fixed<Newton>(Vector3d(3, 0, 0));  // would lie far off
+    record.output.force = to_fixed<Newton>(Vector3d(3, 0, 0));
+    record.output.proxy = to_fixed<Mm>(Vector3d(50, 0, 0));  // would lie far off
     if (tick % 10 < 6) record.output.status |= unfit[tick % 10];
     if (tick % 10 == 6) record.output.status = 0;
     if (tick % 10 == 7) record.output.force = to_fixed<Newton>(Vector3d(0.01, 0, 0));
@@ -101,8 +103,8 @@ TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
 TEST_F(TouchPoints, WhatIsTouchedManyTimesIsAveraged) {
   cloud::Random noise(5);
   const auto shake = [&](std::size_t, TraceRecord& record) {
-    const Vector3d hip = to_double(record.output.hip);
-    record.output.hip = to_fixed<Mm>(Vector3d(hip + noise.uniform(-0.2, 0.2) * hip.normalized()));
+    const Vector3d proxy = to_double(record.output.proxy);
+    record.output.proxy = to_fixed<Mm>(Vector3d(proxy + noise.uniform(-0.2, 0.2) * proxy.normalized()));
   };
   const auto points = touch_points(trace(60000, shake), {.points = 300}, report_);
   double squares = 0;
@@ -118,11 +120,56 @@ TEST_F(TouchPoints, TheTwoSidesOfAFoilAreNotAveraged) {
     const double x = static_cast<double>(tick % 50) / 5, y = static_cast<double>(tick / 50 % 50) / 5;
     const double side = tick % 2 == 0 ? 1 : -1;
     record.output.hip = to_fixed<Mm>(Vector3d(x, y, side * (0.01 - 1)));
+    record.output.proxy = to_fixed<Mm>(Vector3d(x, y, side * 0.01));
     record.output.force = to_fixed<Newton>(Vector3d(0, 0, side * kStiffness));
   };
   const auto points = touch_points(trace(5000, on_foil), {.points = 100}, report_);
   ASSERT_EQ(points.size(), 100U);
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(points.positions[i].z(), 0.01 * points.normals[i].z(), 1e-4);
+}
+
+/// What the last ticks of a trace change, from the middle on.
+std::function<void(std::size_t, TraceRecord&)> changed_to(TickSetting setting, double value) {
+  return [=](std::size_t tick, TraceRecord& record) {
+    if (tick == 25) record.input.change = {setting, kTickSettingRows[index_of(setting)]->raw(value)};
+  };
+}
+
+TEST_F(TouchPoints, DampingsWeightAndASofterPlaceMoveNoPoint) {
+  header_.settings.damping = Damping::of(0.1);
+  header_.settings.hand_damping = Damping::of(0.02);
+  header_.settings.passivity = Damping::of(0.012);
+  header_.settings.weight = Newton::of(0.8);
+  const auto points = touch_points(trace(20000,
+                                         [](std::size_t, TraceRecord& record) {
+                                           const Vector3d force = 0.3 * to_double(record.output.force) + Vector3d(0.3, 0.8, 0);
+                                           record.output.force = to_fixed<Newton>(force);
+                                         }),
+                                   {.points = 500}, report_);
+  ASSERT_EQ(points.size(), 500U);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(points.positions[i].norm(), kRadius, 0.02);
+    EXPECT_GT(points.normals[i].dot(points.positions[i].normalized()), 0.9999);
+  }
+}
+
+TEST_F(TouchPoints, TheHandlesWeightMakesNoTouchStronger) {
+  header_.settings.weight = Newton::of(0.8);
+  const auto of_a_device = [](std::size_t, TraceRecord& record) {
+    Input packet;
+    packet.fresh = true;
+    record.input = packet;
+    record.output.force = to_fixed<Newton>(Vector3d(0.02 * to_double(record.output.proxy).normalized() + Vector3d(0, 0.8, 0)));
+  };
+  EXPECT_THROW(touch_points(trace(50, of_a_device), {}, report_), InputError);
+  EXPECT_EQ(report_.weak, 50U);
+}
+
+TEST_F(TouchPoints, ForcesWithoutProxiesNeedTheWallsStiffness) {
+  const auto forces_only = [](std::size_t, TraceRecord& record) { record.output.proxy = record.output.hip; };
+  const auto points = touch_points(trace(20000, forces_only), {.stiffness_n_per_mm = kStiffness, .points = 500}, report_);
+  ASSERT_EQ(points.size(), 500U);
+  for (const Vector3d& position : points.positions) EXPECT_NEAR(position.norm(), kRadius, 0.02);
 }
 
 TEST_F(TouchPoints, ATraceThatCannotTellIsRefusedWithTheReason) {
@@ -136,12 +183,15 @@ TEST_F(TouchPoints, ATraceThatCannotTellIsRefusedWithTheReason) {
     }
   };
   refused("not one of its 50 ticks", {.least_force_n = 2});
-  header_.settings.damping = Damping::of(0.1);
-  refused("with damping");
-  header_.settings.damping = {};
-  header_.settings.stiffness = {};
-  refused("give it with --stiffness");
-  EXPECT_NO_THROW(touch_points(trace(50), {.stiffness_n_per_mm = kStiffness}, report_));
+  refused("leave --stiffness out", {.stiffness_n_per_mm = kStiffness});
+  refused("import it with --stiffness", {}, [](std::size_t, TraceRecord& record) { record.output.proxy = record.output.hip; });
+  refused("friction is set", {}, changed_to(TickSetting::kFriction, 0.5));
+  refused("friction_damping is set", {}, changed_to(TickSetting::kFrictionDamping, 0.01));
+  EXPECT_NO_THROW(touch_points(trace(50, changed_to(TickSetting::kFriction, 0)), {}, report_));
+  EXPECT_NO_THROW(touch_points(trace(50, changed_to(TickSetting::kStiffness, 0.1)), {}, report_));
+  header_.settings.friction = Ratio::of(0.5);
+  refused("friction is set");
+  header_.settings.friction = {};
   header_.has_outputs = false;
   refused("holds no forces", {}, [](std::size_t, TraceRecord& record) { record.output = {}; });
 }

@@ -14,57 +14,15 @@
 
 #include "host/error.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/scripted_controller.h"
 
 namespace isotouch::link {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
 using protocol::Kind;
+using test::Bytes, test::frame, test::Scripted;
 using testing::HasSubstr;
 
-/// A controller that answers its first client with prepared bytes, whatever it is asked, and goes.
-class Scripted {
- public:
-  explicit Scripted(Bytes answers) : path_((scratch_.path() / "socket").string()) {
-    sockaddr_un name{};
-    name.sun_family = AF_UNIX;
-    std::copy(path_.begin(), path_.end(), name.sun_path);
-    door_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    EXPECT_EQ(::bind(door_, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
-    EXPECT_EQ(::listen(door_, 1), 0);
-    thread_ = std::thread([this, answers = std::move(answers)] {
-      const int client = ::accept(door_, nullptr, nullptr);
-      (void)::send(client, answers.data(), answers.size(), MSG_NOSIGNAL);
-      ::shutdown(client, SHUT_WR);
-      Bytes heard(4096);
-      while (::recv(client, heard.data(), heard.size(), 0) > 0) continue;
-      ::close(client);
-    });
-  }
-  ~Scripted() {
-    thread_.join();
-    ::close(door_);
-  }
-  std::string address() const { return "unix:" + path_; }
-
- private:
-  ScratchFolder scratch_;
-  std::string path_;
-  int door_ = -1;
-  std::thread thread_;
-};
-
-template <class Message>
-Bytes frame(Kind kind, const Message& message) {
-  Bytes bytes(protocol::kMaxFrame);
-  bytes.resize(protocol::encode(kind, message, bytes));
-  return bytes;
-}
-Bytes frame(Kind kind) {
-  Bytes bytes(protocol::kHeaderBytes);
-  protocol::seal_frame(kind, 0, bytes);
-  return bytes;
-}
 Bytes refusal(const std::string& sentence) {
   return frame(Kind::kRefused, protocol::Refusal{2, {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
 }
@@ -105,6 +63,20 @@ TEST(Controller, NobodyWaitsForAnAnswerThatIsNotWantedAnyMore) {
   }
   EXPECT_EQ(asked, 3);
   ::close(door);
+}
+
+TEST(Controller, NobodyWaitsUntilItTakesWhatIsNotWantedAnyMore) {
+  const Scripted scripted(kWelcome + frame(Kind::kDone), false);
+  const Bytes field(2'000'000);
+  int asked = 0;
+  try {
+    Controller controller(scripted.address(), {}, [&] { return ++asked >= 3; });
+    (void)controller.upload({field.size(), 1, 2, {}}, field);
+    ADD_FAILURE() << "it has taken it";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nobody waits"));
+  }
+  EXPECT_LE(asked, 5);
 }
 
 TEST(Controller, WhatTheControllerRefusesIsPassedOn) {

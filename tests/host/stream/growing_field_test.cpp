@@ -103,6 +103,37 @@ TEST(GrowingField, APlaceThatHasEnoughTakesNoMoreUntilItsPointsExpire) {
   for (std::size_t n = 0; n < 10; ++n) EXPECT_EQ(small.take(one, begin).taken, n < 3 ? 1U : 0U);
 }
 
+/// A place that is seen again and again stays for as long after it was seen last as any other.
+TEST(GrowingField, APlaceStaysThatIsSeenAlthoughItHasEnough) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 4000, 1);
+  const cloud::Model seen = part(points, 0, 2000), other = part(points, 2000, 2050);
+  GrowingField field(unit_space(), kBand, {}, 2s, 4);
+  const Clock::time_point begin{};
+  const std::size_t taken = field.take(seen, begin).taken;
+  const std::vector<std::uint8_t> image = bytes_of(field.keep_whole());
+  const std::size_t places = field.verdict().samples;
+  field.take(seen, begin + 900ms);
+  EXPECT_EQ(field.take(other, begin + 2100ms).expired, taken);
+  EXPECT_GE(field.verdict().points, taken);
+  EXPECT_GE(field.verdict().samples, places);
+  const std::size_t points_then = field.verdict().points;
+  EXPECT_EQ(field.take({}, begin + 2899ms).expired, 0U);
+  EXPECT_EQ(field.verdict().points, points_then);
+  field.take({}, begin + 2900ms);
+  EXPECT_LE(field.verdict().points, other.positions.size());
+  field.take({}, begin + 1h);
+  EXPECT_EQ(bytes_of(field.keep_whole()), built({}));
+
+  field.take(seen, begin + 2h);
+  EXPECT_EQ(bytes_of(field.keep_whole()), image) << "nothing is left of what waited";
+  for (int n = 1; n < 30; ++n) {
+    field.take(seen, begin + 2h + n * 100ms);
+    EXPECT_GE(field.verdict().points, taken);
+  }
+  field.take(seen, begin + 4h);  // what waits is too old
+  EXPECT_EQ(bytes_of(field.keep_whole()), image);
+}
+
 TEST(GrowingField, CountsWhatItCannotUse) {
   const live::Space space = unit_space();
   GrowingField field(space, kBand, {}, {});

@@ -49,6 +49,18 @@ TEST(Session, ATraceReplaysToTheBit) {
   EXPECT_TRUE(bench.replays());
 }
 
+/// The force of a tick is held until the next one: on the way in it is that of less depth, on the way out that of more. That is what makes walls tremble.
+TEST(Session, SamplingGivesEnergyToAHandThatGoesInAndOut) {
+  Bench bench;
+  bench.stay(kOutside, 10);
+  constexpr double kStep = 0.3;
+  Felt felt;
+  for (int i = 0; i <= 20; ++i) felt = bench.stay({kOutside[0] - kStep * i, kOutside[1], kOutside[2]});
+  const double force = felt.force[0];
+  for (int i = 20; i >= 0; --i) felt = bench.stay({kOutside[0] - kStep * i, kOutside[1], kOutside[2]});
+  EXPECT_NEAR(felt.energy, force * kStep, 0.1 * force * kStep) << "half of the largest force times a step, twice";
+}
+
 TEST(Session, TheWorkIsThatOfTheForceAndNoneIsDoneWhileTheHandIsAway) {
   Bench bench;
   bench.stay(kOutside, 10);
