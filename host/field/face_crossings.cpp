@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "host/field/on_triangle.h"
 #include "host/field/parallel.h"
 
 namespace isotouch::field {
@@ -34,6 +35,40 @@ bool pierces(const Corners& a, const Corners& b) {
   return false;
 }
 
+/// Do the corners of `a` all lie on one side of the plane of `b`, farther than `reach`?
+bool is_beside(const Corners& a, const Corners& b, double reach) {
+  const Vector3d normal = (b[1] - b[0]).cross(b[2] - b[0]);
+  const double limit = reach * normal.norm();
+  const double x = normal.dot(a[0] - b[0]), y = normal.dot(a[1] - b[0]), z = normal.dot(a[2] - b[0]);
+  return (x > limit && y > limit && z > limit) || (x < -limit && y < -limit && z < -limit);
+}
+
+bool a_corner_touches(const Corners& a, const Corners& b, double reach) {
+  return std::any_of(a.begin(), a.end(),
+                     [&](const Vector3d& p) { return (nearest_on_triangle(p, b).point - p).squaredNorm() <= reach * reach; });
+}
+
+/// Do two edges that are not parallel come as near as `reach` between their ends?
+bool edges_touch(const Vector3d& a, const Vector3d& a_end, const Vector3d& b, const Vector3d& b_end, double reach) {
+  const Vector3d along_a = a_end - a, along_b = b_end - b, between = b - a, across = along_a.cross(along_b);
+  const double square = across.squaredNorm(), gap = between.dot(across);
+  if (!(square > 0) || gap * gap > reach * reach * square) return false;
+  const double s = between.cross(along_b).dot(across), t = between.cross(along_a).dot(across);
+  return s >= 0 && s <= square && t >= 0 && t <= square;
+}
+
+/// Are two faces that do not cross as near as `reach`? Where they are nearest, one has a corner, or both have an edge.
+bool touch(const Corners& a, const Corners& b, double reach) {
+  if (is_beside(a, b, reach) || is_beside(b, a, reach)) return false;
+  if (a_corner_touches(a, b, reach) || a_corner_touches(b, a, reach)) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (edges_touch(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3], reach)) return true;
+    }
+  }
+  return false;
+}
+
 /// A face and the box round it, along the coordinates.
 struct BoxedFace {
   const FaceTree::Face* face;
@@ -47,12 +82,13 @@ struct BoxedFace {
         high(of.corners[0].cwiseMax(of.corners[1]).cwiseMax(of.corners[2])) {}
 };
 
-bool boxes_meet(const BoxedFace& a, const BoxedFace& b) {
-  return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+/// Are the boxes no farther apart than `reach` along any coordinate?
+bool boxes_meet(const BoxedFace& a, const BoxedFace& b, double reach) {
+  return (a.low.array() - reach <= b.high.array()).all() && (b.low.array() - reach <= a.high.array()).all();
 }
 
-/// All faces near to some that lie together, these among them.
-void faces_near(const FaceTree& tree, std::span<const FaceTree::Face> together, std::vector<BoxedFace>& near) {
+/// All faces as near as `reach` to some that lie together, these among them.
+void faces_near(const FaceTree& tree, std::span<const FaceTree::Face> together, double reach, std::vector<BoxedFace>& near) {
   Vector3d middle = Vector3d::Zero();
   for (const auto& [corners, number] : together)
     middle += (corners[0] + corners[1] + corners[2]) / (3.0 * static_cast<double>(together.size()));
@@ -61,7 +97,13 @@ void faces_near(const FaceTree& tree, std::span<const FaceTree::Face> together, 
     for (const Vector3d& corner : corners) square = std::max(square, (corner - middle).squaredNorm());
   }
   near.clear();
-  tree.each_near(middle, std::sqrt(square), [&](std::uint32_t face) { near.emplace_back(tree.faces()[face]); });
+  tree.each_near(middle, std::sqrt(square) + reach, [&](std::uint32_t face) { near.emplace_back(tree.faces()[face]); });
+}
+
+double size_of(const cloud::TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  return box.diagonal().norm();
 }
 
 }  // namespace
@@ -72,23 +114,30 @@ FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tr
     return std::any_of(mesh.faces[a].begin(), mesh.faces[a].end(), [&](std::uint32_t v) { return f[0] == v || f[1] == v || f[2] == v; });
   };
   constexpr std::size_t kGroup = 8;  // faces that follow each other lie together
-  std::vector<std::uint8_t> crosses(mesh.faces.size());
+  const double reach = 1e-6 * size_of(mesh);
+  std::vector<std::uint8_t> crosses(mesh.faces.size()), touches(mesh.faces.size());
   const std::span faces(tree.faces());
   in_parallel((faces.size() + kGroup - 1) / kGroup, 32, [&](std::size_t begin, std::size_t end) {
     std::vector<BoxedFace> near;
     for (std::size_t group = begin; group < end; ++group) {
       const auto together = faces.subspan(kGroup * group, std::min(kGroup, faces.size() - kGroup * group));
-      faces_near(tree, together, near);
+      faces_near(tree, together, reach, near);
       for (const FaceTree::Face& face : together) {
         const BoxedFace boxed(face);
-        crosses[face.number] = std::any_of(near.begin(), near.end(), [&](const BoxedFace& other) {
-          return other.number > face.number && boxes_meet(boxed, other) && !share_a_corner(face.number, other.number) &&
-                 (pierces(face.corners, other.face->corners) || pierces(other.face->corners, face.corners));
-        });
+        for (const BoxedFace& other : near) {
+          if (other.number <= face.number || !boxes_meet(boxed, other, reach) || share_a_corner(face.number, other.number)) continue;
+          const Corners &a = face.corners, &b = other.face->corners;
+          if (boxes_meet(boxed, other, 0) && (pierces(a, b) || pierces(b, a))) {
+            crosses[face.number] = 1;
+            break;
+          }
+          if (touches[face.number] == 0 && touch(a, b, reach)) touches[face.number] = 1;
+        }
       }
     }
   });
   FaceCrossings result;
+  result.touching = std::find(touches.begin(), touches.end(), 1) != touches.end();
   for (std::size_t face = 0; face < crosses.size(); ++face) {
     if (crosses[face] == 0) continue;
     const auto& [a, b, c] = mesh.faces[face];

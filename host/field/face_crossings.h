@@ -1,4 +1,4 @@
-/// Where a mesh runs through itself.
+/// Where a mesh runs through itself, and whether it touches itself.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,12 @@ namespace isotouch::field {
 struct FaceCrossings {
   std::size_t faces = 0;                            ///< that run through another one of a higher number
   Eigen::Vector3d first = Eigen::Vector3d::Zero();  ///< the middle of the first of them
+  bool touching = false;                            ///< two faces touch that do not cross
 };
 
 /// Two faces cross when an edge of one runs through the inside of the other. Faces with a common corner are not asked, faces that only touch
-/// do not cross; the test is in doubles, so faces closer than rounding may count as either.
+/// do not cross; the test is in doubles, so faces closer than rounding may count as either. Faces touch when they are within a millionth of the mesh's
+/// size, so that faces rounded to floats touch, too.
 ///
 /// mesh      the one that the tree was grown on
 FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree);

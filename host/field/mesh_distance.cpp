@@ -9,6 +9,7 @@
 #include "host/field/angle.h"
 #include "host/field/face_edges.h"
 #include "host/field/line_crossings.h"
+#include "host/field/sets.h"
 
 namespace isotouch::field {
 
@@ -22,15 +23,55 @@ double angle_at(const Vector3d& corner, const Vector3d& b, const Vector3d& c) {
   return angle_of(u.cross(v).norm(), u.dot(v));
 }
 
+/// Sets of which only the number counts.
+class Joined {
+ public:
+  explicit Joined(std::size_t members) : sets_(members), count_(members) {}
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t root = sets_.of(a), other = sets_.of(b);
+    if (root == other) return;
+    sets_.join(root, other);
+    --count_;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  Sets sets_;
+  std::size_t count_;
+};
+
+/// Has every edge two faces, and do all faces hang together by such edges, and all corners at each vertex?
+bool is_one_sheet(const cloud::TriangleMesh& mesh, const std::vector<FaceEdge>& edges) {
+  const auto corner = [&](const FaceEdge& edge, std::uint32_t vertex) {
+    return 3 * edge.face + (mesh.faces[edge.face][edge.side] == vertex ? edge.side : (edge.side + 1) % 3);
+  };
+  Joined sheets(mesh.faces.size()), fans(edges.size());  // a corner for each edge of a face
+  for (std::size_t n = 0; n < edges.size(); n += 2) {
+    const bool paired =
+        n + 1 < edges.size() && edges[n].same_edge(edges[n + 1]) && !(n + 2 < edges.size() && edges[n].same_edge(edges[n + 2]));
+    if (!paired) return false;
+    const FaceEdge &a = edges[n], &b = edges[n + 1];
+    sheets.join(a.face, b.face);
+    fans.join(corner(a, a.low), corner(b, b.low));
+    fans.join(corner(a, a.high), corner(b, b.high));
+  }
+  std::vector<std::uint32_t> corners_at(mesh.vertices.size());
+  for (const auto& face : mesh.faces) {
+    for (const std::uint32_t vertex : face) ++corners_at[vertex];
+  }
+  const auto vertices = std::count_if(corners_at.begin(), corners_at.end(), [](std::uint32_t corners) { return corners > 0; });
+  return sheets.count() == 1 && fans.count() == static_cast<std::size_t>(vertices);
+}
+
 }  // namespace
 
 MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {
-  const bool two_faces_an_edge = make_pseudonormals();
+  const bool is_one_sheet = make_pseudonormals();
   crossings_ = face_crossings(mesh_, tree_);
-  if (!two_faces_an_edge || crossings_.faces > 0) turns_.emplace(mesh_);
+  if (!is_one_sheet || crossings_.faces > 0 || crossings_.touching) turns_.emplace(mesh_);
 }
 
-/// Are there two faces at every edge?
+/// Fills both kinds of normals. Is the mesh one sheet?
 bool MeshDistance::make_pseudonormals() {
   vertex_normals_.assign(mesh_.vertices.size(), Vector3d::Zero());
   normals_.resize(mesh_.faces.size());
@@ -46,14 +87,12 @@ bool MeshDistance::make_pseudonormals() {
     }
   }
   const std::vector<FaceEdge> edges = face_edges(mesh_);
-  bool two = true;
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     Vector3d sum = Vector3d::Zero();
     for (; end < edges.size() && edges[end].same_edge(edges[begin]); ++end) sum += normals_[edges[end].face][3];
     for (std::size_t i = begin; i < end; ++i) normals_[edges[i].face][edges[i].side] = sum;
-    two = two && end - begin == 2;
   }
-  return two;
+  return is_one_sheet(mesh_, edges);
 }
 
 /// Is the point that this place is nearest to on the inner side of the pseudonormal?

@@ -15,8 +15,8 @@
 namespace isotouch::field {
 
 /// The nearest place of the mesh is found through a tree of boxes. The sign is the side of the pseudonormal there: of the face, the sum of both
-/// faces' at an edge, the sum weighted by the angles at a corner. That is right for every mesh whose edges have two faces each and that does not run
-/// through itself. On any other, inside is what the mesh turns round at least once: the union of what its parts enclose.
+/// faces' at an edge, the sum weighted by the angles at a corner. That is right for every mesh of one piece whose edges have two faces each and whose
+/// faces neither cross nor touch. On any other, inside is what the mesh turns round at least once: the union of what its parts enclose.
 ///
 /// source    Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005
 class MeshDistance {
@@ -51,7 +51,7 @@ class MeshDistance {
   std::vector<std::array<Eigen::Vector3d, 4>> normals_;  ///< of a face's three edges and of itself, in the mesh's order
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
-  std::optional<TriangleTree> turns_;  ///< where pseudonormals do not tell
+  std::optional<TriangleTree> turns_;  ///< of a mesh for which pseudonormals do not decide
 };
 
 }  // namespace isotouch::field

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "host/cloud/random.h"
 #include "tests/host/field/box_mesh.h"
@@ -101,6 +105,80 @@ TEST(MeshDistance, OfBoxesThatShareAnEdgeIsThatOfBoth) {
   EXPECT_GT(distance({0.1, -0.1, 0}), 0);
   EXPECT_GT(distance({-0.1, 0.1, 0}), 0);
   EXPECT_GT(distance({1e-3, -1.1e-3, 0}), 0);
+}
+
+struct Block {
+  Vector3d low, high;
+};
+
+bool is_in(const std::vector<Block>& blocks, const Vector3d& p) {
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [&](const Block& b) { return (p.array() > b.low.array()).all() && (p.array() < b.high.array()).all(); });
+}
+
+void expect_union(const cloud::TriangleMesh& mesh, const std::vector<Block>& blocks, const char* what) {
+  const MeshDistance distance(mesh);
+  EXPECT_EQ(distance.crossings().faces, 0U) << what;
+  cloud::Random random(8);
+  int inside = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vector3d p = any_point(random);
+    const bool expected = is_in(blocks, p);
+    ASSERT_EQ(distance(p) < 0, expected) << what << " at " << p.transpose();
+    inside += expected ? 1 : 0;
+  }
+  EXPECT_GT(inside, 100) << what;
+}
+
+TEST(MeshDistance, OfPiecesThatNestAbutOrAreFlushIsThatOfTheirUnion) {
+  const Block base = {-kHalf, kHalf};
+  const std::pair<const char*, Block> others[] = {{"nested", {{-0.4, -1.5, -2}, {0.7, 1.2, 2.9}}},
+                                                  {"abutting", {{-0.5, -0.7, 3}, {0.6, 1.1, 4.5}}},
+                                                  {"flush", {{0.2, -2, -3}, {3, 2, 3}}},
+                                                  {"the same twice", base}};
+  for (const auto& [what, other] : others)
+    expect_union(together(box_mesh(base.low, base.high), box_mesh(other.low, other.high)), {base, other}, what);
+}
+
+TEST(MeshDistance, AHollowStaysHollow) {
+  const MeshDistance distance(together(box(), turned(box_mesh(-kHalf / 2, kHalf / 2))));
+  cloud::Random random(9);
+  for (int i = 0; i < 20'000; ++i) {
+    const Vector3d p = any_point(random);
+    ASSERT_NEAR(distance(p), std::max(box_distance(kHalf, p), -box_distance(kHalf / 2, p)), 1e-12) << p.transpose();
+  }
+}
+
+TEST(MeshDistance, OfOnePieceThatTouchesItselfIsThatOfItsInside) {
+  // A ring of bars, open where the end of the last one stands on the first one's side.
+  const std::vector<Block> bars = {{{0, 0, 0}, {4, 1, 1}}, {{0, 0, 0}, {1, 3, 1}}, {{0, 2, 0}, {3.5, 3, 1}}, {{3, 0.5, 0}, {3.5, 3, 1}}};
+  const double outline[][2] = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 2}, {3, 2}, {3, 1}, {3.5, 1}, {3.5, 3}, {0, 3}};
+  const std::array<std::uint32_t, 3> cap[] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 9}, {4, 5, 8}, {4, 8, 9}, {5, 6, 7}, {5, 7, 8}};
+  cloud::TriangleMesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    for (const auto& [x, y] : outline) mesh.vertices.emplace_back(x, y, z);
+  }
+  for (const auto& [a, b, c] : cap) {
+    mesh.faces.push_back({a, c, b});
+    mesh.faces.push_back({a + 10, b + 10, c + 10});
+  }
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    const std::uint32_t j = (i + 1) % 10;
+    mesh.faces.push_back({i, j, j + 10});
+    mesh.faces.push_back({i, j + 10, i + 10});
+  }
+  expect_union(mesh, bars, "ring");
+  for (Vector3d& vertex : mesh.vertices) vertex = vertex.cast<float>().cast<double>() + Vector3d(1e-8 * vertex.x(), 0, 0);
+  expect_union(mesh, bars, "ring, rounded");
+}
+
+TEST(MeshDistance, OfPiecesThatHaveOneVertexTogetherIsThatOfBoth) {
+  // The nearest place of many points is that vertex, and the normals there are of both.
+  cloud::TriangleMesh mesh = together(box_mesh({-1, -1, -1}, {0, 0, 0}), box_mesh({0, 0, 0}, {3, 3, 3}));
+  for (auto& face : mesh.faces) {
+    for (auto& v : face) v = v == 8 ? 7 : v;
+  }
+  expect_union(mesh, {{{-1, -1, -1}, {0, 0, 0}}, {{0, 0, 0}, {3, 3, 3}}}, "vertex");
 }
 
 }  // namespace
