@@ -157,10 +157,10 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     const double unit_ns = measure == protocol::Measure::kDelay ? figures.period_ns : 1000.0;
     std::optional<double> limit;
     for (const Judgement& j : judgements) {
-      if (measure == protocol::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit * unit_ns;
-      if (measure == protocol::Measure::kTick && j.key == "cold_tick_p99_us") limit = j.limit * unit_ns;
-      if (measure == protocol::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit * unit_ns;
-      if (measure == protocol::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit * unit_ns;
+      if (measure == protocol::Measure::kWakeup && j.key == "wakeup_p999_us") limit = j.limit;
+      if (measure == protocol::Measure::kTick && j.key == "cold_tick_p99_us") limit = j.limit;
+      if (measure == protocol::Measure::kRoundTrip && j.key == "round_trip_p999_us") limit = j.limit;
+      if (measure == protocol::Measure::kDelay && j.key == "word_max_ticks") limit = j.limit;
     }
     html += std::string("<h2>") + text.title + "</h2>\n<p>" + quantiles(figures.measures[i], unit_ns, text.unit) + "</p>\n";
     if (measure == protocol::Measure::kWakeup) {

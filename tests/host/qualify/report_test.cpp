@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tests/host/qualify/good_board.h"
 
@@ -13,6 +16,29 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
+
+/// Where the paths of this colour begin that lie in the page's histogram with this number: their x, in order.
+std::vector<double> path_begins(const std::string& page, int histogram, std::string_view colour) {
+  std::size_t at = 0;
+  for (int i = 0; i <= histogram; ++i) at = page.find("<img alt=\"Histogram:", at + 1);
+  const std::string figure = page.substr(at, page.find("\">\n", at) - at);
+  std::vector<double> begins;
+  for (at = figure.find(colour); at != std::string::npos; at = figure.find(colour, at + 1)) {
+    begins.push_back(std::strtod(figure.c_str() + figure.find("M ", at) + 2, nullptr));
+  }
+  return begins;
+}
+
+/// The x of the line that marks the limit, and where the bar of the largest values begins.
+struct Marked {
+  double limit, last_bar;
+};
+Marked marked(const Figures& figures, int histogram) {
+  const std::string page = html_report(figures, judge(figures, {}));
+  const auto limits = path_begins(page, histogram, "stroke:rgb(83."), bars = path_begins(page, histogram, "fill:rgb(0%25,44.");
+  if (limits.empty() || bars.size() < 2) return {0, 0};
+  return {limits.front(), bars[bars.size() - 2]};  // the legend comes last
+}
 
 TEST(Report, TheObjectHoldsEveryFigure) {
   const Figures figures = good_board();
@@ -100,6 +126,18 @@ TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {
   figures.late = 3;
   page = html_report(figures, judge(figures, {}));
   EXPECT_THAT(page, HasSubstr("<span class=\"unfit\">not fit; beyond the limit: late ticks</span>"));
+}
+
+TEST(Report, ALimitIsDrawnAtItsValue) {
+  for (int histogram = 0; histogram < static_cast<int>(protocol::kMeasures); ++histogram) {
+    Figures figures = good_board();
+    const Marked good = marked(figures, histogram);
+    EXPECT_GT(good.limit, good.last_bar) << histogram;
+    figures.measures[static_cast<std::size_t>(histogram)].bins.push_back({5'000'000, 20});  // 5000 us, or 5 ticks
+    const Marked late = marked(figures, histogram);
+    EXPECT_LT(late.limit, late.last_bar) << histogram;
+    EXPECT_GT(late.limit, 0) << histogram;
+  }
 }
 
 }  // namespace
