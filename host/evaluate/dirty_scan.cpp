@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 #include "host/cloud/check.h"
@@ -30,9 +31,10 @@ using Eigen::Vector3d;
 constexpr double kVoxel = 0.34;  // mm; a shape's unit is a voxel
 constexpr std::size_t kDense = 100'000;
 constexpr std::size_t kTruths = 10'000;
-constexpr double kOff = 2.0;        // voxels from the surface, where sides are asked
-constexpr double kClear = 1.0;      // voxels: nearer to the true surface no side is asked
-constexpr std::size_t kSpaced = 7;  // a point and its six neighbours: the farthest says how far apart points are there
+constexpr double kOff = 2.0;             // voxels from the surface, where sides are asked
+constexpr double kLost = kSearchVoxels;  // what a place without a crossing counts
+constexpr double kClear = 1.0;           // voxels: nearer to the true surface no side is asked
+constexpr std::size_t kSpaced = 7;       // a point and its six neighbours: the farthest says how far apart points are there
 constexpr double kMostWrongSide = 0.01;
 constexpr double kMostVolume = 0.05;
 const Vector3d kEye = Vector3d(2, 3, 6) / 7;
@@ -147,9 +149,9 @@ void measure(const Subject& subject, const field_file::OpenField& open, const Di
   const cloud::Shape& shape = subject.scan.shape;
   OrientedPoints in_workspace = subject.truth;
   for (Vector3d& p : in_workspace.positions) p *= kVoxel;
-  const SurfaceError error = surface_error(open.view, in_workspace);
+  const SurfaceError error = crossings_near(open.view, in_workspace);
   result.surface_rms =
-      std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + 4.0 * static_cast<double>(error.lost)) /
+      std::sqrt((error.rms_voxel * error.rms_voxel * static_cast<double>(error.points) + kLost * kLost * static_cast<double>(error.lost)) /
                 static_cast<double>(subject.truth.size()));
   const auto first = dirtied.points.positions.begin();
   result.wrong_side =
@@ -163,19 +165,21 @@ void measure(const Subject& subject, const field_file::OpenField& open, const Di
     const double d = shape.distance(vertex / kVoxel);
     squares += d * d;
   }
-  result.truth_rms = std::sqrt(squares / static_cast<double>(surface.vertices.size()));
+  result.truth_rms = surface.vertices.empty() ? kLost : std::sqrt(squares / static_cast<double>(surface.vertices.size()));
   result.volume = evaluate::volume(parts) / (subject.volume * kVoxel * kVoxel * kVoxel);
 }
 
 DirtySurface measured_beside(const Subject& subject, const Dirtied& dirtied, const Reconstruct& reconstruct) {
   DirtySurface result;
+  std::optional<field_file::OpenField> open;
   try {
     cloud::TriangleMesh mesh = reconstruct(dirtied.points);
     for (Vector3d& vertex : mesh.vertices) vertex *= kVoxel;
-    measure(subject, field_of_mesh(mesh, kVoxel, field::kBand), dirtied, result);
+    open = field_of_mesh(mesh, kVoxel, field::kBand);
   } catch (const InputError& error) {
     result.refused = error.what();
   }
+  if (open) measure(subject, *open, dirtied, result);
   return result;
 }
 
@@ -190,14 +194,16 @@ DirtyRow measured(const Subject& subject, const Dirtied& dirtied, const Dirt& di
   if (dirt.no_normals) placed.normals.assign(placed.size(), Vector3d::UnitZ());
   field::ScanOptions options{dirt.no_normals, std::nullopt};
   if (dirt.no_normals && scan.one_sided) options.viewpoint = 1000.0 * kEye;
+  std::optional<field_file::OpenField> open;
   try {
     const field::SoundScan sound = field::sound_scan(std::move(placed), options);
     const field::ScanField built = field::scan_field(sound, kVoxel, field::kBand, progress);
     row.verdict = built.verdict;
-    measure(subject, field_file::open_field(encoding::write_image(built.field, {}), row.scan), dirtied, row);
+    open = field_file::open_field(encoding::write_image(built.field, {}), row.scan);
   } catch (const InputError& error) {
     row.refused = error.what();
   }
+  if (open) measure(subject, *open, dirtied, row);
   if (beside && !dirt.no_normals) row.beside = measured_beside(subject, dirtied, beside);
   return row;
 }
@@ -210,7 +216,7 @@ std::string per_cent(double share) {
 
 }  // namespace
 
-bool DirtySurface::wrong() const { return wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
+bool DirtySurface::wrong() const { return surface_rms >= kLost || wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
 
 std::vector<Dirt> all_dirt() {
   std::vector<Dirt> all = {{.name = "clean"}};

@@ -46,13 +46,14 @@ std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies = {});
 struct DirtySurface {
   std::string refused;     ///< why nothing was built; empty: a field was built
   double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
-  double truth_rms = 0;    ///< from the field's surface to the truth, voxels; 0 for a scan of one side, whose back is invented
+  /// From the field's surface to the truth, voxels; 2 where the field has no surface. 0 for a scan of one side, whose back is invented.
+  double truth_rms = 0;
   std::size_t pieces = 0;
   double volume = 1;  ///< over the true volume; 1 for a scan of one side
   double wrong_side =
       0;  ///< share of places two voxels off the scanned surface, not off its holes, that are on the wrong side of the field's
 
-  /// More than 1 % of the scanned side on the wrong side, or the volume off by more than 5 %.
+  /// More than 1 % of the scanned side on the wrong side, the volume off by more than 5 %, or no place of the truth near the surface.
   bool wrong() const;
 };
 

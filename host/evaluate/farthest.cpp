@@ -31,6 +31,8 @@ class Search {
       : surface_(surface), other_(other), fineness_(fineness), slack_(fineness / 8), asked_(surface.mesh().vertices.size(), false) {}
 
   Farthest run() {
+    const Vector3d& first = surface_.mesh().vertices[surface_.mesh().faces[0][0]];
+    best_ = {first, other_.nearest(first).distance};
     for (std::size_t face = 0; face < surface_.mesh().faces.size(); face += kFirstLook) {
       ask(surface_.mesh().vertices[surface_.mesh().faces[face][0]], slack_);
     }

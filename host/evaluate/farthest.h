@@ -9,7 +9,7 @@ namespace isotouch::evaluate {
 
 struct Farthest {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  double distance = 0;
+  double distance = 0;  ///< of this place, exact
 };
 
 /// Measures from corners and middles of triangles that are halved as far as needed: a part whose middle is so near that no point of it can be

@@ -14,7 +14,7 @@ namespace isotouch::evaluate {
 ///
 /// exact     the best point under all planes met in a tick: of the sets of up to three planes the one whose point keeps to all others and pushes
 ///           off each of its own, as Lagrange's multipliers ask
-/// never     passes a face: every step ends kGap before the first one in its way, and an edge belongs to both its faces
+/// never     passes a face: every step ends kGap before the first one in its way, and each face reaches a quarter of kGap beyond its edges
 /// source    Zilles and Salisbury, "A constraint-based god-object method for haptic display", IROS 1995
 class GodObject {
  public:
@@ -28,7 +28,8 @@ class GodObject {
   /// Follows the hand for one tick and returns where it is. On a convex place it may stop in front of the face that it came to beyond an edge.
   const Eigen::Vector3d& follow(const Eigen::Vector3d& hip);
   /// Follows again and again, at most 1,000 times, until nothing brings it nearer to the hand: converged in this tick, also on convex places. Where the
-  /// planes hold it at a corner, it also tries the way along each face that meets there, because such a plane goes on beyond its face.
+  /// planes hold it at a corner, it also tries the way along each face that meets there, because such a plane goes on beyond its face. It goes along
+  /// that face as far as the way is free.
   const Eigen::Vector3d& settle(const Eigen::Vector3d& hip);
 
   const Eigen::Vector3d& position() const { return position_; }

@@ -47,7 +47,7 @@ std::optional<double> crossing(const motion::FeltSurface& surface, const Eigen::
 
 }  // namespace
 
-SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& truth) {
+SurfaceError crossings_near(const FieldView& field, const cloud::OrientedPoints& truth) {
   const motion::FeltSurface surface(field);
   std::vector<double> offsets;
   offsets.reserve(truth.size());
@@ -66,10 +66,7 @@ SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& 
     squares += *offset * *offset;
     angle_squares += angle * angle;
   }
-  if (offsets.empty()) {
-    throw InputError("not one of " + std::to_string(truth.size()) +
-                     " true points has the field's surface within 2 voxels: nothing was compared; is the field of this object?");
-  }
+  if (offsets.empty()) return error;
   const auto count = static_cast<double>(offsets.size());
   error.points = offsets.size();
   error.rms_voxel = std::sqrt(squares / count);
@@ -78,6 +75,15 @@ SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& 
   std::sort(offsets.begin(), offsets.end());
   error.p99_voxel = offsets[(offsets.size() * 99 + 99) / 100 - 1];
   error.max_voxel = offsets.back();
+  return error;
+}
+
+SurfaceError surface_error(const FieldView& field, const cloud::OrientedPoints& truth) {
+  const SurfaceError error = crossings_near(field, truth);
+  if (error.points == 0) {
+    throw InputError("not one of " + std::to_string(truth.size()) +
+                     " true points has the field's surface within 2 voxels: nothing was compared; is the field of this object?");
+  }
   return error;
 }
 

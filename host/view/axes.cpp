@@ -19,6 +19,7 @@ Rect frame_in(const Rect& place, float scale) {
 
 std::vector<double> ticks(double low, double high, int most) {
   const double least = (high - low) / std::max(1, most - 1);
+  if (!(least > 0) || !std::isnormal(least)) return {};
   double step = round_length(least);
   while (std::floor(high / step + 1e-9) - std::ceil(low / step - 1e-9) + 1 > most) step = round_length(step * 2.5);  // 1 2 5 10
   std::vector<double> values;

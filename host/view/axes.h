@@ -20,7 +20,10 @@ inline const Colour kGrid = srgb(0xE3E7EC);
 /// scale     `drawing_scale` of the picture
 Rect frame_in(const Rect& place, float scale);
 
-/// Round values within [low, high], at most `most` of them, ascending, a multiple of 1, 2 or 5 times a power of ten apart.
+/// Round values within [low, high], at most `most` of them, ascending, a multiple of 1, 2 or 5 times a power of ten apart. None where the range is
+/// empty or not finite.
+///
+/// most      1 or more
 std::vector<double> ticks(double low, double high, int most);
 
 /// A value as a tick shows it, with the digits that tell it from its neighbour.

@@ -31,7 +31,7 @@ const Colour kMaterial = srgb(0xD4DEE8);
 const Colour kSection = srgb(0xD9C7A4);
 const Colour kPlace = srgb(0x101418);
 constexpr double kWidestScale = 2;       // voxels: beyond, colours are full
-constexpr double kNarrowestScale = 0.5;  // voxels, where a touch is drawn
+constexpr double kNarrowestScale = 0.5;  // voxels: surfaces may agree, also where a touch is worst
 
 /// A surface, and where the other one is as seen from it.
 struct Body {
@@ -201,8 +201,7 @@ Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface
                                          at + half * level.up()};
     return Camera(eye.direction, Vector3d::UnitY(), shown, area);
   };
-  const double narrowest = worst.touch ? kNarrowestScale : 0;  // surfaces may agree where a touch is worst
-  const double full = std::clamp(worst.distance_mm / worst.voxel_mm, narrowest, kWidestScale) * worst.voxel_mm;
+  const double full = std::clamp(worst.distance_mm / worst.voxel_mm, kNarrowestScale, kWidestScale) * worst.voxel_mm;
   const std::array<const Body*, 2> bodies = {&felt, &mesh};
   const std::array<const char*, 2> names = {"the field's surface, as the core samples it", "the true surface"};
   for (std::size_t i = 0; i < 2; ++i) {

@@ -12,6 +12,7 @@
 #include "host/evaluate/zero_surface.h"
 #include "host/field/scan_field.h"
 #include "host/field_file/open_field.h"
+#include "tests/host/evaluate/ball_mesh.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::evaluate {
@@ -158,6 +159,29 @@ TEST(DirtyScansHeavy, AnotherProgramIsMeasuredTheSameWay) {
   EXPECT_NEAR(found[0].beside->volume, found[0].volume, 1e-3);
   EXPECT_EQ(found[0].beside->pieces, found[0].pieces);
   EXPECT_FALSE(found[1].beside);
+}
+
+TEST(DirtyScans, ASurfaceFarFromTheTruthIsWrongAndNotRefused) {
+  for (const bool one_sided : {false, true}) {
+    const cloud::Shape sphere = cloud::shape("sphere");
+    const Reconstruct half_as_large = [&](const cloud::OrientedPoints&) { return ball(sphere.high.x() / 2, 4); };
+    dirty_rows(
+        {sphere, one_sided}, std::vector<Dirt>{dirt(all_dirt(), "clean")},
+        [](const DirtyRow& row) {
+          ASSERT_TRUE(row.beside);
+          EXPECT_EQ(row.beside->refused, "") << row.scan;
+          EXPECT_EQ(row.beside->surface_rms, 2.0) << row.scan;
+          EXPECT_TRUE(row.beside->wrong()) << row.scan;
+        },
+        half_as_large);
+  }
+}
+
+TEST(DirtyScans, WithoutOnePlaceOfTheTruthNearItASurfaceIsWrong) {
+  DirtySurface surface;
+  EXPECT_FALSE(surface.wrong());
+  surface.surface_rms = 2.0;
+  EXPECT_TRUE(surface.wrong());
 }
 
 TEST(DirtyScans, AnotherProgramMayFail) {

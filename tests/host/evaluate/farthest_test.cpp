@@ -32,6 +32,16 @@ TEST(Farthest, AMiddleIsFoundWithinTheFineness) {
   }
 }
 
+TEST(Farthest, HoweverNearTheSurfacesAreThePlaceIsOneOfThem) {
+  const auto lower = triangle({5, 5, 0}, {6, 5, 0}, {5, 6, 0});
+  for (const double height : {0.0, 0.001, 0.2}) {
+    const auto upper = triangle({5, 5, height}, {6, 5, height}, {5, 6, height});
+    const auto found = from_to(upper, lower, 10);
+    EXPECT_EQ(found.distance, height);
+    EXPECT_EQ(found.place, Vector3d(5, 5, height));
+  }
+}
+
 TEST(Farthest, TheTwoWaysDiffer) {
   const auto small = triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   const auto large = triangle({0, 0, 0}, {10, 0, 0}, {0, 10, 0});

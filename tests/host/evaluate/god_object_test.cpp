@@ -189,6 +189,23 @@ TEST(GodObject, SettledItPassesNoWallInAHundredThousandTicks) {
   EXPECT_LT(touching, 100'000U);
 }
 
+TEST(GodObject, SettledItPassesNoWallAtAVertexWhereSteepFacesMeet) {
+  for (const std::uint64_t seed : {1U, 3U, 4U}) {
+    cloud::Random random(seed);
+    cloud::TriangleMesh mesh = ball(6, 4);
+    for (Vector3d& vertex : mesh.vertices) vertex *= random.uniform(0.6, 1);
+    const field::TriangleTree tree(mesh);
+    GodObject object(tree, {0, 0, 20});
+    Vector3d hip(0, 0, 20);
+    for (int tick = 0; tick < 6'000; ++tick) {
+      hip = tick % 40 == 0 ? draw(random, 9) : Vector3d(hip + draw(random, 0.4));
+      object.settle(hip);
+      ASSERT_FALSE(field::is_inside(tree, object.position()))
+          << "seed " << seed << ", tick " << tick << ": " << object.position().transpose();
+    }
+  }
+}
+
 TEST(GodObject, SettledItRestsWhereNoPlaceRoundItIsNearer) {
   cloud::Random random(9);
   cloud::TriangleMesh mesh = ball(6, 3);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <utility>
+
 namespace isotouch::view {
 namespace {
 
@@ -17,6 +21,15 @@ TEST(Ticks, AreRoundFewAndInside) {
       EXPECT_LE(values.back(), high * (1 + 1e-6));
     }
   }
+}
+
+TEST(Ticks, AnEmptyRangeHasNone) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const auto& [low, high] :
+       {std::pair{0.0, 0.0}, {-0.0, 0.0}, {3.0, 3.0}, {1.0, 0.0}, {0.0, 5e-324}, {0.0, kInfinity}, {0.0, std::nan("")}}) {
+    EXPECT_TRUE(ticks(low, high, 9).empty()) << low << ' ' << high;
+  }
+  EXPECT_FALSE(ticks(0, 1e-300, 9).empty());
 }
 
 TEST(Ticks, TextsTellNeighboursApart) {

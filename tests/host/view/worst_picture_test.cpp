@@ -80,6 +80,13 @@ TEST(WorstPicture, WhatStandsOutIsBlueAndWhatIsMissingIsRedOnBothSurfaces) {
   }
 }
 
+TEST(WorstPicture, SurfacesThatAgreeHaveNoColour) {
+  const Colours found = colours_of(
+      picture(ball(kTestRadius), {.place = Eigen::Vector3d(0, 0, kTestRadius), .on_truth = true, .distance_mm = 0, .voxel_mm = kTestEdge}));
+  EXPECT_EQ(found.blue, 0);
+  EXPECT_EQ(found.red, 0);
+}
+
 TEST(WorstPicture, APlaceThatNoEyeSeesIsCutOpen) {
   cloud::TriangleMesh truth = ball(kTestRadius);
   add_ball(truth, 2, true);
