@@ -59,8 +59,8 @@ void print(const CalibrateOptions& options, const protocol::Calibrate& calibrati
               degrees[0], degrees[1], degrees[2], found.turned_deg[0], found.turned_deg[1], found.turned_deg[2]);
   if (options.at.size() > 1) std::printf("the places contradict each other by at most %.3f degrees\n", found.apart_deg);
   std::printf(
-      "stored; it takes effect at once if the controller is idle, otherwise at its next start; then home the device and run isotouch "
-      "resume\n");
+      "stored, but not in use yet: the controller begins again with these angles as soon as its state is idle, homing or fault; a "
+      "controller that was started with a recording must be started again; only then home the device and run isotouch resume\n");
 }
 
 /// Before a hand holds anything.
