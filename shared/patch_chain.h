@@ -21,9 +21,14 @@ struct Patches {
 /// Checks each patch by itself, and that each follows the one before.
 ///
 /// bytes     of the file; none is a file without patches
-/// field     the hash of the image that the first patch is for
-/// fails     as FieldPatch::parse; kTruncated also for a last patch that is cut; kOtherField: a patch does not follow
+/// field     that the first patch is for. No image is then larger than this one and what the patches so far can add: a node for each cell that they name
+///           and a brick for each that they store
+/// fails     as FieldPatch::parse; kTruncated also for a last patch that is cut; kOtherField: a patch does not follow, or is for another grid; kBadSize: the
+///           header of an image after counts more nodes or bricks than its patch can lead to
 /// tick      no
+Result<Patches> check_patches(std::span<const std::uint8_t> bytes, const FieldView& field);
+
+/// The same where only the hash of the field is known: what the first patch says of the size of its image is then believed.
 Result<Patches> check_patches(std::span<const std::uint8_t> bytes, std::uint64_t field);
 
 /// The patch at the front of a file of patches, checked by itself. The next one begins behind `FieldPatch::patch_bytes()`.

@@ -48,7 +48,7 @@ int main() {
   const Result<FieldView> field = FieldView::parse(image);
   if (!field) return refuse("field", field.error());
   const std::span<const std::uint8_t> patches(trace.data() + image_layout::align64(trace.size()), file_sizes[2]);
-  const Result<Patches> checked = check_patches(patches, field->hash());
+  const Result<Patches> checked = check_patches(patches, *field);
   if (!checked) return refuse("patches", checked.error());
   if (checked->largest_image > places[0].size()) return refuse("patches", Error::kBadSize);
   const Result<replay::Report> report = replay::run(*field, trace, {patches, {places[0], places[1]}});

@@ -14,16 +14,23 @@
 namespace isotouch::cloud {
 
 struct Model {
+  /// A polygon of more than three corners, as a fan among the faces.
+  struct Polygon {
+    std::size_t first, count;  ///< of `faces`
+    std::size_t line, number;  ///< where it stands, from 1: the line of a text (else 0), and which of the faces it is
+  };
+
   std::string format;                               ///< for people: "PLY, binary little-endian"
   std::vector<Eigen::Vector3d> positions;           ///< finite
   std::vector<Eigen::Vector3d> normals;             ///< finite; one for each position, or none at all
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
-  std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are cut into fans
-  std::vector<double> stiffness = {};               ///< N/mm, finite; one for each position, or none at all
-  std::optional<ScanGrid> grid = {};                ///< of an organised scan without normals
-  std::optional<std::size_t> edges = {};            ///< the normals come from the grid; points at edges that were left out for that
-  std::optional<Eigen::Vector3d> viewpoint = {};    ///< the sensor's place, where the file states one
-  std::size_t incomplete = 0;                       ///< points left out because their coordinates or their normal are not finite
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are fans until `cut_polygons`
+  std::vector<Polygon> polygons = {};
+  std::vector<double> stiffness = {};             ///< N/mm, finite; one for each position, or none at all
+  std::optional<ScanGrid> grid = {};              ///< of an organised scan without normals
+  std::optional<std::size_t> edges = {};          ///< the normals come from the grid; points at edges that were left out for that
+  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, where the file states one
+  std::size_t incomplete = 0;                     ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/cloud/polygon.h"
 #include "host/cloud/text_lines.h"
 
 namespace isotouch::cloud {
@@ -99,8 +100,11 @@ Model read_obj_faces(const std::string& name, std::span<const std::uint8_t> byte
   model.format = "OBJ";
   model.positions = std::move(obj.vertices);
   model.lines = std::move(obj.vertex_lines);
-  for (const auto& [corners, line] : obj.faces) {
-    for (std::size_t i = 2; i < corners.size(); ++i) model.faces.push_back({corners[0].vertex, corners[i - 1].vertex, corners[i].vertex});
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t face = 0; face < obj.faces.size(); ++face) {
+    vertices.clear();
+    for (const Corner& corner : obj.faces[face].corners) vertices.push_back(corner.vertex);
+    add_polygon(model, vertices, obj.faces[face].line, face + 1);
   }
   return model;
 }

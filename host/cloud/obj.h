@@ -9,7 +9,7 @@
 
 namespace isotouch::cloud {
 
-/// Takes `v` (its first three numbers) and `f` (larger polygons cut into fans), indices from 1 or backwards from -1.
+/// Takes `v` (its first three numbers) and `f` (larger polygons as fans, see polygon.h), indices from 1 or backwards from -1.
 ///
 /// returns   all vertices in their order; no normals
 /// fails     InputError with the line: no number, not finite, an index of a vertex that is not there, a face of fewer than three corners

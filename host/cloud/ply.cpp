@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/cloud/ply_header.h"
+#include "host/cloud/polygon.h"
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
@@ -129,11 +130,6 @@ Use use_of(const PlyElement& element, const PlyProperty& property) {
   return Use::kSkip;
 }
 
-/// Cuts one polygon into a fan.
-void add_polygon(Model& model, const std::vector<std::uint32_t>& corners) {
-  for (std::size_t i = 2; i < corners.size(); ++i) model.faces.push_back({corners[0], corners[i - 1], corners[i]});
-}
-
 /// What each row of an element holds.
 struct RowUses {
   std::vector<Use> uses;  ///< one for each property
@@ -151,7 +147,7 @@ struct RowUses {
 };
 
 template <class Rows>
-void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::size_t vertex_count, Model& model) {
+void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::size_t number, std::size_t vertex_count, Model& model) {
   const std::vector<Use>& uses = row.uses;
   std::array<double, 7> vertex{};
   std::vector<std::uint32_t> corners;
@@ -185,7 +181,7 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
   if (row.has_cells) {  // where a ray returned twice, the first counts
     if (model.grid) model.grid->cells.push_back(corners.empty() ? ScanGrid::kNoReturn : corners[0]);
   } else {
-    add_polygon(model, corners);
+    add_polygon(model, corners, rows.line().value_or(0), number + 1);
   }
 }
 
@@ -218,7 +214,7 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
     }
     for (std::size_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
-      read_row(rows, element, uses, vertex_count, model);
+      read_row(rows, element, uses, row, vertex_count, model);
       rows.end_row();
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/cloud/model.h"
+#include "host/cloud/polygon.h"
 #include "host/error.h"
 
 namespace isotouch::cloud {
@@ -55,7 +56,7 @@ TriangleMesh joined(const Model& model) {
 }  // namespace
 
 TriangleMesh read_mesh(const SourceFile& file, MeshReport& report) {
-  const Model model = file.faces();
+  Model model = file.faces();
   report = {model.format, file.hash()};
   for (std::size_t i = 0; i < model.positions.size(); ++i) {
     if (model.positions[i].cwiseAbs().maxCoeff() > kFarthest) {
@@ -63,6 +64,7 @@ TriangleMesh read_mesh(const SourceFile& file, MeshReport& report) {
                        ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
   }
+  cut_polygons(model, file.name());
   TriangleMesh mesh = joined(model);
   if (mesh.faces.empty()) throw InputError(file.name() + ": there are no faces in it; a mesh is a closed surface of faces");
   return mesh;

@@ -16,10 +16,10 @@ struct MeshReport {
   std::uint64_t source_hash = 0;  ///< of the file's bytes, as an image stores it
 };
 
-/// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into fans, faces that name one
+/// Reads PLY, OBJ or STL (ascii or binary). Vertices at exactly the same place are joined, larger polygons cut into triangles, faces that name one
 /// place twice and vertices without a face dropped.
 ///
-/// fails     InputError: as the readers; a coordinate beyond 1e12; no faces left
+/// fails     InputError: as the readers and `cut_polygons`; a coordinate beyond 1e12; no faces left
 TriangleMesh read_mesh(const std::filesystem::path& file);
 TriangleMesh read_mesh(const SourceFile& file, MeshReport& report);
 

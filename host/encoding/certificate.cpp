@@ -21,6 +21,7 @@ using namespace field;  // numbers by four
 
 constexpr std::size_t kGrain = 64;  // bricks a thread takes at once
 constexpr std::size_t kStep[3] = {1, 6, 36};
+constexpr float kThinnest = 1.0F / (1 << 16);  // that is told from none
 
 /// Calls four(n) for every four places n to n + 3 of an apron that have both neighbours `step` away; the last ones may come twice.
 template <class Action>
@@ -108,37 +109,25 @@ Surroundings surroundings(const std::vector<field::Brick>& bricks, const Neighbo
   return all;
 }
 
-/// One of each pair of opposite steps to the 26 neighbours.
+/// A step to one of the 26 neighbours.
 struct Direction {
   std::ptrdiff_t step;
   float length;
 };
 
-constexpr std::array<std::array<int, 3>, 13> kDirections = {{{1, 0, 0},
-                                                             {0, 1, 0},
-                                                             {0, 0, 1},
-                                                             {1, 1, 0},
-                                                             {1, -1, 0},
-                                                             {1, 0, 1},
-                                                             {1, 0, -1},
-                                                             {0, 1, 1},
-                                                             {0, 1, -1},
-                                                             {1, 1, 1},
-                                                             {1, 1, -1},
-                                                             {1, -1, 1},
-                                                             {-1, 1, 1}}};
-
-std::array<Direction, 13> directions() {
-  std::array<Direction, 13> all{};
-  for (std::size_t d = 0; d < all.size(); ++d) {
-    const auto& [x, y, z] = kDirections[d];
-    all[d] = {surroundings_number(x, y, z) - surroundings_number(0, 0, 0), std::sqrt(static_cast<float>(x * x + y * y + z * z))};
+std::array<Direction, 26> directions() {
+  std::array<Direction, 26> all{};
+  std::size_t next = 0;
+  for (int n = 0; n < 27; ++n) {
+    const int x = n % 3 - 1, y = n / 3 % 3 - 1, z = n / 9 - 1;
+    if (n == 13) continue;
+    all[next++] = {surroundings_number(x, y, z) - surroundings_number(0, 0, 0), std::sqrt(static_cast<float>(x * x + y * y + z * z))};
   }
   return all;
 }
 
-bool has_inside(const Samples& distance) {
-  return std::any_of(distance.begin(), distance.end(), [](float d) { return d < 0.0F; });
+bool has_inside(const Samples& values) {
+  return std::any_of(values.begin(), values.end(), [](float v) { return v < 0.0F; });
 }
 
 }  // namespace
@@ -165,22 +154,25 @@ float squared_slope(const Apron& coefficients) {
 
 /// The least thickness of a wall whose middle lies beside one of the brick's samples, or what is given. Across a wall the distance falls by the
 /// way, and behind its middle it rises by the way.
-float thinnest_wall(const Surroundings& distance, float thickness) {
-  static const std::array<Direction, 13> ways = directions();
+float thinnest_wall(const Surroundings& distance, const Samples& coefficients, float thickness) {
+  static const std::array<Direction, 26> ways = directions();
+  constexpr float kNear =
+      0.3F;  // sum of two samples that are not inside: below it the spline between them is, above it by 0.05 voxel at most
   constexpr float kOpposed = 0.9F;  // of the way: at the edge of a box it is 0.7, between sides 130 degrees apart 0.9
   Four thin = all(thickness);
   for (int z = 0; z < 4; ++z) {
     for (int y = 0; y < 4; ++y) {
       const float* at = &distance[static_cast<std::size_t>(surroundings_number(0, y, z))];
-      const Four here = load(at);
-      if (!any(here < 0.0F)) continue;
+      const Four here = load(at), coefficient = load(&coefficients[sample_number(0, y, z)]);
+      if (!any(coefficient < 0.0F)) continue;
       for (const Direction& way : ways) {
         const float opposed = kOpposed * way.length;
         const Four fall = load(at - way.step) - here;
         if (!any(fall >= opposed)) continue;
         const Four next = load(at + way.step), rise = load(at + 2 * way.step) - next;
         const Four wall = (fall + rise) / 2.0F - (here + next);
-        const auto thinner = (here < 0.0F) & (fall >= opposed) & (rise >= opposed) & (wall < thin);
+        const auto has_inside = (coefficient < 0.0F) & ((here < 0.0F) | (here + next < kNear));
+        const auto thinner = has_inside & (fall >= opposed) & (rise >= opposed) & (wall < thin);
         thin = thinner ? wall : thin;
       }
     }
@@ -205,7 +197,7 @@ Certificate certify(const field::BandField& field, const std::vector<Neighbours>
   field::in_parallel(splines.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     float wall = none;
     for (std::size_t b = begin; b < end; ++b) {
-      if (has_inside(field.bricks[b].distance)) wall = thinnest_wall(surroundings(field.bricks, around[b]), wall);
+      if (has_inside(splines[b])) wall = thinnest_wall(surroundings(field.bricks, around[b]), splines[b], wall);
       walls[b] = wall;
     }
   });
@@ -216,7 +208,7 @@ Certificate certify(const field::BandField& field, const std::vector<Neighbours>
 Certificate certificate_from(float squared_slope, float wall, double band) {
   Certificate certificate;
   certificate.largest_slope = std::sqrt(static_cast<double>(squared_slope));
-  certificate.thinnest_wall_voxel = wall < 2.0F * static_cast<float>(band) ? static_cast<double>(std::max(wall, 0.0F)) : 0.0;
+  certificate.thinnest_wall_voxel = wall < 2.0F * static_cast<float>(band) ? static_cast<double>(std::max(wall, kThinnest)) : 0.0;
   certificate.quantisation_voxel = 0.5 / (1 << Distance::kFractionBits);  // the spline is a mean of coefficients
   certificate.stiffness_n_per_mm = advisable_stiffness(certificate.damping_ns_per_mm, certificate.delay_ticks, certificate.period_ns);
   return certificate;

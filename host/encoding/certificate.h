@@ -31,7 +31,8 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 /// around         its `neighbours`
 /// coefficients   of its spline, one brick for each of the field's
 /// returns        the slope from above: in each cell every component of the gradient is a mean of differences of neighbouring coefficients.
-///                The wall from two samples on both sides of its middle, where these see it: up to about twice the band, and to 0.3 voxel
+///                The wall from two samples on both sides of its middle, to 0.35 voxel, up to about twice the band. One that is a voxel thick or more is
+///                always found, a thinner one where the written field is more than 0.05 voxel inside; elsewhere it may have no inside at all
 /// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
 
@@ -43,7 +44,9 @@ float squared_slope(const Apron& coefficients);
 /// A brick with two rings around it, 8 samples a side, x fastest; NaN where nothing is known.
 using Surroundings = std::array<float, 512>;
 /// The least thickness of a wall whose middle lies beside one of the brick's samples, or `most` where it has none that is thinner.
-float thinnest_wall(const Surroundings& distance, float most);
+///
+/// coefficients   of the brick, as they are written: there is a wall only where one of them is negative
+float thinnest_wall(const Surroundings& distance, const Samples& coefficients, float most);
 
 /// squared_slope   the largest of all bricks
 /// wall            the least of all bricks, voxels; twice the band or more = none

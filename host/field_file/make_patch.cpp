@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "host/error.h"
 #include "shared/bytes.h"
@@ -27,27 +28,13 @@ std::uint32_t brick_of(const FieldView& view, std::uint32_t cell) {
 
 const std::int16_t* coefficients(const FieldView& view, std::uint32_t brick) { return view.bricks + std::size_t{brick} * kSamplesPerBrick; }
 
-bool all_are(const std::uint32_t* node, std::uint32_t brick) {
-  return std::all_of(node, node + kBricksPerNode, [brick](std::uint32_t n) { return n == brick; });
-}
-
-/// Nodes and bricks are numbered in the order of the tree, and none could be one of the constant ones.
-bool is_canonical(const FieldView& view) {
-  std::uint32_t next_node = 2, next_brick = 2;
-  for (std::size_t entry = 0; entry < root_cells(view); ++entry) {
-    const std::uint32_t number = view.root[entry];
-    if (number <= kInside) continue;
-    const std::uint32_t* node = view.nodes + std::size_t{number} * kBricksPerNode;
-    if (number != next_node++ || all_are(node, image_layout::kOutside) || all_are(node, kInside)) return false;
-    for (std::size_t slot = 0; slot < kBricksPerNode; ++slot) {
-      if (node[slot] <= kInside) continue;
-      if (node[slot] != next_brick++) return false;
-      const std::int16_t* c = coefficients(view, node[slot]);
-      const bool same = std::all_of(c, c + kSamplesPerBrick, [c](std::int16_t v) { return v == *c; });
-      if (same && (*c == view.band.raw() || *c == -view.band.raw())) return false;
-    }
-  }
-  return next_node == view.node_count && next_brick == view.brick_count;
+/// Does a patch lead to the image that it was made for? To no other than the one that `apply` writes: nodes and bricks numbered in the order of the
+/// tree, none that could be a constant one, zeros between the tables.
+bool leads_to_it(std::span<const std::uint8_t> bytes, const FieldView& before) {
+  const Result<FieldPatch> patch = FieldPatch::parse(bytes);
+  if (!patch) return false;
+  std::vector<std::uint64_t> words((patch->image_bytes() + 7) / 8);
+  return apply(*patch, before, {reinterpret_cast<std::uint8_t*>(words.data()), patch->image_bytes()}).has_value();
 }
 
 }  // namespace
@@ -72,10 +59,11 @@ std::vector<std::uint8_t> make_patch(const FieldView& before, const FieldView& a
     throw InputError("the fields differ in their grid, place, stiffness or method; a patch leads from a field to one on the same grid");
   }
   if (after.method != Method::kDefault) throw InputError("a field of the published method has no patches; send the whole field");
-  if (!is_canonical(after)) throw InputError("the field after is not numbered as a patch needs it; build it with this program");
   const std::uint64_t hash_before = before.hash(), hash_after = after.hash();
   if (hash_before == hash_after) throw InputError("the fields are equal; there is nothing to patch");
-  return write_patch(hash_before, hash_after, after, changed_cells(before, after));
+  std::vector<std::uint8_t> patch = write_patch(hash_before, hash_after, after, changed_cells(before, after));
+  if (!leads_to_it(patch, before)) throw InputError("the field after is not laid out as a patch needs it; build it with this program");
+  return patch;
 }
 
 std::vector<std::uint8_t> write_patch(std::uint64_t hash_before, std::uint64_t hash_after, const FieldView& after,

@@ -72,6 +72,15 @@ encoding::Apron apron_of(const encoding::Surroundings& surroundings) {
   return apron;
 }
 
+encoding::Samples samples_of(const encoding::Surroundings& surroundings) {
+  encoding::Samples samples;
+  float* out = samples.data();
+  for (std::size_t z = 2; z < 6; ++z) {
+    for (std::size_t y = 2; y < 6; ++y) out = std::copy_n(&surroundings[(z * 8 + y) * 8 + 2], 4, out);
+  }
+  return samples;
+}
+
 void mark_around(const Node& node, NodeMask changed, const Nodes& nodes) {
   const Eigen::Vector3i own = node.cell / 4;
   for (int z = -1; z <= 1; ++z) {

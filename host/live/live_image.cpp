@@ -32,7 +32,7 @@ void LiveField::certify() {
         if (((node.stored | node.inside) & (left & -left)) == 0) continue;
         const encoding::Surroundings values = surroundings.of(brick);
         node.slope[brick] = encoding::squared_slope(apron_of(values));
-        node.wall[brick] = encoding::thinnest_wall(values, none);
+        node.wall[brick] = encoding::thinnest_wall(values, samples_of(values), none);
       }
       node.stale = 0;
     }

@@ -51,7 +51,7 @@ std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView&
   const std::size_t moves = moves_of(trace);
   const std::filesystem::path file = patches_of(trace.path());
   RecordedPatches patches{std::move(*bytes), 0};
-  const Result<Patches> found = check_patches(patches.bytes, field.hash());
+  const Result<Patches> found = check_patches(patches.bytes, field);
   if (!found) throw InputError(file.string() + ": " + describe(found.error()) + "; give the file that was written beside the trace");
   if (found->count < moves) {
     throw InputError(file.string() + ": it holds " + std::to_string(found->count) + " patches, and the trace takes " +

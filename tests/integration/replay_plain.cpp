@@ -56,7 +56,7 @@ int replay_files(const char* field_name, const char* trace_name, const char* pat
   const Result<FieldView> field = FieldView::parse(image.span());
   if (!field) return refuse(field_name, field.error());
   const Image patches(patches_name != nullptr ? read_file(patches_name) : std::vector<char>{});
-  const Result<Patches> checked = check_patches(patches.span(), field->hash());
+  const Result<Patches> checked = check_patches(patches.span(), *field);
   if (!checked) return refuse(patches_name, checked.error());
   std::array<std::vector<std::uint64_t>, 2> words;
   replay::Moves moves{patches.span(), {}};

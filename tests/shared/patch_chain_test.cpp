@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "shared/bytes.h"
 #include "tests/support/alloc_guard.h"
 #include "tests/support/field_image.h"
 #include "tests/support/field_patch.h"
@@ -57,7 +59,7 @@ struct Memory {
 
 TEST(PatchChain, LeadsFromImageToImage) {
   const Bytes file = recorded().file();
-  const auto found = check_patches(file, recorded().hash(0));
+  const auto found = check_patches(file, recorded().fields[0].view());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->count, 4U);
   Memory memory(found->largest_image);
@@ -82,7 +84,7 @@ TEST(PatchChain, WithoutPatchesThereAreNone) {
 
 TEST(PatchChain, RefusesWhatIsMissingCutChangedOrOutOfOrder) {
   const auto error = [](const Bytes& file) {
-    const auto found = check_patches(file, recorded().hash(0));
+    const auto found = check_patches(file, recorded().fields[0].view());
     return found ? std::string("none") : std::string(describe(found.error()));
   };
   EXPECT_EQ(error(recorded().file()), "none");
@@ -100,6 +102,33 @@ TEST(PatchChain, RefusesWhatIsMissingCutChangedOrOutOfOrder) {
     Bytes bad = good;
     bad[at] ^= 4;
     EXPECT_NE(error(bad), "none") << at;
+  }
+}
+
+TEST(PatchChain, AnImageIsNoLargerThanItsPatchCanMakeIt) {
+  const FieldView first = recorded().fields[0].view();
+  // The last patch leads to an image that was not there; its header counts more and more bricks and nodes.
+  for (const auto& [count_at, unit] : {std::pair{image_layout::kBrickCountAt, std::uint64_t{128}}, {image_layout::kNodeCountAt, 256}}) {
+    for (const std::uint32_t more : {0U, 1U, 1000U, 10'000'000U}) {
+      Bytes file = recorded().file();
+      Bytes patch(recorded().patches[3].begin(), recorded().patches[3].begin() + patch_layout::kHeaderBytes);
+      std::uint8_t* header = patch.data() + patch_layout::kImageHeaderAt;
+      const auto add = [&](std::size_t at, std::uint64_t bytes) {
+        store_le(header + at, static_cast<std::uint32_t>(load_le<std::uint32_t>(header + at) + bytes));
+      };
+      add(count_at, more);
+      if (count_at == image_layout::kNodeCountAt) add(image_layout::kBrickOffsetAt, unit * more);
+      store_le(header + image_layout::kTotalBytesAt, load_le<std::uint64_t>(header + image_layout::kTotalBytesAt) + unit * more);
+      store_le(patch.data() + patch_layout::kHashBeforeAt, recorded().hash(4));
+      store_le(patch.data() + patch_layout::kHashAfterAt, std::uint64_t{1});
+      store_le(patch.data() + patch_layout::kCellsAt, 0U);
+      store_le(patch.data() + patch_layout::kStoredAt, 0U);
+      seal(patch_layout::kForm, patch);
+      file.insert(file.end(), patch.begin(), patch.end());
+      const auto found = check_patches(file, first);
+      ASSERT_EQ(found.has_value(), more == 0) << more;
+      EXPECT_EQ(more == 0 ? Error::kBadSize : found.error(), Error::kBadSize) << more;
+    }
   }
 }
 

@@ -230,7 +230,7 @@ TOUCH_EXPORT(replay) Refused replay_recording() {
   const std::optional<FieldView>& field = m.session.field();
   if (!field) return "there is no field; load one first";
   const std::uint64_t patches_begin = trace_begin() + image_layout::align64(std::uint64_t{m.replayed_bytes});
-  const Result<Patches> patches = check_patches({touch::block_begin() + patches_begin, m.patches_bytes}, field->hash());
+  const Result<Patches> patches = check_patches({touch::block_begin() + patches_begin, m.patches_bytes}, *field);
   if (!patches) return describe(patches.error());
   const std::uint64_t images_begin = image_layout::align64(patches_begin + m.patches_bytes);
   const std::uint64_t images_step = image_layout::align64(std::uint64_t{patches->largest_image});

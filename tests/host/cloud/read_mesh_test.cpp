@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "host/error.h"
 #include "tests/support/scratch_folder.h"
@@ -52,6 +54,51 @@ TEST(ReadMesh, CoordinatesThatNoUnitExplainsAreRefused) {
     FAIL() << "no refusal";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), ::testing::HasSubstr("a.obj: line 2: a coordinate is larger than 1e12"));
+  }
+}
+
+/// A prism of six sides with an L for its caps, whose first corners are these; 12 vertices, 8 polygons.
+std::string ell_prism(bool obj, int lower, int upper) {
+  const int xy[6][2] = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 3}, {0, 3}};
+  std::string vertices, faces;
+  for (const int z : {0, 2}) {
+    for (const auto& [x, y] : xy)
+      vertices += (obj ? "v " : "") + std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
+  }
+  const auto face = [&](const std::vector<int>& corners) {
+    faces += obj ? "f" : std::to_string(corners.size());
+    for (const int corner : corners) faces += ' ' + std::to_string(corner + (obj ? 1 : 0));
+    faces += '\n';
+  };
+  std::vector<int> below, above;
+  for (int i = 0; i < 6; ++i) {
+    below.push_back((lower + 6 - i) % 6);
+    above.push_back(6 + (upper + i) % 6);
+    face({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
+  }
+  face(below);
+  face(above);
+  if (obj) return vertices + faces;
+  return "ply\nformat ascii 1.0\nelement vertex 12\nproperty float x\nproperty float y\nproperty float z\n"
+         "element face 8\nproperty list uchar int vertex_indices\nend_header\n" +
+         vertices + faces;
+}
+
+TEST(ReadMesh, APolygonMayBeginAtAnyOfItsCorners) {
+  const ScratchFolder folder;
+  for (const bool obj : {true, false}) {
+    for (int lower = 0; lower < 6; ++lower) {
+      for (int upper = 0; upper < 6; ++upper) {
+        const TriangleMesh mesh = read_mesh(folder.write(obj ? "l.obj" : "l.ply", ell_prism(obj, lower, upper)));
+        EXPECT_NO_THROW(require_closed(mesh, "l"));
+        double surface = 0;
+        for (const auto& [a, b, c] : mesh.faces) {
+          surface += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm() / 2;
+        }
+        EXPECT_NEAR(surface, 2 * 6 + 2 * 14, 1e-9) << lower << ' ' << upper;
+        EXPECT_NEAR(signed_volume(mesh), 12, 1e-9) << lower << ' ' << upper;
+      }
+    }
   }
 }
 

@@ -38,15 +38,43 @@ TEST(Certificate, ASphereIsNoSteeperThanItsDistanceAndHasNoWall) {
   EXPECT_EQ(found.thinnest_wall_voxel, 0.0);
 }
 
-TEST(Certificate, FindsTheThinnestWallWhereverItLiesInTheGrid) {
-  for (const double half : {1.2, 1.5, 2.7, 3.4}) {
-    for (const double shift : {0.0, 0.3, 0.5}) {
-      const auto found = certificate(image_of([=](const Vector3d& p) { return plate(p + Vector3d(0, 0, shift), half); }));
-      EXPECT_NEAR(found.thinnest_wall_voxel, 2.0 * half, 0.35) << half << " at " << shift;
+/// The least value of the written spline on the line along z through the middle, where it does not depend on x and y.
+double least_along_z(const field_file::Image& image) {
+  const FieldView view = FieldView::parse(image.bytes()).value();
+  double least = 1.0;
+  for (int k = 2; k < 38; ++k) {
+    for (double t = -0.5; t <= 0.5; t += 1.0 / 64) {
+      const auto c = [&](int step) { return view.coefficient(20, 20, k + step) / 4096.0; };
+      least = std::min(least, (0.5 - t) * (0.5 - t) / 2 * c(-1) + (0.75 - t * t) * c(0) + (0.5 + t) * (0.5 + t) / 2 * c(1));
     }
   }
+  return least;
+}
+
+TEST(Certificate, FindsTheThinnestWallWhereverItLiesInTheGrid) {
+  int found = 0, lost = 0;
+  for (const double half : {0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9, 1.2, 1.5, 2.7, 3.4}) {
+    for (double shift = 0.0; shift < 1.0; shift += 0.125) {
+      const field_file::Image image = image_of([=](const Vector3d& p) { return plate(p + Vector3d(0, 0, shift), half); });
+      const double wall = certificate(image).thinnest_wall_voxel;
+      const double least = least_along_z(image);
+      const bool must_be_found = least < -0.06 || half >= 0.5;
+      EXPECT_EQ(wall > 0, must_be_found || (least < 0 && wall > 0)) << half << " at " << shift << ", " << least;
+      if (wall > 0) {
+        EXPECT_NEAR(wall, 2.0 * half, 0.35) << half << " at " << shift;
+      }
+      ++(must_be_found ? found : lost);
+    }
+  }
+  EXPECT_GT(found, 60);
+  EXPECT_GT(lost, 5) << "no wall so thin that the grid cannot hold it";
   const Eigen::Matrix3d turn = Eigen::Quaterniond(0.9, 0.3, -0.2, 0.25).normalized().toRotationMatrix();
   EXPECT_NEAR(certificate(image_of([&](const Vector3d& p) { return plate(turn * p, 2.0); })).thinnest_wall_voxel, 4.0, 0.25);
+  for (const double half : {0.3, 0.5, 0.7}) {
+    const double wall = certificate(image_of([&](const Vector3d& p) { return plate(turn * p, half); })).thinnest_wall_voxel;
+    EXPECT_GT(wall, 0.0) << half;
+    EXPECT_NEAR(wall, 2.0 * half, 0.35) << half;
+  }
 }
 
 TEST(Certificate, TheEdgesOfABoxAreNoWalls) {

@@ -70,5 +70,24 @@ TEST(MakePatch, OnlyTheImageAfterMustBeCanonical) {
   EXPECT_EQ(apply_to(*other, make_patch(*other, view)), good.bytes());
 }
 
+TEST(MakePatch, OnlyZerosMayStandBetweenTheTables) {
+  const FieldImage before = ball(4, trilinear_options()), after = ball(5, trilinear_options());
+  const FieldView& view = after.view();
+  const auto end_of_root =
+      image_layout::kHeaderBytes + 4 * static_cast<std::size_t>(view.root_size[0] * view.root_size[1] * view.root_size[2]);
+  const auto nodes = load_le<std::uint32_t>(view.image.data() + image_layout::kNodeOffsetAt);
+  ASSERT_LT(end_of_root, nodes) << "nothing stands between the tables";
+  for (std::size_t at = end_of_root; at < nodes; ++at) {
+    Image changed(view.image.size());
+    std::copy(view.image.begin(), view.image.end(), changed.data());
+    changed.data()[at] = 1;
+    store_le(changed.data() + 12, crc32(changed.data() + 16, changed.size() - 16));
+    const auto other = FieldView::parse(changed.bytes());
+    if (!other) continue;
+    EXPECT_THROW(make_patch(before.view(), *other), InputError) << at;
+  }
+  EXPECT_EQ(apply_to(before.view(), make_patch(before.view(), view)), after.bytes());
+}
+
 }  // namespace
 }  // namespace isotouch::field_file
