@@ -40,7 +40,7 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
                  f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
   }
-  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.cause_unknown}) {
+  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.cause_unknown, figures.end_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }
@@ -79,16 +79,15 @@ void add_qualify(CLI::App& app) {
                    "how long to measure ticks while other programs write to memory, at most --seconds, s; 0: not at all")
       ->check(number_in(0.0, 3600.0))
       ->capture_default_str();
-  command->add_option("--priority", options->wish.priority, "priority of cyclictest; 0: do not run it")
-      ->check(CLI::Range(0, 99))
-      ->capture_default_str();
+  command->add_option("--priority", options->wish.priority, "priority of cyclictest (without this, the tick's own); 0: do not run it")
+      ->check(CLI::Range(0, 99));
   command->add_flag("!--no-trace", options->wish.trace, "do not use the kernel's tracer; the report then names no causes of late ticks");
   qualify::Limits& limits = options->limits;
   const auto limit = [command](const char* names, double& value, const std::string& about) {
     command->add_option(names, value, "limit: " + about)->check(number_in(0, 1e9))->capture_default_str();
   };
   limit("--missed,--left-out", limits.left_out, "missed ticks, percent");
-  limit("--late", limits.late_ticks, "number of late ticks");
+  limit("--late", limits.late_ticks, "number of late ticks, also while other programs write to memory");
   limit("--wakeup-us", limits.wakeup_us, "99.9th percentile of the wake-up delay, us; 0: a tenth of the period");
   limit("--round-trip-us", limits.round_trip_us, "99.9th percentile of the device's round trip, us");
   limit("--word-ticks", limits.word_ticks, "longest delay from sensor to motor command, ticks");
@@ -96,8 +95,9 @@ void add_qualify(CLI::App& app) {
   limit("--celsius", limits.celsius, "temperature");
   limit("--page-faults", limits.page_faults, "page faults of the tick");
   limit("--allocations", limits.allocations, "allocations of the tick");
-  limit("--faults", limits.faults, "how many of the checks, one per second, find the controller in fault");
-  limit("--inactive", limits.inactive, "checks that find it in a state other than active, percent");
+  limit("--faults", limits.faults, "checks that find the controller in fault, one per second, and after each later part");
+  limit("--inactive", limits.inactive,
+        "checks that find no force, because the hand touches nothing or the controller is not active, percent");
   limit("--cold-tick-us", limits.cold_tick_us,
         "99th percentile of a tick's time while other programs write to memory, us; 0: a tenth of the period");
   command->callback([options] {

@@ -20,6 +20,7 @@ struct Moment {
   std::optional<double> megahertz;  ///< of the slowest processor
   std::uint64_t late = 0;           ///< ticks since the measurement began
   std::uint16_t state = 0;          ///< SupervisorState
+  bool force = false;               ///< from this look to the next, a tick was seen that was active and in contact
 };
 
 struct WorstTick {
@@ -55,12 +56,17 @@ struct Figures {
 
   std::vector<Finding> practice;  ///< what the board does for or against ticks in time
 
-  link::Histogram cold;      ///< ticks while other programs wrote to memory; ns
-  std::string cold_unknown;  ///< one sentence why there are none
+  link::Histogram cold;         ///< ticks while other programs wrote to memory; ns
+  double cold_seconds = 0;      ///< that they wrote for; 0: not measured
+  std::uint64_t cold_late = 0;  ///< late ticks of that time
+  std::string cold_unknown;     ///< one sentence why there are none
 
   link::Histogram timer;      ///< cyclictest's wake-ups; ns
   int timer_priority = 0;     ///< of cyclictest under SCHED_FIFO
   std::string timer_unknown;  ///< one sentence why there are none
+
+  std::vector<Moment> later;  ///< looks after the cold ticks and after each piece of cyclictest, without sensors
+  std::string end_unknown;    ///< one sentence why the controller could not be asked then; empty: it could
 };
 
 /// What came between two readings of a histogram that only grows.

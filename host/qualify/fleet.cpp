@@ -9,6 +9,7 @@
 #include "host/error.h"
 #include "host/files/csv_cell.h"
 #include "host/files/whole_file.h"
+#include "host/qualify/verdict.h"
 #include "host/quantiles.h"
 #include "shared/printable.h"
 
@@ -31,6 +32,13 @@ std::string text_in(const nlohmann::json& json) {
   return text;
 }
 
+/// Does the verdict follow from the outcomes? A board without a missed limit may be unfit, because what matters most was not measured.
+bool follows(const std::string& verdict, const std::vector<std::string>& outcomes) {
+  const auto is = [](Judgement::Outcome outcome) { return [=](const std::string& text) { return text == name_of(outcome); }; };
+  if (verdict == "fit") return std::ranges::none_of(outcomes, is(Judgement::Outcome::kMissed));
+  return verdict == "not fit" && !std::ranges::all_of(outcomes, is(Judgement::Outcome::kMet));
+}
+
 Report read_report(const fs::path& file) {
   const auto wrong = [&](const std::string& why) {
     return InputError(file.string() + ": " + why + "; name files that `isotouch qualify --json` wrote");
@@ -38,19 +46,23 @@ Report read_report(const fs::path& file) {
   const auto bytes = read_file(file);
   const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
   if (json.is_discarded()) throw wrong("no JSON");
+  Report report;
+  std::vector<std::string> outcomes;
   try {
-    Report report;
     report.board.name = text_in(json.at("host").is_null() ? json.at("address") : json.at("host"));
     report.board.date = text_in(json.at("date"));
     report.board.verdict = text_in(json.at("verdict"));
     for (const auto& limit : json.at("limits")) {
       const auto& value = limit.at("value");
       report.values.emplace_back(text_in(limit.at("key")), value.is_null() ? std::nullopt : std::optional(value.get<double>()));
+      outcomes.push_back(text_in(limit.at("outcome")));
     }
-    return report;
   } catch (const nlohmann::json::exception&) {
     throw wrong("no report of a board");
   }
+  if (outcomes.empty()) throw wrong("a report without limits");
+  if (!follows(report.board.verdict, outcomes)) throw wrong("the verdict '" + report.board.verdict + "' does not follow from its limits");
+  return report;
 }
 
 void mark_outliers(Fleet& fleet, std::size_t key) {

@@ -146,6 +146,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
           html_text(sentence(judgements)) + "</span></h1>\n";
   html += "<p>" + std::to_string(figures.ticks) + " ticks of " + short_number(figures.period_ns / 1000.0) + " us in " +
           short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
+  if (!figures.end_unknown.empty()) html += "<p>The end of the measurement: " + html_text(figures.end_unknown) + "</p>\n";
   html += "<h2>What was measured</h2>\n" + subject_table(figures.subject);
   html += "<h2>Settings that affect timing</h2>\n" + practice_table(figures.practice);
   html += "<h2>The board</h2>\n<table>";

@@ -68,6 +68,8 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
     json[text.key] = json_of(figures.measures[i], in_ticks ? figures.period_ns : 1000.0);
   }
   json["cold_tick_us"] = figures.cold.count > 0 ? json_of(figures.cold, 1000.0) : Json{{"unknown", figures.cold_unknown}};
+  json["cold_seconds"] = figures.cold_seconds;
+  json["cold_late"] = figures.cold_late;
   json["cyclictest_priority"] = figures.timer_priority;
   json["cyclictest_us"] = figures.timer.count > 0 ? json_of(figures.timer, 1000.0) : Json{{"unknown", figures.timer_unknown}};
   json["worst_ticks"] = Json::array();
@@ -79,12 +81,15 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
   }
   if (!figures.cause_unknown.empty()) json["causes_unknown"] = figures.cause_unknown;
   json["moments"] = Json::array();
-  for (const Moment& m : figures.moments) {
-    json["moments"].push_back({{"second", m.second},
-                               {"celsius", m.celsius ? Json(*m.celsius) : Json()},
-                               {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
-                               {"late", m.late},
-                               {"state", files::state_name(m.state)}});
+  for (const std::vector<Moment>* looks : {&figures.moments, &figures.later}) {
+    for (const Moment& m : *looks) {
+      json["moments"].push_back({{"second", m.second},
+                                 {"celsius", m.celsius ? Json(*m.celsius) : Json()},
+                                 {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
+                                 {"late", m.late},
+                                 {"state", files::state_name(m.state)},
+                                 {"force", m.force}});
+    }
   }
   return json;
 }

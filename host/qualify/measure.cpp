@@ -17,6 +17,7 @@
 #include "host/qualify/verdict.h"
 #include "host/trace/hash_text.h"
 #include "shared/files/version_text.h"
+#include "shared/tick_io.h"
 
 namespace isotouch::qualify {
 
@@ -26,7 +27,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kPatience = 20;       // seconds, with a small command on a busy board
 constexpr double kFirstPatience = 60;  // somebody may have to type a password
+constexpr int kUsualPriority = 80;     // of isotouchd's tick, unless its settings say otherwise
 constexpr double kTimerSlice = 10;     // seconds of cyclictest at a time: it outlives a connection that is cut, but no longer than this
+
+/// Between two questions whether there is a force: a hand that explores lifts off often.
+constexpr std::chrono::milliseconds kForcePause(200);
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
@@ -107,15 +112,58 @@ Subject subject_of(const link::Controller& controller, link::BoardShell& shell) 
   return subject;
 }
 
-Moment look(link::Controller& controller, link::BoardShell& shell, Clock::time_point begun, std::uint64_t late_before) {
-  Moment moment;
-  moment.second = seconds_since(begun);
-  const protocol::StatusReport status = controller.status();
-  moment.late = status.late - late_before;
-  moment.state = status.state;
-  read_sensors(shell.run(sensors_command(), kPatience).text, moment);
-  return moment;
+bool gives_force(const protocol::StatusReport& status) {
+  return status.state == static_cast<std::uint16_t>(SupervisorState::kActive) && (status.status & kContact) != 0;
 }
+
+/// Looks at the controller and its board in the course of a measurement.
+class Looks {
+ public:
+  Looks(link::Controller& controller, link::BoardShell& shell, std::uint64_t late_before)
+      : controller_(controller), shell_(shell), late_before_(late_before) {}
+
+  double seconds() const { return seconds_since(begun_); }
+
+  Moment look() {
+    Moment moment = ask();
+    read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
+    return moment;
+  }
+
+  /// Waits until that second, and notes whether a force is given meanwhile.
+  void wait(double second, Moment& since) {
+    const auto until = begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(second));
+    while (Clock::now() < until) {
+      if (!since.force) since.force = gives_force(controller_.status());
+      std::this_thread::sleep_until(since.force ? until : std::min(until, Clock::now() + kForcePause));
+    }
+  }
+
+  /// After the undisturbed ticks, whose figures stay whatever becomes of the controller.
+  void look_later(Figures& figures) {
+    try {
+      figures.later.push_back(ask());
+    } catch (const InputError& e) {
+      figures.end_unknown = e.what();
+    }
+  }
+
+ private:
+  Moment ask() {
+    Moment moment;
+    moment.second = seconds();
+    const protocol::StatusReport status = controller_.status();
+    moment.late = status.late - late_before_;
+    moment.state = status.state;
+    moment.force = gives_force(status);
+    return moment;
+  }
+
+  link::Controller& controller_;
+  link::BoardShell& shell_;
+  Clock::time_point begun_ = Clock::now();
+  std::uint64_t late_before_;
+};
 
 /// Ticks as they are while other programs use the caches.
 void measure_cold(link::Controller& controller, link::BoardShell& shell, const Wish& wish, Figures& figures) {
@@ -125,32 +173,38 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     return;
   }
   try {
+    const std::uint64_t late_before = controller.status().late;
     const link::Histogram before = controller.histogram(protocol::Measure::kTick);
     const auto begun = Clock::now();
     (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
-    const bool was_written = seconds_since(begun) >= 0.9 * seconds;  // a program that ended at once has written nothing
-    if (was_written) figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
-    if (was_written && figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
-    if (!was_written) figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
+    const double written = seconds_since(begun);
+    if (written < 0.9 * seconds) {  // a program that ended at once has written nothing
+      figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
+      return;
+    }
+    figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
+    figures.cold_late = controller.status().late - late_before;
+    figures.cold_seconds = written;
+    if (figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
   } catch (const InputError& e) {  // the ticks are measured, and stay so
     figures.cold_unknown = e.what();
   }
 }
 
-void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) {
-  if (wish.priority == 0) {
+void measure_timer(Looks& looks, link::BoardShell& shell, const Wish& wish, Figures& figures) {
+  if (figures.timer_priority == 0) {
     figures.timer_unknown = "cyclictest was not asked for";
     return;
   }
-  figures.timer_priority = wish.priority;
   try {
     for (double left = wish.seconds; left > 0; left -= kTimerSlice) {
       const double slice = std::min(left, kTimerSlice);
       const link::BoardShell::Answer answer =
-          shell.run(timer_command(wish.priority, figures.period_ns / 1000, slice), slice + 3 * kPatience);
+          shell.run(timer_command(figures.timer_priority, figures.period_ns / 1000, slice), slice + 3 * kPatience);
       const auto timer = read_timer(answer.status, answer.text, figures.timer_unknown);
       if (!timer) return;
       figures.timer = sum(figures.timer, *timer);
+      looks.look_later(figures);
     }
   } catch (const InputError& e) {  // the ticks are measured, and stay so
     figures.timer_unknown = e.what();
@@ -158,6 +212,13 @@ void measure_timer(link::BoardShell& shell, const Wish& wish, Figures& figures) 
 }
 
 }  // namespace
+
+int timer_priority(std::optional<int> wished, const BoardFiles& files) {
+  if (wished) return *wished;
+  const auto stat = files.texts.find("thread/tick/stat");
+  const auto tick = stat == files.texts.end() ? std::nullopt : scheduling(stat->second);
+  return tick && tick->is_real_time() ? tick->priority : kUsualPriority;
+}
 
 Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell) {
   link::Controller controller(address);
@@ -173,18 +234,17 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   const BoardFiles files_before = read_practice(shell.run(practice_command(), kPatience).text);
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
-  const auto begun = Clock::now();
+  Looks looks(controller, shell, before.status.late);
   std::vector<protocol::WorstTick> worst;
-  while (seconds_since(begun) < wish.seconds) {
-    figures.moments.push_back(look(controller, shell, begun, before.status.late));
+  while (looks.seconds() < wish.seconds) {
+    figures.moments.push_back(looks.look());
     causes.look(worst = controller.worst_ticks(false));
-    std::this_thread::sleep_until(begun + std::chrono::duration_cast<Clock::duration>(
-                                              std::chrono::duration<double>(std::min(std::floor(seconds_since(begun)) + 1, wish.seconds))));
+    looks.wait(std::min(std::floor(looks.seconds()) + 1, wish.seconds), figures.moments.back());
   }
   const Counts after = counts(controller);
-  figures.seconds = seconds_since(begun);
+  figures.seconds = looks.seconds();
   causes.look(worst = controller.worst_ticks(false));
-  figures.moments.push_back(look(controller, shell, begun, before.status.late));
+  figures.moments.push_back(looks.look());
 
   figures.practice = judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text),
                                     wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns));
@@ -202,9 +262,11 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
 
   if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
   measure_cold(controller, shell, wish, figures);
+  looks.look_later(figures);
 
-  if (wish.priority > 0) tell("cyclictest, as long again");
-  measure_timer(shell, wish, figures);
+  figures.timer_priority = timer_priority(wish.priority, files_before);
+  if (figures.timer_priority > 0) tell("cyclictest, as long again");
+  measure_timer(looks, shell, wish, figures);
   return figures;
 }
 

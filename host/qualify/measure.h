@@ -2,19 +2,24 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "host/qualify/figures.h"
+#include "host/qualify/practice.h"
 
 namespace isotouch::qualify {
 
 struct Wish {
-  double seconds = 60;       ///< of the ticks, and of cyclictest after them
-  double cold_seconds = 10;  ///< of the ticks while other programs write to memory, at most `seconds`; 0: not measured
-  int priority = 80;         ///< of cyclictest, as isotouchd's tick unless its settings say otherwise; 0 = it is not run
-  double wakeup_us = 0;      ///< the largest wake-up delay that is good, as `Limits` has it; 0: a tenth of the period
-  bool trace = true;         ///< ask the kernel's tracer for causes
+  double seconds = 60;          ///< of the ticks, and of cyclictest after them
+  double cold_seconds = 10;     ///< of the ticks while other programs write to memory, at most `seconds`; 0: not measured
+  std::optional<int> priority;  ///< of cyclictest; 0: it is not run; none: as `timer_priority` returns it
+  double wakeup_us = 0;         ///< the largest wake-up delay that is good, as `Limits` has it; 0: a tenth of the period
+  bool trace = true;            ///< ask the kernel's tracer for causes
 };
+
+/// The priority of cyclictest: the one that is wished for, else the tick's own, or 80 if the tick's is not seen or not that of a real-time thread.
+int timer_priority(std::optional<int> wished, const BoardFiles& files);
 
 /// The ticks first, undisturbed; then with cold caches; then cyclictest beside them.
 ///

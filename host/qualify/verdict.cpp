@@ -39,9 +39,28 @@ std::optional<double> looks_in(SupervisorState state, const std::vector<Moment>&
   return static_cast<double>(std::count_if(moments.begin(), moments.end(), in_state));
 }
 
-std::optional<double> inactive(const std::vector<Moment>& moments) {
-  const auto active = looks_in(SupervisorState::kActive, moments);
-  return active ? std::optional(100 - 100 * *active / static_cast<double>(moments.size())) : std::nullopt;
+std::optional<double> faults(const Figures& figures) {
+  const auto first = looks_in(SupervisorState::kFault, figures.moments);
+  if (!first || !figures.end_unknown.empty()) return std::nullopt;  // a controller that cannot be asked may be in any state
+  return *first + looks_in(SupervisorState::kFault, figures.later).value_or(0);
+}
+
+std::optional<double> without_force(const std::vector<Moment>& moments) {
+  if (moments.empty()) return std::nullopt;
+  const auto count = std::count_if(moments.begin(), moments.end(), [](const Moment& moment) { return !moment.force; });
+  return 100 * static_cast<double>(count) / static_cast<double>(moments.size());
+}
+
+/// Of a hundred expected ticks, those that did not come.
+double left_out(std::uint64_t ticks, double seconds, std::uint32_t period_ns) {
+  const double expected = seconds * 1e9 / period_ns;
+  return expected > 0 ? std::max(0.0, 100 * (expected - static_cast<double>(ticks)) / expected) : 100;
+}
+
+/// Of the part with the larger share.
+double left_out(const Figures& figures) {
+  const double first = left_out(figures.ticks, figures.seconds, figures.period_ns);
+  return figures.cold_seconds > 0 ? std::max(first, left_out(figures.cold.count, figures.cold_seconds, figures.period_ns)) : first;
 }
 
 }  // namespace
@@ -49,15 +68,13 @@ std::optional<double> inactive(const std::vector<Moment>& moments) {
 double tenth_of_period_us(std::uint32_t period_ns) { return period_ns / 10'000.0; }
 
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
-  const double expected = figures.seconds * 1e9 / figures.period_ns;
   const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
   const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : tenth_of_period_us(figures.period_ns);
   const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : tenth_of_period_us(figures.period_ns);
   const auto cold_ns = quantile_ns(figures.cold, 0.99);
-  const double left_out = expected > 0 ? std::max(0.0, 100 * (expected - static_cast<double>(figures.ticks)) / expected) : 100;
   return {
-      against("left_out", "ticks that did not come", "%", limits.left_out, left_out),
-      against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late)),
+      against("left_out", "ticks that did not come", "%", limits.left_out, left_out(figures)),
+      against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late + figures.cold_late)),
       against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, protocol::Measure::kWakeup, 0.999, 1000)),
       against("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
               quantile(figures, protocol::Measure::kRoundTrip, 0.999, 1000)),
@@ -67,8 +84,8 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
       against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
       against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
       against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
-      against("faults", "checks that find a fault", "", limits.faults, looks_in(SupervisorState::kFault, figures.moments)),
-      against("inactive", "checks that find no force", "%", limits.inactive, inactive(figures.moments)),
+      against("faults", "checks that find a fault", "", limits.faults, faults(figures)),
+      against("inactive", "checks that find no force", "%", limits.inactive, without_force(figures.moments)),
       against("cold_tick_p99_us", "99 % of cold ticks", "us", cold_us, cold_ns ? std::optional(*cold_ns / 1000.0) : std::nullopt),
   };
 }
@@ -78,7 +95,8 @@ bool is_fit(const std::vector<Judgement>& judgements) {
   const bool missed = std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed; });
   // Without a device, commands and round trips were never made: nothing is known of what matters most.
   const bool felt = std::none_of(judgements.begin(), judgements.end(), is("word_max_ticks", Outcome::kNotMeasured));
-  return !missed && felt && !judgements.empty();
+  const bool lasted = std::none_of(judgements.begin(), judgements.end(), is("faults", Outcome::kNotMeasured));
+  return !missed && felt && lasted && !judgements.empty();
 }
 
 std::string sentence(const std::vector<Judgement>& judgements) {

@@ -11,7 +11,7 @@ namespace isotouch::qualify {
 
 /// The largest values that are good. The defaults are for people's hands: a late tick or a page fault is a force that stumbles.
 struct Limits {
-  double late_ticks = 0;
+  double late_ticks = 0;        ///< undisturbed, and while other programs use the caches
   double wakeup_us = 0;         ///< 99.9 % of the wake-ups; 0: a tenth of the period
   double round_trip_us = 2500;  ///< 99.9 % of the device's: a Falcon answers in a frame of USB, 1 ms, or in the next
   double word_ticks = 1;        ///< sensor to command, all of them: commands are made of the newest sample
@@ -19,10 +19,11 @@ struct Limits {
   double celsius = 75;          ///< most boards slow down at 80
   double page_faults = 0;
   double allocations = 0;
-  double left_out = 1;      ///< of a hundred expected ticks, those that did not come
-  double faults = 0;        ///< looks that saw the controller in fault
+  double left_out =
+      1;              ///< of a hundred expected ticks, those that did not come: undisturbed or with others at the caches, whichever is more
+  double faults = 0;  ///< looks that saw the controller in fault, to the end of the measurement
   double cold_tick_us = 0;  ///< 99 % of the ticks while other programs use the caches; 0: a tenth of the period
-  double inactive = 50;     ///< of a hundred looks, those that saw it in another state than active: what gives no force proves little
+  double inactive = 50;     ///< of a hundred looks, those that saw no force: what gives no force proves little
 };
 
 /// The limit of what is late, unless it is set.
@@ -44,7 +45,7 @@ struct Judgement {
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, and commands were made of a device's samples.
+/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end.
 bool is_fit(const std::vector<Judgement>& judgements);
 
 /// The verdict in one sentence.

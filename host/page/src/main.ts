@@ -68,7 +68,10 @@ class Page {
         this.live.take(first, every, rows, this.reader);
         if (this.source === 'live') this.changed();
       },
-      connection: (sentence) => this.notice(sentence),
+      connection: (sentence) => {
+        if (sentence !== '') this.forgetLive();
+        this.notice(sentence);
+      },
     });
   }
 
@@ -85,8 +88,8 @@ class Page {
         break;
       case 'link':
         if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
-        this.live.clear(); // nothing of a controller that is gone looks as if it were now
-        if (!message.there) this.sayLive([]);
+        if (message.there) this.live.clear();
+        else this.forgetLive();
         element('link').classList.toggle('bad', !message.there);
         say(element('link'), message.sentence);
         break;
@@ -101,18 +104,40 @@ class Page {
     }
   }
 
+  /** Nothing of a controller that is gone looks as if it were now. */
+  private forgetLive(): void {
+    this.live.clear();
+    this.liveField = null;
+    this.plots.clearHistograms();
+    this.sayLive([]);
+    this.warnOfField();
+    this.changed();
+  }
+
+  /** Comes again after each lost connection; what could not be opened is tried anew then. */
   private async hello(hello: Hello): Promise<void> {
-    if (this.reader) return hello.scene ? this.openScene(hello.scene) : undefined; // the connection was lost for a moment
-    this.reader = new RowReader(hello.columns, hello.status_bits);
-    if (!isExported()) this.build = new BuildPanel(this.server);
-    this.colours = hello.colours;
-    showLegend(hello.colours, { invented: false, thin: false, rim: false, turned: false });
+    try {
+      await this.open(hello);
+    } catch (error) {
+      const why = error instanceof Refused ? ` The server says: ${error.message}` : '';
+      this.notice(`The page could not be opened completely; load it again.${why}`);
+    }
+  }
+
+  private async open(hello: Hello): Promise<void> {
+    const isFirst = this.reader === null;
+    const reader = (this.reader ??= new RowReader(hello.columns, hello.status_bits));
+    if (isFirst) {
+      if (!isExported()) this.build = new BuildPanel(this.server);
+      this.colours = hello.colours;
+      showLegend(hello.colours, { invented: false, thin: false, rim: false, turned: false });
+    }
     const opened = hello.scene ? this.openScene(hello.scene) : undefined; // its parts come while the view is made
-    this.makeView(hello);
+    if (isFirst) this.makeView(hello);
     await opened;
+    if (document.body.dataset['ready']) return;
     if (hello.live) this.sources.add('live', 'Live');
     if (hello.recordings > 0) {
-      const reader = this.reader;
       const open = (number: number): Promise<Recording> => Recording.open(number, this.server, reader, () => this.changed());
       this.recordings = await Promise.all(Array.from({ length: hello.recordings }, (_, number) => open(number)));
       this.player.open(this.recordings, await this.server.difference());
@@ -160,9 +185,14 @@ class Page {
     while (this.wanted && !this.rests(this.wanted)) {
       const next: SceneSummary = this.wanted;
       this.wanted = null;
-      await this.openNow(next);
+      if (!this.shows(next)) await this.openNow(next);
     }
     this.opens = false;
+  }
+
+  /** After a lost connection the same object comes again; the hand that touches it keeps its trace. */
+  private shows(summary: SceneSummary): boolean {
+    return this.summary !== null && JSON.stringify(this.summary) === JSON.stringify(summary);
   }
 
   /** The hand of this page keeps the object that it touches, also where the field at the controller changes. */
@@ -229,14 +259,17 @@ class Page {
   }
 
   private async plotRecordings(): Promise<void> {
-    const all = await Promise.all(this.recordings.map((recording) => recording.curves(kPieces)));
-    const longest = all.reduce((a, b) => (b.ticks.length > a.ticks.length ? b : a));
-    const times = longest.ticks.map((tick) => tick * this.player.period);
-    const column = (name: 'force' | 'penetration' | 'energy'): Data => [
-      times,
-      ...all.map((curves) => (curves === longest ? curves[name] : longest.ticks.map((tick) => at(curves.ticks, curves[name], tick)))),
-    ];
-    this.plots.set([column('force'), column('penetration'), column('energy')]);
+    try {
+      const all = await Promise.all(this.recordings.map((recording) => recording.curves(kPieces)));
+      const longest = all.reduce((a, b) => ((b.times.at(-1) ?? 0) > (a.times.at(-1) ?? 0) ? b : a));
+      const column = (name: 'force' | 'penetration' | 'energy'): Data => [
+        longest.times,
+        ...all.map((curves) => (curves === longest ? curves[name] : longest.times.map((time) => at(curves.times, curves[name], time)))),
+      ];
+      this.plots.set([column('force'), column('penetration'), column('energy')]);
+    } catch {
+      this.notice('The curves could not be loaded; load the page again.');
+    }
   }
 
   private async beginTouch(): Promise<void> {
@@ -285,7 +318,11 @@ class Page {
     }
     ticks.forEach((tick, pane) => {
       const marks = this.view?.panes[pane];
-      if (!marks || !tick) return;
+      if (!marks) return;
+      if (!tick) {
+        if (this.source !== 'recording') marks.clear(); // a recorded tick is on its way
+        return;
+      }
       const running = this.source === 'live' ? this.live : this.source === 'touch' ? this.touch.touched : null;
       marks.setTrail(running ? running.trail(tick.tick) : (this.recordings[pane]?.trail(tick.tick) ?? []));
       marks.push(tick.hip);
@@ -313,7 +350,7 @@ class Page {
   private shownTicks(): (Tick | null)[] {
     if (this.source === 'live') return [this.live.shown()];
     if (this.source === 'touch') return [this.touch.touched.newest];
-    return this.recordings.map((recording) => recording.tick(Math.min(this.player.tick, recording.summary.ticks - 1)));
+    return this.recordings.map((recording) => recording.tick(this.player.tickOf(recording)));
   }
 
   private async recordedWords(): Promise<void> {
@@ -323,7 +360,7 @@ class Page {
     this.askedWords = tick;
     this.askedWordsAt = now;
     try {
-      const words = await Promise.all(this.recordings.map((recording) => recording.words(tick)));
+      const words = await Promise.all(this.recordings.map((recording) => recording.words(this.player.tickOf(recording))));
       if (this.source === 'recording') this.words(words); // answers come in the order of the questions
     } catch {
       this.askedWords = -1; // the server is gone; the page says so
@@ -406,10 +443,11 @@ class Page {
   }
 }
 
-/** The value at a tick of a curve that has other pieces; null behind its end. */
-function at(ticks: number[], values: number[], tick: number): number | null {
-  const step = (ticks[1] ?? 1) - (ticks[0] ?? 0);
-  const piece = Math.floor((tick - (ticks[0] ?? 0)) / Math.max(1, step));
+/** The value at a time of a curve that has other pieces; null behind its end. */
+function at(times: number[], values: number[], time: number): number | null {
+  const first = times[0] ?? 0;
+  const step = (times[1] ?? first + 1) - first;
+  const piece = Math.floor((time - first) / step + 1e-6); // equal times may differ in their last bit
   return values[piece] ?? null;
 }
 

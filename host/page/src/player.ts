@@ -1,8 +1,9 @@
-// Plays one or two recordings: the time line, its marks, and its buttons.
+// Plays one or two recordings with one time: the time line, its marks, and its buttons. Its ticks are those of the recording with the shortest period.
 import { element, make, say } from './dom';
 import type { Difference } from './messages';
 import type { Recording } from './recording';
 
+const kRounding = 1e-6; // ticks: a quotient of two periods is not exact
 const kSpeeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 5];
 
 export class Player {
@@ -35,21 +36,33 @@ export class Player {
   }
 
   get ticks(): number {
-    return Math.max(1, ...this.recordings.map((recording) => recording.summary.ticks));
+    return Math.max(1, ...this.recordings.map((recording) => this.placeOf(recording, recording.summary.ticks - 1) + 1));
   }
   get period(): number {
-    return this.recordings[0]?.period ?? 1e-3;
+    return this.recordings.length > 0 ? Math.min(...this.recordings.map((recording) => recording.period)) : 1e-3;
+  }
+
+  /** The tick of a recording that is shown: its last one that is not later. */
+  tickOf(recording: Recording): number {
+    const tick = Math.floor((this.tick * this.period) / recording.period + kRounding);
+    return Math.min(tick, recording.summary.ticks - 1);
+  }
+
+  /** Where a tick of a recording is on the time line. */
+  private placeOf(recording: Recording, tick: number): number {
+    return Math.ceil((tick * recording.period) / this.period - kRounding);
   }
 
   open(recordings: Recording[], difference: Difference | null): void {
     this.recordings = recordings;
     this.scrub.max = String(this.ticks - 1);
-    this.difference = difference && !difference.equal ? (difference.tick ?? 0) : null;
+    const first = recordings[0]; // whose ticks the difference counts
+    this.difference = first && difference && !difference.equal ? this.placeOf(first, difference.tick ?? 0) : null;
     const text = element('difference');
     const names = recordings.map((recording) => recording.summary.name);
     if (!difference) say(text, '');
     else if (difference.equal) say(text, `${names[0]} and ${names[1]} are equal, every bit.`);
-    else say(text, `They differ first at tick ${difference.tick} (${this.seconds(difference.tick ?? 0)} s), in ${difference.field}.`);
+    else say(text, `They differ first at tick ${difference.tick} (${this.seconds(this.difference ?? 0)} s), in ${difference.field}.`);
     if (recordings.some((recording) => recording.summary.more_events)) say(text, `${text.textContent} Of each kind of event, the first 2000 are marked.`.trim());
     element('jump-difference').hidden = this.difference === null;
     this.drawMarks();
@@ -84,20 +97,25 @@ export class Player {
     this.tick = Math.max(0, Math.min(this.ticks - 1, Math.round(tick)));
     this.exact = this.tick;
     this.scrub.value = String(this.tick);
-    this.scrub.setAttribute('aria-valuetext', `tick ${this.tick}, ${this.seconds(this.tick)} seconds`);
-    element('when').textContent = `${this.seconds(this.tick)} s · tick ${this.tick} of ${this.ticks - 1}`;
-    const event = this.recordings.map((recording) => recording.lastEvent(this.tick)).find((last) => last !== null);
-    say(element('event'), event ? `${this.seconds(event.tick)} s: ${event.text}.` : '');
+    const isOne = this.recordings.every((recording) => recording.period === this.period); // else each has another tick, which the table shows
+    this.scrub.setAttribute('aria-valuetext', `${isOne ? `tick ${this.tick}, ` : ''}${this.seconds(this.tick)} seconds`);
+    element('when').textContent = `${this.seconds(this.tick)} s${isOne ? ` · tick ${this.tick} of ${this.ticks - 1}` : ''}`;
+    const recording = this.recordings.find((one) => one.lastEvent(this.tickOf(one)) !== null);
+    const event = recording?.lastEvent(this.tickOf(recording));
+    say(element('event'), recording && event ? `${(event.tick * recording.period).toFixed(3)} s: ${event.text}.` : '');
     this.shown();
   }
 
   jump(kind: string): void {
-    const events = this.recordings.map((recording) => recording.nextEvent(kind, this.tick)).filter((event) => event !== null);
-    const behind = events.filter((event) => event.tick > this.tick);
-    const next = (behind.length > 0 ? behind : events).sort((a, b) => a.tick - b.tick)[0];
-    if (!next) return;
+    const places = this.recordings.flatMap((recording) => {
+      const event = recording.nextEvent(kind, this.tickOf(recording));
+      return event ? [this.placeOf(recording, event.tick)] : [];
+    });
+    const behind = places.filter((place) => place > this.tick);
+    const next = (behind.length > 0 ? behind : places).sort((a, b) => a - b)[0];
+    if (next === undefined) return;
     this.stop();
-    this.show(next.tick);
+    this.show(next);
   }
 
   private seconds(tick: number): string {

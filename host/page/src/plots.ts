@@ -88,6 +88,13 @@ export class Plots {
     else this.histogram.setData(this.histogramData as uPlot.AlignedData);
   }
 
+  clearHistograms(): void {
+    this.histogram?.root.closest('figure')?.remove();
+    this.histogram?.destroy();
+    this.histogram = null;
+    this.histogramData = [];
+  }
+
   private width(): number {
     return Math.max(this.where.clientWidth, 200);
   }

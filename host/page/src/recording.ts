@@ -4,8 +4,8 @@ import type { RowReader, Tick, Vector } from './rows';
 
 const kBlock = 2048; // ticks
 const kKept = 24; // blocks
-const kTrailTicks = 500;
-const kTrailStep = 5;
+const kTrailSeconds = 0.5;
+const kTrailPlaces = 100;
 
 /** Where a recording comes from: the server, or the page's own trace. */
 export interface Source {
@@ -16,7 +16,7 @@ export interface Source {
 }
 
 export interface Curves {
-  ticks: number[];
+  times: number[]; // s
   force: number[];
   penetration: number[];
   energy: number[];
@@ -52,7 +52,9 @@ export class Recording {
 
   trail(to: number): Vector[] {
     const places: Vector[] = [];
-    for (let tick = to - kTrailTicks; tick <= to; tick += kTrailStep) {
+    const ticks = Math.round(kTrailSeconds / this.period);
+    const step = Math.max(1, Math.round(ticks / kTrailPlaces));
+    for (let tick = to - ticks; tick <= to; tick += step) {
       const known = this.tick(tick);
       if (known) places.push(known.hip);
     }
@@ -60,16 +62,16 @@ export class Recording {
   }
 
   words(tick: number): Promise<Words> {
-    return this.source.words(this.number, Math.min(tick, this.summary.ticks - 1));
+    return this.source.words(this.number, tick);
   }
 
   async curves(pieces: number): Promise<Curves> {
     const view = await this.source.curves(this.number, 0, this.summary.ticks, pieces);
     const [from, step, count] = [view.getUint32(0, true), view.getUint32(4, true), view.getUint32(8, true)];
-    const curves: Curves = { ticks: [], force: [], penetration: [], energy: [] };
+    const curves: Curves = { times: [], force: [], penetration: [], energy: [] };
     for (let piece = 0; piece < count; ++piece) {
       const at = 12 + 16 * piece;
-      curves.ticks.push(from + piece * step);
+      curves.times.push((from + piece * step) * this.period);
       curves.force.push(view.getFloat32(at, true));
       curves.penetration.push(view.getFloat32(at + 4, true));
       curves.energy.push(view.getFloat32(at + 8, true));

@@ -75,6 +75,7 @@ async function open(options = {}, ...files) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, ...(options.context ?? {}) });
   const page = await context.newPage();
   if (options.before) await page.addInitScript(options.before);
+  await options.routed?.(page);
   const errors = [];
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type()) && !/GPU stall|swiftshader|GL Driver Message/i.test(message.text())) errors.push(message.text());
@@ -103,6 +104,21 @@ const heap = async (page) => {
   await session.detach();
   return usedSize;
 };
+/** Keeps every socket of the page in `sockets`, so that a test can close one. */
+const keepSockets = () => {
+  globalThis.sockets = [];
+  globalThis.WebSocket = class extends globalThis.WebSocket {
+    constructor(...address) {
+      super(...address);
+      globalThis.sockets.push(this);
+    }
+  };
+};
+/** Loses the connection, and waits until it has come back. */
+async function loseConnection(page) {
+  const before = await page.evaluate(() => (globalThis.sockets.at(-1).close(), globalThis.sockets.length));
+  await page.waitForFunction((many) => globalThis.sockets.length > many && globalThis.sockets.at(-1).readyState === 1, before, { timeout: 20000 });
+}
 const picture = async (page, name) => {
   if (await page.locator('#canvas').isVisible()) await still(page);
   await page.screenshot({ path: join(out, `${name}.png`) });
@@ -111,6 +127,18 @@ const drawn = async (page) => {
   await still(page);
   return (await page.locator('#canvas').screenshot()).toString('base64');
 };
+
+/** Pixels of the picture that are orange as the hand is, plainly or through the object; the object is grey. */
+const handPixels = (page) =>
+  page.evaluate(() => {
+    const from = document.getElementById('canvas');
+    const copy = Object.assign(document.createElement('canvas'), { width: from.width, height: from.height }).getContext('2d');
+    copy.drawImage(from, 0, 0);
+    const { data } = copy.getImageData(0, 0, from.width, from.height);
+    let count = 0;
+    for (let at = 0; at < data.length; at += 4) if (data[at] - data[at + 2] > 60) ++count;
+    return count;
+  });
 
 async function accessible(page, state) {
   await page.evaluate(axe);
@@ -454,6 +482,7 @@ const tests = {
     const after = await heap(page);
     await within(60, active, async () => `the state is ${await page.locator('#state').textContent()}`);
     await picture(page, 'live');
+    await within(20, async () => (await handPixels(page)) > 0, 'the live hand is not seen');
     await accessible(page, 'live');
     console.log(`  pictures a second: ${rates.join(', ')}; heap ${(before / 1e6).toFixed(2)} and ${(after / 1e6).toFixed(2)} MB`);
     check(after < before + 1e6, `in ${liveSeconds} s the page's heap has grown from ${before} to ${after} bytes`);
@@ -462,6 +491,9 @@ const tests = {
     check(median > 0, `the median of pictures a second is ${median}`); // how many a quiet machine shows is printed above
     await stop(daemon);
     await within(20, async () => /tries again/.test(await page.locator('#link').textContent()), 'a controller that is gone is not missed');
+    await within(5, async () => (await number(page, 'Force')) === '–', async () => `the force of a controller that is gone is ${await number(page, 'Force')}`);
+    await within(5, async () => (await handPixels(page)) === 0, async () => `the hand of a controller that is gone has ${await handPixels(page)} pixels`);
+    check((await page.locator('figcaption:has-text("Times of the controller")').count()) === 0, 'the histogram of a controller that is gone stays');
     await picture(page, 'controller_gone');
     daemon = controller();
     await within(20, async () => /answers/.test(await page.locator('#link').textContent()), 'a controller that comes again is not found');
@@ -682,16 +714,7 @@ const tests = {
   },
 
   async 'the connection breaks'() {
-    const before = () => {
-      globalThis.sockets = [];
-      globalThis.WebSocket = class extends globalThis.WebSocket {
-        constructor(...address) {
-          super(...address);
-          globalThis.sockets.push(this);
-        }
-      };
-    };
-    const opened = await open({ before }, 'owl.itf');
+    const opened = await open({ before: keepSockets }, 'owl.itf');
     const { page } = opened;
     await shown(page);
     await page.evaluate(() => globalThis.sockets[0].close());
@@ -700,6 +723,75 @@ const tests = {
     await page.locator('#file').setInputFiles(join(folder, 'owl.ply')); // what the server says by itself comes again
     await page.waitForSelector('#build:has-text("owl.ply was built")', { timeout: 120000 });
     await close(opened);
+  },
+
+  async 'a lost connection keeps what the hand has recorded'() {
+    const opened = await open({ before: keepSockets }, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await feel(page);
+    const ticks = async () => Number(await number(page, 'Ticks in the trace'));
+    await within(20, async () => (await ticks()) > 1500, 'the core computes too few ticks');
+    let most = await ticks();
+    await loseConnection(page);
+    for (let i = 0; i < 30; ++i) {
+      const now = await ticks();
+      check(now >= most, `of ${most} ticks in the trace ${now} are left`);
+      most = now;
+      await sleep(100);
+    }
+    await checkSaved(page);
+    await close(opened);
+  },
+
+  async 'a request that fails while the page opens'() {
+    const opened = await open({ before: keepSockets, routed: async (page) => {
+      let asked = 0;
+      await page.route('**/trace/0', (route) => (asked++ === 0 ? route.fulfill({ status: 503, body: 'the trace is being read' }) : route.continue()));
+    } }, 'owl.itf', 'felt.trace');
+    const { page } = opened;
+    await page.waitForSelector('#notice:has-text("the trace is being read")', { timeout: 60000 });
+    await loseConnection(page);
+    await page.waitForSelector('#player:not([hidden])', { timeout: 30000 });
+    check(await page.evaluate(() => document.body.dataset.ready === 'yes' && document.getElementById('notice').hidden), 'the page is not ready after its second try');
+    await close(opened, ['503']);
+  },
+
+  async 'two recordings of different periods have one time'() {
+    for (const [name, ticks, period] of [['fine', 6000, 1], ['coarse', 1500, 4]]) {
+      await run('isotouch', 'trace', 'make', 'tour', 'owl.itf', '--ticks', String(ticks), '--period', String(period), '-o', `${name}_in.trace`);
+      await run('isotouch', 'replay', 'owl.itf', `${name}_in.trace`, '-o', `${name}.trace`);
+    }
+    for (const files of [['fine.trace', 'coarse.trace'], ['coarse.trace', 'fine.trace']]) {
+      const opened = await open({}, 'owl.itf', ...files);
+      const { page } = opened;
+      await shown(page);
+      await page.waitForSelector('#player:not([hidden])');
+      await page.locator('#scrub').evaluate((scrub) => ((scrub.value = '3000'), scrub.dispatchEvent(new Event('input'))));
+      const wanted = files.map((file) => (file === 'fine.trace' ? '3000' : '750')).join(' ');
+      const cells = async () => (await page.locator('#numbers tr:has(th:text-is("Tick")) td').allTextContents()).join(' ');
+      await within(20, async () => (await cells()) === wanted, async () => `at 3 s the ticks are ${await cells()}`);
+      check(/^3\.000 s$/.test((await page.locator('#when').textContent()).trim()), `it says ${await page.locator('#when').textContent()}`);
+      const places = await page.locator('#marks .mark').evaluateAll((marks) => marks.map((mark) => parseFloat(mark.style.left)));
+      check(places.length > 0 && places.every((place) => place <= 100), `marks are at ${places.join(', ')} %`);
+      await close(opened);
+    }
+  },
+
+  async 'a narrow screen'() {
+    for (const [width, height] of [[360, 640], [320, 640]]) {
+      const opened = await open({ context: { viewport: { width, height } } }, 'owl.itf', 'felt.trace');
+      const { page } = opened;
+      await shown(page);
+      const box = await page.locator('#canvas').boundingBox();
+      check(box.width >= width / 2 && box.height >= height / 3, `of ${width} x ${height} the picture has ${box.width} x ${box.height}`);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      check(wide <= width, `the page is ${wide} wide on a screen of ${width}`);
+      await picture(page, `narrow_${width}`);
+      await accessible(page, 'narrow');
+      await close(opened);
+    }
   },
 
   async 'a page in a file'() {

@@ -88,7 +88,8 @@ TEST_F(ReadFleet, AFewBoardsCannotSayWhichIsUnlikeTheOthers) {
 }
 
 TEST_F(ReadFleet, AReportOfAnotherReleaseHasEmptyCells) {
-  const auto newer = folder_.write("newer.json", R"({"host": "x", "date": "", "verdict": "fit", "limits": [{"key": "new", "value": 1}]})");
+  const auto newer = folder_.write(
+      "newer.json", R"({"host": "x", "date": "", "verdict": "fit", "limits": [{"key": "new", "value": 1, "outcome": "met"}]})");
   EXPECT_EQ(to_csv(read_fleet({report("red", 20), newer})),
             "board,date,verdict,wakeup_p999_us,celsius,new,outliers\n"
             "red,2026-11-26,fit,20,,,\n"
@@ -100,6 +101,22 @@ TEST_F(ReadFleet, TheTableHasARowForEachBoard) {
             "board,date,verdict,wakeup_p999_us,celsius,outliers\n"
             "red,2026-11-26,fit,20,,\n"
             "\"blue, left\",2026-11-26,fit,21.5,,\n");
+}
+
+TEST_F(ReadFleet, AVerdictMustFollowFromTheLimits) {
+  const auto said = [&](const std::string& verdict, const std::string& limits) {
+    return complaint(
+        {folder_.write("x.json", R"({"host": "x", "date": "", "verdict": ")" + verdict + R"(", "limits": [)" + limits + "]}")});
+  };
+  const std::string met = R"({"key": "a", "value": 1, "outcome": "met"})", missed = R"({"key": "b", "value": 1, "outcome": "missed"})",
+                    unknown = R"({"key": "c", "value": null, "outcome": "not measured"})";
+  EXPECT_THAT(said("fit", ""), HasSubstr("x.json: a report without limits"));
+  EXPECT_THAT(said("fit", met + "," + missed), HasSubstr("x.json: the verdict 'fit' does not follow from its limits"));
+  EXPECT_THAT(said("not fit", met), HasSubstr("does not follow"));
+  EXPECT_THAT(said("splendid", met), HasSubstr("does not follow"));
+  EXPECT_THAT(said("fit", met + "," + unknown), IsEmpty());
+  EXPECT_THAT(said("not fit", met + "," + unknown), IsEmpty()) << "where no device answered, nothing was felt";
+  EXPECT_THAT(said("not fit", missed), IsEmpty());
 }
 
 TEST_F(ReadFleet, WhatIsNoReportIsRefusedByName) {

@@ -60,6 +60,11 @@ TEST(Report, TheObjectHoldsEveryFigure) {
   EXPECT_TRUE(json["worst_ticks"][1]["cause"].is_null());
   EXPECT_EQ(json["moments"][0]["celsius"], 55.5);
   EXPECT_EQ(json["moments"][0]["state"], "active");
+  EXPECT_EQ(json["moments"][0]["force"], true);
+  ASSERT_EQ(json["moments"].size(), 3U) << "with the look after the cold ticks";
+  EXPECT_EQ(json["moments"][2]["second"], 12);
+  EXPECT_EQ(json["cold_seconds"], 2);
+  EXPECT_EQ(json["cold_late"], 0);
   EXPECT_EQ(json["cyclictest_priority"], 80);
   EXPECT_EQ(json["cold_tick_us"]["count"], 2'000);
   EXPECT_DOUBLE_EQ(json["cold_tick_us"]["p99"].get<double>(), 30);
@@ -98,6 +103,7 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   figures.cause_unknown = "the tracer may not be used";
   figures.cold = {};
   figures.cold_unknown = "cold ticks were not asked for";
+  figures.end_unknown = "the connection was closed";
   figures.moments[0].celsius = figures.moments[1].celsius = std::nullopt;
   const auto judgements = judge(figures, {});
   const auto json = json_report(figures, judgements);
@@ -110,6 +116,7 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   EXPECT_THAT(page, HasSubstr("the tracer may not be used"));
   EXPECT_THAT(page, HasSubstr("cold ticks were not asked for"));
   EXPECT_THAT(page, HasSubstr("This board shows none."));
+  EXPECT_THAT(page, HasSubstr("the connection was closed"));
 }
 
 TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {

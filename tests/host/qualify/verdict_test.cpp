@@ -60,7 +60,7 @@ TEST(Verdict, EachLimitFailsAloneAndByName) {
       {"allocations", [](Figures& f) { f.allocations = 1; }},
       {"faults", [](Figures& f) { f.moments[1].state = 6; }},
       {"cold_tick_p99_us", [](Figures& f) { f.cold.bins[1].upper = 100'001; }},
-      {"inactive", [](Figures& f) { f.moments[0].state = f.moments[1].state = 3; }},
+      {"inactive", [](Figures& f) { f.moments[0].force = f.moments[1].force = false; }},
   };
   EXPECT_EQ(spoilt.size(), judge(good_board(), {}).size()) << "every limit has its case here";
   for (const auto& [key, spoil] : spoilt) {
@@ -78,7 +78,7 @@ TEST(Verdict, AValueAtItsLimitIsGood) {
     f.moments[0].celsius = 75;
     f.measures[3].bins.back().upper = 1'000'000;
     f.measures[2] = {9'801, {{2'500'000, 9'801}}};
-    f.moments[1].state = 5;
+    f.moments[1].state = 5, f.moments[1].force = false;
     f.measures[0].bins = {{100'000, 10'000}};
     f.ticks = 9'900;
   };
@@ -86,7 +86,7 @@ TEST(Verdict, AValueAtItsLimitIsGood) {
 }
 
 TEST(Verdict, TheWakeUpsLimitFollowsThePeriodUnlessItIsSet) {
-  const auto faster = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000, f.cold = {}; };
+  const auto faster = [](Figures& f) { f.period_ns = 100'000, f.ticks = 100'000, f.cold = {}, f.cold_seconds = 0; };
   EXPECT_EQ(keys(Outcome::kMissed, faster), std::set<std::string>{"wakeup_p999_us"}) << "40 us of a tenth of 100 us";
   Limits own;
   own.wakeup_us = 39;
@@ -96,17 +96,19 @@ TEST(Verdict, TheWakeUpsLimitFollowsThePeriodUnlessItIsSet) {
 TEST(Verdict, AColdTickMayTakeATenthOfThePeriodUnlessTheLimitIsSet) {
   EXPECT_TRUE(keys(Outcome::kMissed, [](Figures& f) { f.cold.bins[1].upper = 100'000; }).empty());
   EXPECT_TRUE(keys(Outcome::kMissed, [](Figures& f) { f.cold.bins = {{9'000, 1'980}, {200'000, 20}}; }).empty()) << "one in a hundred";
-  const auto faster = [](Figures& f) { f.period_ns = 200'000, f.ticks = 50'000, f.measures[0].bins = {{9'000, 50'000}}; };
+  const auto faster = [](Figures& f) {
+    f.period_ns = 200'000, f.ticks = 50'000, f.measures[0].bins = {{9'000, 50'000}}, f.cold.count = 10'000;
+  };
   EXPECT_EQ(keys(Outcome::kMissed, faster), std::set<std::string>{"cold_tick_p99_us"});
   Limits own;
   own.cold_tick_us = 29;
   EXPECT_EQ(keys(Outcome::kMissed, kAsItIs, own), std::set<std::string>{"cold_tick_p99_us"});
-  EXPECT_EQ(keys(Outcome::kNotMeasured, [](Figures& f) { f.cold = {}; }), std::set<std::string>{"cold_tick_p99_us"});
+  EXPECT_EQ(keys(Outcome::kNotMeasured, [](Figures& f) { f.cold = {}, f.cold_seconds = 0; }), std::set<std::string>{"cold_tick_p99_us"});
 }
 
 TEST(Verdict, TicksFasterThanAFalconNeedNoSampleEach) {
   const auto ten_kilohertz = [](Figures& f) {
-    f.period_ns = 100'000, f.ticks = 100'000, f.measures[0].bins = {{9'000, 100'000}}, f.cold = {};
+    f.period_ns = 100'000, f.ticks = 100'000, f.measures[0].bins = {{9'000, 100'000}}, f.cold = {}, f.cold_seconds = 0;
   };
   EXPECT_TRUE(keys(Outcome::kMissed, ten_kilohertz).empty()) << "one a millisecond is all there is";
   const auto and_slow = [&](Figures& f) { ten_kilohertz(f), f.measures[2].count = 9'000; };
@@ -116,9 +118,25 @@ TEST(Verdict, TicksFasterThanAFalconNeedNoSampleEach) {
 TEST(Verdict, AControllerThatNeverGaveAForceIsNotFit) {
   for (std::uint16_t state = 0; state <= 6; ++state) {
     Figures figures = good_board();
-    for (Moment& moment : figures.moments) moment.state = state;
-    EXPECT_EQ(is_fit(judge(figures, {})), state == static_cast<std::uint16_t>(SupervisorState::kActive)) << state;
+    for (Moment& moment : figures.moments) moment.state = state, moment.force = false;
+    EXPECT_FALSE(is_fit(judge(figures, {}))) << state << ": also in the state active, where the hand touches nothing";
   }
+}
+
+TEST(Verdict, WhatHappensAfterTheUndisturbedTicksCounts) {
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.later[0].state = 6; }), std::set<std::string>{"faults"});
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold_late = 1; }), std::set<std::string>{"late_ticks"});
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold.count = 1'979; }), std::set<std::string>{"left_out"});
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold = {}; }), std::set<std::string>{"left_out"}) << "no tick came at all";
+  EXPECT_TRUE(keys(Outcome::kMissed, [](Figures& f) { f.cold.count = 1'980, f.later[0].state = 5; }).empty());
+}
+
+TEST(Verdict, AControllerThatIsGoneAtTheEndIsNotFit) {
+  const auto gone = [](Figures& f) { f.later.clear(), f.end_unknown = "the connection was closed"; };
+  EXPECT_EQ(keys(Outcome::kNotMeasured, gone), std::set<std::string>{"faults"});
+  Figures figures = good_board();
+  gone(figures);
+  EXPECT_EQ(sentence(judge(figures, {})), "not fit; not measured: checks that find a fault");
 }
 
 TEST(Verdict, WhatWasNotMeasuredIsSaidAndOnlyMissingWordsMakeABoardUnfit) {
