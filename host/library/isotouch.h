@@ -96,7 +96,7 @@ typedef struct isotouch_field_facts {
   double low_mm[3];              /**< corner of the sampled box */
   double high_mm[3];             /**< the opposite corner */
   double voxel_mm;               /**< edge of a voxel */
-  double band_mm;                /**< distances are known up to here from the surface */
+  double band_mm;                /**< half the width of the layer round the surface in which distances are stored */
   double stiffness_n_mm;         /**< of the surface; where it varies, the largest */
   double advised_stiffness_n_mm; /**< largest advisable one by its certificate; 0 = it has none */
   double scale;                  /**< workspace = scale × scan + offset */
@@ -134,7 +134,8 @@ ISOTOUCH_API isotouch_status isotouch_field_describe(isotouch_field field, isoto
  * @param distance_mm  count numbers, within ± the band; negative inside. Null: not wanted
  * @param gradient     3 × count numbers: slope of the distance, mm a mm, points out; zero beyond the band. Null: not wanted
  * @param stiffness    count numbers, N/mm, of the surface near the point. Null: not wanted
- * @param in_band      count bytes: 1 where the distance is known, 0 where it is only known to be at least the band. Null: not wanted
+ * @param in_band      count bytes: 1 where distance and gradient are known, which is up to a voxel before the band ends; 0 where the surface may
+ *                     be farther away, and in another direction. Null: not wanted
  *
  * Real time: yes, but for a time that grows with count.
  */

@@ -11,7 +11,7 @@ struct PlaceSample {
   double distance_mm = 0;                              ///< within ± the band, negative inside
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< mm a mm, points out; zero beyond the band
   double stiffness_n_mm = 0;
-  bool in_band = false;  ///< else the distance is only known to be at least the band
+  bool in_band = false;  ///< a voxel or more within the band; else the surface may be farther away, and in another direction
 };
 
 /// place     workspace, mm, finite; outside the sampled box it counts as the nearest place of its border

@@ -31,7 +31,7 @@ class Samples(NamedTuple):
     stiffness_n_mm: Reals
     """(n,), of the surface near the point"""
     in_band: npt.NDArray[np.bool_]
-    """(n,), where the distance is known; elsewhere it is only known to be at least the band"""
+    """(n,), where distance and gradient are known: up to a voxel before the band ends. Elsewhere the surface may be farther away"""
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ class FieldFacts:
     high_mm: tuple[float, float, float]
     voxel_mm: float
     band_mm: float
-    """distances are known up to here from the surface"""
+    """half the width of the layer round the surface in which distances are stored"""
     stiffness_n_mm: float
     """where it varies, the largest"""
     advised_stiffness_n_mm: float
