@@ -7,8 +7,11 @@
 #include <string>
 
 #include "host/field_file/open_field.h"
+#include "host/motion/device_in_hand.h"
 #include "host/motion/felt_surface.h"
 #include "host/to_double.h"
+#include "host/trace/recorded_patches.h"
+#include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
 #include "tests/support/scratch_folder.h"
@@ -43,6 +46,42 @@ TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
   EXPECT_EQ(mutated.size(), 2000U);
   EXPECT_TRUE(mutated.header().has_outputs);
   EXPECT_TRUE(mutated.chain_follows(1999));
+}
+
+/// A device whose field was patched meanwhile: what becomes of its packets replays to the bit, with the patches beside it.
+TEST_F(TraceMutate, PacketsUnderAStreamKeepTheirPatches) {
+  const std::string field = ISOTOUCH_GOLDEN "/field_1_3.itf";
+  const auto first = field_file::open_field(field);
+  const auto hand = trace::read_trace(ISOTOUCH_GOLDEN "/positions_patches.trace");
+  const auto patches = trace::read_patches(hand, first.view);
+  ASSERT_TRUE(patches);
+  {
+    TraceHeader header = hand.header();
+    header.device = libnifalcon_model();
+    trace::Run run(first.view, header, &*patches);
+    trace::TraceWriter writer(file("under.trace"), run.header());
+    motion::DeviceInHand device(header.device);
+    for (std::size_t tick = 0; tick < hand.size(); ++tick) {
+      const Input recorded = hand.record(tick).input;
+      Input in = device(recorded);
+      in.requests = recorded.requests;
+      in.moved_to = recorded.moved_to;
+      writer.append(run.step(in));
+    }
+    writer.finish();
+  }
+  EXPECT_NE(
+      complaint_on("trace mutate wrap " + field + " " + file("under.trace") + " -o " + file("no.trace")).find("under.patches is not there"),
+      std::string::npos);
+  std::filesystem::copy_file(ISOTOUCH_GOLDEN "/positions_patches.patches", file("under.patches"));
+  for (const std::string kind : {"wrap", "faults", "settings", "resume", "grip"}) {
+    for (const std::string seed : {"1", "2", "3"}) {
+      run_command("trace mutate " + kind + " " + field + " " + file("under.trace") + " --seed " + seed + " -o " + file("mutated.trace"));
+      const auto mutated = trace::read_trace(file("mutated.trace"));
+      EXPECT_EQ(mutated.size(), hand.size());
+      EXPECT_FALSE(trace::replay(first.view, mutated, true).first_difference) << kind << ' ' << seed;
+    }
+  }
 }
 
 TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
