@@ -110,6 +110,17 @@ TEST_F(TraceMutate, AMotionIsImportedIntoTheFieldsBox) {
   EXPECT_NEAR((high - low).z(), longest / 2, 0.01);
   EXPECT_LT(((high + low) / 2 - object.centre()).norm(), 0.01);
 
+  const auto warning_of = [&](const std::string& arguments) {
+    testing::internal::CaptureStderr();
+    run_command(arguments);
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string into = " --into " + kField + " -o " + file("again.trace");
+  EXPECT_EQ(warning_of("trace import " + file("motion.csv") + into).find("never touches"), std::string::npos);
+  std::ofstream(file("far.csv"))
+      << "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.5,100,0,0\n1,100,100,0\n1.5,100,100,100\n2,0,100,100\n2.5,0,0,100\n3,0,0,0\n";
+  EXPECT_NE(warning_of("trace import " + file("far.csv") + into).find("the motion never touches the object"), std::string::npos);
+
   std::ofstream(file("rest.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1,5,7\n0.5,1,5,7\n";
   EXPECT_NE(complaint_on("trace import " + file("rest.csv") + " --into " + kField + " -o " + file("no.trace")).find("stays at one place"),
             std::string::npos);
