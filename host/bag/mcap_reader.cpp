@@ -20,6 +20,8 @@ namespace {
 using Span = std::span<const std::uint8_t>;
 
 constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30;
+/// So much comes of each 4 bytes at most: they are the smallest block of zstd that says anything (RFC 8878, 3.1.1.2).
+constexpr std::uint64_t kMostOfABlock = std::uint64_t{128} << 10, kLeastBlock = 4;
 
 /// Takes values from the front; what is not there is zero, and spoils it.
 class Taker {
@@ -145,7 +147,7 @@ class Reader {
     if (compression != "zstd")
       refuse("is compressed with '" + std::string(compression.substr(0, 20)) + "'; convert it with: mcap compress --compression zstd");
     const std::optional<ZstdFrame> frame = read_zstd_frame(packed);
-    if (size > kMostUnpacked || (frame && frame->content_bytes != size))
+    if (size > kMostUnpacked || size > packed.size() / kLeastBlock * kMostOfABlock || (frame && frame->content_bytes != size))
       refuse("is damaged: the stated size of a chunk is not that of its content; record it again, or repair it with the tool mcap");
     std::vector<std::uint8_t> records(static_cast<std::size_t>(size));
     const std::size_t unpacked = ZSTD_decompress(records.data(), records.size(), packed.data(), packed.size());

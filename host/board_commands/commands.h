@@ -46,10 +46,10 @@ void add_resume(CLI::App& app);
 ///
 /// field     stays alive as long as the renderer
 /// mesh      the file
-/// header    of the trace
-/// fails     InputError: no closed mesh
+/// trace     that is felt; its patches are read from the file beside it
+/// fails     InputError: no closed mesh; as trace::read_patches
 using MakeGodObject =
-    std::function<std::unique_ptr<trace::Renderer>(const FieldView& field, const std::filesystem::path& mesh, const TraceHeader& header)>;
+    std::function<std::unique_ptr<trace::Renderer>(const FieldView& field, const std::filesystem::path& mesh, const trace::Trace& trace)>;
 
 /// god_object     none: the command knows no such renderer, because what measures fields stays on the desk
 void add_replay(CLI::App& app, const MakeGodObject& god_object = nullptr);

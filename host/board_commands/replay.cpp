@@ -153,7 +153,7 @@ Replayed replayed(const ReplayOptions& options, const FieldView& field, const tr
   std::optional<std::vector<std::uint8_t>> patches;
   if (!options.out.empty()) patches = trace::patches_for(options.out, trace);
   std::unique_ptr<trace::Renderer> god_object;
-  if (options.renderer == kGodObject) god_object = options.make_god_object(field, options.mesh, trace.header());
+  if (options.renderer == kGodObject) god_object = options.make_god_object(field, options.mesh, trace);
   std::optional<trace::TraceWriter> writer;
   if (!options.out.empty()) writer.emplace(options.out, god_object ? god_object->header() : trace::replay_header(field, trace.header()));
   trace::TraceWriter* const out = writer ? &*writer : nullptr;

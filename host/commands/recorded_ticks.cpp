@@ -46,10 +46,12 @@ view::Touch least(const trace::Trace& trace, const FieldView& field, const Cost&
 }  // namespace
 
 void for_each_tick(const trace::Trace& trace, const FieldView* field, const std::function<void(std::size_t, const TraceRecord&)>& use) {
+  std::optional<trace::RecordedPatches> patches;
   std::optional<trace::Run> run;
   if (!trace.header().has_outputs) {
     if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only; name the field that they touch with --field");
-    run.emplace(*field, trace.header());
+    patches = trace::read_patches(trace, *field);
+    run.emplace(*field, trace.header(), patches ? &*patches : nullptr);
   }
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);

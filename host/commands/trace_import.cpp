@@ -45,6 +45,22 @@ struct ImportOptions {
   fs::path into;
 };
 
+/// The grid of a field may be much larger than its object: that of a live field is made for a whole scan.
+void warn_unless_it_touches(const std::vector<motion::TimedPoint>& points, const motion::FeltSurface& object,
+                            const ImportOptions& options) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Eigen::Vector3d way = points[i].position - points[i - 1].position;
+    const double steps = std::clamp(std::ceil(way.norm() / object.voxel_mm()), 1.0, 1e4);
+    for (double step = 0; step <= steps; ++step) {
+      if (object.sample(points[i - 1].position + step / steps * way).distance <= 0) return;
+    }
+  }
+  std::fprintf(stderr,
+               "isotouch: %s: the motion never touches the object; the grid of %s is larger than the object. Give --centre, --scale and "
+               "--offset instead of --into\n",
+               options.source.string().c_str(), options.into.string().c_str());
+}
+
 /// Centred first, then scaled, then moved.
 void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
   Eigen::Vector3d low = points.front().position;
@@ -55,15 +71,17 @@ void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
   }
   const Eigen::Vector3d middle = options.centre || !options.into.empty() ? Eigen::Vector3d((low + high) / 2) : Eigen::Vector3d::Zero();
   Eigen::Vector3d offset(options.offset[0], options.offset[1], options.offset[2]);
+  std::optional<field_file::OpenField> field;
   if (!options.into.empty()) {
-    const field_file::OpenField field = field_file::open_field(options.into);
-    const motion::FeltSurface object(field.view);
+    field.emplace(field_file::open_field(options.into));
+    const motion::FeltSurface object(field->view);
     const double widest = (high - low).maxCoeff();
     if (!(widest > 0)) throw InputError(options.source.string() + ": the motion stays at one place and cannot be scaled; leave --into out");
-    options.scale = object.voxel_mm() * (*std::max_element(field.view.size.begin(), field.view.size.end()) - 1) / widest;
+    options.scale = object.voxel_mm() * (*std::max_element(field->view.size.begin(), field->view.size.end()) - 1) / widest;
     offset = object.centre();
   }
   for (auto& point : points) point.position = options.scale * (point.position - middle) + offset;
+  if (field) warn_unless_it_touches(points, motion::FeltSurface(field->view), options);
 }
 
 /// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
@@ -174,7 +192,8 @@ void add_import(CLI::App& trace) {
   command
       ->add_option(
           "--into", options->into,
-          "instead of --centre, --scale and --offset: centre the motion in this field's box and make its longest side as long as the box's")
+          "instead of --centre, --scale and --offset: centre the motion in this field's grid and make its longest side as long as the "
+          "grid's, which is larger than the object")
       ->excludes("--centre")
       ->excludes("--scale")
       ->excludes("--offset");

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,9 @@
 #include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
+#include "host/files/whole_file.h"
 #include "host/motion/mutate.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 
@@ -30,9 +33,8 @@ struct TraceMutateOptions {
   std::uint64_t seed = 1;
 };
 
-motion::Recording read_inputs(const TraceMutateOptions& options) {
+motion::Recording read_inputs(const TraceMutateOptions& options, const trace::Trace& trace) {
   const motion::Mutation& mutation = *motion::find_mutation(options.name);
-  const trace::Trace trace = trace::read_trace(options.trace);
   if (trace.kind() != mutation.of) {
     throw InputError(options.trace.string() +
                      (mutation.of == InputKind::kPacket
@@ -57,9 +59,11 @@ void write_positions(const fs::path& out, const motion::Recording& recording) {
   writer.finish();
 }
 
-/// Packets with what the tick of that device answers, as `trace to-packets` writes them.
-void write_packets(const fs::path& out, const motion::Recording& recording, const FieldView& field) {
-  trace::Run run(field, recording.header);
+/// Packets with what the tick of that device answers, as `trace to-packets` writes them. The patches of their field stand beside them, too.
+void write_packets(const fs::path& out, const motion::Recording& recording, const FieldView& field, const trace::Trace& recorded) {
+  const std::optional<std::vector<std::uint8_t>> patch_bytes = trace::patches_for(out, recorded);
+  const std::optional<trace::RecordedPatches> patches = trace::read_patches(recorded, field);
+  trace::Run run(field, recording.header, patches ? &*patches : nullptr);
   trace::TraceWriter writer(out, run.header());
   std::uint64_t tick = 0;
   for (const Input& input : recording.inputs) {
@@ -68,18 +72,20 @@ void write_packets(const fs::path& out, const motion::Recording& recording, cons
     writer.append(record);
   }
   writer.finish();
+  if (patch_bytes) write_file(trace::patches_of(out), patch_bytes->data(), patch_bytes->size());
 }
 
 void run(const TraceMutateOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
-  const motion::Recording recording = read_inputs(options);
+  const trace::Trace trace = trace::read_trace(options.trace);
+  const motion::Recording recording = read_inputs(options, trace);
   motion::Recording mutated;
   try {
     mutated = motion::mutate(recording, options.name, field.view, options.seed);
   } catch (const InputError& e) {
     throw InputError(options.trace.string() + ": " + e.what());
   }
-  motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, field.view)
+  motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, field.view, trace)
                                                                 : write_positions(options.out, mutated);
   std::fprintf(stderr, "%s: %zu ticks\n", options.out.string().c_str(), mutated.inputs.size());
 }

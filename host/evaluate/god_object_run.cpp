@@ -20,11 +20,12 @@ TraceHeader of_no_field(TraceHeader header) {
 
 }  // namespace
 
-GodObjectRun::GodObjectRun(const FieldView& field, const field::TriangleTree& tree, const TraceHeader& header)
+GodObjectRun::GodObjectRun(const FieldView& field, const field::TriangleTree& tree, const TraceHeader& header,
+                           const trace::RecordedPatches* patches)
     : field_(field),
       tree_(tree),
       header_(of_no_field(header)),
-      core_(field, header),
+      core_(field, header, patches),
       motion_model_(core::make_motion_model(header.device, header.period_ns)),
       chain_(header_) {}
 
@@ -42,7 +43,8 @@ TraceRecord GodObjectRun::step(const Input& input) {
 
 /// Did the core forget what it rendered before this tick?
 bool GodObjectRun::begins_anew(const Input& input, const Output& core) {
-  const bool other_field = input.field_generation != generation_;
+  const bool patched = (input.requests & kRequestMoved) != 0 && generation_ != 0;
+  const bool other_field = input.field_generation != generation_ && !patched;
   generation_ = input.field_generation;
   return other_field || (input.requests & kRequestRestart) != 0 || (core.status & kCountJump) != 0 || core_.is_unplaced(input.kind);
 }

@@ -19,7 +19,9 @@ class GodObjectRun final : public trace::Renderer {
   /// field     gives the stiffness, and index coordinates to the core; alive as long as this
   /// tree      the true surface: closed, workspace, mm; alive as long as this
   /// header    of the trace
-  GodObjectRun(const FieldView& field, const field::TriangleTree& tree, const TraceHeader& header);
+  /// patches   of its field, as in trace::Run: they change what the device's tick decides, and the mesh stays as it is
+  GodObjectRun(const FieldView& field, const field::TriangleTree& tree, const TraceHeader& header,
+               const trace::RecordedPatches* patches = nullptr);
 
   TraceRecord step(const Input& input) override;
   std::uint64_t hash() const override { return chain_.value(); }

@@ -37,7 +37,7 @@ Mean Bucket::mean() const {
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const double position = static_cast<double>(position_[a]) / (static_cast<double>(count_) * (1 << kPositionBits));
-    mean.position[axis] = (std::floor(position * kPositionSteps) + 0.5) / kPositionSteps;  // the middle of a step: it stays in its voxel
+    mean.position[axis] = (std::floor(position * kPositionSteps) + 0.5) / kPositionSteps;  // the middle of a step: it stays in its cell
     mean.normal[axis] = static_cast<double>(normal_[a]);
   }
   mean.normal /= mean.normal.norm();

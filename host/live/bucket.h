@@ -1,4 +1,4 @@
-/// The points of one voxel whose normals look the same way, as sums: one sample of a live field.
+/// The points of one cell of two voxels a side whose normals look the same way, as sums: one sample of a live field.
 ///
 /// Integers add and subtract exactly, so the order in which points come and go leaves no trace.
 #pragma once
@@ -11,12 +11,12 @@
 
 namespace isotouch::live {
 
-/// Which bucket a point belongs to: the voxel that it lies in, and the axis and sign of its normal's largest component. Sorts by z, y, x, side.
+/// Which bucket a point belongs to: the cell that it lies in, and the axis and sign of its normal's largest component. Sorts by z, y, x, side.
 std::uint64_t bucket_key(const Point& point);
 
 /// Mean position and normal of a bucket. They are rounded, so that one more point among many mostly changes nothing.
 struct Mean {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< index coordinates, within the bucket's voxel
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< index coordinates, within the bucket's cell
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, outward
 
   bool operator==(const Mean& o) const { return position == o.position && normal == o.normal; }

@@ -4,7 +4,7 @@
 /// the field is a function of the points that are present, in whatever order they came, and the same as one build from all of them, to
 /// the byte:
 ///
-/// 1. Points are integers. Those of one voxel whose normals look the same way are one sample, the rounded mean (bucket.h).
+/// 1. Points are integers. Those of one cell of 2³ voxels whose normals look the same way are one sample, the rounded mean (bucket.h).
 /// 2. Each sample with enough neighbours gets a local model from the nearest of them (host/field/local_model.h).
 /// 3. The value at a place is a blend of the models of the samples nearest to it, and the body ends where its samples do (brick_value.h).
 /// 4. Slope and wall of the certificate belong to a brick and to those around it.

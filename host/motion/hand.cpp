@@ -29,7 +29,7 @@ Hand::Hand(const Options& options, Emit emit) : options_(options), emit_(std::mo
 void Hand::step(const Eigen::Vector3d& to) {
   position_ = to;
   if (done()) return;
-  if (lost_ticks_ == 0 && emitted_ > 0 && options_.lost_share > 0 && losses_.uniform() < options_.lost_share) {
+  if (lost_ticks_ == 0 && emitted_ > 0 && options_.loss_begins > 0 && losses_.uniform() < options_.loss_begins) {
     lost_ticks_ = 1 + static_cast<int>(losses_.bits() % 3);
   }
   if (lost_ticks_ > 0) {

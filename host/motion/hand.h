@@ -21,6 +21,11 @@ double minimum_jerk(double share);
 /// A smooth wave of period 1: 1 at 0, -1 at one half, slope zero at both, steepest slope 6.
 double wave(double phase);
 
+/// The `loss_begins` with which that share of all samples is lost. A loss takes two of them on average.
+///
+/// share     0 to 0.5
+constexpr double loss_begins(double share) { return share / (2 - share); }
+
 class Hand {
  public:
   using Emit = std::function<void(const Input&)>;
@@ -28,8 +33,9 @@ class Hand {
   struct Options {
     std::uint64_t ticks = 0;  ///< stops emitting after so many; 0 = never
     double period_s = 0.001;
-    double lost_share = 0.0;  ///< samples that do not arrive, 0 to 0.5; then the last one is repeated, 1 to 3 ticks long
-    std::uint64_t seed = 1;   ///< of the losses
+    double loss_begins =
+        0.0;  ///< probability that a sample does not arrive although the one before did; the last one is repeated 1 to 3 ticks long
+    std::uint64_t seed = 1;  ///< of the losses
   };
 
   Hand(const Options& options, Emit emit);

@@ -81,7 +81,7 @@ const std::vector<std::string>& motion_kinds() {
 std::uint64_t make_motion(const FieldView* field, const MotionOptions& options, Hand::Emit emit) {
   const std::vector<Kind> kinds = chosen_kinds(options.kind);
   const double period_s = options.period_ns * 1e-9;
-  Hand hand({options.ticks, period_s, options.lost_share, ~options.seed}, std::move(emit));
+  Hand hand({options.ticks, period_s, loss_begins(options.lost_share), ~options.seed}, std::move(emit));
   cloud::Random random(options.seed);
   if (field == nullptr) {
     Vector3d phase;

@@ -11,6 +11,7 @@
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "shared/printable.h"
 
 namespace isotouch::motion {
 
@@ -26,6 +27,12 @@ const Factors kSeconds = {
 const Factors kMillimetres = {{"mm", 1.0},          {"cm", 10.0},         {"m", 1000.0},         {"in", 25.4},
                               {"millimetres", 1.0}, {"millimeters", 1.0}, {"centimetres", 10.0}, {"centimeters", 10.0},
                               {"metres", 1000.0},   {"meters", 1000.0},   {"inch", 25.4},        {"inches", 25.4}};
+const Factors kNewtons = {{"N", 1.0}, {"newton", 1.0}, {"newtons", 1.0}};
+using Names = std::vector<std::string_view>;
+/// Units, too, in which nothing is read: a name that ends with one must not pass for one without a unit.
+const Names kOtherTimes = {"ps", "min", "mins", "minutes", "h", "hr", "hrs", "hours", "d", "days", "ticks", "frames"};
+const Names kOtherLengths = {"nm", "um", "µm", "μm", "micron", "microns", "dm", "km", "ft", "feet", "yd", "mil", "px", "pixels", "counts"};
+const Names kOtherForces = {"uN", "mN", "cN", "dN", "kN", "MN", "gf", "kgf", "kg", "g", "lb", "lbf", "lbs", "ozf", "dyn", "counts", "V"};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \r\"";
@@ -34,9 +41,18 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+/// A part of the file in a sentence: not longer than people read, and nothing that a terminal would obey.
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string part(text.substr(0, kLongest));
+  make_printable(part, '?');
+  if (text.size() > kLongest) part += "…";
+  return part;
+}
+
 std::string in_quotes(std::string_view text) {
   std::string sentence = "'";
-  return sentence.append(text).append("'");
+  return sentence.append(shortened(text)).append("'");
 }
 
 std::vector<std::string_view> split(std::string_view line, char separator) {
@@ -59,14 +75,6 @@ double stated_factor(const Factors& factors, const std::string& stated) {
   throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
 }
 
-/// The factor of the unit that a column's name ends with, else 1.
-double named_factor(const Factors& factors, std::string_view column) {
-  const std::size_t ending = column.rfind('_');
-  if (ending == std::string_view::npos) return 1.0;
-  const auto found = std::find_if(factors.begin(), factors.end(), [&](const Factor& f) { return f.first == column.substr(ending + 1); });
-  return found == factors.end() ? 1.0 : found->second;
-}
-
 /// Lines with their numbers, and the sentences that name them.
 class Table {
  public:
@@ -76,8 +84,7 @@ class Table {
   }
 
   bool next() {
-    while (std::getline(in_, line_)) {
-      ++number_;
+    while (read_line()) {
       if (number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) line_.erase(0, 3);
       const std::string_view text = trimmed(line_);
       if (!text.empty() && text.front() != '#') return true;
@@ -90,11 +97,38 @@ class Table {
   [[noreturn]] void refuse_file(const std::string& what) const { throw InputError(name_ + ": " + what); }
 
  private:
+  bool read_line() {
+    ++number_;
+    in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto got = static_cast<std::size_t>(in_.gcount());
+    if (in_.fail() && got + 1 == buffer_.size())
+      refuse("has no end within 64 KiB; a header line and a row of numbers for each sample are expected");
+    if (in_.fail()) return false;
+    line_.assign(buffer_.data(), got > 0 && !in_.eof() ? got - 1 : got);
+    return true;
+  }
+
   std::string name_;
   std::ifstream in_;
+  std::vector<char> buffer_ = std::vector<char>(std::size_t{64} << 10);
   std::string line_;
   std::size_t number_ = 0;
 };
+
+/// The factor of the unit that a column's name ends with, else 1.
+///
+/// others    endings that are refused
+double named_factor(const Table& table, const Factors& factors, const Names& others, std::string_view column) {
+  const std::size_t at = column.rfind('_');
+  if (at == std::string_view::npos) return 1.0;
+  const std::string_view ending = column.substr(at + 1);
+  const auto found = std::find_if(factors.begin(), factors.end(), [&](const Factor& f) { return f.first == ending; });
+  if (found != factors.end()) return found->second;
+  if (std::find(others.begin(), others.end(), ending) != others.end())
+    table.refuse("the unit of the column " + in_quotes(column) + " is not read; convert the column to " +
+                 std::string(factors.front().first) + " and rename it");
+  return 1.0;
+}
 
 std::size_t find_column(const Table& table, const std::vector<std::string_view>& names, const std::string& wanted) {
   const auto found = std::find(names.begin(), names.end(), wanted);
@@ -103,8 +137,10 @@ std::size_t find_column(const Table& table, const std::vector<std::string_view>&
       table.refuse("two columns are called " + in_quotes(wanted) + "; rename one of them");
     return static_cast<std::size_t>(found - names.begin());
   }
+  constexpr std::size_t kShown = 20;
   std::string present;
-  for (const std::string_view name : names) present.append(" ").append(name);
+  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) present.append(" ").append(shortened(names[i]));
+  if (names.size() > kShown) present.append(" and ").append(std::to_string(names.size() - kShown)).append(" more");
   table.refuse("no column is called " + in_quotes(wanted) + ", there are:" + present + "; name them with --columns t=…,x=…,y=…,z=…");
 }
 
@@ -158,13 +194,17 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
   if (columns.with_forces) {
     for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) at.push_back(find_column(table, names, *name));
   }
-  const double seconds = columns.time_unit.empty() ? named_factor(kSeconds, columns.time) : stated_factor(kSeconds, columns.time_unit);
-  const double millimetres =
-      columns.length_unit.empty() ? named_factor(kMillimetres, columns.x) : stated_factor(kMillimetres, columns.length_unit);
+  const double seconds =
+      columns.time_unit.empty() ? named_factor(table, kSeconds, kOtherTimes, columns.time) : stated_factor(kSeconds, columns.time_unit);
+  const double millimetres = columns.length_unit.empty() ? named_factor(table, kMillimetres, kOtherLengths, columns.x)
+                                                         : stated_factor(kMillimetres, columns.length_unit);
   for (const std::string* other : {&columns.y, &columns.z}) {
-    if (columns.length_unit.empty() && named_factor(kMillimetres, *other) != millimetres)
+    if (columns.length_unit.empty() && named_factor(table, kMillimetres, kOtherLengths, *other) != millimetres)
       table.refuse("the columns " + in_quotes(columns.x) + " and " + in_quotes(*other) +
                    " have different units; write --length-unit for all three, or rename one");
+  }
+  for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) {
+    if (columns.with_forces) named_factor(table, kNewtons, kOtherForces, *name);
   }
 
   std::vector<TimedPoint> points;
@@ -179,7 +219,7 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
     const TimedPoint point{seconds * value[0], millimetres * Eigen::Vector3d(value[1], value[2], value[3]),
                            Eigen::Vector3d(value[4], value[5], value[6])};
     if (!points.empty() && point.time <= points.back().time) {
-      table.refuse("the time " + std::string(fields[at[0]]) +
+      table.refuse("the time " + shortened(fields[at[0]]) +
                    " does not come after that of the row before; sort the rows or remove this one");
     }
     points.push_back(point);

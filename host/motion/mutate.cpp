@@ -16,7 +16,7 @@ constexpr InputKind kHand = InputKind::kPosition, kDevice = InputKind::kPacket;
 constexpr std::array<Mutation, 12> kMutations = {{
     {"fast", kHand, "the motion runs faster: its fastest touch, or without a touch its fastest moment, has 1 m/s"},
     {"mirror", kHand, "mirrored at the middle of the object's grid, along an axis that the seed chooses"},
-    {"jitter", kHand, "every sample moved by up to an encoder count along each axis, three percent lost"},
+    {"jitter", kHand, "every sample moved by up to an encoder count along each axis, about six percent lost"},
     {"dwell", kHand, "where the surface is bent most, the hand presses, rests with flickering counts, and moves a little"},
     {"medial", kHand, "where the object is thinnest, the hand crosses its middle to and fro, then along it"},
     {"graze", kHand, "near the surface the hand follows it, within a tenth of a voxel in and out"},

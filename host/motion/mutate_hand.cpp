@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -186,6 +187,16 @@ void graze(HandMutator& m) {
   if (!grazed) throw InputError("the hand never comes near the object's surface; move or scale the motion so that it touches");
 }
 
+/// How far from a place in a direction a coordinate exceeds ±512 mm; at least 700 mm.
+double way_beyond_reach(const Vector3d& from, const Vector3d& way) {
+  constexpr double kLeast = 700, kBeyond = 530;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (way[axis] != 0) shortest = std::min(shortest, (std::copysign(kBeyond, way[axis]) - from[axis]) / way[axis]);
+  }
+  return std::max(kLeast, shortest);
+}
+
 void leave(HandMutator& m) {
   const double beyond = 2.2 * m.surface.radius();
   int leaving = 0;
@@ -194,11 +205,12 @@ void leave(HandMutator& m) {
     m.hand.move(at.position - 2 * m.surface.voxel_mm() * at.normal, kPressSpeed);
     const Vector3d drawn = m.draw();
     const Vector3d way = drawn.norm() > 0.1 ? Vector3d(drawn.normalized()) : at.normal;
-    m.hand.move(at.position + beyond * way, kFastestHand);
+    const Vector3d outside = at.position + beyond * way;
+    m.hand.move(outside, kFastestHand);
     if (leaving++ % 2 == 0) {
-      m.hand.move(at.position + beyond * way + 700 * way, kBeyondReach);
+      m.hand.move(outside + way_beyond_reach(outside, way) * way, kBeyondReach);
       m.hand.hold(0.02);
-      m.hand.move(at.position + beyond * way, kBeyondReach);
+      m.hand.move(outside, kBeyondReach);
     }
     m.hand.move(from, kFastestHand);
   });

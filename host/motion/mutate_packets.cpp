@@ -60,6 +60,9 @@ void wrap(Recording& recording, cloud::Random& random) {
   for (Input& in : recording.inputs) add_counts(offset, in.packet);
 }
 
+/// Such a tick keeps its field, and neither restarts nor changes a setting (SPEC.md, section 3.2).
+bool takes_patch(const Input& in) { return (in.requests & kRequestMoved) != 0; }
+
 /// What is wrong in a tick, each for so many ticks more.
 struct Trouble {
   std::uint64_t missing = 0, malformed = 0, late = 0, emergency = 0, enable = 0, jumped = 0, unhomed = 0, no_field = 0, button = 0;
@@ -106,7 +109,7 @@ void apply(Trouble& t, cloud::Random& random, const Input& before, Input& in) {
   if (goes_on(t.late)) in.late = static_cast<std::uint8_t>(1 + random.bits() % kMaxLate);
   if (goes_on(t.emergency)) in.lines |= kLineStop;
   if (goes_on(t.enable)) in.lines |= kLineEnableWrong;
-  if (goes_on(t.no_field)) in.field_generation = 0;
+  if (goes_on(t.no_field) && !takes_patch(in)) in.field_generation = 0;
 }
 
 void faults(Recording& recording, cloud::Random& random) {
@@ -116,6 +119,7 @@ void faults(Recording& recording, cloud::Random& random) {
   std::size_t next = 150 + random.bits() % 350, resume = 0;
   for (std::size_t tick = 1; tick < recording.inputs.size(); ++tick) {
     Input& in = recording.inputs[tick];
+    if (tick == next && takes_patch(in)) ++next;
     if (tick == next) {
       if (begun % kTroubles == 0) {  // each once, in a new order
         for (std::size_t i = 0; i < round.size(); ++i) round[i] = i;
@@ -139,6 +143,7 @@ void settings(Recording& recording, cloud::Random& random) {
   for (std::size_t tick = 40; tick < recording.inputs.size(); tick += 40 + random.bits() % 160) {
     const std::size_t chosen = random.bits() % kLiveSettings;
     const double value = random.uniform(kRanges[chosen].low, kRanges[chosen].high);
+    if (takes_patch(recording.inputs[tick])) continue;
     recording.inputs[tick].change = {
         static_cast<TickSetting>(chosen + 1),
         static_cast<std::int32_t>(value * static_cast<double>(std::int64_t{1} << kTickSettingRows[chosen]->fraction_bits))};

@@ -75,10 +75,12 @@ Recording::Recording(const trace::Trace& trace, const FieldView* field)
       period_ns_(trace.header().period_ns),
       of_device_(trace.kind() == InputKind::kPacket) {
   if (trace.size() == 0) throw InputError(trace.path() + ": it holds no tick; record again");
+  std::optional<trace::RecordedPatches> patches;
   std::optional<trace::Run> run;
   if (!trace.header().has_outputs) {
     if (field == nullptr) throw InputError(trace.path() + ": it holds inputs only; name the field that they touch before it");
-    run.emplace(*field, trace.header());
+    patches = trace::read_patches(trace, *field);
+    run.emplace(*field, trace.header(), patches ? &*patches : nullptr);
     field_ = trace::hash_text(field->hash());
   }
   rows_.reserve(trace.size() * kRowBytes);

@@ -201,6 +201,29 @@ TEST(Bag, WhateverIsDamagedIsRefusedOrReadWhole) {
   }
 }
 
+/// Seventeen bytes of a chunk cannot become a gigabyte: that is known before the memory is taken.
+TEST(Bag, AChunkThatStatesMoreThanItCanHoldIsRefused) {
+  const auto number = [](std::uint64_t value, std::size_t size) {
+    Bytes bytes(size);
+    for (std::size_t i = 0; i < std::min<std::size_t>(size, 8); ++i) bytes[i] = static_cast<std::uint8_t>(value >> 8 * i);
+    return bytes;
+  };
+  constexpr std::uint64_t kStated = std::uint64_t{1} << 30;
+  const auto add = [](Bytes& to, const Bytes& more) { to.insert(to.end(), more.begin(), more.end()); };
+  Bytes frame = number(0xFD2FB528, 4);
+  frame.push_back(0xE0);  // one segment, and eight bytes of its size
+  add(frame, number(kStated, 8));
+  add(frame, {1, 0, 0});  // a last block of nothing
+  Bytes chunk;
+  for (const Bytes& part :
+       {number(0, 16), number(kStated, 8), number(0, 4), number(4, 4), Bytes{'z', 's', 't', 'd'}, number(frame.size(), 8), frame})
+    add(chunk, part);
+  Bytes file{0x89, 'M', 'C', 'A', 'P', '0', 0x0D, 0x0A, 6};
+  add(file, number(chunk.size(), 8));
+  add(file, chunk);
+  EXPECT_THAT(refusal_of(written("bomb.mcap", file)), HasSubstr("the stated size of a chunk is not that of its content"));
+}
+
 TEST(Bag, WithoutItsEndItIsReadAsFarAsItIsWhole) {
   Bytes cut = with_topics({"/a"});
   cut.resize(cut.size() - 20);

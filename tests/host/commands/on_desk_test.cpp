@@ -10,7 +10,11 @@
 #include "host/cloud/mesh_bytes.h"
 #include "host/cloud/ply.h"
 #include "host/error.h"
+#include "host/evaluate/god_object_run.h"
+#include "host/evaluate/zero_surface.h"
+#include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
+#include "host/trace/recorded_patches.h"
 #include "tests/host/commands/run_command.h"
 #include "tests/host/evaluate/ball_mesh.h"
 #include "tests/support/scratch_folder.h"
@@ -52,6 +56,20 @@ TEST(Replay, KeepsThePatchesOfAFieldBesideWhatItWrites) {
   EXPECT_EQ(read_file(folder.path() / "a.patches"), read_file(ISOTOUCH_GOLDEN "/positions_patches.patches"));
   EXPECT_THAT(replay(ISOTOUCH_GOLDEN "/field_1_3.itf " + out + " --check"), testing::HasSubstr("equal to the recorded outputs"));
   EXPECT_THAT(refusal(golden + " -o -"), testing::HasSubstr("write to a file, not to -"));
+}
+
+/// The golden field does not say how its scan was placed, so the mesh is put where the field is.
+TEST(Replay, AGodObjectFeelsARecordingUnderAStream) {
+  const auto field = field_file::open_field(ISOTOUCH_GOLDEN "/field_1_3.itf");
+  const auto trace = trace::read_trace(ISOTOUCH_GOLDEN "/positions_patches.trace");
+  const auto patches = trace::read_patches(trace, field.view);
+  ASSERT_TRUE(patches);
+  const cloud::TriangleMesh mesh = evaluate::zero_surface(field.view);
+  const field::TriangleTree tree(mesh);
+  evaluate::GodObjectRun run(field.view, tree, trace.header(), &*patches);
+  std::size_t touching = 0;
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) touching += (run.step(trace.record(tick).input).output.status & kContact) != 0;
+  EXPECT_GT(touching, 100U);
 }
 
 /// A ball far from the origin of its scan and in units of its own: the tool makes it 42 mm long and puts it into the workspace's middle.

@@ -7,8 +7,11 @@
 #include <string>
 
 #include "host/field_file/open_field.h"
+#include "host/motion/device_in_hand.h"
 #include "host/motion/felt_surface.h"
 #include "host/to_double.h"
+#include "host/trace/recorded_patches.h"
+#include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
 #include "tests/support/scratch_folder.h"
@@ -45,6 +48,42 @@ TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
   EXPECT_TRUE(mutated.chain_follows(1999));
 }
 
+/// A device whose field was patched meanwhile: what becomes of its packets replays to the bit, with the patches beside it.
+TEST_F(TraceMutate, PacketsUnderAStreamKeepTheirPatches) {
+  const std::string field = ISOTOUCH_GOLDEN "/field_1_3.itf";
+  const auto first = field_file::open_field(field);
+  const auto hand = trace::read_trace(ISOTOUCH_GOLDEN "/positions_patches.trace");
+  const auto patches = trace::read_patches(hand, first.view);
+  ASSERT_TRUE(patches);
+  {
+    TraceHeader header = hand.header();
+    header.device = libnifalcon_model();
+    trace::Run run(first.view, header, &*patches);
+    trace::TraceWriter writer(file("under.trace"), run.header());
+    motion::DeviceInHand device(header.device);
+    for (std::size_t tick = 0; tick < hand.size(); ++tick) {
+      const Input recorded = hand.record(tick).input;
+      Input in = device(recorded);
+      in.requests = recorded.requests;
+      in.moved_to = recorded.moved_to;
+      writer.append(run.step(in));
+    }
+    writer.finish();
+  }
+  EXPECT_NE(
+      complaint_on("trace mutate wrap " + field + " " + file("under.trace") + " -o " + file("no.trace")).find("under.patches is not there"),
+      std::string::npos);
+  std::filesystem::copy_file(ISOTOUCH_GOLDEN "/positions_patches.patches", file("under.patches"));
+  for (const std::string kind : {"wrap", "faults", "settings", "resume", "grip"}) {
+    for (const std::string seed : {"1", "2", "3"}) {
+      run_command("trace mutate " + kind + " " + field + " " + file("under.trace") + " --seed " + seed + " -o " + file("mutated.trace"));
+      const auto mutated = trace::read_trace(file("mutated.trace"));
+      EXPECT_EQ(mutated.size(), hand.size());
+      EXPECT_FALSE(trace::replay(first.view, mutated, true).first_difference) << kind << ' ' << seed;
+    }
+  }
+}
+
 TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {
   EXPECT_NE(
       complaint_on("trace mutate wrap " + kField + " " + file("hand.trace") + " -o " + file("no.trace")).find("isotouch trace to-packets"),
@@ -70,6 +109,17 @@ TEST_F(TraceMutate, AMotionIsImportedIntoTheFieldsBox) {
   EXPECT_NEAR((high - low).x(), longest, 0.01);
   EXPECT_NEAR((high - low).z(), longest / 2, 0.01);
   EXPECT_LT(((high + low) / 2 - object.centre()).norm(), 0.01);
+
+  const auto warning_of = [&](const std::string& arguments) {
+    testing::internal::CaptureStderr();
+    run_command(arguments);
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string into = " --into " + kField + " -o " + file("again.trace");
+  EXPECT_EQ(warning_of("trace import " + file("motion.csv") + into).find("never touches"), std::string::npos);
+  std::ofstream(file("far.csv"))
+      << "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.5,100,0,0\n1,100,100,0\n1.5,100,100,100\n2,0,100,100\n2.5,0,0,100\n3,0,0,0\n";
+  EXPECT_NE(warning_of("trace import " + file("far.csv") + into).find("the motion never touches the object"), std::string::npos);
 
   std::ofstream(file("rest.csv")) << "t_s,x_mm,y_mm,z_mm\n0,1,5,7\n0.5,1,5,7\n";
   EXPECT_NE(complaint_on("trace import " + file("rest.csv") + " --into " + kField + " -o " + file("no.trace")).find("stays at one place"),

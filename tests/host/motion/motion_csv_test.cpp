@@ -50,6 +50,45 @@ TEST(MotionCsv, EndingsOfNamesAreReadInFullAndMustAgree) {
 }
 
 /// /proc/self/mem opens, and cannot be read at its beginning.
+TEST(MotionCsv, AUnitThatIsNotReadIsRefusedAndNotTakenForAnother) {
+  MotionColumns columns;
+  columns.with_forces = true;
+  const ScratchFolder folder;
+  for (const auto& [header, column] : {std::pair{"t_min,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N", "t_min"},
+                                       {"t_s,x_um,y_um,z_um,fx_N,fy_N,fz_N", "x_um"},
+                                       {"t_s,x_mm,y_mm,z_km,fx_N,fy_N,fz_N", "z_km"},
+                                       {"t_s,x_mm,y_mm,z_mm,fx_mN,fy_mN,fz_mN", "fx_mN"}}) {
+    const auto file = folder.write("unit.csv", std::string(header) + "\n0,0,0,0,0,0,0\n1,1,1,1,1,1,1\n");
+    MotionColumns named = columns;
+    std::string* const names[] = {&named.time, &named.x, &named.y, &named.z, &named.fx, &named.fy, &named.fz};
+    std::string_view left = header;
+    for (std::string* name : names) {
+      *name = left.substr(0, left.find(','));
+      left.remove_prefix(std::min(left.size(), name->size() + 1));
+    }
+    EXPECT_THAT([&] { read_motion_csv(file, named); },
+                testing::ThrowsMessage<InputError>(HasSubstr("the unit of the column '" + std::string(column) + "' is not read")));
+    named.time_unit = "s", named.length_unit = "mm", named.with_forces = false;
+    EXPECT_EQ(read_motion_csv(file, named).size(), 2U) << "a stated unit counts";
+  }
+}
+
+TEST(MotionCsv, ALineWithoutEndIsRefusedAndNoSentenceIsLong) {
+  const ScratchFolder folder;
+  EXPECT_THAT([&] { read_motion_csv(folder.write("endless.csv", std::string(3'000'000, 'a')), {}); },
+              testing::ThrowsMessage<InputError>(HasSubstr("line 1: has no end within 64 KiB")));
+  const std::string long_name(10'000, 'b');
+  std::string names = long_name;
+  for (int i = 0; i < 1000; ++i) names += ",c" + std::to_string(i);
+  try {
+    read_motion_csv(folder.write("names.csv", names + "\n1,2,3\n"), {});
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("and 981 more"));
+    EXPECT_LT(std::string(error.what()).size(), 1000U);
+  }
+}
+
 TEST(MotionCsv, AFileThatCannotBeReadToItsEndIsNoShortOne) {
   EXPECT_THAT([] { (void)read_motion_csv("/proc/self/mem", {}); },
               testing::ThrowsMessage<InputError>(HasSubstr("cannot be read to its end")));

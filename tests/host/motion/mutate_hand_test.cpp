@@ -133,7 +133,7 @@ TEST(MutateHand, JitterStaysWithinACountAndLosesSamples) {
     apart += off.cwiseAbs().maxCoeff() > 0.023 ? 1U : 0U;
   }
   EXPECT_GT(apart, hand.size() / 2);
-  EXPECT_NEAR(static_cast<double>(lost) / static_cast<double>(hand.size()), 0.057, 0.015);  // 3 % begin one of 1 to 3 ticks
+  EXPECT_NEAR(static_cast<double>(lost) / static_cast<double>(hand.size()), 0.058, 0.015);  // 3 % begin one of 1 to 3 ticks
 }
 
 TEST(MutateHand, DwellsInsideAtEdgesAndFlickersByACount) {
@@ -192,6 +192,19 @@ TEST(MutateHand, LeavesTheGridAndWhatTheCoreReaches) {
   }
   EXPECT_GE(outings, 6U);
   EXPECT_GT(beyond, 20U);
+}
+
+TEST(MutateHand, LeavesThreeTimesBeyondWhatTheCoreReaches) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    int journeys = 0;
+    bool was_beyond = false;
+    for (const Input& input : mutated("leave", seed)) {
+      const bool is_beyond = to_double(input.hip).cwiseAbs().maxCoeff() > 512;
+      journeys += is_beyond && !was_beyond ? 1 : 0;
+      was_beyond = is_beyond;
+    }
+    EXPECT_EQ(journeys, 3) << "seed " << seed;
+  }
 }
 
 TEST(MutateHand, WhatDoesNotExistIsRefused) {
