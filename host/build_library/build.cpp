@@ -149,7 +149,9 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
                                  static_cast<Interpolation>(options.interpolation),
                                  static_cast<std::uint32_t>(read.points),
                                  placement};
-  field_file::OpenField open = encoding::write_field(std::move(made.field), info);
+  encoding::SmallComponents small;
+  field_file::OpenField open = encoding::write_field(std::move(made.field), info, &small);
+  for (const std::string& warning : small.warnings()) done.warnings.push_back(warning);
   if (encoding::inside_samples(open.view) == 0) throw empty;
   for (const Eigen::Vector3i& cell : made.invented.cells) open.invented.mark(open.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   done.packed = field_file::pack(open.view, open.invented);

@@ -26,8 +26,8 @@ namespace isotouch::commands {
 namespace {
 
 /// Of what a device cannot reach or a controller cannot hold.
-void warn_of_limits(const FieldView& view, const BuildOptions& options, BuildReport& report) {
-  std::vector<std::string> found;
+void warn_of_limits(const FieldView& view, const encoding::SmallComponents& small, const BuildOptions& options, BuildReport& report) {
+  std::vector<std::string> found = small.warnings();
   const Eigen::Vector3d origin = to_double(view.origin);
   const double edge = to_double(view.edge);
   const double margin = edge * field::field_margin(options.band_voxels());
@@ -102,8 +102,9 @@ BuiltField built_field(const BuildOptions& options) {
   const Method method = options.method == BuildMethod::kPublished ? Method::kPublished : Method::kDefault;
   const encoding::FieldInfo info{options.stiffness.value_or(own),           report.source_hash, method, options.interpolation,
                                  static_cast<std::uint32_t>(report.points), report.placement};
+  encoding::SmallComponents small;
   std::packaged_task<field_file::OpenField()> write(
-      [&] { return made.live ? std::move(*made.live) : encoding::write_field(std::move(made.field), info); });
+      [&] { return made.live ? std::move(*made.live) : encoding::write_field(std::move(made.field), info, &small); });
   write();
   std::vector<Eigen::Vector3i> invented;  // cells of bricks
   if (made.repair) {
@@ -123,7 +124,7 @@ BuiltField built_field(const BuildOptions& options) {
   progress.begin("write");
   if (!options.out.empty()) write_file(options.out, packed.data(), packed.size());
   progress.end();
-  warn_of_limits(field.view, options, report);
+  warn_of_limits(field.view, small, options, report);
   const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;
   if (info.stiffness_n_per_mm > advised && !options.quiet) {
     std::fprintf(

@@ -112,9 +112,21 @@ void turn(Coefficients& brick, BrickMask samples) {
 
 }  // namespace
 
-std::size_t drop_small_components(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around) {
+std::vector<std::string> SmallComponents::warnings() const {
+  std::vector<std::string> list;
+  const auto warn = [&](std::size_t count, const char* one, const char* many, const char* done) {
+    if (count > 0)
+      list.push_back(std::to_string(count) + ' ' + (count == 1 ? one : many) + " too small for the grid " + done +
+                     "; a smaller --voxel keeps more");
+  };
+  warn(pieces, "piece of surface", "pieces of surface", "left out");
+  warn(cavities, "cavity", "cavities", "filled");
+  return list;
+}
+
+SmallComponents drop_small_components(std::vector<Coefficients>& coefficients, const std::vector<Neighbours>& around) {
   Signs signs(coefficients, around);
-  std::size_t dropped = 0;
+  SmallComponents dropped;
   for (std::uint32_t b = 0; b < coefficients.size(); ++b) {
     for (const bool inside : {true, false}) {
       BrickMask rest = signs.of(b, inside);
@@ -129,7 +141,7 @@ std::size_t drop_small_components(std::vector<Coefficients>& coefficients, const
           turn(coefficients[share.brick], share.samples);
           signs.turn(share);
         }
-        ++dropped;
+        ++(inside ? dropped.pieces : dropped.cavities);
       }
     }
   }

@@ -12,7 +12,6 @@
 #include "host/encoding/certificate.h"
 #include "host/encoding/lay_out_image.h"
 #include "host/encoding/round_creases.h"
-#include "host/encoding/small_components.h"
 #include "host/encoding/spline.h"
 #include "host/error.h"
 #include "shared/bytes.h"
@@ -47,7 +46,7 @@ std::vector<std::uint8_t> stiffness_table(const std::vector<double>& stiffness, 
 
 }  // namespace
 
-field_file::OpenField write_field(field::BandField field, FieldInfo info) {
+field_file::OpenField write_field(field::BandField field, FieldInfo info, SmallComponents* dropped) {
   if (info.method == Method::kPublished) info.interpolation = Interpolation::kTrilinear;
   ImageHeader header = image_header(field.grid, field.band, info);  // before the work: it refuses what does not fit
 
@@ -56,7 +55,9 @@ field_file::OpenField write_field(field::BandField field, FieldInfo info) {
       info.method == Method::kPublished ? std::move(field) : round_creases(std::move(field), around);  // what the grid can hold
   const int steps = info.interpolation == Interpolation::kSpline ? kSplineSteps : 0;
   std::vector<Coefficients> coefficients = spline_coefficients(held, around, steps);
-  if (info.method != Method::kPublished) drop_small_components(coefficients, around);
+  SmallComponents small;
+  if (info.method != Method::kPublished) small = drop_small_components(coefficients, around);
+  if (dropped != nullptr) *dropped = small;
   const auto band = static_cast<std::int16_t>(load_le<std::int32_t>(&header[kBandAt]));
   std::vector<BrickKind> kinds(coefficients.size());
   for (std::size_t b = 0; b < kinds.size(); ++b) kinds[b] = finish(coefficients[b], held.bricks[b], held.grid.size, band);
@@ -71,7 +72,9 @@ field_file::OpenField write_field(field::BandField field, FieldInfo info) {
 
   const Result<FieldView> view = FieldView::parse(image.bytes());
   if (!view) {  // the one thing that a field can still have wrong
-    throw InputError("the surface reaches the border of the grid: the points do not enclose a body, check their normals");
+    throw InputError(
+        "the surface reaches the border of the grid, so it encloses no body; check the normals of the points, or the directions of the "
+        "faces");
   }
   return {std::move(image), *view};
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "host/cloud/oriented_points.h"
+#include "host/encoding/small_components.h"
 #include "host/field/band_field.h"
 #include "host/field_file/image.h"
 #include "host/field_file/open_field.h"
@@ -28,8 +29,9 @@ struct FieldInfo {
 ///           row, and that of the border, which is outside, where its row has none before it
 /// returns   an image and what FieldView::parse says of it. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
+/// dropped   where given, is told what was too small for the grid; nothing is with the published method
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
-field_file::OpenField write_field(field::BandField field, FieldInfo info);
+field_file::OpenField write_field(field::BandField field, FieldInfo info, SmallComponents* dropped = nullptr);
 /// The image alone.
 field_file::Image write_image(field::BandField field, FieldInfo info);
 

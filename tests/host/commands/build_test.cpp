@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/cloud/ply.h"
@@ -130,6 +132,31 @@ TEST_F(Build, AMeshGetsTheFineGridAndASparseScanTheCoarseOne) {
   EXPECT_LT(std::filesystem::file_size(file("g.itfi")), 16U << 20);
   EXPECT_GT(grid_of("torus.ply"), 186);
   EXPECT_LT(grid_of("torus.ply"), 186 + 30);
+}
+
+TEST_F(Build, WhatIsTooSmallForTheGridIsCounted) {
+  std::string faces, vertices;
+  int first = 1;
+  for (const auto& [at, edge] : {std::pair{0, 10}, {14, 1}}) {
+    for (int n = 0; n < 8; ++n) {
+      const auto side = [&, at = at, edge = edge](int bit) { return std::to_string(at + ((n >> bit & 1) != 0 ? edge : 0)) + ' '; };
+      vertices += "v " + side(0) + side(1) + side(2) + '\n';
+    }
+    for (const auto& face : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+      faces += "f";
+      for (const int corner : face) faces += ' ' + std::to_string(first + corner);
+      faces += '\n';
+    }
+    first += 8;
+  }
+  std::ofstream(file("two.obj")) << vertices << faces;
+  const auto warnings_of = [this](const std::string& voxel) {
+    return nlohmann::json::parse(
+               run("build " + file("two.obj") + " -o " + file("t.itf") + " --units mm --json --voxel " + voxel))["warnings"]
+        .dump();
+  };
+  EXPECT_THAT(warnings_of("0.7mm"), HasSubstr("1 piece of surface too small for the grid left out"));
+  EXPECT_EQ(warnings_of("0.2mm"), "[]");
 }
 
 TEST_F(Build, AGridFinerThanTheScanSupportsIsToldWithTheOneThatShowsAsMuch) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "host/error.h"
 #include "shared/field_view.h"
@@ -140,6 +141,21 @@ TEST(WriteImage, AStiffnessOfEachBrickBecomesATableOfPartsOfTheLargest) {
     (x < 6 ? soft : x < 7 ? middle : hard) += 1;
   }
   EXPECT_GT(std::min({soft, middle, hard}), 20);
+}
+
+TEST(WriteImage, TellsWhatWasTooSmallForTheGrid) {
+  const auto with_beads = [](double radius) {
+    return [=](const Eigen::Vector3d& p) {
+      const double beads = std::min((p - Eigen::Vector3d(14, 3, 2)).norm(), (p - Eigen::Vector3d(-13, 1, 0)).norm()) - radius;
+      return std::min(p.norm() - 7, beads);
+    };
+  };
+  for (const auto& [radius, pieces] : {std::pair{1.0, std::size_t{2}}, {2.0, std::size_t{0}}}) {
+    SmallComponents dropped{9, 9};
+    write_field(test::field_of(with_beads(radius), Eigen::Vector3d::Constant(16)), {}, &dropped);
+    EXPECT_EQ(dropped.pieces, pieces) << radius;
+    EXPECT_EQ(dropped.cavities, 0U) << radius;
+  }
 }
 
 std::string refusal(const field::BandField& field, const FieldInfo& info = {}) {
