@@ -28,11 +28,11 @@ bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
 Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial)
     : store_(store), mark_(mark), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
 
-void Calibration::answers(const std::string& serial) {
+void Calibration::answers(const std::optional<std::string>& serial) {
   Refusal ignored;
-  const bool waits = !serial.empty() && choose(serial, ignored).model != in_use_.model;
+  const bool waits = serial && choose(*serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
-  serial_ = serial;
+  serial_ = serial.value_or("");
   waits_ = waits;
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "firmware/store/calibration_store.h"
@@ -33,8 +34,8 @@ class Calibration {
   /// Why what was kept cannot be used.
   const Refusal& trouble() const { return trouble_; }
 
-  /// The device of this serial answers; empty: none does.
-  void answers(const std::string& serial);
+  /// The device of this serial answers, which may be empty; nullopt: none does.
+  void answers(const std::optional<std::string>& serial);
 
   /// For the device that answers there are other angles than those in use: they hold from the next start on.
   bool waits() const;

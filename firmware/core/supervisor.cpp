@@ -44,6 +44,7 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
 
 /// Which of the model's buttons the hand has pressed anew.
 std::uint8_t newly_pressed(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
+  if (seen.stale_ticks > limits.fault_ticks) memory.buttons = memory.shown = 0xFF;  // as before the first packet
   if (!seen.heard || seen.stale_ticks > 0) return 0;
   const int steady = seen.buttons == memory.shown ? memory.steady + 1 : 1;
   memory.steady = static_cast<std::uint8_t>(std::min<int>(steady, kSteadyPackets));
@@ -54,14 +55,15 @@ std::uint8_t newly_pressed(const Observations& seen, const Supervision& limits, 
   return pressed;
 }
 
-Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits) {
+Finding finding(const Observations& seen, const Doubts& doubts, std::uint16_t faults, bool resumed, const Supervision& limits,
+                std::uint8_t held) {
   if (faults != 0) return Finding::kFaulty;
   if (resumed) return Finding::kResumed;
   if (!seen.heard) return Finding::kUnheard;
   if (!seen.homed) return Finding::kUnhomed;
   if (doubts.any()) return Finding::kUncertain;
   if (!seen.has_field) return Finding::kNoField;
-  return limits.hold_to_run && (seen.buttons & limits.buttons) == 0 ? Finding::kReleased : Finding::kWell;
+  return limits.hold_to_run && (seen.buttons & held & limits.buttons) == 0 ? Finding::kReleased : Finding::kWell;  // let go at once
 }
 
 /// The soft start.
@@ -101,7 +103,7 @@ Permission supervise(const Observations& seen, const Supervision& limits, Superv
   const std::uint16_t now = faults_of(seen, doubts, limits, memory, before);
   const bool resumed = before == S::kFault && asks && now == 0;
   memory.faults = static_cast<std::uint16_t>(resumed ? 0 : memory.faults | now);
-  const S state = next_state(before, finding(seen, doubts, now, resumed, limits));
+  const S state = next_state(before, finding(seen, doubts, now, resumed, limits, memory.buttons));
   memory.state = state;
   memory.held_ticks = state == S::kHold ? std::min(memory.held_ticks + std::min(seen.late, kMaxTicks) + 1, kMaxTicks) : 0;
 

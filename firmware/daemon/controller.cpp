@@ -115,12 +115,7 @@ Refusal Controller::connect_device() {
 }
 
 Refusal Controller::load_field(bool again) {
-  const auto check = [this](const FieldView& field) {
-    Refusal refusal = settings::refusal_of(field, live_.now(), measured_delay());
-    if (refusal) return refusal;
-    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
-    return refusal;
-  };
+  const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
   const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
   Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
@@ -161,7 +156,9 @@ void Controller::mark_run() {
 }
 
 void Controller::confirm() {
-  if (mark_ && is_homed_and_confirmed(recorder_->state())) mark_->confirm();
+  const bool now = is_homed_and_confirmed(recorder_->state());  // twice: a resume without a device is idle for one tick
+  if (mark_ && now && was_confirmed_) mark_->confirm();
+  was_confirmed_ = now;
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
@@ -259,6 +256,9 @@ void Controller::say_what_changed() {
     if (verdict != GuardVerdict::kNone) say(guard_line(verdict));
   }
   if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
+  if (const store::PublishedField field = intake_->published(); field.generation != 0) {
+    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
+  }
 }
 
 /// A device counts as soon as it is known that the angles in use are its own.
@@ -266,19 +266,20 @@ void Controller::know_device(const falcon::PortReport& report) {
   const bool runs = report.state == falcon::SessionState::kRunning;
   if (const std::uint64_t answering = runs ? report.found : 0; answering != answering_) {
     answering_ = answering;
-    calibration_->answers(runs ? report.serial.data() : "");
+    calibration_->answers(runs ? std::optional<std::string>(report.serial.data()) : std::nullopt);
     if (calibration_->waits()) say(other_angles_line());
   }
-  if (runs && !calibration_->waits()) hardware_.falcon->trust(report.found);
+  if (!runs || calibration_->waits()) return;
+  hardware_.falcon->trust(report.found);
+  had_device_ = true;
 }
 
-/// A calibration waits to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
+/// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
   if (!calibration_->waits() || options_.lockstep) return false;
   const SupervisorState state = recorder_->state();
-  if (state == SupervisorState::kBoot) return true;
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
-  return settings_.record.empty() && !gives_force;
+  return !had_device_ || (settings_.record.empty() && !gives_force);
 }
 
 std::uint32_t Controller::measured_delay() const { return loop::measured_delay_ticks(stats_, header_.period_ns); }
@@ -315,12 +316,13 @@ void Controller::stop() {
   recorder_->drain();
   recorder_->stop();
   confirm();
-  if (mark_) mark_->end((recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
+  stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
+  if (mark_) mark_->end(stopped_late_ || (recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
   crash_.reset();
 }
 
 Controller::Legacy Controller::legacy() const {
-  const bool fault = recorder_ && recorder_->state() == SupervisorState::kFault;
+  const bool fault = stopped_late_ || (recorder_ && recorder_->state() == SupervisorState::kFault);
   return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), fault};
 }
 

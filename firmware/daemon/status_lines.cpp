@@ -40,9 +40,9 @@ std::string device_line(const falcon::PortReport& report) {
 }
 
 std::string other_angles_line() {
-  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; with [files] "
-         "record "
-         "you must start it";
+  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; where "
+         "[files] record "
+         "has begun with another device, you must start it";
 }
 
 std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }

@@ -172,10 +172,13 @@ GuardVerdict Guard::of_contact(const loop::Command& command, const Evidence& evi
   if (!memory.has_grip || command.tick == memory.tick) return kNone;
   const std::int64_t slew = static_cast<std::int64_t>(device_.word_slew) * period_ns_ / 1'000'000'000;
   const bool unseen = command.tick > memory.tick + 1;  // a tick's command that was never sent may have raised the force that fades now
-  const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >= (unseen ? slew / 2 : slew);
+  const std::int64_t step = unseen ? slew / 2 : slew;
+  const bool at_slew = largest_change(memory.commands, command.falcon.words) + 1 >= step;
   const Point asked = arms_.force(command.falcon.words, memory.grip), before = arms_.force(memory.commands, memory.grip);
-  // What is left of the force before, which cannot end at once, needs no reason; the rest does.
-  const double left = at_slew && dot(before, before) > 0 ? std::clamp(dot(asked, before) / dot(before, before), 0.0, 1.0) : 0.0;
+  // What is left of a force that falls, and cannot end at once, needs no reason; the rest does.
+  const bool falls = at_slew && length(asked) < length(before);
+  const double most_left = std::max(0.0, 1.0 - static_cast<double>(step - 1) / std::max(1, largest(memory.commands)));
+  const double left = falls ? std::clamp(dot(asked, before) / dot(before, before), 0.0, most_left) : 0.0;
   const Point force = asked - Point{left * before[0], left * before[1], left * before[2]};
   const double strength = length(force);
 
@@ -225,6 +228,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
   const int change = largest_change(memory.counts, reply->counts);
   const bool jumped = first || change > device_.count_jump * ticks;
+  if (now_ns - memory.heard_ns > device_.fault_age_ns) memory.buttons = memory.shown = 0xFF;  // what was held meanwhile, nobody knows
   memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kSteadyPackets) : 1;
   memory.shown = reply->buttons;
   if (memory.steady == kSteadyPackets) {

@@ -110,7 +110,7 @@ Damage Loop::damage() const {
   return view_seal_.holds(view_) && field_is_whole_ ? Damage::kNone : Damage::kField;
 }
 
-/// What people want of this tick. A restart is no way out of a fault: there it comes with a stop. A tick has one author: a change waits for the next
+/// What people want of this tick. A restart is no way out of a fault, nor out of a pause that is one: there it comes with a stop. A tick has one author: a change waits for the next
 /// tick where somebody asks for something else.
 ///
 /// taken         the field, where this tick takes one over. A patched one is the same surface, unless the tick forgets what it felt or has left out a patch
@@ -123,7 +123,9 @@ void Loop::hear(const ActiveField& taken, std::uint32_t before, bool begins_anew
   if (begins_anew) {
     in.requests |= kRequestRestart;
   } else if ((asked.bits & kRequestRestart) != 0) {
-    if (core::is_in_fault(state_.supervisor)) in.requests |= kRequestStop;
+    const bool gave_force = state_.supervisor.state == SupervisorState::kActive || state_.supervisor.state == SupervisorState::kHold;
+    const bool paused = (in.requests & kRequestPaused) != 0 && gave_force;
+    if (core::is_in_fault(state_.supervisor) || paused) in.requests |= kRequestStop;
     in.heat = core::heat_input(state_.heat);
   }
   if ((in.requests & kRequestRestart) != 0) {

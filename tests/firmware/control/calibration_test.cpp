@@ -55,12 +55,14 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   EXPECT_FALSE(unknown.waits()) << "nothing is kept for it";
   unknown.answers("B2");
   EXPECT_TRUE(unknown.waits());
-  unknown.answers("");
+  unknown.answers(std::nullopt);
   EXPECT_FALSE(unknown.waits()) << "no device, nothing to wait for";
 
   Calibration b(&store, nullptr, by_settings, "B2");
   b.answers("A1");
   EXPECT_TRUE(b.waits()) << "the angles of another device are in use";
+  b.answers("");
+  EXPECT_TRUE(b.waits()) << "one without a serial is another one, too";
 }
 
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {

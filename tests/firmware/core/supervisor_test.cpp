@@ -63,7 +63,7 @@ struct Exhaustive {
     demand(!(before.state == S::kActive && seen.too_deep) || memory.state == S::kFault, "a hand too deep is a fault");
     const bool late = before.lateness + seen.late * kLatenessOfAPeriod >= kHold * kLatenessOfAPeriod;
     const bool doubt = seen.stale_ticks >= kHold || late || !seen.pose_settled || seen.too_fast;
-    const bool let_go = with.hold_to_run && (seen.buttons & with.buttons) == 0;
+    const bool let_go = with.hold_to_run && (seen.buttons & memory.buttons & with.buttons) == 0;
     demand(!is_active || !(doubt || cause || let_go || !seen.heard || !seen.homed || !seen.has_field), "forces only when all is well");
     demand(!(before.state == S::kHold && doubt && before.held_ticks >= kFault) || seen.stale_ticks >= kHold || memory.state == S::kFault ||
                !seen.heard || !seen.homed,
@@ -252,6 +252,19 @@ TEST(Supervisor, APacketWithAWrongBitResumesNothing) {
   }
 }
 
+TEST(Supervisor, AButtonThatIsStuckWhenTheDeviceComesBackResumesNothing) {
+  SupervisorMemory memory;
+  show(0, 100, memory);
+  Observations seen = well();
+  for (seen.stale_ticks = 1; seen.stale_ticks <= kFault + 1; ++seen.stale_ticks) supervise(seen, limits(), memory);
+  ASSERT_EQ(memory.state, S::kFault);
+  show(2, 100, memory);
+  EXPECT_EQ(memory.state, S::kFault);
+  show(0, kSteadyPackets, memory);
+  show(2, kSteadyPackets, memory);
+  EXPECT_EQ(memory.state, S::kIdle);
+}
+
 TEST(Supervisor, APacketThatComesNoMoreIsNoSteadyHand) {
   SupervisorMemory memory;
   memory.state = S::kFault;
@@ -267,8 +280,9 @@ TEST(Supervisor, WhereAButtonMustBeHeldForcesLastAsLongAsItIs) {
   SupervisorMemory memory;
   memory.state = S::kReady;
   Observations seen = well();
-  for (int t = 0; t < 5; ++t) EXPECT_FALSE(supervise(seen, limits(true), memory).granted);
+  for (int t = 0; t < 10; ++t) EXPECT_FALSE(supervise(seen, limits(true), memory).granted);
   seen.buttons = 1;
+  for (int t = 1; t < kSteadyPackets; ++t) EXPECT_FALSE(supervise(seen, limits(true), memory).granted) << "it may be a wrong bit";
   EXPECT_TRUE(supervise(seen, limits(true), memory).granted);
   EXPECT_TRUE(supervise(seen, limits(true), memory).ramping);
   seen.buttons = 0;

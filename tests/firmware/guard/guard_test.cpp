@@ -102,8 +102,9 @@ class AtABall : public ::testing::Test {
     for (int t = 0; t <= std::lround((then - first) / step); ++t) (void)tick_at(first + t * step, 0);
     return tick_at(then, push);
   }
+  GuardVerdict verdict() const { return memory_.verdict; }
+  void reset() { memory_ = {}, tick_ = 0; }
 
- private:
   GuardVerdict tick_at(double r, double push) {
     const core::Counts counts = bench_.counts_at(test::kCentre + test::Point{r, 0, 0});
     guard_.hear(encode(FalconReply{counts, 0, 7}), now_ns_, memory_);
@@ -125,6 +126,7 @@ class AtABall : public ::testing::Test {
     return memory_.verdict;
   }
 
+ private:
   test::DeviceBench bench_;
   const Guard guard_{bench_.model.device, kPeriod};
   Memory memory_;
@@ -138,6 +140,16 @@ TEST_F(AtABall, AForceThatPushesAHandOutWhichWasFirstSeenInsideIsHonest) {
 }
 
 TEST_F(AtABall, AForceThatPullsAHandInWhichCameFromOutsideIsStopped) { EXPECT_EQ(push(12, 7, -2.2), GuardVerdict::kPull); }
+
+TEST_F(AtABall, AForceThatRisesOrTremblesAsFastAsTheMotorsFollowIsTooStrong) {
+  for (const bool trembles : {false, true}) {
+    reset();
+    ASSERT_EQ(push(12, 7.5, 0.3), GuardVerdict::kNone) << name_of(verdict());
+    GuardVerdict found = GuardVerdict::kNone;
+    for (int t = 1; t <= 5 && found == GuardVerdict::kNone; ++t) found = tick_at(7.5, trembles && t > 2 ? 3.0 + 1.7 * (t % 2) : 1.5 * t);
+    EXPECT_EQ(found, GuardVerdict::kStrong) << name_of(found);
+  }
+}
 
 TEST_F(AtABall, AForceThatPushesAHandOutWhichCameFromOutsideIsHonest) { EXPECT_EQ(push(12, 7, 2.2), GuardVerdict::kNone); }
 

@@ -163,6 +163,19 @@ TEST(Loop, ARecordingBegunInAFaultDoesNotEndIt) {
   EXPECT_EQ(bench.step().in.requests, kRequestRestart);
 }
 
+TEST(Loop, ARecordingBegunInAPauseDoesNotHideIt) {
+  Bench bench;
+  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
+  bench.load(ball());
+  bench.steps(500);
+  ASSERT_EQ(bench.state(), SupervisorState::kActive);
+  bench.requests.ask(kRequestRestart);
+  bench.device.stall_ns = 200'000'000;
+  EXPECT_EQ(bench.step().in.requests, kRequestRestart | kRequestPaused | kRequestStop);
+  bench.steps(50);
+  EXPECT_EQ(bench.state(), SupervisorState::kFault);
+}
+
 TEST(Loop, AnAgeDoesNotWrap) {
   Bench bench;
   bench.steps(3);
