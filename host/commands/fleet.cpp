@@ -25,14 +25,14 @@ struct FleetOptions {
     const qualify::Fleet fleet = qualify::read_fleet(reports);
     if (!out.empty()) write_file(out, qualify::to_csv(fleet));
     print(text_stream(out), fleet);
-    const auto unfit = std::ranges::count_if(fleet.boards, [](const qualify::Board& board) { return board.verdict != "fit"; });
+    const auto unfit = std::ranges::count_if(fleet.boards, [](const qualify::FleetBoard& board) { return board.verdict != "fit"; });
     if (unfit > 0)
       throw ComparisonFailed("boards that are not fit: " + std::to_string(unfit) + " of " + std::to_string(fleet.boards.size()));
   }
 
  private:
   static void print(std::FILE* to, const qualify::Fleet& fleet) {
-    for (const qualify::Board& board : fleet.boards) {
+    for (const qualify::FleetBoard& board : fleet.boards) {
       std::fprintf(to, "%-24s %-20s %s\n", board.name.c_str(), board.date.c_str(), board.verdict.c_str());
       for (const std::string& key : board.outliers) {
         const auto at = static_cast<std::size_t>(std::ranges::find(fleet.keys, key) - fleet.keys.begin());

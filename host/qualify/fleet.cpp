@@ -22,7 +22,7 @@ constexpr double kMaxDeviations = 5, kNormal = 1.4826, kLeastShare = 0.2, kLeast
 
 /// What a report says of one board, by the keys of its limits.
 struct Report {
-  Board board;
+  FleetBoard board;
   std::vector<std::pair<std::string, std::optional<double>>> values;
 };
 
@@ -67,7 +67,7 @@ Report read_report(const fs::path& file) {
 
 void mark_outliers(Fleet& fleet, std::size_t key) {
   std::vector<double> values;
-  for (const Board& board : fleet.boards) {
+  for (const FleetBoard& board : fleet.boards) {
     if (board.values[key]) values.push_back(*board.values[key]);
   }
   if (values.size() < kMinFleet) {
@@ -77,7 +77,7 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
   const double middle = quantiles(values).median;
   for (double& value : values) value = std::abs(value - middle);
   const double limit = std::max(kMaxDeviations * kNormal * quantiles(values).median, std::max(kLeastShare * std::abs(middle), kLeast));
-  for (Board& board : fleet.boards) {
+  for (FleetBoard& board : fleet.boards) {
     if (board.values[key] && std::abs(*board.values[key] - middle) > limit) board.outliers.push_back(fleet.keys[key]);
   }
 }
@@ -88,7 +88,7 @@ Fleet read_fleet(const std::vector<fs::path>& files) {
   Fleet fleet;
   for (const fs::path& file : files) {
     Report report = read_report(file);
-    const auto same = [&](const Board& board) { return board.name == report.board.name && board.date == report.board.date; };
+    const auto same = [&](const FleetBoard& board) { return board.name == report.board.name && board.date == report.board.date; };
     if (std::ranges::any_of(fleet.boards, same))
       throw InputError(file.string() + ": " + report.board.name + " is there with the same date; name each report once");
     for (const auto& [key, value] : report.values) {
@@ -99,7 +99,7 @@ Fleet read_fleet(const std::vector<fs::path>& files) {
     }
     fleet.boards.push_back(std::move(report.board));
   }
-  for (Board& board : fleet.boards) board.values.resize(fleet.keys.size());
+  for (FleetBoard& board : fleet.boards) board.values.resize(fleet.keys.size());
   for (std::size_t key = 0; key < fleet.keys.size(); ++key) mark_outliers(fleet, key);
   return fleet;
 }
@@ -108,7 +108,7 @@ std::string to_csv(const Fleet& fleet) {
   std::string csv = "board,date,verdict";
   for (const std::string& key : fleet.keys) csv += ',' + csv_cell(key);
   csv += ",outliers\n";
-  for (const Board& board : fleet.boards) {
+  for (const FleetBoard& board : fleet.boards) {
     csv += csv_cell(board.name) + ',' + csv_cell(board.date) + ',' + csv_cell(board.verdict);
     for (const std::optional<double>& value : board.values) {
       char digits[32] = "";

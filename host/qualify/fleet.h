@@ -11,7 +11,7 @@
 namespace isotouch::qualify {
 
 /// What one report says.
-struct Board {
+struct FleetBoard {
   std::string name;                           ///< the host, else the controller's address
   std::string date;                           ///< UTC, as in the report
   std::string verdict;                        ///< "fit" or "not fit"
@@ -22,7 +22,7 @@ struct Board {
 struct Fleet {
   std::vector<std::string> keys;      ///< names of the limits, which end with their units, in the order of the reports
   std::vector<std::string> unjudged;  ///< of these, measured on fewer than kMinFleet boards, so no outlier is marked
-  std::vector<Board> boards;          ///< in the order of the files
+  std::vector<FleetBoard> boards;     ///< in the order of the files
 };
 
 /// The number of boards that must have measured a value before an outlier is marked.

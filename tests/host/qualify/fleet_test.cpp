@@ -20,7 +20,7 @@ using testing::IsEmpty;
 namespace fs = std::filesystem;
 
 bool has_outliers(const Fleet& fleet) {
-  return std::ranges::any_of(fleet.boards, [](const Board& board) { return !board.outliers.empty(); });
+  return std::ranges::any_of(fleet.boards, [](const FleetBoard& board) { return !board.outliers.empty(); });
 }
 
 class ReadFleet : public ::testing::Test {
@@ -51,7 +51,7 @@ class ReadFleet : public ::testing::Test {
 TEST_F(ReadFleet, AValueFarFromAllOthersIsAnOutlier) {
   const Fleet fleet =
       read_fleet({report("a", 20), report("b", 21), report("c", 19.5), report("d", 60), report("e", 20.5), report("f", 20)});
-  for (const Board& board : fleet.boards) {
+  for (const FleetBoard& board : fleet.boards) {
     if (board.name == "d") {
       EXPECT_THAT(board.outliers, ElementsAre("wakeup_p999_us"));
     } else {
