@@ -10,6 +10,7 @@
 #include "host/error.h"
 #include "host/evaluate/descent_tick.h"
 #include "host/motion/device_in_hand.h"
+#include "host/quantiles.h"
 #include "host/to_double.h"
 #include "shared/tick_io.h"
 
@@ -21,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 
 double nanoseconds(Clock::duration d) { return std::chrono::duration<double, std::nano>(d).count(); }
 
-/// The value below which `share` of the times lie.
+/// The least time that `share` of them do not exceed.
 double quantile(std::vector<double>& times, double share) {
-  const auto at = times.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
+  const auto at = times.begin() + static_cast<std::ptrdiff_t>(quantile_place(share, times.size()));
   std::nth_element(times.begin(), at, times.end());
   return *at;
 }
