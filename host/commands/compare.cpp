@@ -235,9 +235,10 @@ void add_compare(CLI::App& app) {
                           "instead, measure what hands feel: direction and force beside an exact god-object on the mesh, for eight "
                           "kinds of motion, and for the recorded hands that follow (.trace)");
   felt->expected(0, CLI::detail::expected_max_vector_size)->type_name("[TRACE...]");
-  command->add_option("--beside", options->beside,
-                      "also compare another closed mesh of the same object: on the field's grid, or with --felt by a god-object on that "
-                      "mesh: PLY, OBJ or STL");
+  command->add_option(
+      "--beside", options->beside,
+      "also compare another closed mesh of the same object: on a grid with the field's voxel, or with --felt by a god-object on that "
+      "mesh: PLY, OBJ or STL");
   add_output(*command, "--worst", options->worst, kPictures,
              "draw the worst place of the field; with --felt, the touch whose direction is worst");
   command->add_option("--seed", options->seed, "with --felt: seed of the places and motions")->needs(felt)->capture_default_str();

@@ -108,8 +108,9 @@ SphereForce sphere_force() {
     const Eigen::Vector3d hip = to_double(input.hip);
     const double now = static_cast<double>(result.felt.time_s.size()) * slide.period_s;
     for (view::ForceCurve* curve : {&result.felt, &result.exact}) curve->time_s.push_back(now);
-    result.felt.force_n.push_back(tick(hip).norm());
-    result.exact.force_n.push_back(slide.stiffness * std::max(0.0, slide.radius - (hip - slide.centre).norm()));
+    const Eigen::Vector3d from_centre = hip - slide.centre;
+    result.felt.force.push_back(tick(hip));
+    result.exact.force.push_back(slide.stiffness * std::max(0.0, slide.radius - from_centre.norm()) * from_centre.normalized());
   });
   return result;
 }

@@ -43,7 +43,7 @@ Felt felt_in(const trace::Trace& recorded, const FieldView* field, const Each& e
   for_each_tick(recorded, field, [&](std::size_t tick, const TraceRecord& record) {
     const double now = static_cast<double>(tick) * period_s;
     felt.curve.time_s.push_back(now);
-    felt.curve.force_n.push_back(to_double(record.output.force).norm());
+    felt.curve.force.push_back(to_double(record.output.force));
     const bool touches = (record.output.status & kContact) != 0;
     if (touches && !touched) felt.contacts.emplace_back(now, now);
     if (touches) felt.contacts.back().second = now + period_s;
@@ -67,7 +67,9 @@ struct ForceRun {
     const double stiffness = sphere_mm > 0 ? stiffness_of(recorded, touched) : 0;
     view::ForceCurve exact{"exact, sphere of " + view::number(sphere_mm, 3) + " mm", {}, {}};
     Felt felt = felt_in(recorded, touched, [&](const TraceRecord& record) {
-      if (sphere_mm > 0) exact.force_n.push_back(evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, stiffness, limit));
+      if (sphere_mm <= 0) return;
+      const double newtons = evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, stiffness, limit);
+      exact.force.push_back(newtons * to_double(record.output.hip).normalized());
     });
     view::ForceOptions options{.width = picture.size[0],
                                .height = picture.size[1],
@@ -87,7 +89,8 @@ struct ForceRun {
       beside->label = other.stem().string();
       options.difference = "difference to " + beside->label;
     }
-    felt.curve.label = sphere_mm > 0 || other.empty() ? "as the core renders it" : trace.stem().string();
+    const std::string source = recorded.header().has_outputs ? "as recorded" : "as the core renders it";
+    felt.curve.label = sphere_mm > 0 || other.empty() ? source : trace.stem().string();
     view::write_picture(picture.out, view::force_picture(felt.curve, beside ? &*beside : nullptr, options));
   }
 
@@ -171,7 +174,8 @@ void add_plot(CLI::App& app) {
   const auto [force, force_run] =
       add_picture<ForceRun>(*plot, "force", "The force of a recorded hand over time, with the times of contact and the force limit");
   force->add_option("TRACE", force_run->trace, "the recorded hand (.trace)")->required();
-  CLI::Option* other = force->add_option("OTHER", force_run->other, "another one, drawn over it, and the difference below");
+  CLI::Option* other =
+      force->add_option("OTHER", force_run->other, "another one, drawn over it; below, the length of the difference of the forces");
   force->add_option("--field,--blob", force_run->field,
                     "the field; needed if a trace holds inputs only, or takes its stiffness from the field");
   force->add_option("--exact-sphere", force_run->sphere_mm, "also draw the exact force of a sphere of this radius (mm) around the origin")

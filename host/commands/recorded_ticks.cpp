@@ -3,13 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "host/error.h"
 #include "host/to_double.h"
+#include "host/trace/hash_text.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
 #include "host/view/touch_view.h"
+#include "shared/patch_chain.h"
+#include "shared/result.h"
 
 namespace isotouch::commands {
 
@@ -57,6 +64,19 @@ void for_each_tick(const trace::Trace& trace, const FieldView* field, const std:
     const TraceRecord record = trace.record(tick);
     use(tick, run ? run->step(record.input) : record);
   }
+}
+
+void require_touched(const trace::Trace& trace, const FieldView& field) {
+  const std::uint64_t named = trace.header().field_hash, hash = field.hash();
+  if (!trace.header().has_outputs || named == 0 || named == hash) return;
+  const std::vector<std::uint8_t> patches = trace::patch_bytes(trace).value_or(std::vector<std::uint8_t>());
+  std::span<const std::uint8_t> left = patches;
+  while (const auto patch = first_patch(left)) {
+    if (patch->hash_after == hash) return;
+    left = left.subspan(patch->patch_bytes());
+  }
+  throw InputError(trace.path() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
+                   "; give that field, or first render this hand on yours: isotouch replay FIELD TRACE -o OTHER.trace");
 }
 
 view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick) {

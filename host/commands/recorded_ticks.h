@@ -14,6 +14,12 @@ namespace isotouch::commands {
 /// fails     InputError: no outputs and no field; inputs are encoder counts
 void for_each_tick(const trace::Trace& trace, const FieldView* field, const std::function<void(std::size_t, const TraceRecord&)>& use);
 
+/// Where the outputs are recorded, refuses a field that the hand did not touch. A trace that names no field may be of any; one whose field was patched
+/// may be of each field that the patches lead to.
+///
+/// fails     InputError: it was recorded on another field
+void require_touched(const trace::Trace& trace, const FieldView& field);
+
 /// fails     InputError as above, and when there is no contact at that tick
 view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick);
 

@@ -81,6 +81,7 @@ struct TouchOptions {
   std::optional<view::Touch> touch(const FieldView& field, char up) const {
     if (trace.empty()) return std::nullopt;
     const trace::Trace recorded = trace::read_trace(trace);
+    require_touched(recorded, field);
     if (tick == "clear") return clear_touch(recorded, field, up);
     if (tick == "deepest") return deepest_touch(recorded, field);
     std::size_t number = 0;

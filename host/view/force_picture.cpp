@@ -8,6 +8,24 @@
 
 namespace isotouch::view {
 
+namespace {
+
+std::vector<double> magnitudes(const ForceCurve& curve) {
+  std::vector<double> newtons;
+  for (const Eigen::Vector3d& force : curve.force) newtons.push_back(force.norm());
+  return newtons;
+}
+
+}  // namespace
+
+std::vector<double> force_differences(const ForceCurve& felt, const ForceCurve& beside) {
+  std::vector<double> millinewtons;
+  for (std::size_t i = 0; i < std::min(felt.force.size(), beside.force.size()); ++i) {
+    millinewtons.push_back(1000 * (felt.force[i] - beside.force[i]).norm());
+  }
+  return millinewtons;
+}
+
 Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const ForceOptions& options) {
   Picture picture(options.width, options.height, srgb(0xFBFCFD));
   Canvas canvas(picture);
@@ -20,8 +38,8 @@ Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const Fo
   force.y_label = "force (N)";
   force.bands = options.contacts;
   if (!options.contacts.empty()) force.band_label = "contact";
-  force.series.push_back({felt.label, felt.time_s, felt.force_n, kBlue, 2.4F});
-  if (beside != nullptr) force.series.push_back({beside->label, beside->time_s, beside->force_n, kForceColour, 1.3F, true});
+  force.series.push_back({felt.label, felt.time_s, magnitudes(felt), kBlue, 2.4F});
+  if (beside != nullptr) force.series.push_back({beside->label, beside->time_s, magnitudes(*beside), kForceColour, 1.3F, true});
   if (options.limit_n) {
     double most = 0, last = 0;
     for (const Series& series : force.series) {
@@ -39,9 +57,8 @@ Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const Fo
     return picture;
   }
 
-  const std::size_t common = std::min(felt.force_n.size(), beside->force_n.size());
-  Series difference{"", {felt.time_s.begin(), felt.time_s.begin() + static_cast<std::ptrdiff_t>(common)}, {}, kVermilion, 1.5F};
-  for (std::size_t i = 0; i < common; ++i) difference.y.push_back(1000 * (felt.force_n[i] - beside->force_n[i]));
+  Series difference{"", felt.time_s, force_differences(felt, *beside), kVermilion, 1.5F};
+  difference.x.resize(difference.y.size());
   Plot error;
   error.title = options.difference;
   error.x_label = "time (s)";

@@ -1,6 +1,7 @@
 /// Force over time, beside another run or the exact answer where there is one: the paper's Fig. 9.
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,10 +11,11 @@
 
 namespace isotouch::view {
 
-/// Magnitudes in newtons.
+/// Drawn by its magnitude.
 struct ForceCurve {
   std::string label;
-  std::vector<double> time_s, force_n;  ///< equally many, at equal steps from 0
+  std::vector<double> time_s;          ///< at equal steps from 0
+  std::vector<Eigen::Vector3d> force;  ///< N, as many
 };
 
 struct ForceOptions {
@@ -24,7 +26,10 @@ struct ForceOptions {
   std::string difference = "difference to the exact answer";
 };
 
-/// With another curve a second plot shows how far the first is above it, in millinewtons, as long as both last.
+/// The length of the difference of two forces, in millinewtons, as long as both last.
+std::vector<double> force_differences(const ForceCurve& felt, const ForceCurve& beside);
+
+/// With another curve a second plot shows `force_differences`.
 ///
 /// beside    of the same step; nullptr: there is none
 Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const ForceOptions& options);

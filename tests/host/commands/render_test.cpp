@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "host/error.h"
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
+#include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "host/view/touch_view.h"
 #include "tests/host/commands/run_command.h"
@@ -65,6 +67,30 @@ TEST_F(Render, WritesTheTouchThatIsAskedFor) {
     EXPECT_THAT(e.what(), HasSubstr("there is no tick '123456789'"));
   }
   EXPECT_FALSE(fs::exists(file("x.png")));
+}
+
+TEST_F(Render, ATouchOfAnotherFieldIsRefused) {
+  const std::string other = ISOTOUCH_GOLDEN "/field_1_2.itf", to = " --size 320x320 -o " + file("x.png");
+  run_command("trace make tour " + kField.string() + " -o " + file("hand.trace"));
+  const field_file::OpenField field = field_file::open_field(kField);
+  const auto record_on = [&](const char* name, std::uint64_t hash) {
+    const trace::Trace hand = trace::read_trace(file("hand.trace"));
+    TraceHeader header = trace::replay_header(field.view, hand.header());
+    header.field_hash = hash;
+    trace::TraceWriter writer(file(name), header);
+    trace::replay(field.view, hand, false, &writer);
+    writer.finish();
+  };
+  record_on("felt.trace", field.view.hash());
+  record_on("any.trace", 0);
+  for (const std::string kind : {"surface ", "slice "}) {
+    const std::string on_other = "render " + kind + other + to + " --trace ";
+    EXPECT_THAT(complaint_on(on_other + file("felt.trace")), HasSubstr("felt.trace: the trace was recorded on another field"));
+    EXPECT_FALSE(fs::exists(file("x.png")));
+    EXPECT_EQ(complaint_on("render " + kind + kField.string() + to + " --trace " + file("felt.trace")), "");
+    EXPECT_EQ(complaint_on(on_other + file("any.trace")), "");
+    fs::remove(file("x.png"));
+  }
 }
 
 TEST_F(Render, ASliceGoesThroughTheTouch) {

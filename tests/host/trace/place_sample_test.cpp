@@ -5,11 +5,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "host/angle.h"
-#include "host/cloud/random.h"
 #include "host/to_double.h"
 #include "tests/support/field_image.h"
+#include "tests/support/random.h"
 
 namespace isotouch::trace {
 namespace {
@@ -28,18 +28,20 @@ TEST(PlaceSample, InTheBandDistanceAndGradientAreThoseOfTheBall) {
     const test::FieldImage image = ball(options);
     const Vector3d origin = to_double(image.view().origin);
     const double edge = to_double(image.view().edge);
-    cloud::Random random(1);
+    test::Random random(1);
     int in_band = 0;
     double known_to = 0, error = 0, angle = 0;
     for (int i = 0; i < 20'000; ++i) {
-      const Vector3d outward = Vector3d(random.gaussian(), random.gaussian(), random.gaussian()).normalized();
+      const test::Point drawn = random.direction();
+      const Vector3d outward(drawn[0], drawn[1], drawn[2]);
       const double distance = random.uniform(-options.band - 1, options.band + 3);
       const PlaceSample sample = sample_place(image.view(), origin + edge * (kCentre + (kRadius + distance) * outward));
       if (!sample.in_band) continue;
       ++in_band;
       known_to = std::max(known_to, std::abs(distance));
       error = std::max(error, std::abs(sample.distance_mm / edge - distance));
-      angle = std::max(angle, angle_deg(sample.gradient, outward));
+      const double radians = std::atan2(sample.gradient.cross(outward).norm(), sample.gradient.dot(outward));
+      angle = std::max(angle, radians * 180 / std::numbers::pi);
     }
     EXPECT_GT(in_band, 1000) << options.band;
     EXPECT_NEAR(known_to, options.band - 1, 0.02) << options.band;

@@ -178,7 +178,7 @@ ForceCurve half_sine() {
   ForceCurve curve{"felt", {}, {}};
   for (int i = 0; i < 1000; ++i) {
     curve.time_s.push_back(i * 0.001);
-    curve.force_n.push_back(std::max(0.0, std::sin(i * 0.01)));
+    curve.force.emplace_back(std::max(0.0, std::sin(i * 0.01)), 0, 0);
   }
   return curve;
 }
@@ -188,9 +188,17 @@ TEST(ForcePicture, WithAndWithoutAnotherCurve) {
   EXPECT_EQ(force_picture(curve, nullptr, {.width = 640, .height = 400}).width(), 640);
   EXPECT_EQ(force_picture(curve, &curve, {}).height(), 720);
   ForceCurve shorter = curve;
-  shorter.time_s.resize(10), shorter.force_n.resize(10);
+  shorter.time_s.resize(10), shorter.force.resize(10);
   EXPECT_EQ(force_picture(curve, &shorter, {}).height(), 720);
   EXPECT_EQ(force_picture({}, nullptr, {}).height(), 720) << "an empty trace";
+}
+
+TEST(ForcePicture, ForcesOfOneSizeInTwoDirectionsDiffer) {
+  const ForceCurve one{"one", {0, 0.001, 0.002}, {{1, 0, 0}, {0, 2, 0}, {0, 0, 1}}};
+  const ForceCurve other{"other", {0, 0.001}, {{-1, 0, 0}, {0, 2, 0}}};
+  EXPECT_EQ(force_differences(one, other), (std::vector<double>{2000, 0}));
+  EXPECT_EQ(force_differences(other, one), (std::vector<double>{2000, 0}));
+  EXPECT_TRUE(force_differences({}, one).empty());
 }
 
 TEST(ForcePicture, ShadesTheContactsAndDrawsALimitThatIsNear) {
