@@ -156,9 +156,10 @@ void Controller::mark_run() {
 }
 
 void Controller::confirm() {
-  const bool now = is_homed_and_confirmed(recorder_->state());  // twice: a resume without a device is idle for one tick
-  if (mark_ && now && was_confirmed_) mark_->confirm();
-  was_confirmed_ = now;
+  const SupervisorState state = recorder_->state();
+  const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
+  if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
+  was_idle_ = idle;
 }
 
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.

@@ -146,7 +146,7 @@ class Controller {
   std::thread exchanges_, watchdogs_, ticks_, records_;
 
   bool had_device_ = false;                                     ///< one was heard in this run
-  bool was_confirmed_ = false;                                  ///< at the last look; the recorder's thread's
+  bool was_idle_ = false;                                       ///< at the last look; the recorder's thread's
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none
   std::string device_line_, supervisor_line_;                   ///< as said last
