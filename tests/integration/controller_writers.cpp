@@ -139,6 +139,7 @@ class RunMarks final : public Kind {
       report.begin(number);
       static_cast<void>(mark.begin());
       report.done(number);
+      mark.confirm();  // a run that begins after a kill ends in doubt otherwise
       report.begin(number + 1);
       mark.end();
       report.done(number + 1);
