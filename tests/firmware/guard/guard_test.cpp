@@ -142,11 +142,12 @@ TEST_F(AtABall, AForceThatPushesAHandOutWhichWasFirstSeenInsideIsHonest) {
 TEST_F(AtABall, AForceThatPullsAHandInWhichCameFromOutsideIsStopped) { EXPECT_EQ(push(12, 7, -2.2), GuardVerdict::kPull); }
 
 TEST_F(AtABall, AForceThatRisesOrTremblesAsFastAsTheMotorsFollowIsTooStrong) {
+  constexpr double kStep = 1.75;  // N: a thousand motor commands, as many as change in a tick
   for (const bool trembles : {false, true}) {
     reset();
     ASSERT_EQ(push(12, 7.5, 0.3), GuardVerdict::kNone) << name_of(verdict());
     GuardVerdict found = GuardVerdict::kNone;
-    for (int t = 1; t <= 5 && found == GuardVerdict::kNone; ++t) found = tick_at(7.5, trembles && t > 2 ? 3.0 + 1.7 * (t % 2) : 1.5 * t);
+    for (int t = 1; t <= 5 && found == GuardVerdict::kNone; ++t) found = tick_at(7.5, trembles && t > 2 ? (2 + t % 2) * kStep : t * kStep);
     EXPECT_EQ(found, GuardVerdict::kStrong) << name_of(found);
   }
 }
