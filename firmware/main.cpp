@@ -1,4 +1,4 @@
-/// isotouchd: reads the command line and runs the controller, again whenever a new calibration is to hold.
+/// isotouchd: reads the command line and runs the controller, again whenever the device that answers has other angles than those in use.
 #include <signal.h>  // NOLINT(modernize-deprecated-headers): pthread_sigmask
 #include <unistd.h>
 

@@ -42,15 +42,15 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
       when((seen.lines & kLineGuard) != 0, kFaultGuard) | when(is_damaged(memory, state) || (seen.lines & kLineMemory) != 0, kFaultMemory));
 }
 
-/// Which of the model's buttons the hand has pressed anew.
-std::uint8_t newly_pressed(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
+/// Has the hand pressed one of the model's buttons anew?
+bool presses_anew(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
   if (seen.stale_ticks > limits.fault_ticks) memory.buttons = memory.shown = 0xFF;  // as before the first packet
-  if (!seen.heard || seen.stale_ticks > 0) return 0;
+  if (!seen.heard || seen.stale_ticks > 0) return false;
   const int steady = seen.buttons == memory.shown ? memory.steady + 1 : 1;
   memory.steady = static_cast<std::uint8_t>(std::min<int>(steady, kSteadyPackets));
   memory.shown = seen.buttons;
-  if (memory.steady < kSteadyPackets) return 0;
-  const auto pressed = static_cast<std::uint8_t>(seen.buttons & ~memory.buttons & limits.buttons);
+  if (memory.steady < kSteadyPackets) return false;
+  const bool pressed = (seen.buttons & ~memory.buttons & limits.buttons) != 0;
   memory.buttons = seen.buttons;
   return pressed;
 }
@@ -97,7 +97,7 @@ Permission supervise(const Observations& seen, const Supervision& limits, Superv
   const Doubts doubts = doubts_of(seen, limits, memory);
   if (memory.lateness > 0) --memory.lateness;
 
-  const bool pressed = newly_pressed(seen, limits, memory) != 0;
+  const bool pressed = presses_anew(seen, limits, memory);
   const bool asks = (seen.requests & kRequestResume) != 0 || pressed;
   const S before = memory.state;
   const std::uint16_t now = faults_of(seen, doubts, limits, memory, before);

@@ -73,13 +73,13 @@ struct Permission {
 /// after one tick that is that late or after several that are a little late.
 inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 
-/// A hand holds what so many valid packets in a row show, and lets go of what none of so many shows: 8 ms at the device's rate. No press is as short, and a packet
-/// with a wrong bit, or a contact that bounces, resumes nothing.
+/// A hand holds what so many valid packets in a row show, and lets go of what none of so many shows: 8 ms at the device's rate. No press is as short; and a
+/// packet with a wrong bit, or a contact that bounces, resumes nothing.
 inline constexpr std::uint8_t kSteadyPackets = 8;
 
-/// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by kRequestResume, or by
-/// pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault, and so does a pause before a tick that is that long. So does a memory that contradicts itself: a state that is
-/// none, a fault without a reason, or a reason without a fault.
+/// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by
+/// kRequestResume, or by pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault, and so does a pause before a tick
+/// that is that long. So does a memory that contradicts itself: a state that is none, a fault without a reason, or a reason without a fault.
 ///
 /// tick      yes
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory);

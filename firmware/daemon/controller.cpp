@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -125,10 +126,9 @@ Refusal Controller::load_field(bool again) {
 }
 
 Refusal Controller::begin_recording() {
-  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
   recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16}, trace_,
-                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, tell);
+                    settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, std::bind_front(&Controller::say, this));
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);
 }
@@ -142,10 +142,9 @@ Refusal Controller::listen() {
   const auto set = [this](std::string_view name, std::string_view value, std::uint32_t author, bool may_raise) {
     return live_.set(name, value, requests_, measured_delay(), {author, may_raise, intake_->published().stiffness});
   };
-  const auto tell = [this](const std::string& sentence) { say(sentence); };
   const auto different = [this] { return settings::different(live_.now()); };
   control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,
-                                                               set, different, tell});
+                                                               set, different, std::bind_front(&Controller::say, this)});
   return control_->start();
 }
 
@@ -215,6 +214,8 @@ Controller::End Controller::supervise() {
   const timespec pause{0, 100'000'000};
   while (!ticks_ended_) {
     say_what_changed();
+    know_device();
+    keep_stiffness();
     systemd_.alive(stats_.ticks.value());
     stay_awake();
     check_memory();
@@ -246,7 +247,6 @@ void Controller::say_what_changed() {
   if (hardware_.falcon) {
     const falcon::PortReport& report = hardware_.falcon->shown().get();
     if (std::string line = device_line(report); line != device_line_) say(device_line_ = std::move(line));
-    know_device(report);
   }
   if (std::string line = supervisor_line(recorder_->condition()); line != supervisor_line_) {
     say(supervisor_line_ = std::move(line));
@@ -256,14 +256,12 @@ void Controller::say_what_changed() {
     verdict_ = verdict;
     if (verdict != GuardVerdict::kNone) say(guard_line(verdict));
   }
-  if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
-  if (const store::PublishedField field = intake_->published(); field.generation != 0) {
-    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
-  }
 }
 
 /// A device counts as soon as it is known that the angles in use are its own.
-void Controller::know_device(const falcon::PortReport& report) {
+void Controller::know_device() {
+  if (!hardware_.falcon) return;
+  const falcon::PortReport& report = hardware_.falcon->shown().get();
   const bool runs = report.state == falcon::SessionState::kRunning;
   if (const std::uint64_t answering = runs ? report.found : 0; answering != answering_) {
     answering_ = answering;
@@ -284,6 +282,14 @@ bool Controller::may_begin_again() const {
 }
 
 std::uint32_t Controller::measured_delay() const { return loop::measured_delay_ticks(stats_, header_.period_ns); }
+
+/// No stiffer than the measured delay allows, and the field where it is the limit.
+void Controller::keep_stiffness() {
+  if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
+  if (const store::PublishedField field = intake_->published(); field.generation != 0) {
+    if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);
+  }
+}
 
 /// What was judged before there was a measurement is judged again: once for every delay and field.
 ///

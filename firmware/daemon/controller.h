@@ -95,11 +95,12 @@ class Controller {
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
-  void know_device(const falcon::PortReport& report);
+  void know_device();
   bool may_begin_again() const;
   void stay_awake();
   void check_memory();
   void say_what_changed();
+  void keep_stiffness();
   std::string judge_delay();
 
   const Options& options_;

@@ -40,9 +40,8 @@ std::string device_line(const falcon::PortReport& report) {
 }
 
 std::string other_angles_line() {
-  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; where "
-         "[files] record "
-         "has begun with another device, you must start it";
+  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; "
+         "where [files] record has begun with another device, you must start it";
 }
 
 std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
@@ -103,9 +102,8 @@ std::vector<std::string> missing_lines(const settings::Settings& settings) {
 }
 
 std::string no_state_line() {
-  return "no state folder is set up, so nothing remembers a crash or a fault: the next start gives force without 'resume'; name a folder "
-         "in "
-         "[files] state";
+  return "no state folder is set up, so nothing remembers a crash or a fault: the next start gives force without 'resume'; "
+         "name a folder in [files] state";
 }
 
 std::string figures(const loop::TickStats& stats) {

@@ -110,8 +110,8 @@ Damage Loop::damage() const {
   return view_seal_.holds(view_) && field_is_whole_ ? Damage::kNone : Damage::kField;
 }
 
-/// What people want of this tick. A restart is no way out of a fault, nor out of a pause that is one: there it comes with a stop. A tick has one author: a change waits for the next
-/// tick where somebody asks for something else.
+/// What people want of this tick. A restart is no way out of a fault, nor out of a pause that is one: there it comes with a stop. A tick has one author: a
+/// change waits for the next tick where somebody asks for something else.
 ///
 /// taken         the field, where this tick takes one over. A patched one is the same surface, unless the tick forgets what it felt or has left out a patch
 /// before        the generation of the tick before

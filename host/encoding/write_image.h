@@ -22,14 +22,14 @@ struct FieldInfo {
   cloud::Placement placement;
 };
 
-/// Turns distances into what the interpolation wants, spline coefficients or the distances themselves, rounds them and lays out the image. The same field gives the same bytes on every machine.
+/// Turns distances into what the interpolation wants, spline coefficients or the distances themselves, rounds them and lays out the image. The same field
+/// gives the same bytes on every machine.
 ///
-/// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in
-/// its
+/// field     bricks sorted by cell, one a cell, each within the grid; a brick that is not listed has the sign of the sample beside it in its
 ///           row, and that of the border, which is outside, where its row has none before it
+/// dropped   where given, is told what was too small for the grid; nothing is with the published method
 /// returns   an image and what FieldView::parse says of it. Origin, edge and band are rounded to the formats of SPEC.md 2.3: choose a grid that
 ///           has them (`field::make_grid`), and every sample stays where it was computed
-/// dropped   where given, is told what was too small for the grid; nothing is with the published method
 /// fails     InputError when the field does not fit the format (size, edge, band, origin, stiffness) or when the object reaches the border
 field_file::OpenField write_field(field::BandField field, FieldInfo info, SmallComponents* dropped = nullptr);
 /// The image alone.

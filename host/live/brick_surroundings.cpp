@@ -16,6 +16,17 @@ std::array<const Node*, 27> around(const Node& node, const Nodes& nodes) {
   return found;
 }
 
+/// A brick with so many of its two rings fewer.
+template <class Cube, std::size_t kFewer>
+Cube without_rings(const encoding::Surroundings& surroundings) {
+  Cube cube;
+  auto out = cube.begin();
+  for (std::size_t z = kFewer; z < 8 - kFewer; ++z) {
+    for (std::size_t y = kFewer; y < 8 - kFewer; ++y) out = std::copy_n(&surroundings[(z * 8 + y) * 8 + kFewer], 8 - 2 * kFewer, out);
+  }
+  return cube;
+}
+
 /// Of a set and all that touch it along one axis, those that lie in the node `step` (-1, 0 or 1) further on.
 ///
 /// low      the bricks at 0 on the axis
@@ -63,23 +74,9 @@ encoding::Surroundings BrickSurroundings::of(std::size_t brick) const {
   return all;
 }
 
-encoding::Apron apron_of(const encoding::Surroundings& surroundings) {
-  encoding::Apron apron;
-  float* out = apron.data();
-  for (std::size_t z = 1; z < 7; ++z) {
-    for (std::size_t y = 1; y < 7; ++y) out = std::copy_n(&surroundings[(z * 8 + y) * 8 + 1], 6, out);
-  }
-  return apron;
-}
+encoding::Apron apron_of(const encoding::Surroundings& surroundings) { return without_rings<encoding::Apron, 1>(surroundings); }
 
-encoding::Samples samples_of(const encoding::Surroundings& surroundings) {
-  encoding::Samples samples;
-  float* out = samples.data();
-  for (std::size_t z = 2; z < 6; ++z) {
-    for (std::size_t y = 2; y < 6; ++y) out = std::copy_n(&surroundings[(z * 8 + y) * 8 + 2], 4, out);
-  }
-  return samples;
-}
+encoding::Samples samples_of(const encoding::Surroundings& surroundings) { return without_rings<encoding::Samples, 2>(surroundings); }
 
 void mark_around(const Node& node, NodeMask changed, const Nodes& nodes) {
   const Eigen::Vector3i own = node.cell / 4;

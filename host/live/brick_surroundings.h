@@ -27,6 +27,7 @@ class BrickSurroundings {
 
 /// The brick with one ring.
 encoding::Apron apron_of(const encoding::Surroundings& surroundings);
+/// The brick alone.
 encoding::Samples samples_of(const encoding::Surroundings& surroundings);
 
 /// Marks the bricks of a node in `changed`, and all that touch one of them, as stale.

@@ -15,6 +15,16 @@ using testing::HasSubstr;
 bool finds_a_crash(CrashingFolder& folder) { return RunMark(folder).crashed(); }
 bool finds_a_calibration(CrashingFolder& folder) { return RunMark(folder).recalibrated(); }
 
+/// Runs that nobody confirms: each finds what the one before found.
+void asks_again_and_again(CrashingFolder& folder, bool (RunMark::*finds)() const, const char* words) {
+  for (int times = 0; times < 2; ++times) {
+    RunMark later(folder);
+    EXPECT_TRUE((later.*finds)());
+    EXPECT_THAT(later.begin().sentence(), HasSubstr(words));
+    later.end();
+  }
+}
+
 /// A run from its begin, which must have nothing to say, to an orderly end.
 void run(CrashingFolder& folder, const std::function<void(RunMark&)>& life = nullptr) {
   RunMark mark(folder);
@@ -28,12 +38,7 @@ TEST(RunMark, ACrashIsFoundByEveryStartUntilAPersonHasConfirmedIt) {
   run(folder);
   EXPECT_FALSE(finds_a_crash(folder));
   EXPECT_EQ(RunMark(folder).begin().sentence(), "");  // and has no end
-  for (int times = 0; times < 2; ++times) {
-    RunMark later(folder);
-    EXPECT_TRUE(later.crashed());
-    EXPECT_THAT(later.begin().sentence(), HasSubstr("the previous run crashed"));
-    later.end();
-  }
+  asks_again_and_again(folder, &RunMark::crashed, "the previous run crashed");
   RunMark confirming(folder);
   EXPECT_TRUE(confirming.begin());
   confirming.confirm();
@@ -65,12 +70,7 @@ TEST(RunMark, AChangedCalibrationStaysUntilItIsConfirmed) {
     EXPECT_EQ(mark.note_calibration().sentence(), "");
     mark.confirm();  // of what was before: nothing
   });
-  for (int times = 0; times < 2; ++times) {
-    RunMark later(folder);
-    EXPECT_TRUE(later.recalibrated());
-    EXPECT_THAT(later.begin().sentence(), HasSubstr("angles of the device's arms were changed"));
-    later.end();
-  }
+  asks_again_and_again(folder, &RunMark::recalibrated, "angles of the device's arms were changed");
   RunMark confirming(folder);
   confirming.confirm();
   EXPECT_TRUE(confirming.recalibrated()) << "as it was at the start";
