@@ -12,6 +12,7 @@
 #include "firmware/daemon/options.h"
 #include "firmware/daemon/printer.h"
 #include "firmware/loop/realtime.h"
+#include "shared/files/standard_descriptors.h"
 
 namespace isotouch::daemon {
 namespace {
@@ -51,6 +52,7 @@ int run(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace isotouch::daemon;
+  isotouch::files::occupy_standard_descriptors();
   isotouch::loop::limit_stacks();
   try {
     Options options;

@@ -24,7 +24,9 @@ enum RequestBits : std::uint8_t {
   kRequestResume = 1U << 1,   ///< leave the state fault, if its cause is gone
   kRequestRestart = 1U << 2,  ///< forget everything before this tick but `Input::heat`: a recording that begins here replays
   kRequestMoved = 1U << 3,    ///< the field is that of the tick before, patched: the surface moved. Never with a restart or a change
-  kRequestPaused = 1U << 4,   ///< the loop: before this tick more time was left out than a hold may last; ends force with a fault
+  kRequestPaused =
+      1U
+      << 4,  ///< the loop: a pause before this tick, or a hold with the pauses in it, is longer than a hold may last; ends force with a fault
 };
 
 /// What stands beside the tick and may forbid forces. Bits 0 and 1: the safety lines, already judged by `loop/watchdog.h`; without lines neither is ever

@@ -51,12 +51,13 @@ struct Observations {
 struct SupervisorMemory {
   GuardedState state;
   std::uint16_t faults = 0;
-  std::uint8_t buttons = 0xFF;   ///< as the hand holds them, see kSteadyPackets; at first all, so that a stuck button resumes nothing
-  std::uint8_t shown = 0xFF;     ///< as the newest valid packet shows them
+  bool knows_buttons = false;    ///< so many packets have come since the first; before, no button is held, and none is pressed
+  std::uint8_t buttons = 0;      ///< as the hand holds them, see kSteadyPackets
+  std::uint8_t shown = 0;        ///< as the newest valid packet shows them
   std::uint8_t steady = 0;       ///< valid packets in a row that show the same, at most kSteadyPackets
   std::uint32_t ramp = 0;        ///< ticks of the ramp done
   std::uint32_t lateness = 0;    ///< see `supervise`
-  std::uint32_t held_ticks = 0;  ///< in hold, in a row, those that were left out among them
+  std::uint32_t held_ticks = 0;  ///< in hold, in a row, with those that were left out, of each pause at most kMaxLate
 };
 
 /// Is a person needed before force may return? Also if the memory contradicts itself.
@@ -78,8 +79,8 @@ inline constexpr std::uint32_t kLatenessOfAPeriod = 8;
 inline constexpr std::uint8_t kSteadyPackets = 8;
 
 /// One step of the state machine. A cause of fault goes before everything else. The fault stays until its cause is gone and a person resumes: by
-/// kRequestResume, or by pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault, and so does a pause before a tick
-/// that is that long. So does a memory that contradicts itself: a state that is none, a fault without a reason, or a reason without a fault.
+/// kRequestResume, or by pressing one of the model's buttons anew. A hold longer than the fault age becomes a fault, and so does what the loop
+/// calls a pause. So does a memory that contradicts itself: a state that is none, a fault without a reason, or a reason without a fault.
 ///
 /// tick      yes
 Permission supervise(const Observations& seen, const Supervision& limits, SupervisorMemory& memory);

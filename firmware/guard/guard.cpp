@@ -228,11 +228,16 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
   const int change = largest_change(memory.counts, reply->counts);
   const bool jumped = first || change > device_.count_jump * ticks;
-  if (now_ns - memory.heard_ns > device_.fault_age_ns) memory.buttons = memory.shown = 0xFF;  // what was held meanwhile, nobody knows
+  if (now_ns - memory.heard_ns > device_.fault_age_ns) {  // what was held meanwhile, nobody knows
+    memory.knows_buttons = false;
+    memory.buttons = 0;
+    memory.steady = 0;
+  }
   memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kSteadyPackets) : 1;
   memory.shown = reply->buttons;
   if (memory.steady == kSteadyPackets) {
-    if ((memory.shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
+    if (memory.knows_buttons && (memory.shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
+    memory.knows_buttons = true;
     memory.buttons = memory.shown;
   }
   const bool all = reply->homed == 7;
@@ -243,7 +248,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   if (memory.referenced_in_a_row >= 2) memory.referenced = true;
   memory.since.jump = jumped ? memory.replies : 0;  // for this sample alone
   mark(!memory.referenced, memory.replies, memory.since.reference);
-  mark(device_.hold_to_run != 0 && (reply->buttons & device_.buttons) == 0, memory.replies, memory.since.button);
+  mark(device_.hold_to_run != 0 && (reply->buttons & memory.buttons & device_.buttons) == 0, memory.replies, memory.since.button);
   follow_counts(reply->counts, memory.referenced && !jumped, memory.encoders);
   memory.counts = reply->counts;
   memory.valid_before = memory.valid;

@@ -77,8 +77,9 @@ struct Memory {
   std::array<double, 3> heat{};  ///< mean squares
   std::uint32_t stops = 0;       ///< that were asked for
   std::uint64_t stop_tick = 0;   ///< of the first command after a stop that nobody has resumed from; 0 = there was none
-  std::uint8_t buttons = 0xFF;   ///< as the hand holds them: what a few valid packets in a row showed
-  std::uint8_t shown = 0xFF;     ///< by the newest valid packet
+  bool knows_buttons = false;    ///< enough packets have come for it
+  std::uint8_t buttons = 0;      ///< as the hand holds them: what a few valid packets in a row showed
+  std::uint8_t shown = 0;        ///< by the newest valid packet
   std::uint32_t steady = 0;      ///< valid packets in a row that show the same
   std::uint64_t lines_tick = 0;  ///< of the first command beside lines that are not good; 0 = they are good
 

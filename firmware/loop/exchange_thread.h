@@ -23,7 +23,7 @@ class ExchangeThread final : public Device {
   /// refresh_ns    longest time between two commands while the tick is silent
   /// silent_ns     without a tick for so long, packets carry no force: the first one at this moment, or once the port has returned
   /// guard         sees every command and every reply; nullptr: nobody does. Lives longer
-  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns = 20'000'000, CommandGuard* guard = nullptr)
+  ExchangeThread(Port& port, Clock& clock, std::int64_t refresh_ns, std::int64_t silent_ns, CommandGuard* guard = nullptr)
       : port_(port), clock_(clock), refresh_ns_(refresh_ns), silent_ns_(silent_ns), guard_(guard) {}
 
   // The tick's side.

@@ -158,9 +158,19 @@ Input Loop::look(const Sample& sample, std::uint32_t missed) {
   seen_ = sample.number;
   in.age = static_cast<std::uint16_t>(age_);
   in.late = static_cast<std::uint8_t>(std::min<std::uint32_t>(missed, kMaxLate));
-  if (std::uint64_t{missed} * settings_.period_ns > settings_.device.fault_age_ns) in.requests = kRequestPaused;
+  if (is_too_long(missed)) in.requests = kRequestPaused;
   if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
   return in;
+}
+
+/// Is it longer than a hold may last, what was left out before this tick, or a hold with all that was left out in it? Of a long pause the supervisor knows
+/// kMaxLate periods.
+bool Loop::is_too_long(std::uint32_t missed) {
+  const std::uint64_t most = settings_.device.fault_age_ns / settings_.period_ns;
+  const bool holds = state_.supervisor.state == SupervisorState::kHold;
+  const std::uint32_t told = std::min<std::uint32_t>(missed, kMaxLate);
+  untold_ = (holds ? untold_ : 0) + (missed - told);
+  return missed > most || (untold_ > 0 && (holds ? state_.supervisor.held_ticks : 0) + told + untold_ > most);
 }
 
 /// Page faults and allocations of this thread since its first tick. The system is asked rarely; the question does not block.

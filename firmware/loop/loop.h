@@ -76,6 +76,7 @@ class Loop {
   Damage damage() const;
   void hear(const ActiveField& taken, std::uint32_t before, bool begins_anew, Input& in);
   Input look(const Sample& sample, std::uint32_t missed);
+  bool is_too_long(std::uint32_t missed);
   void count_own_costs();
 
   LoopSettings settings_;
@@ -92,8 +93,9 @@ class Loop {
   std::atomic<Damage> found_{Damage::kNone};
   Pace pace_;
   std::uint64_t ticks_ = 0;
-  std::uint64_t seen_ = 0;  ///< number of the newest sample that a tick has had
-  std::uint32_t age_ = 0;   ///< ticks since a sample was fresh, those that were left out included
+  std::uint64_t seen_ = 0;    ///< number of the newest sample that a tick has had
+  std::uint32_t age_ = 0;     ///< ticks since a sample was fresh, those that were left out included
+  std::uint64_t untold_ = 0;  ///< periods left out in this hold, or before this tick, beyond those that records can tell
   std::uint32_t generation_ = 0;
   std::uint64_t faults_before_ = 0, allocations_before_ = 0;  ///< the first tick's
 };

@@ -14,6 +14,7 @@
 #include "host/board_commands/help_formatter.h"
 #include "host/error.h"
 #include "packaging/manual/command_tree.h"
+#include "shared/files/standard_descriptors.h"
 #include "shared/files/version_text.h"
 #include "shared/printable.h"
 
@@ -146,6 +147,7 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
 }  // namespace
 
 int run(const char* program, const char* about, void (*add)(CLI::App& app), int argc, char** argv) {
+  files::occupy_standard_descriptors();
   const int code = answer(program, about, add, argc, argv);
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   if (code != kDone && code != kComparisonFailed && code != kEndedEarly) return code;  // it has been said already that there is no result

@@ -43,7 +43,7 @@ struct Exhaustive {
     const bool is_active = memory.state == S::kActive;
     active += is_active ? 1 : 0;
     const bool fresh = seen.heard && seen.stale_ticks == 0 && seen.buttons == before.shown && before.steady + 1 >= kSteadyPackets;
-    const bool pressed = fresh && (seen.buttons & ~before.buttons & with.buttons) != 0;
+    const bool pressed = fresh && before.knows_buttons && (seen.buttons & ~before.buttons & with.buttons) != 0;
     const bool asked = (seen.requests & kRequestResume) != 0 || pressed;
     const auto demand = [&](bool holds, const char* property) {
       if (!holds && broken == nullptr) broken = property;
@@ -63,7 +63,7 @@ struct Exhaustive {
     demand(!(before.state == S::kActive && seen.too_deep) || memory.state == S::kFault, "a hand too deep is a fault");
     const bool late = before.lateness + seen.late * kLatenessOfAPeriod >= kHold * kLatenessOfAPeriod;
     const bool doubt = seen.stale_ticks >= kHold || late || !seen.pose_settled || seen.too_fast;
-    const bool let_go = with.hold_to_run && (seen.buttons & memory.buttons & with.buttons) == 0;
+    const bool let_go = with.hold_to_run && (!memory.knows_buttons || (seen.buttons & memory.buttons & with.buttons) == 0);
     demand(!is_active || !(doubt || cause || let_go || !seen.heard || !seen.homed || !seen.has_field), "forces only when all is well");
     demand(!(before.state == S::kHold && doubt && before.held_ticks >= kFault) || seen.stale_ticks >= kHold || memory.state == S::kFault ||
                !seen.heard || !seen.homed,
@@ -93,6 +93,7 @@ TEST(Supervisor, WhateverItFindsAndRemembersItsPromisesHold) {
             before.faults = before.state == S::kFault ? std::uint16_t{kFaultStopped} : std::uint16_t{0};
             before.ramp = (memory & 1) != 0 ? 7 : 0;
             before.buttons = (memory & 2) != 0 ? 0xFF : 0;
+            before.knows_buttons = (memory & 6) != 0;
             before.shown = 1;
             before.steady = (memory & 1) != 0 ? kSteadyPackets - 1 : kSteadyPackets - 2;
             before.held_ticks = (memory & 4) != 0 ? kFault : 0;
@@ -288,6 +289,27 @@ TEST(Supervisor, WhereAButtonMustBeHeldForcesLastAsLongAsItIs) {
   seen.buttons = 0;
   EXPECT_FALSE(supervise(seen, limits(true), memory).granted);
   EXPECT_EQ(memory.state, S::kReady);
+}
+
+TEST(Supervisor, WhereAButtonMustBeHeldAPacketWithAWrongBitHoldsNone) {
+  SupervisorMemory memory;
+  const Supervision with = limits(true);
+  Observations seen = well();
+  const auto tick = [&](std::uint8_t buttons) {
+    seen.buttons = buttons;
+    return supervise(seen, with, memory).granted;
+  };
+  for (int t = 0; t < 4; ++t) EXPECT_FALSE(tick(0));
+  EXPECT_FALSE(tick(1)) << "nobody knows yet what is held";
+  for (int t = 0; t < 400; ++t) EXPECT_FALSE(tick(static_cast<std::uint8_t>(t % 4)));
+  show(1, kSteadyPackets, memory, with);
+  ASSERT_EQ(memory.state, S::kActive);
+
+  for (seen.stale_ticks = 1; seen.stale_ticks <= kFault + 1; ++seen.stale_ticks) EXPECT_FALSE(seen.stale_ticks > kHold && tick(1));
+  memory.state = S::kReady;
+  memory.faults = 0;
+  seen = well();
+  EXPECT_FALSE(tick(1)) << "nor after a silence";
 }
 
 TEST(Supervisor, LateTicksHoldWhenThreePeriodsAreLeftOutAtOnceOrNearlySo) {

@@ -15,6 +15,8 @@
 namespace isotouch::loop {
 namespace {
 
+constexpr std::int64_t kSilence = 20'000'000;
+
 class Monotonic final : public Clock {
  public:
   std::int64_t now_ns() override {
@@ -50,7 +52,7 @@ constexpr std::int64_t kLong = 60'000'000'000;
 TEST(ExchangeThread, EveryReplyMeetsItsTickAndEveryWordIsSentOnce) {
   QuickPort port(2000);
   Monotonic clock;
-  ExchangeThread device(port, clock, kLong);
+  ExchangeThread device(port, clock, kLong, kSilence);
   const std::atomic<bool> stop{false};
   std::thread thread([&] { device.serve(stop); });
   std::int16_t tick = 0;
@@ -170,7 +172,7 @@ class ScriptedPort final : public Port {
 std::int64_t word_delay(std::vector<ScriptedPort::Step> script) {
   VirtualClock clock;
   ScriptedPort port(clock, std::move(script));
-  ExchangeThread device(port, clock, 0);
+  ExchangeThread device(port, clock, 0, kSilence);
   port.device = &device;
   const std::atomic<bool> stop{false};
   device.serve(stop);
@@ -190,7 +192,7 @@ TEST(ExchangeThread, TheSilenceOfADeviceIsNoDelayOfItsCommands) {
 TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {
   QuickPort port(0);
   Monotonic clock;
-  ExchangeThread device(port, clock, 0);
+  ExchangeThread device(port, clock, 0, kSilence);
   const std::int64_t due = clock.now_ns() + 2'000'000;
   EXPECT_EQ(device.wait(due), Wake::kDue);
   EXPECT_GE(clock.now_ns(), due);
@@ -199,7 +201,7 @@ TEST(ExchangeThread, TheTicksWaitEndsAtItsDueTime) {
 TEST(ExchangeThread, LeavesTheDeviceWithoutForceWhenToldToStop) {
   QuickPort port(1 << 30);
   Monotonic clock;
-  ExchangeThread device(port, clock, 0);
+  ExchangeThread device(port, clock, 0, kSilence);
   std::atomic<bool> stop{true};
   device.serve(stop);
   EXPECT_EQ(port.rests, 1);

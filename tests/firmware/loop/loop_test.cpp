@@ -149,6 +149,36 @@ TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
   EXPECT_EQ(bench.state(), SupervisorState::kFault);
 }
 
+TEST(Loop, AHoldOfSeveralPausesLastsNoLongerThanOneOfOne) {
+  Bench bench;
+  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
+  bench.load(ball());
+  bench.steps(500);
+  ASSERT_EQ(bench.state(), SupervisorState::kActive);
+  bench.device.stall_ns = 60'000'000;
+  EXPECT_EQ(bench.step().in.requests, 0);
+  ASSERT_EQ(bench.state(), SupervisorState::kHold);
+  bench.device.stall_ns = 30'000'000;
+  EXPECT_EQ(bench.step().in.requests, 0) << "90 ms";
+  ASSERT_EQ(bench.state(), SupervisorState::kHold);
+  bench.device.stall_ns = 20'000'000;
+  EXPECT_EQ(bench.step().in.requests, kRequestPaused) << "110 ms and more";
+  EXPECT_EQ(bench.state(), SupervisorState::kFault);
+}
+
+TEST(Loop, PausesWithForceBetweenThemAreNoLongHold) {
+  Bench bench;
+  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
+  bench.load(ball());
+  bench.steps(500);
+  for (int n = 0; n < 5; ++n) {
+    ASSERT_EQ(bench.state(), SupervisorState::kActive);
+    bench.device.stall_ns = 60'000'000;
+    EXPECT_EQ(bench.step().in.requests, 0);
+    bench.steps(50);
+  }
+}
+
 TEST(Loop, ARecordingBegunInAFaultDoesNotEndIt) {
   Bench bench;
   bench.requests.ask(kRequestStop);
