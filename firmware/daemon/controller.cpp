@@ -258,17 +258,17 @@ void Controller::say_what_changed() {
   }
 }
 
-/// A device counts as soon as it is known that the angles in use are its own.
+/// A device counts as soon as it is known that the angles in use are its own: where it has to be booted, before its first packet.
 void Controller::know_device() {
   if (!hardware_.falcon) return;
   const falcon::PortReport& report = hardware_.falcon->shown().get();
-  const bool runs = report.state == falcon::SessionState::kRunning;
-  if (const std::uint64_t answering = runs ? report.found : 0; answering != answering_) {
+  const bool is_there = report.state != falcon::SessionState::kSearching;
+  if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
-    calibration_->answers(runs ? std::optional<std::string>(report.serial.data()) : std::nullopt);
+    calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
     if (calibration_->waits()) say(other_angles_line());
   }
-  if (!runs || calibration_->waits()) return;
+  if (!is_there || calibration_->waits()) return;
   hardware_.falcon->trust(report.found);
   had_device_ = true;
 }
