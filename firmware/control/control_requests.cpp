@@ -110,7 +110,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       log(client.user, "stop");
       return client.say(Kind::kDone);
     case Kind::kResume:
-      if (!may(client, frame.kind, role_after(neighbours_.shown.get().out.faults))) return;
+      if (!may(client, frame.kind, role_after(neighbours_.shown.get().faults))) return;
       neighbours_.requests.ask(kRequestResume, author_of(client.user));
       log(client.user, "resume");
       return client.say(Kind::kDone);
@@ -265,7 +265,7 @@ void ControlRequests::worst(ControlClient& client, bool anew) {
 }
 
 void ControlRequests::begin_recording(ControlClient& client) {
-  if (!may(client, Kind::kRecord, role_after(neighbours_.shown.get().out.faults))) return;
+  if (!may(client, Kind::kRecord, role_after(neighbours_.shown.get().faults))) return;
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
   feed_.record(client, neighbours_.fields.published().accepted());

@@ -150,12 +150,14 @@ Refusal Controller::listen() {
 
 void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
-  if (doubt || before_.fault) requests_.ask(kRequestStop);
+  if (doubt || before_.faults != 0) requests_.ask(kRequestStop);
   if (doubt) say(doubt.sentence());
 }
 
-void Controller::confirm() {
-  const SupervisorState state = recorder_->state();
+/// What the next start must know of this run, and that a person has confirmed what was before it.
+void Controller::keep_mark() {
+  if (mark_) mark_->note(loop_->faults() & kServiceFaults);
+  const SupervisorState state = lines_.state.told();
   const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
   if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
   was_idle_ = idle;
@@ -179,14 +181,16 @@ void Controller::start() {
   loop::keep_crash_stack();
   loop::Device& device = direct_ ? static_cast<loop::Device&>(*direct_) : *exchange_;
   loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
-  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, before_.heat, options_.lockstep}, device, clock,
-                loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
+  const auto faults = static_cast<std::uint16_t>(before_.faults | (mark_ ? mark_->faults() : 0));
+  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, before_.heat, faults, options_.lockstep}, device,
+                clock, loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
   memory_check_.emplace(fields_, loop::MemoryCheck::Prepared{loop_->constants(), guard_->constants()});
   records_ = std::thread([this] {
+    pthread_setname_np(pthread_self(), "record");
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) {
       recorder_->drain();
-      confirm();  // here, because it waits for a disk
+      keep_mark();  // here, because it waits for a disk
     }
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
@@ -276,7 +280,7 @@ void Controller::know_device() {
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
   if (!calibration_->waits() || options_.lockstep) return false;
-  const SupervisorState state = recorder_->state();
+  const SupervisorState state = lines_.state.told();
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
   return !had_device_ || (settings_.record.empty() && !gives_force);
 }
@@ -322,19 +326,24 @@ void Controller::stop() {
   if (records_.joinable()) records_.join();
   recorder_->drain();
   recorder_->stop();
-  confirm();
+  keep_mark();
   stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
-  if (mark_) mark_->end(stopped_late_ || (recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
+  if (mark_) mark_->end((faults() & (kServiceFaults | kFaultStopped)) != 0 ? faults() : std::uint16_t{0});
   crash_.reset();
 }
 
+/// At the end, that nobody has resumed after.
+std::uint16_t Controller::faults() const {
+  const std::uint16_t of_ticks = loop_ ? loop_->faults() : before_.faults;
+  return static_cast<std::uint16_t>(of_ticks | (stopped_late_ ? kFaultStopped : 0));
+}
+
 Controller::Legacy Controller::legacy() const {
-  const bool fault = stopped_late_ || (recorder_ && recorder_->state() == SupervisorState::kFault);
-  return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), fault};
+  return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults()};
 }
 
 std::string Controller::summary() {
-  std::string text = "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_);
+  std::string text = "at the end, " + supervisor_line(recording::Recorder::condition_of(shown_.get())) + "\n" + figures(stats_);
   text.pop_back();  // whoever prints it ends the line
   return text;
 }

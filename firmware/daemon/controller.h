@@ -47,9 +47,9 @@ class Controller {
 
   /// What a run leaves to the next one.
   struct Legacy {
-    std::uint32_t heat = 0;  ///< as core::heat_input gives it; 0 = not known
-    std::string serial;      ///< of the device that answered; empty: not known
-    bool fault = false;      ///< it ended in one, so the next one begins in one
+    std::uint32_t heat = 0;    ///< as core::heat_input gives it; 0 = not known
+    std::string serial;        ///< of the device that answered; empty: not known
+    std::uint16_t faults = 0;  ///< that nobody has resumed after: the next one begins in a fault
   };
 
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
@@ -91,7 +91,8 @@ class Controller {
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
-  void confirm();
+  std::uint16_t faults() const;
+  void keep_mark();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
