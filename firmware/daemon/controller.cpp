@@ -54,7 +54,7 @@ Controller::Controller(const Options& options, settings::LiveSettings& live, Ser
       watched_(ticks_in(4)),
       latency_(settings_.latency_file) {}
 
-Refusal Controller::build(bool again) {
+Refusal Controller::build() {
   if (!settings::device_model(settings_, {}))
     return "the numbers in the settings contradict each other: no device can have them; check [device] and [limits]";
   if (Refusal refusal = open_state()) return refusal;
@@ -62,7 +62,7 @@ Refusal Controller::build(bool again) {
   if (Refusal refusal = make_hardware(options_, home_anew, stop_exchange_, hardware_)) return refusal;
   choose_calibration();
   if (Refusal refusal = connect_device()) return refusal;
-  if (Refusal refusal = load_field(again)) return refusal;
+  if (Refusal refusal = load_field()) return refusal;
   if (Refusal refusal = begin_recording()) return refusal;
   if (Refusal refusal = listen()) return refusal;
   mark_run();
@@ -115,13 +115,19 @@ Refusal Controller::connect_device() {
   return {};
 }
 
-Refusal Controller::load_field(bool again) {
+/// What the run before had, whatever the settings and the state folder name; at the first run what these name, the settings first.
+Refusal Controller::load_field() {
   const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
-  const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
-  Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
-  if (by_name) return refusal;
-  if (refusal) say(refusal.sentence());
+  const std::vector<std::uint8_t> image = std::move(before_.image);
+  if (!image.empty()) {
+    if (const Refusal refusal = intake_->begin_with(image, before_.field_name)) say("the field is not loaded again: " + refusal.sentence());
+  } else if (!settings_.field.empty()) {
+    if (Refusal refusal = begin_with_file(settings_.field, *intake_)) return refusal;
+  } else if (const Refusal refusal = intake_->begin_with_active()) {
+    say(refusal.sentence());
+  }
+  if (const store::PublishedField field = intake_->published(); field.generation != 0) say(field_line(field.name.view(), field.image_hash));
   return {};
 }
 
@@ -339,7 +345,12 @@ std::uint16_t Controller::faults() const {
 }
 
 Controller::Legacy Controller::legacy() const {
-  return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults()};
+  Legacy legacy{loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults(), {}, {}};
+  if (const loop::ActiveField field = fields_.published(); field.view != nullptr) {
+    legacy.image.assign(field.view->image.begin(), field.view->image.end());
+    legacy.field_name = intake_->published().name.view();
+  }
+  return legacy;
 }
 
 std::string Controller::summary() {

@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "firmware/control/calibration.h"
 #include "firmware/control/control_server.h"
@@ -47,9 +48,11 @@ class Controller {
 
   /// What a run leaves to the next one.
   struct Legacy {
-    std::uint32_t heat = 0;    ///< as core::heat_input gives it; 0 = not known
-    std::string serial;        ///< of the device that answered; empty: not known
-    std::uint16_t faults = 0;  ///< that nobody has resumed after: the next one begins in a fault
+    std::uint32_t heat = 0;           ///< as core::heat_input gives it; 0 = not known
+    std::string serial;               ///< of the device that answered; empty: not known
+    std::uint16_t faults = 0;         ///< that nobody has resumed after: the next one begins in a fault
+    std::vector<std::uint8_t> image;  ///< of the field that it had, with every patch; empty: none
+    std::string field_name;           ///< of that field
   };
 
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
@@ -62,9 +65,8 @@ class Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// again     not the first run of this program: a field that was sent since counts more than the one that the settings name
   /// returns   what is missing or wrong; then nothing may follow
-  Refusal build(bool again);
+  Refusal build();
 
   void start();
 
@@ -87,7 +89,7 @@ class Controller {
   Refusal open_state();
   void choose_calibration();
   Refusal connect_device();
-  Refusal load_field(bool again);
+  Refusal load_field();
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
@@ -109,7 +111,7 @@ class Controller {
   ServiceNotify& systemd_;
   Printer& printer_;
   const settings::Settings settings_;  ///< of this run
-  const Legacy before_;
+  Legacy before_;                      ///< its image only until it is loaded
 
   // What the threads exchange.
   std::atomic<bool> stop_ticks_{false}, stop_exchange_{false}, stop_recorder_{false}, ticks_ended_{false};

@@ -52,6 +52,12 @@ std::string settings_line(std::uint64_t checksum) {
   return text;
 }
 
+std::string field_line(std::string_view name, std::uint64_t hash) {
+  Text text;
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return "field: " + std::string(name) + (name.empty() ? "" : ", ") + text;
+}
+
 std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }
 
 std::string memory_line(loop::Damage damage) {
