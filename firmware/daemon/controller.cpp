@@ -229,7 +229,7 @@ Controller::End Controller::supervise() {
     systemd_.alive(stats_.ticks.value());
     stay_awake();
     check_memory();
-    if (may_begin_again()) return End::kBeginAgain;
+    if (begins_again_ = may_begin_again(); begins_again_) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }
   systemd_.ending();
@@ -331,7 +331,7 @@ void Controller::stop() {
   stop_recorder_ = true;
   if (records_.joinable()) records_.join();
   recorder_->drain();
-  recorder_->stop();
+  begins_again_ ? recorder_->discard() : recorder_->stop();
   keep_mark();
   stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
   if (mark_) mark_->end((faults() & (kServiceFaults | kFaultStopped)) != 0 ? faults() : std::uint16_t{0});

@@ -76,6 +76,15 @@ void Recorder::stop() {
   if (writer_.is_open()) end("as asked");
 }
 
+void Recorder::discard() {
+  const std::lock_guard guard(mutex_);
+  if (!writer_.is_open()) return;
+  keep_patches(false);
+  writer_.discard();
+  patch_writer_.discard();
+  tell_(writer_.path() + ": the recording begins anew");
+}
+
 void Recorder::tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch) {
   const std::lock_guard guard(patches_mutex_);
   const auto is_too_much = [&] {

@@ -55,6 +55,8 @@ class Recorder {
   Refusal start(const std::string& path);
   /// Ends the recording. Any thread.
   void stop();
+  /// Leaves nothing of a recording that another run begins anew. Any thread.
+  void discard();
 
   /// A patch is going to be handed to the tick. In a recording it is kept until the tick that takes it over comes, or too much was told since; without
   /// one, until the next is told. Any thread.

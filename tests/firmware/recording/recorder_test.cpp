@@ -80,6 +80,19 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
 }
 
+TEST(Recorder, ARecordingThatBeginsAnewLeavesNothing) {
+  Bench bench;
+  std::ofstream(bench.path) << "an earlier one";
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(10);
+  bench.recorder->discard();
+  bench.recorder->discard();
+  EXPECT_FALSE(std::filesystem::exists(bench.path + ".part"));
+  EXPECT_EQ(std::filesystem::file_size(bench.path), 14U);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": the recording begins anew"});
+  EXPECT_FALSE(bench.recorder->has_lost_a_recording());
+}
+
 TEST(Recorder, WhatAKillLeftOfARecordingStays) {
   Bench bench;
   std::ofstream(bench.path + ".part") << "an hour of ticks";
