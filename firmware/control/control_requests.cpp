@@ -49,6 +49,10 @@ bool ControlRequests::go_on() {
   return busy;
 }
 
+bool ControlRequests::is_in_use() const {
+  return upload_.is_under_way() || is_working() || measuring_ != nullptr || !feed_.is_free(clients_);
+}
+
 void ControlRequests::forget(const ControlClient& client) {
   upload_.drop(client);
   reader_.drop(client);

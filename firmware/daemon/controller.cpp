@@ -285,7 +285,7 @@ void Controller::know_device() {
 
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
-  if (!calibration_->waits() || options_.lockstep) return false;
+  if (!calibration_->waits() || options_.lockstep || (control_ && control_->is_in_use())) return false;
   const SupervisorState state = lines_.state.told();
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
   return !had_device_ || (settings_.record.empty() && !gives_force);
