@@ -263,7 +263,7 @@ enum class AnglesFrom : std::uint8_t { kGeometry, kSettings, kMeasured };
 struct DeviceReport {
   Text serial;                             ///< of the device that answers; empty: none, or it has none
   std::uint8_t from = 0;                   ///< AnglesFrom
-  std::uint8_t waits = 0;                  ///< 1: for this device other angles are kept, which hold from the controller's next start
+  std::uint8_t waits = 0;                  ///< 1: this device has other angles, which hold from the controller's next start
   std::array<std::uint32_t, 3> at_zero{};  ///< in use: of the arms at count 0, 2^32 to the turn, legs 1 to 3
   static void fields(auto& m, auto& use) {
     use(m.serial), use(m.from), use(m.waits);

@@ -7,6 +7,7 @@
 
 #include "firmware/control/rights.h"
 #include "firmware/control/tick_report.h"
+#include "shared/files/state_text.h"
 
 namespace isotouch::control {
 
@@ -115,6 +116,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       return client.say(Kind::kDone);
     case Kind::kResume:
       if (!may(client, frame.kind, role_after(neighbours_.shown.get().faults))) return;
+      if (neighbours_.calibration != nullptr && neighbours_.calibration->waits()) return client.refuse(frame.kind, files::kOtherAngles);
       neighbours_.requests.ask(kRequestResume, author_of(client.user));
       log(client.user, "resume");
       return client.say(Kind::kDone);

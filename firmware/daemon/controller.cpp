@@ -276,7 +276,7 @@ void Controller::know_device() {
   if (const std::uint64_t answering = runs ? report.found : 0; answering != answering_) {
     answering_ = answering;
     calibration_->answers(runs ? std::optional<std::string>(report.serial.data()) : std::nullopt);
-    if (calibration_->waits()) say(other_angles_line());
+    if (calibration_->waits()) say("device: " + std::string(files::kOtherAngles));
   }
   if (!runs || calibration_->waits()) return;
   hardware_.falcon->trust(report.found);

@@ -39,11 +39,6 @@ std::string device_line(const falcon::PortReport& report) {
   return {};
 }
 
-std::string other_angles_line() {
-  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; "
-         "where [files] record has begun with another device, you must start it";
-}
-
 std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
 
 std::string settings_line(std::uint64_t checksum) {

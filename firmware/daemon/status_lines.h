@@ -18,9 +18,6 @@ namespace isotouch::daemon {
 /// How the device is doing; the same text as before when nothing changed.
 std::string device_line(const falcon::PortReport& report);
 
-/// A device that is not heard yet, because the angles in use are not its own.
-std::string other_angles_line();
-
 /// What the supervisor allows and what a person can do.
 std::string supervisor_line(const files::Condition& condition);
 
