@@ -55,7 +55,7 @@ class ControlServer {
   /// Closes every connection and joins the thread. An upload that is being checked is finished first.
   void stop();
 
-  /// The end would cut off what a client began: it records, sends a field, or has yet to get its answer. Any thread.
+  /// The end would cut off what a client began: it records, sends a field, or has yet to get its answer. Watching does not count. Any thread.
   bool is_in_use() const { return in_use_; }
 
  private:
