@@ -1,7 +1,7 @@
 /// Two marks in the state folder. If a start finds either, a person must confirm the next force. `running` is there while a controller runs. One that a
 /// start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip; or by a run that ended before a person
-/// had done what it waited for. It holds the names of the faults that nobody has resumed after. `recalibrated` is there from before other angles of the device's arms are stored until a person has confirmed them,
-/// whatever ends the runs between. Not for the tick.
+/// had done what it waited for. It holds the names of the faults that nobody has resumed after. `recalibrated` is there from before other angles of the
+/// device's arms are stored until a person has confirmed them, whatever ends the runs between. Not for the tick.
 #pragma once
 
 #include <cstdint>
