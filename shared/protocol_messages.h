@@ -151,7 +151,7 @@ inline constexpr std::size_t kMeasures = 4;
 
 struct StatusReport {
   std::uint16_t state = 0;   ///< SupervisorState
-  std::uint16_t faults = 0;  ///< Faults
+  std::uint16_t faults = 0;  ///< Faults: all that no person has resumed after, those before a restart among them
   std::uint32_t generation = 0;
   std::uint64_t ticks = 0;
   std::uint64_t late = 0;        ///< ticks that began after their due time by more than the limit
