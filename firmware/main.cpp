@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <string>
+#include <utility>
 
 #include "firmware/daemon/controller.h"
 #include "firmware/daemon/ending_signals.h"
@@ -31,9 +32,9 @@ int run(const Options& options) {
   Printer printer(STDOUT_FILENO);
   ServiceNotify systemd(variable("NOTIFY_SOCKET"), variable("WATCHDOG_USEC"));
   Controller::Legacy before;
-  for (bool again = false;; again = true) {
-    Controller controller(options, live, systemd, printer, before);
-    if (const Refusal refusal = controller.build(again)) return refuse(refusal.sentence().c_str());
+  for (;;) {
+    Controller controller(options, live, systemd, printer, std::move(before));
+    if (const Refusal refusal = controller.build()) return refuse(refusal.sentence().c_str());
     controller.start();
     const Controller::End end = controller.supervise();
     controller.stop();

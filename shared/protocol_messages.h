@@ -151,7 +151,7 @@ inline constexpr std::size_t kMeasures = 4;
 
 struct StatusReport {
   std::uint16_t state = 0;   ///< SupervisorState
-  std::uint16_t faults = 0;  ///< Faults
+  std::uint16_t faults = 0;  ///< Faults: all that no person has resumed after, those before a restart among them
   std::uint32_t generation = 0;
   std::uint64_t ticks = 0;
   std::uint64_t late = 0;        ///< ticks that began after their due time by more than the limit
@@ -263,7 +263,7 @@ enum class AnglesFrom : std::uint8_t { kGeometry, kSettings, kMeasured };
 struct DeviceReport {
   Text serial;                             ///< of the device that answers; empty: none, or it has none
   std::uint8_t from = 0;                   ///< AnglesFrom
-  std::uint8_t waits = 0;                  ///< 1: for this device other angles are kept, which hold from the controller's next start
+  std::uint8_t waits = 0;                  ///< 1: this device has other angles, which hold from the controller's next start
   std::array<std::uint32_t, 3> at_zero{};  ///< in use: of the arms at count 0, 2^32 to the turn, legs 1 to 3
   static void fields(auto& m, auto& use) {
     use(m.serial), use(m.from), use(m.waits);

@@ -69,7 +69,10 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   if (Refusal refusal = mark_ != nullptr ? mark_->note_calibration() : Refusal()) return refusal;
   const store::StoreResult<void> kept = store_->put(serial, angles);
   if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
-  answers(serial);
+  Refusal ignored;
+  const bool waits = choose(serial, ignored).model != in_use_.model;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (serial == serial_) waits_ = waits;  // another device may answer by now
   return {};
 }
 

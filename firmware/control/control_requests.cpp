@@ -7,6 +7,7 @@
 
 #include "firmware/control/rights.h"
 #include "firmware/control/tick_report.h"
+#include "shared/files/state_text.h"
 
 namespace isotouch::control {
 
@@ -47,6 +48,10 @@ bool ControlRequests::go_on() {
   const bool busy = watched || measuring_ != nullptr;
   finish_measuring();
   return busy;
+}
+
+bool ControlRequests::is_in_use() const {
+  return upload_.is_under_way() || is_working() || measuring_ != nullptr || !feed_.is_free(clients_);
 }
 
 void ControlRequests::forget(const ControlClient& client) {
@@ -110,7 +115,8 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       log(client.user, "stop");
       return client.say(Kind::kDone);
     case Kind::kResume:
-      if (!may(client, frame.kind, role_after(neighbours_.shown.get().out.faults))) return;
+      if (!may(client, frame.kind, role_after(neighbours_.shown.get().faults))) return;
+      if (neighbours_.calibration != nullptr && neighbours_.calibration->waits()) return client.refuse(frame.kind, files::kOtherAngles);
       neighbours_.requests.ask(kRequestResume, author_of(client.user));
       log(client.user, "resume");
       return client.say(Kind::kDone);
@@ -265,7 +271,7 @@ void ControlRequests::worst(ControlClient& client, bool anew) {
 }
 
 void ControlRequests::begin_recording(ControlClient& client) {
-  if (!may(client, Kind::kRecord, role_after(neighbours_.shown.get().out.faults))) return;
+  if (!may(client, Kind::kRecord, role_after(neighbours_.shown.get().faults))) return;
   if (!feed_.is_there()) return client.refuse(Kind::kRecord, "this controller shows no ticks; start it with its trace ring");
   if (!feed_.is_free(clients_)) return client.refuse(Kind::kRecord, "another client is recording; try again when it has ended");
   feed_.record(client, neighbours_.fields.published().accepted());

@@ -71,6 +71,8 @@ class ControlRequests {
   bool is_sending(const ControlClient& client) const { return upload_.is_from(client); }
   bool sends_too_slowly(const ControlClient& client) const { return upload_.is_too_slow(client, neighbours_.clock.now_ns()); }
   bool is_working() const { return !worker_.is_idle(); }
+  /// Somebody records, sends a field, is being measured, or waits for the field worker.
+  bool is_in_use() const;
   /// The place among the clients of whoever had the worker last.
   std::size_t last_worked_for() const { return last_worked_for_; }
   /// Readable when `go_on` has something to answer; for poll.

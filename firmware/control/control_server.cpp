@@ -69,6 +69,9 @@ void ControlServer::run() {
       if (client.is_open() && (!client.send(now) || (client.leaving && !client.has_unsent()))) forget(client);
     }
     dismiss_the_idle();
+    in_use_ = requests_.is_in_use() || std::any_of(clients_.begin(), clients_.end(), [](const ControlClient& c) {
+                return c.is_open() && c.every == 0 && c.has_unsent();
+              });  // whoever watches slowly never has all
   }
 }
 

@@ -55,6 +55,9 @@ class ControlServer {
   /// Closes every connection and joins the thread. An upload that is being checked is finished first.
   void stop();
 
+  /// The end would cut off what a client began: it records, sends a field, or has yet to get its answer. Watching does not count. Any thread.
+  bool is_in_use() const { return in_use_; }
+
  private:
   void run();
   bool wait(bool busy);
@@ -77,7 +80,7 @@ class ControlServer {
   std::vector<pollfd> polled_;
   ControlRequests requests_;
   int bell_ = -1;  ///< rung by `stop`
-  std::atomic<bool> stop_{false};
+  std::atomic<bool> stop_{false}, in_use_{false};
   std::thread thread_;
 };
 

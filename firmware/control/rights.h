@@ -29,10 +29,9 @@ constexpr protocol::Role role_for(protocol::Kind request) {
   }
 }
 
-/// For a resume, and for a recording, which begins a run anew and so forgets these faults: after a fault of what watches over the controller somebody has
-/// to look for its cause first.
+/// For a resume, and for a recording, which begins a run anew: after a fault of what watches over the controller somebody has to look for its cause first.
 ///
-/// faults    of the newest tick
+/// faults    TickRecord::faults of the newest tick
 constexpr protocol::Role role_after(std::uint16_t faults) {
   return (faults & kServiceFaults) != 0 ? protocol::Role::kService : protocol::Role::kOperate;
 }

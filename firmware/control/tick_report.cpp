@@ -20,7 +20,7 @@ const loop::Histogram& histogram(protocol::Measure measure, const loop::TickStat
 protocol::StatusReport status_report(const loop::TickRecord& newest, const loop::TickStats& stats, const store::PublishedField& field) {
   protocol::StatusReport report;
   report.state = newest.out.state;
-  report.faults = newest.out.faults;
+  report.faults = newest.faults;
   report.generation = newest.in.field_generation;
   report.ticks = stats.ticks.value();
   report.late = stats.late.value();

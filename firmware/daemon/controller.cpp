@@ -54,7 +54,7 @@ Controller::Controller(const Options& options, settings::LiveSettings& live, Ser
       watched_(ticks_in(4)),
       latency_(settings_.latency_file) {}
 
-Refusal Controller::build(bool again) {
+Refusal Controller::build() {
   if (!settings::device_model(settings_, {}))
     return "the numbers in the settings contradict each other: no device can have them; check [device] and [limits]";
   if (Refusal refusal = open_state()) return refusal;
@@ -62,7 +62,7 @@ Refusal Controller::build(bool again) {
   if (Refusal refusal = make_hardware(options_, home_anew, stop_exchange_, hardware_)) return refusal;
   choose_calibration();
   if (Refusal refusal = connect_device()) return refusal;
-  if (Refusal refusal = load_field(again)) return refusal;
+  if (Refusal refusal = load_field()) return refusal;
   if (Refusal refusal = begin_recording()) return refusal;
   if (Refusal refusal = listen()) return refusal;
   mark_run();
@@ -115,13 +115,19 @@ Refusal Controller::connect_device() {
   return {};
 }
 
-Refusal Controller::load_field(bool again) {
+/// What the run before had, whatever the settings and the state folder name; at the first run what these name, the settings first.
+Refusal Controller::load_field() {
   const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
-  const bool by_name = !settings_.field.empty() && !(again && store_ && store_->active());  // what was sent since counts more
-  Refusal refusal = by_name ? begin_with_file(settings_.field, *intake_) : intake_->begin_with_active();
-  if (by_name) return refusal;
-  if (refusal) say(refusal.sentence());
+  const std::vector<std::uint8_t> image = std::move(before_.image);
+  if (!image.empty()) {
+    if (const Refusal refusal = intake_->begin_with(image, before_.field_name)) say("the field is not loaded again: " + refusal.sentence());
+  } else if (!settings_.field.empty()) {
+    if (Refusal refusal = begin_with_file(settings_.field, *intake_)) return refusal;
+  } else if (const Refusal refusal = intake_->begin_with_active()) {
+    say(refusal.sentence());
+  }
+  if (const store::PublishedField field = intake_->published(); field.generation != 0) say(field_line(field.name.view(), field.image_hash));
   return {};
 }
 
@@ -150,12 +156,14 @@ Refusal Controller::listen() {
 
 void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
-  if (doubt || before_.fault) requests_.ask(kRequestStop);
+  if (doubt || before_.faults != 0) requests_.ask(kRequestStop);
   if (doubt) say(doubt.sentence());
 }
 
-void Controller::confirm() {
-  const SupervisorState state = recorder_->state();
+/// What the next start must know of this run, and that a person has confirmed what was before it.
+void Controller::keep_mark() {
+  if (mark_) mark_->note(loop_->faults() & kServiceFaults);
+  const SupervisorState state = lines_.state.told();
   const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
   if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
   was_idle_ = idle;
@@ -179,14 +187,16 @@ void Controller::start() {
   loop::keep_crash_stack();
   loop::Device& device = direct_ ? static_cast<loop::Device&>(*direct_) : *exchange_;
   loop::Clock& clock = direct_ ? static_cast<loop::Clock&>(virtual_clock_) : real_clock_;
-  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, before_.heat, options_.lockstep}, device, clock,
-                loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
+  const auto faults = static_cast<std::uint16_t>(before_.faults | (mark_ ? mark_->faults() : 0));
+  loop_.emplace(loop::LoopSettings{header_.device, header_.settings, header_.period_ns, before_.heat, faults, options_.lockstep}, device,
+                clock, loop::Neighbours{fields_, requests_, trace_, shown_, stats_, &lines_.state});
   memory_check_.emplace(fields_, loop::MemoryCheck::Prepared{loop_->constants(), guard_->constants()});
   records_ = std::thread([this] {
+    pthread_setname_np(pthread_self(), "record");
     loop::keep_crash_stack();
     for (; !stop_recorder_; std::this_thread::sleep_for(std::chrono::milliseconds(options_.lockstep ? 1 : 50))) {
       recorder_->drain();
-      confirm();  // here, because it waits for a disk
+      keep_mark();  // here, because it waits for a disk
     }
   });
   asked_.emplace(1 + (exchange_ ? 1 : 0) + (lines_.watchdog ? 1 : 0));
@@ -219,7 +229,7 @@ Controller::End Controller::supervise() {
     systemd_.alive(stats_.ticks.value());
     stay_awake();
     check_memory();
-    if (may_begin_again()) return End::kBeginAgain;
+    if (begins_again_ = may_begin_again(); begins_again_) return End::kBeginAgain;
     if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
   }
   systemd_.ending();
@@ -266,7 +276,7 @@ void Controller::know_device() {
   if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
     calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
-    if (calibration_->waits()) say(other_angles_line());
+    if (calibration_->waits()) say("device: " + std::string(files::kOtherAngles));
   }
   if (!is_there || calibration_->waits()) return;
   hardware_.falcon->trust(report.found);
@@ -275,8 +285,8 @@ void Controller::know_device() {
 
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
-  if (!calibration_->waits() || options_.lockstep) return false;
-  const SupervisorState state = recorder_->state();
+  if (!calibration_->waits() || options_.lockstep || (control_ && control_->is_in_use())) return false;
+  const SupervisorState state = lines_.state.told();
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
   return !had_device_ || (settings_.record.empty() && !gives_force);
 }
@@ -321,20 +331,30 @@ void Controller::stop() {
   stop_recorder_ = true;
   if (records_.joinable()) records_.join();
   recorder_->drain();
-  recorder_->stop();
-  confirm();
+  begins_again_ ? recorder_->discard() : recorder_->stop();
+  keep_mark();
   stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
-  if (mark_) mark_->end(stopped_late_ || (recorder_->condition().faults & (kServiceFaults | kFaultStopped)) != 0);
+  if (mark_) mark_->end((faults() & (kServiceFaults | kFaultStopped)) != 0 ? faults() : std::uint16_t{0});
   crash_.reset();
 }
 
+/// At the end, that nobody has resumed after.
+std::uint16_t Controller::faults() const {
+  const std::uint16_t of_ticks = loop_ ? loop_->faults() : before_.faults;
+  return static_cast<std::uint16_t>(of_ticks | (stopped_late_ ? kFaultStopped : 0));
+}
+
 Controller::Legacy Controller::legacy() const {
-  const bool fault = stopped_late_ || (recorder_ && recorder_->state() == SupervisorState::kFault);
-  return {loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), fault};
+  Legacy legacy{loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults(), {}, {}};
+  if (const loop::ActiveField field = fields_.published(); field.view != nullptr) {
+    legacy.image.assign(field.view->image.begin(), field.view->image.end());
+    legacy.field_name = intake_->published().name.view();
+  }
+  return legacy;
 }
 
 std::string Controller::summary() {
-  std::string text = "at the end, " + supervisor_line(recorder_->condition()) + "\n" + figures(stats_);
+  std::string text = "at the end, " + supervisor_line(recording::Recorder::condition_of(shown_.get())) + "\n" + figures(stats_);
   text.pop_back();  // whoever prints it ends the line
   return text;
 }

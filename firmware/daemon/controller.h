@@ -15,6 +15,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "firmware/control/calibration.h"
 #include "firmware/control/control_server.h"
@@ -47,9 +48,11 @@ class Controller {
 
   /// What a run leaves to the next one.
   struct Legacy {
-    std::uint32_t heat = 0;  ///< as core::heat_input gives it; 0 = not known
-    std::string serial;      ///< of the device that answered; empty: not known
-    bool fault = false;      ///< it ended in one, so the next one begins in one
+    std::uint32_t heat = 0;           ///< as core::heat_input gives it; 0 = not known
+    std::string serial;               ///< of the device that answered; empty: not known
+    std::uint16_t faults = 0;         ///< that nobody has resumed after: the next one begins in a fault
+    std::vector<std::uint8_t> image;  ///< of the field that it had, with every patch; empty: none
+    std::string field_name;           ///< of that field
   };
 
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
@@ -62,9 +65,8 @@ class Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// again     not the first run of this program: a field that was sent since counts more than the one that the settings name
   /// returns   what is missing or wrong; then nothing may follow
-  Refusal build(bool again);
+  Refusal build();
 
   void start();
 
@@ -87,11 +89,12 @@ class Controller {
   Refusal open_state();
   void choose_calibration();
   Refusal connect_device();
-  Refusal load_field(bool again);
+  Refusal load_field();
   Refusal begin_recording();
   Refusal listen();
   void mark_run();
-  void confirm();
+  std::uint16_t faults() const;
+  void keep_mark();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;
@@ -108,7 +111,7 @@ class Controller {
   ServiceNotify& systemd_;
   Printer& printer_;
   const settings::Settings settings_;  ///< of this run
-  const Legacy before_;
+  Legacy before_;                      ///< its image only until it is loaded
 
   // What the threads exchange.
   std::atomic<bool> stop_ticks_{false}, stop_exchange_{false}, stop_recorder_{false}, ticks_ended_{false};
@@ -148,6 +151,7 @@ class Controller {
 
   bool had_device_ = false;                                     ///< one was heard in this run
   bool was_idle_ = false;                                       ///< at the last look; the recorder's thread's
+  bool begins_again_ = false;                                   ///< a new run follows
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none
   std::string device_line_, supervisor_line_;                   ///< as said last

@@ -39,17 +39,18 @@ std::string device_line(const falcon::PortReport& report) {
   return {};
 }
 
-std::string other_angles_line() {
-  return "device: the angles in use are not its own, so it gets no force until the controller has started again with its own; "
-         "where [files] record has begun with another device, you must start it";
-}
-
 std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
 
 std::string settings_line(std::uint64_t checksum) {
   Text text;
   std::snprintf(text, sizeof text, "settings: checksum %016llx", static_cast<unsigned long long>(checksum));
   return text;
+}
+
+std::string field_line(std::string_view name, std::uint64_t hash) {
+  Text text;
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return "field: " + std::string(name) + (name.empty() ? "" : ", ") + text;
 }
 
 std::string guard_line(GuardVerdict verdict) { return "the guard stopped a motor command " + std::string(name_of(verdict)); }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "firmware/falcon/falcon_port.h"
@@ -17,14 +18,14 @@ namespace isotouch::daemon {
 /// How the device is doing; the same text as before when nothing changed.
 std::string device_line(const falcon::PortReport& report);
 
-/// A device that is not heard yet, because the angles in use are not its own.
-std::string other_angles_line();
-
 /// What the supervisor allows and what a person can do.
 std::string supervisor_line(const files::Condition& condition);
 
 /// By what the controller was set up; recordings carry the same number.
 std::string settings_line(std::uint64_t checksum);
+
+/// The field that a run begins with.
+std::string field_line(std::string_view name, std::uint64_t hash);
 
 /// What the guard has stopped.
 std::string guard_line(GuardVerdict verdict);

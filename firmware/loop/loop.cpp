@@ -21,6 +21,7 @@ Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Nei
       device_(device),
       clock_(clock),
       neighbours_(neighbours),
+      faults_(settings.faults),
       pace_(settings.period_ns, clock.now_ns()) {
   state_.heat = core::heat_from(settings.heat);
   model_seal_.close(model_);
@@ -65,6 +66,10 @@ bool Loop::step() {
                  field.generation});
   state_seal_.close(state_);
 
+  // Only a person ends a fault; a restart in one begins with a stop and would leave no other name of it.
+  const bool in_fault = record.out.state == static_cast<std::uint16_t>(SupervisorState::kFault);
+  record.faults = in_fault ? static_cast<std::uint16_t>(faults() | record.out.faults) : std::uint16_t{0};
+  faults_.store(record.faults, std::memory_order_relaxed);
   if (neighbours_.lines != nullptr) neighbours_.lines->tell(record.out.state);
   record.wake_ns = short_ns(start - wanted);
   record.tick_ns = short_ns(clock_.now_ns() - start);

@@ -40,6 +40,7 @@ struct LoopSettings {
   TickSettings tick = {};
   std::uint32_t period_ns = 1'000'000;  ///< 100,000 to 4,000,000
   std::uint32_t heat = 0;               ///< as core::heat_input gives it, of an earlier loop; 0 = not known
+  std::uint16_t faults = 0;             ///< that no person has resumed after, of an earlier loop: then this one must begin with a stop
   bool lockstep = false;                ///< wait for every reply without a due time: a run is then a pure function of the device's answers
 };
 
@@ -71,6 +72,9 @@ class Loop {
   /// As core::heat_input gives it, for the loop that follows this one. Not while it runs.
   std::uint32_t heat() const { return core::heat_input(state_.heat); }
 
+  /// TickRecord::faults of the newest tick. Any thread.
+  std::uint16_t faults() const { return faults_.load(std::memory_order_relaxed); }
+
  private:
   ActiveField take_field();
   Damage damage() const;
@@ -91,6 +95,7 @@ class Loop {
   FeltBlocks felt_;
   Seal model_seal_, state_seal_, view_seal_;
   std::atomic<Damage> found_{Damage::kNone};
+  std::atomic<std::uint16_t> faults_;
   Pace pace_;
   std::uint64_t ticks_ = 0;
   std::uint64_t seen_ = 0;    ///< number of the newest sample that a tick has had

@@ -14,6 +14,7 @@ struct TickRecord {
   std::int64_t arrival_ns = 0;  ///< of the newest packet; 0 = none yet
   Input in;
   Output out;
+  std::uint16_t faults = 0;   ///< all that no person has resumed after, those before a restart of the tick or the controller among them
   std::uint32_t wake_ns = 0;  ///< from when it should have begun to its begin
   std::uint32_t tick_ns = 0;  ///< from its begin to its commands being handed over
 };

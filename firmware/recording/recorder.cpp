@@ -76,6 +76,15 @@ void Recorder::stop() {
   if (writer_.is_open()) end("as asked");
 }
 
+void Recorder::discard() {
+  const std::lock_guard guard(mutex_);
+  if (!writer_.is_open()) return;
+  keep_patches(false);
+  writer_.discard();
+  patch_writer_.discard();
+  tell_(writer_.path() + ": the recording begins anew");
+}
+
 void Recorder::tell_patch(std::uint64_t hash_after, std::span<const std::uint8_t> patch) {
   const std::lock_guard guard(patches_mutex_);
   const auto is_too_much = [&] {
@@ -102,8 +111,8 @@ void Recorder::take(const loop::TickRecord& tick) {
   if (passed_on_ != nullptr) passed_on_->push(tick);
   if (writer_.is_open()) record(tick);
   if (!memory_.empty()) remember(tick);
-  state_.store(tick.out.state, std::memory_order_relaxed);
-  condition_.put({tick.out.state, tick.out.faults, tick.out.status, tick.in.field_generation != 0});
+  state_ = tick.out.state;
+  condition_.put(condition_of(tick));
 }
 
 void Recorder::record(const loop::TickRecord& tick) {
@@ -144,7 +153,7 @@ void Recorder::remember(const loop::TickRecord& tick) {
   if (!is_known) newest_.field_hash = generation == 0 ? 0 : hash_of_(generation);
   newest_.tick = tick;
   // A run that begins in fault, because the one before crashed, has nothing to show of it.
-  if (tick.out.state == kFault && state_.load(std::memory_order_relaxed) != kFault && save_in_ == 0 && remembered_ > 0) {
+  if (tick.out.state == kFault && state_ != kFault && save_in_ == 0 && remembered_ > 0) {
     faulted_ = tick.number;
     faulted_hash_ = newest_.field_hash;  // another field may come before it is saved
     save_in_ = settings_.after_fault + 1;

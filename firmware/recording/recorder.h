@@ -55,6 +55,8 @@ class Recorder {
   Refusal start(const std::string& path);
   /// Ends the recording. Any thread.
   void stop();
+  /// Leaves nothing of a recording that another run begins anew. Any thread.
+  void discard();
 
   /// A patch is going to be handed to the tick. In a recording it is kept until the tick that takes it over comes, or too much was told since; without
   /// one, until the next is told. Any thread.
@@ -66,10 +68,13 @@ class Recorder {
   /// A recording has ended that is not whole under its name. Any thread.
   bool has_lost_a_recording() const { return lost_a_recording_; }
 
-  /// Of the newest tick taken; any thread.
-  SupervisorState state() const { return static_cast<SupervisorState>(state_.load(std::memory_order_relaxed)); }
-  /// The same tick's, as people are told; one thread.
+  /// Of the newest tick taken, as people are told; one thread. Behind the tick by as much as the disk is slow.
   files::Condition condition() { return condition_.get(); }
+
+  /// A tick, as people are told.
+  static files::Condition condition_of(const loop::TickRecord& tick) {
+    return {tick.out.state, tick.faults, tick.out.status, tick.in.field_generation != 0};
+  }
 
  private:
   void take(const loop::TickRecord& tick);
@@ -114,7 +119,7 @@ class Recorder {
   std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
   std::atomic<bool> lost_a_recording_{false};
-  std::atomic<std::uint16_t> state_{0};
+  std::uint16_t state_ = 0;  ///< of the newest tick taken
   loop::Latest<files::Condition> condition_;
 };
 

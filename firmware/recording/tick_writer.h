@@ -42,6 +42,9 @@ class TickWriter {
   /// returns     why there is no file under its name, or why it holds less than was appended, and how much
   Refusal finish(std::uint64_t field_hash);
 
+  /// Leaves nothing behind.
+  void discard() { file_.discard(); }
+
   bool is_open() const { return file_.is_open(); }
   const std::string& path() const { return file_.path(); }
   /// Appended; after `finish`, in the file.

@@ -1,9 +1,10 @@
 /// Two marks in the state folder. If a start finds either, a person must confirm the next force. `running` is there while a controller runs. One that a
 /// start finds was left by a crash, a signal that cannot be heard or a power cut, perhaps with a hand at the grip; or by a run that ended before a person
-/// had done what it waited for. `recalibrated` is there from before other angles of the device's arms are stored until a person has confirmed them,
-/// whatever ends the runs between. Not for the tick.
+/// had done what it waited for. It holds the names of the faults that nobody has resumed after. `recalibrated` is there from before other angles of the
+/// device's arms are stored until a person has confirmed them, whatever ends the runs between. Not for the tick.
 #pragma once
 
+#include <cstdint>
 #include <mutex>
 
 #include "firmware/store/folder.h"
@@ -18,6 +19,8 @@ class RunMark {
 
   /// The run before had no orderly end, or still waited for a person.
   bool crashed() const { return crashed_; }
+  /// The faults that the runs before ended in, and that nobody has confirmed; bits of Faults.
+  std::uint16_t faults() const { return faults_; }
   /// At the start of this run nobody had confirmed the angles of the device's arms.
   bool recalibrated() const { return recalibrated_; }
 
@@ -35,19 +38,27 @@ class RunMark {
   /// run is not. Any thread; does nothing while another one stores angles, so whoever calls it calls it again.
   void confirm();
 
+  /// This run is in faults that the next start must not forget, whatever ends this run. Any thread; waits for the disk where a fault is new.
+  ///
+  /// faults    bits of Faults; those noted before stay until `confirm`
+  void note(std::uint16_t faults);
+
   /// The end of an orderly run. The next start finds the mark if that fails, if this run found it and nobody has confirmed it, or as it is asked here.
   ///
-  /// needs_a_person  this run ended in a fault that the next start must not forget
-  void end(bool needs_a_person = false);
+  /// faults    that the next start must not forget; 0: none
+  void end(std::uint16_t faults = 0);
 
  private:
   bool write(const char* name);
+  void put_faults(std::uint16_t faults);
 
   Folder& folder_;
   const bool crashed_, recalibrated_;
-  std::mutex mutex_;  ///< of what follows, and of the mark of a calibration
-  bool in_doubt_;     ///< nobody has confirmed the crash before this run
-  bool confirms_;     ///< there are angles to confirm
+  const std::uint16_t faults_;  ///< as this run found them
+  std::mutex mutex_;            ///< of what follows, and of both marks
+  bool in_doubt_;               ///< nobody has confirmed the crash before this run
+  bool confirms_;               ///< there are angles to confirm
+  std::uint16_t noted_;         ///< the faults in the mark `running`
 };
 
 }  // namespace isotouch::store

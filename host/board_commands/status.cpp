@@ -24,7 +24,7 @@ struct StatusOptions {
 
 void print_text(const link::ControllerStatus& seen) {
   const protocol::StatusReport& status = seen.status;
-  std::printf("%-17s%s\n", "state", state_text(status).c_str());
+  std::printf("%-17s%s\n", "state", link::sentence(seen).c_str());
   if (seen.verdict() != GuardVerdict::kNone)
     std::printf("%-17sstopped a motor command %s\n", "guard", std::string(name_of(seen.verdict())).c_str());
   const std::string name = status.field_name.size == 0 ? "" : std::string(status.field_name.view()) + ", ";
@@ -43,7 +43,7 @@ void print_text(const link::ControllerStatus& seen) {
   std::printf("%-17s%s, arms at count 0 at %.3f, %.3f, %.3f degrees (%s)%s\n", "device",
               device.serial.size == 0 ? "none" : std::string(device.serial.view()).c_str(), degrees_of(device.at_zero[0]),
               degrees_of(device.at_zero[1]), degrees_of(device.at_zero[2]), link::angles_from(device).c_str(),
-              device.waits != 0 ? "; other angles are stored and take effect at the next start" : "");
+              device.waits != 0 ? "; this device has other angles" : "");
   std::printf("%-17s%s\n", "your role", std::string(seen.role()).c_str());
   std::printf("%-17schecksum %s; %s\n", "settings", trace::hash_text(seen.settings.checksum).c_str(),
               seen.settings.different.empty() ? "all have their defaults" : "those that differ from their defaults:");

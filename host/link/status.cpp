@@ -19,6 +19,12 @@ ControllerStatus whole_status(Controller& controller) {
   return {controller.welcome(), controller.status(), controller.device(), controller.settings()};
 }
 
+std::string sentence(const ControllerStatus& seen) {
+  const protocol::StatusReport& status = seen.status;
+  if (seen.device.waits != 0) return files::state_name(status.state) + (": " + std::string(files::kOtherAngles));
+  return files::state_text({status.state, status.faults, status.status, status.generation != 0});
+}
+
 std::string angles_from(const protocol::DeviceReport& device) {
   return device.from < kAnglesFrom.size() ? kAnglesFrom[device.from] : "unknown";
 }
@@ -28,7 +34,7 @@ nlohmann::ordered_json to_json(const ControllerStatus& seen) {
   nlohmann::ordered_json json{{"program", seen.welcome.program.view()},
                               {"role", seen.role()},
                               {"state", files::state_name(status.state)},
-                              {"sentence", files::state_text({status.state, status.faults, status.status, status.generation != 0})},
+                              {"sentence", sentence(seen)},
                               {"ticks", status.ticks},
                               {"late", status.late},
                               {"faults", fault_names(status.faults)},

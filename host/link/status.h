@@ -28,6 +28,9 @@ ControllerStatus whole_status(Controller& controller);
 /// Where the angles in use come from: "geometry", "settings", "measured", or "unknown".
 std::string angles_from(const protocol::DeviceReport& device);
 
+/// What is true for the hand, and the next step.
+std::string sentence(const ControllerStatus& seen);
+
 /// The object that `isotouch status --json` prints. Times are in the unit that ends their key, such as `tick_us`.
 nlohmann::ordered_json to_json(const ControllerStatus& seen);
 

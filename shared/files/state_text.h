@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "shared/tick_io.h"
 
@@ -18,6 +19,11 @@ struct Condition {
 
   bool operator==(const Condition&) const = default;
 };
+
+/// What is true instead while the device that answers has other angles than those in use.
+inline constexpr std::string_view kOtherAngles =
+    "the angles in use are not those of the device that answers, so it gets no force until the controller has started again with its own; "
+    "that waits until nobody records or sends a field; where [files] record has begun with another device, you must start it";
 
 /// One word: "boot" to "fault"; "unknown" for a number that is no state.
 const char* state_name(std::uint16_t state);

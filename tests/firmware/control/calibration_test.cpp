@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "tests/firmware/store/crashing_folder.h"
 
 namespace isotouch::control {
@@ -63,6 +67,21 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   EXPECT_TRUE(b.waits()) << "the angles of another device are in use";
   b.answers("");
   EXPECT_TRUE(b.waits()) << "one without a serial is another one, too";
+}
+
+TEST_F(CalibrationTest, WhatIsKeptOfADeviceThatHasGoneSaysNothingOfTheOneThatAnswers) {
+  ASSERT_TRUE(store.put("B2", angles(7)));
+  std::optional<Calibration> calibration;
+  bool comes = false;
+  const auto swaps = [&](const std::string& serial) {
+    if (std::exchange(comes, false)) calibration->answers("B2");
+    return by_settings(serial);
+  };
+  calibration.emplace(&store, nullptr, swaps, "A1");
+  calibration->answers("A1");
+  comes = true;
+  EXPECT_EQ(calibration->keep({protocol::Text::of("A1"), {near(0), near(0), near(0)}}).sentence(), "");
+  EXPECT_TRUE(calibration->waits()) << "B2 does not have the angles in use";
 }
 
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {

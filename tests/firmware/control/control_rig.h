@@ -77,7 +77,7 @@ class FakeTick {
       const loop::Asked asked = commands.take();
       record.in.requests = asked.bits;
       if (field.patched_from != 0 && field.patched_from == generation_) record.in.requests |= kRequestMoved;
-      record.out.faults = faults;
+      record.faults = faults;
       record.in.field_generation = field.generation;
       record.out.state = static_cast<std::uint16_t>(field.view != nullptr ? SupervisorState::kActive : SupervisorState::kIdle);
       record.out.commands[0] = word.exchange(0);
@@ -89,7 +89,7 @@ class FakeTick {
       stats.ticks.add();
       stats.tick_time.add(static_cast<std::int64_t>(number % 1000));
       shown.put(record);
-      shown_faults = record.out.faults;
+      shown_faults = record.faults;
       ring.push(record);
       std::this_thread::sleep_for(std::chrono::microseconds(100));
     }

@@ -41,6 +41,7 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   EXPECT_EQ(report.serial.view(), "A1");
   EXPECT_EQ(report.waits, 1);
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
+  expect_sentence(ask(speaker, Kind::kResume), "the angles in use are not those of the device");
 }
 
 TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {

@@ -114,7 +114,7 @@ TEST(ControlServerRoles, AFaultOfTheLinesIsResumedByWhoServices) {
       Speaker speaker(rig.settings.path);
       speaker.greet();
       while (rig.tick.shown_faults != fault) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      const Heard recording = ask(speaker, Kind::kRecord);  // it begins a run anew, which forgets these faults
+      const Heard recording = ask(speaker, Kind::kRecord);  // it begins a run anew
       EXPECT_EQ(recording.kind, of_service && role == Role::kOperate ? Kind::kRefused : Kind::kRecording) << fault;
       if (recording.kind == Kind::kRecording) {
         speaker.say(Kind::kRecordEnd);

@@ -264,6 +264,28 @@ TEST(ControlServer, ARecordingOfAClientEndsAtAPatch) {
   expect_sentence(heard, "the recording ended: the field was patched");
 }
 
+TEST(ControlServer, IsInUseWhileAClientRecordsOrSends) {
+  ControlRig rig;
+  Speaker recorder(rig.settings.path), sender(rig.settings.path);
+  recorder.greet();
+  const auto comes_to_be_in_use = [&rig](bool wanted) {
+    for (int tries = 0; tries < 10'000 && rig.server->is_in_use() != wanted; ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return rig.server->is_in_use() == wanted;
+  };
+  EXPECT_TRUE(comes_to_be_in_use(false));
+  recorder.say(Kind::kRecord);
+  EXPECT_TRUE(comes_to_be_in_use(true));
+  recorder.say(Kind::kRecordEnd);
+  EXPECT_TRUE(comes_to_be_in_use(false));
+  const auto frames = frames_of(store::packed_ball(1), 4096);
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) sender.send(frames[i]), sender.hear();
+  EXPECT_TRUE(comes_to_be_in_use(true));
+  sender.send(frames.back());
+  EXPECT_EQ(sender.hear().kind, Kind::kAccepted);
+  EXPECT_TRUE(comes_to_be_in_use(false));
+}
+
 TEST(ControlServer, ATooLargePatchIsRefused) {
   ControlRig rig;
   Speaker speaker(rig.settings.path);

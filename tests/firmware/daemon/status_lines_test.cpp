@@ -17,6 +17,11 @@ TEST(StatusLines, AStateIsToldInItsSentence) {
 
 TEST(StatusLines, TheSettingsAreToldByTheirChecksum) { EXPECT_EQ(settings_line(0x1234), "settings: checksum 0000000000001234"); }
 
+TEST(StatusLines, AFieldIsToldByNameAndHash) {
+  EXPECT_EQ(field_line("ball", 0x1234), "field: ball, 0000000000001234");
+  EXPECT_EQ(field_line("", 0x1234), "field: 0000000000001234");
+}
+
 TEST(StatusLines, ADeviceIsLookedForBroughtUpAndNamed) {
   falcon::PortReport report;
   EXPECT_EQ(device_line(report), "device: looking for one");

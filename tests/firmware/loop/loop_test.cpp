@@ -193,6 +193,31 @@ TEST(Loop, ARecordingBegunInAFaultDoesNotEndIt) {
   EXPECT_EQ(bench.step().in.requests, kRequestRestart);
 }
 
+TEST(Loop, AFaultKeepsItsNameThroughARestartUntilAPersonResumes) {
+  Bench bench;
+  bench.lines.put(kLineStop);
+  EXPECT_EQ(bench.step().faults, kFaultEmergency);
+  bench.lines.put(0);
+  bench.requests.ask(kRequestRestart);
+  TickRecord record = bench.step();
+  EXPECT_EQ(record.out.faults, kFaultStopped) << "the tick has forgotten";
+  EXPECT_EQ(record.faults, kFaultEmergency | kFaultStopped);
+  EXPECT_EQ(bench.loop.faults(), record.faults);
+  bench.requests.ask(kRequestResume);
+  EXPECT_EQ(bench.step().faults, 0);
+}
+
+TEST(Loop, TheFaultsOfAnEarlierLoopStayUntilAPersonResumes) {
+  LoopSettings settings;
+  settings.faults = kFaultGuard;
+  Bench bench(settings);
+  EXPECT_EQ(bench.loop.faults(), kFaultGuard);
+  bench.requests.ask(kRequestStop);
+  EXPECT_EQ(bench.step().faults, kFaultGuard | kFaultStopped);
+  bench.requests.ask(kRequestResume);
+  EXPECT_EQ(bench.step().faults, 0);
+}
+
 TEST(Loop, ARecordingBegunInAPauseDoesNotHideIt) {
   Bench bench;
   bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };

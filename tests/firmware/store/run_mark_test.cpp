@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "shared/fault_names.h"
 #include "tests/firmware/store/crashing_folder.h"
 
 namespace isotouch::store {
@@ -52,16 +53,52 @@ TEST(RunMark, ARunThatEndsInAFaultIsFoundUntilAPersonHasConfirmedIt) {
   CrashingFolder folder;
   RunMark first(folder);
   EXPECT_EQ(first.begin().sentence(), "");
-  first.end(true);
+  first.end(kFaultStopped);
   EXPECT_TRUE(finds_a_crash(folder));
   RunMark second(folder);
   second.confirm();
-  second.end(true);
+  second.end(kFaultStopped);
   EXPECT_TRUE(finds_a_crash(folder)) << "confirmed, and in a fault again";
   RunMark third(folder);
   third.confirm();
   third.end();
   EXPECT_FALSE(finds_a_crash(folder));
+}
+
+TEST(RunMark, TheNamesOfFaultsStayUntilAPersonHasConfirmedThem) {
+  CrashingFolder folder;
+  {
+    RunMark first(folder);
+    EXPECT_EQ(first.begin().sentence(), "");
+    EXPECT_EQ(first.faults(), 0);
+    first.note(kFaultGuard);
+    first.note(0);  // and it is killed
+  }
+  CrashingFolder cut = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
+  EXPECT_EQ(RunMark(cut).faults(), kFaultGuard) << "it was on the disk at once";
+  for (int times = 0; times < 2; ++times) {
+    RunMark later(folder);
+    EXPECT_EQ(later.faults(), kFaultGuard) << times;
+    EXPECT_TRUE(later.begin());
+    later.end();
+  }
+  RunMark second(folder);
+  EXPECT_TRUE(second.begin());
+  second.end(kFaultStopped);
+  RunMark third(folder);
+  EXPECT_EQ(third.faults(), kFaultGuard | kFaultStopped);
+  third.confirm();
+  EXPECT_EQ(RunMark(folder).faults(), 0) << "confirmed, although it may still crash itself";
+  third.end();
+  EXPECT_FALSE(finds_a_crash(folder));
+}
+
+TEST(RunMark, EveryFaultIsFoundByItsNameAlone) {
+  for (const FaultName& fault : kFaultNames) {
+    CrashingFolder folder;
+    RunMark(folder).end(fault.fault);
+    EXPECT_EQ(RunMark(folder).faults(), fault.fault) << fault.name;
+  }
 }
 
 TEST(RunMark, AChangedCalibrationStaysUntilItIsConfirmed) {
