@@ -117,8 +117,7 @@ bool bring_back(const ImportOptions& options) {
                      "); choose a topic with --topic");
   }
   const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, *trace);
-  write_file(options.trace.out, found->trace.data(), found->trace.size());
-  if (patches) write_file(trace::patches_of(options.trace.out), patches->data(), patches->size());
+  trace::finish_with_patches(options.trace.out, patches, [&] { write_file(options.trace.out, found->trace.data(), found->trace.size()); });
   std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;
 }
