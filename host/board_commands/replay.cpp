@@ -15,7 +15,6 @@
 #include "host/board_commands/quantiles_json.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
-#include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/recorded_patches.h"
@@ -170,8 +169,7 @@ Replayed replayed(const ReplayOptions& options, const FieldView& field, const tr
                        options.renderer + ", so there is nothing to compare; replay a recording with contact");
     }
   }
-  if (writer) writer->finish();
-  if (patches) write_file(trace::patches_of(options.out), patches->data(), patches->size());
+  if (writer) trace::finish_with_patches(options.out, patches, [&] { writer->finish(); });
   return replayed;
 }
 

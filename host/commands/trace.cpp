@@ -24,6 +24,7 @@
 #include "host/files/whole_file.h"
 #include "host/motion/device_in_hand.h"
 #include "host/motion/motion.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_diff.h"
 #include "host/trace/trace_file.h"
@@ -85,7 +86,9 @@ void make_packets(const ToPacketsOptions& options) {
   const trace::Trace hand = trace::read_trace(options.hand, InputKind::kPosition);
   TraceHeader header = hand.header();
   header.device = options.device == "libnifalcon" ? libnifalcon_model() : martin_hillier_model();
-  trace::Run run(field.view, header);
+  const std::optional<std::vector<std::uint8_t>> patch_bytes = trace::patches_for(options.out, hand);
+  const std::optional<trace::RecordedPatches> patches = trace::read_patches(hand, field.view);
+  trace::Run run(field.view, header, patches ? &*patches : nullptr);
   trace::TraceWriter writer(options.out, run.header());
   motion::DeviceInHand device(header.device);
   for (std::size_t tick = 0; tick < hand.size(); ++tick) {
@@ -94,7 +97,7 @@ void make_packets(const ToPacketsOptions& options) {
     record.arrival_ns = recorded.arrival_ns;
     writer.append(record);
   }
-  writer.finish();
+  trace::finish_with_patches(options.out, patch_bytes, [&] { writer.finish(); });
   report(options.out, hand.size(), header);
   if (device.out_of_reach() > 0) {
     std::fprintf(stderr, "%llu ticks lay out of the device's reach; there it kept its last place\n",

@@ -117,8 +117,7 @@ bool bring_back(const ImportOptions& options) {
                      "); choose a topic with --topic");
   }
   const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(options.trace.out, *trace);
-  write_file(options.trace.out, found->trace.data(), found->trace.size());
-  if (patches) write_file(trace::patches_of(options.trace.out), patches->data(), patches->size());
+  trace::finish_with_patches(options.trace.out, patches, [&] { write_file(options.trace.out, found->trace.data(), found->trace.size()); });
   std::fprintf(stderr, "%s: the trace that %s holds, to the bit\n", options.trace.out.string().c_str(), options.source.string().c_str());
   return true;
 }
@@ -184,8 +183,9 @@ void add_import(CLI::App& trace) {
                       "t=NAME,x=NAME,y=NAME,z=NAME,fx=NAME,fy=NAME,fz=NAME (default t_s, x_mm, ..., fx_N, ...)");
   command->add_flag("--forces", options->forces,
                     "also read the forces on the hand, N, for isotouch scan; give the wall's stiffness with --stiffness");
-  command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the ending of the column's name");
-  command->add_option("--length-unit", options->length_unit, "mm cm m in; default: the endings of the columns' names, m in a recording");
+  command->add_option("--time-unit", options->time_unit, "s ms us ns; default: the last word of the column's name, as in t_ms");
+  command->add_option("--length-unit", options->length_unit,
+                      "mm cm m in; default: the last word of the columns' names, as in x_m; m in a recording");
   command->add_flag("--centre", options->centre, "put the middle of the motion's box at the workspace's centre");
   command->add_option("--scale", options->scale, "then multiply")->capture_default_str();
   command->add_option("--offset", options->offset, "then move the motion by x,y,z mm")->delimiter(',')->expected(3);

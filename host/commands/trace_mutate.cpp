@@ -13,7 +13,6 @@
 #include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/field_file/open_field.h"
-#include "host/files/whole_file.h"
 #include "host/motion/mutate.h"
 #include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
@@ -48,15 +47,16 @@ motion::Recording read_inputs(const TraceMutateOptions& options, const trace::Tr
   return recording;
 }
 
-/// Positions alone, as `trace make` writes them.
-void write_positions(const fs::path& out, const motion::Recording& recording) {
+/// Positions alone, as `trace make` writes them. The patches of their field stand beside them, too.
+void write_positions(const fs::path& out, const motion::Recording& recording, const trace::Trace& recorded) {
+  const std::optional<std::vector<std::uint8_t>> patches = trace::patches_for(out, recorded);
   TraceHeader header = recording.header;
   header.has_outputs = false;
   header.field_hash = 0;
   trace::TraceWriter writer(out, header);
   std::uint64_t tick = 0;
   for (const Input& input : recording.inputs) writer.append({input, {}, 0, header.period_ns * tick++});
-  writer.finish();
+  trace::finish_with_patches(out, patches, [&] { writer.finish(); });
 }
 
 /// Packets with what the tick of that device answers, as `trace to-packets` writes them. The patches of their field stand beside them, too.
@@ -71,8 +71,7 @@ void write_packets(const fs::path& out, const motion::Recording& recording, cons
     record.arrival_ns = recording.header.period_ns * tick++;
     writer.append(record);
   }
-  writer.finish();
-  if (patch_bytes) write_file(trace::patches_of(out), patch_bytes->data(), patch_bytes->size());
+  trace::finish_with_patches(out, patch_bytes, [&] { writer.finish(); });
 }
 
 void run(const TraceMutateOptions& options) {
@@ -86,7 +85,7 @@ void run(const TraceMutateOptions& options) {
     throw InputError(options.trace.string() + ": " + e.what());
   }
   motion::find_mutation(options.name)->of == InputKind::kPacket ? write_packets(options.out, mutated, field.view, trace)
-                                                                : write_positions(options.out, mutated);
+                                                                : write_positions(options.out, mutated, trace);
   std::fprintf(stderr, "%s: %zu ticks\n", options.out.string().c_str(), mutated.inputs.size());
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "host/field/angle.h"
+#include "host/motion/hand.h"
 #include "host/to_double.h"
 
 namespace isotouch::motion {
@@ -51,7 +52,7 @@ Input DeviceInHand::operator()(const Input& hand) {
   in.packet = encode(reply_);
   in.fresh = hand.fresh;
   in.age = hand.age;
-  in.field_generation = hand.field_generation;
+  keep_field(hand, in);
   return in;
 }
 

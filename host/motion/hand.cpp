@@ -24,6 +24,14 @@ double wave(double phase) {
   return t * (3 - t * t) / 2;
 }
 
+void keep_field(const Input& recorded, Input& tick) {
+  tick.field_generation = recorded.field_generation;
+  if ((recorded.requests & kRequestMoved) == 0) return;
+  tick.requests |= kRequestMoved;
+  tick.moved_to = recorded.moved_to;
+  tick.author = recorded.author;
+}
+
 Hand::Hand(const Options& options, Emit emit) : options_(options), emit_(std::move(emit)), losses_(options.seed) {}
 
 void Hand::step(const Eigen::Vector3d& to) {

@@ -26,6 +26,9 @@ double wave(double phase);
 /// share     0 to 0.5
 constexpr double loss_begins(double share) { return share / (2 - share); }
 
+/// Gives a tick the field of a recorded one: its generation, and the patch that it takes over, if any.
+void keep_field(const Input& recorded, Input& tick);
+
 class Hand {
  public:
   using Emit = std::function<void(const Input&)>;

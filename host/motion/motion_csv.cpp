@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
@@ -17,22 +19,27 @@ namespace isotouch::motion {
 
 namespace {
 
-using Factor = std::pair<std::string_view, double>;
-using Factors = std::vector<Factor>;
-constexpr std::size_t kStated = 4;  // may be stated as an option; behind them is what else the endings of names say
-const Factors kSeconds = {
-    {"s", 1.0},       {"ms", 1e-3},           {"us", 1e-6},    {"ns", 1e-9},     {"sec", 1.0},           {"secs", 1.0},
-    {"seconds", 1.0}, {"msec", 1e-3},         {"msecs", 1e-3}, {"millis", 1e-3}, {"milliseconds", 1e-3}, {"usec", 1e-6},
-    {"micros", 1e-6}, {"microseconds", 1e-6}, {"nsec", 1e-9},  {"nanos", 1e-9},  {"nanoseconds", 1e-9}};
-const Factors kMillimetres = {{"mm", 1.0},          {"cm", 10.0},         {"m", 1000.0},         {"in", 25.4},
-                              {"millimetres", 1.0}, {"millimeters", 1.0}, {"centimetres", 10.0}, {"centimeters", 10.0},
-                              {"metres", 1000.0},   {"meters", 1000.0},   {"inch", 25.4},        {"inches", 25.4}};
-const Factors kNewtons = {{"N", 1.0}, {"newton", 1.0}, {"newtons", 1.0}};
-using Names = std::vector<std::string_view>;
-/// Units, too, in which nothing is read: a name that ends with one must not pass for one without a unit.
-const Names kOtherTimes = {"ps", "min", "mins", "minutes", "h", "hr", "hrs", "hours", "d", "days", "ticks", "frames"};
-const Names kOtherLengths = {"nm", "um", "µm", "μm", "micron", "microns", "dm", "km", "ft", "feet", "yd", "mil", "px", "pixels", "counts"};
-const Names kOtherForces = {"uN", "mN", "cN", "dN", "kN", "MN", "gf", "kgf", "kg", "g", "lb", "lbf", "lbs", "ozf", "dyn", "counts", "V"};
+struct Unit {
+  std::string_view name;  ///< may be stated as an option
+  double factor;
+  std::vector<std::string_view> words;  ///< what else may stand for it in a column's name
+};
+struct Units {
+  std::vector<Unit> units;
+  std::string_view option;  ///< that states one; empty: there is none
+};
+const Units kSeconds = {{{"s", 1.0, {"sec", "secs", "second", "seconds"}},
+                         {"ms", 1e-3, {"msec", "msecs", "millis", "millisecond", "milliseconds"}},
+                         {"us", 1e-6, {"µs", "μs", "usec", "usecs", "micros", "microsecond", "microseconds"}},
+                         {"ns", 1e-9, {"nsec", "nsecs", "nanos", "nanosec", "nanosecs", "nanosecond", "nanoseconds"}}},
+                        "--time-unit"};
+const Units kMillimetres = {{{"mm", 1.0, {"millimetre", "millimetres", "millimeter", "millimeters"}},
+                             {"cm", 10.0, {"centimetre", "centimetres", "centimeter", "centimeters"}},
+                             {"m", 1000.0, {"metre", "metres", "meter", "meters"}},
+                             {"in", 25.4, {"inch", "inches"}}},
+                            "--length-unit"};
+/// A name that ends with its axis has no unit.
+const Units kNewtons = {{{"N", 1.0, {"newton", "newtons", "x", "y", "z", "fx", "fy", "fz"}}}, ""};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \r\"";
@@ -65,14 +72,18 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   }
 }
 
+std::string names_of(const Units& units) {
+  std::string names;
+  for (const Unit& unit : units.units) names.append(names.empty() ? "" : " ").append(unit.name);
+  return names;
+}
+
 /// The factor of a stated unit.
-double stated_factor(const Factors& factors, const std::string& stated) {
-  const auto end = factors.begin() + kStated;
-  const auto found = std::find_if(factors.begin(), end, [&](const Factor& f) { return f.first == stated; });
-  if (found != end) return found->second;
-  std::string known;
-  std::for_each(factors.begin(), end, [&](const Factor& f) { known.append(" ").append(f.first); });
-  throw InputError("unknown unit " + in_quotes(stated) + "; choose one of:" + known);
+double stated_factor(const Units& units, const std::string& stated) {
+  for (const Unit& unit : units.units) {
+    if (unit.name == stated) return unit.factor;
+  }
+  throw InputError("unknown unit " + in_quotes(stated) + "; choose one of: " + names_of(units));
 }
 
 /// Lines with their numbers, and the sentences that name them.
@@ -115,19 +126,33 @@ class Table {
   std::size_t number_ = 0;
 };
 
-/// The factor of the unit that a column's name ends with, else 1.
-///
-/// others    endings that are refused
-double named_factor(const Table& table, const Factors& factors, const Names& others, std::string_view column) {
-  const std::size_t at = column.rfind('_');
-  if (at == std::string_view::npos) return 1.0;
-  const std::string_view ending = column.substr(at + 1);
-  const auto found = std::find_if(factors.begin(), factors.end(), [&](const Factor& f) { return f.first == ending; });
-  if (found != factors.end()) return found->second;
-  if (std::find(others.begin(), others.end(), ending) != others.end())
-    table.refuse("the unit of the column " + in_quotes(column) + " is not read; convert the column to " +
-                 std::string(factors.front().first) + " and rename it");
-  return 1.0;
+/// The last word of a name that has more than one. A word is made of letters, digits and what is not ASCII.
+std::string_view last_word(std::string_view name) {
+  const auto is_of_word = [](char c) { return (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  while (!name.empty() && !is_of_word(name.back())) name.remove_suffix(1);
+  std::size_t begin = name.size();
+  while (begin > 0 && is_of_word(name[begin - 1])) --begin;
+  return begin > 0 ? name.substr(begin) : std::string_view();
+}
+
+/// No two units differ only by capital letters.
+bool is_same_word(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+    return std::tolower(static_cast<unsigned char>(x)) == std::tolower(static_cast<unsigned char>(y));
+  });
+}
+
+/// The factor of the unit that a column's name ends with; 1 for a name of one word.
+double named_factor(const Table& table, const Units& units, std::string_view column) {
+  const std::string_view word = last_word(column);
+  if (word.empty()) return 1.0;
+  const auto is_it = [&](std::string_view name) { return is_same_word(name, word); };
+  for (const Unit& unit : units.units) {
+    if (is_it(unit.name) || std::any_of(unit.words.begin(), unit.words.end(), is_it)) return unit.factor;
+  }
+  const std::string give = units.option.empty() ? "" : "give the unit with " + std::string(units.option) + ", or ";
+  table.refuse("the name of the column " + in_quotes(column) + " ends with " + in_quotes(word) + ", which is none of the known units (" +
+               names_of(units) + "); " + give + "convert the column if needed and rename it");
 }
 
 std::size_t find_column(const Table& table, const std::vector<std::string_view>& names, const std::string& wanted) {
@@ -195,16 +220,16 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
     for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) at.push_back(find_column(table, names, *name));
   }
   const double seconds =
-      columns.time_unit.empty() ? named_factor(table, kSeconds, kOtherTimes, columns.time) : stated_factor(kSeconds, columns.time_unit);
-  const double millimetres = columns.length_unit.empty() ? named_factor(table, kMillimetres, kOtherLengths, columns.x)
-                                                         : stated_factor(kMillimetres, columns.length_unit);
+      columns.time_unit.empty() ? named_factor(table, kSeconds, columns.time) : stated_factor(kSeconds, columns.time_unit);
+  const double millimetres =
+      columns.length_unit.empty() ? named_factor(table, kMillimetres, columns.x) : stated_factor(kMillimetres, columns.length_unit);
   for (const std::string* other : {&columns.y, &columns.z}) {
-    if (columns.length_unit.empty() && named_factor(table, kMillimetres, kOtherLengths, *other) != millimetres)
+    if (columns.length_unit.empty() && named_factor(table, kMillimetres, *other) != millimetres)
       table.refuse("the columns " + in_quotes(columns.x) + " and " + in_quotes(*other) +
                    " have different units; write --length-unit for all three, or rename one");
   }
   for (const std::string* name : {&columns.fx, &columns.fy, &columns.fz}) {
-    if (columns.with_forces) named_factor(table, kNewtons, kOtherForces, *name);
+    if (columns.with_forces) named_factor(table, kNewtons, *name);
   }
 
   std::vector<TimedPoint> points;

@@ -24,9 +24,9 @@ struct MotionColumns {
   std::string fy = "fy_N";
   std::string fz = "fz_N";
   bool with_forces = false;  ///< read them, N
-  std::string time_unit;     ///< s ms us ns; empty: the ending of the column's name (t_s, stamp_ns), else s
-  std::string length_unit;   ///< mm cm m in; empty: the endings of the columns' names, which must agree, else mm
-  // An ending that is another unit, as in t_min, x_um and fx_kN, is refused.
+  std::string time_unit;     ///< s ms us ns; empty: the last word of the column's name (t_s, "stamp [ns]"), else s
+  std::string length_unit;   ///< mm cm m in; empty: the last words of the columns' names, which must agree, else mm
+  // A name of one word has no unit. Of a longer one, a last word that is no known unit is refused, as in t_min, x_um, pose.x and fx_kN.
 };
 
 /// How many mm a unit of length has: mm cm m in.
@@ -43,8 +43,7 @@ MotionColumns parse_columns(const std::string& text);
 ///
 /// returns   at least two samples, by rising time
 /// fails     InputError with file and line: no such column, another number of fields than the header has, not a finite number, time that
-/// does
-///           not rise, fewer than two rows, an unknown unit, a line of more than 64 KiB
+///           does not rise, fewer than two rows, an unknown unit, a line of more than 64 KiB
 std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const MotionColumns& columns);
 
 }  // namespace isotouch::motion

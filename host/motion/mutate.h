@@ -19,7 +19,8 @@ struct Recording {
 
 struct Mutation {
   std::string_view name;
-  InputKind of;  ///< what its recordings hold
+  InputKind of;      ///< what its recordings hold
+  bool keeps_ticks;  ///< each tick comes of the recorded one of its number
   std::string_view meaning;
 };
 
@@ -32,7 +33,8 @@ const Mutation* find_mutation(std::string_view name);
 /// The same for the same recording, field and seed on every machine.
 ///
 /// recording in the workspace of `field`, with inputs of the mutation's kind
-/// fails     InputError: an unknown name; a hand that never moves (fast), or never comes near the surface (dwell, medial, graze, leave)
+/// fails     InputError: an unknown name; a hand that never moves (fast), or never comes near the surface (dwell, medial, graze, leave); a field that
+///           was patched meanwhile, where the mutation does not keep the ticks
 Recording mutate(const Recording& recording, std::string_view name, const FieldView& field, std::uint64_t seed);
 
 }  // namespace isotouch::motion

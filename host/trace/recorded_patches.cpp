@@ -1,10 +1,15 @@
 #include "host/trace/recorded_patches.h"
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <string>
 #include <utility>
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "shared/files/part_file.h"
+#include "shared/files/sync_folder.h"
 #include "shared/patch_chain.h"
 
 namespace isotouch::trace {
@@ -43,6 +48,21 @@ std::optional<std::vector<std::uint8_t>> patches_for(const std::filesystem::path
     throw InputError(trace.path() +
                      ": its field was patched, and the patches belong into a file beside the trace; write to a file, not to -");
   return bytes;
+}
+
+void finish_with_patches(const std::filesystem::path& trace, const std::optional<std::vector<std::uint8_t>>& patches,
+                         const std::function<void()>& finish) {
+  if (!patches) return finish();
+  const std::string file = files::output_place(patches_of(trace)).path, part = file + ".part";
+  write_file(part, patches->data(), patches->size());
+  try {
+    finish();
+    if (std::rename(part.c_str(), file.c_str()) == 0 && files::sync_folder_of(file)) return;
+    throw InputError(file + ": the patches of the trace cannot be written: " + std::strerror(errno));
+  } catch (...) {
+    std::remove(part.c_str());
+    throw;
+  }
 }
 
 std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field) {

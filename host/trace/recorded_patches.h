@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,14 @@ std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace);
 ///
 /// fails     also InputError: standard output has nothing beside it
 std::optional<std::vector<std::uint8_t>> patches_for(const std::filesystem::path& other, const Trace& trace);
+
+/// Completes that other trace with them beside it. Neither gets its name where the disk has no room for both.
+///
+/// patches   none: the trace alone is completed
+/// finish    gives the trace its name
+/// fails     InputError naming the file that cannot be written, and as `finish`
+void finish_with_patches(const std::filesystem::path& trace, const std::optional<std::vector<std::uint8_t>>& patches,
+                         const std::function<void()>& finish);
 
 /// Reads and checks them. A trace without a tick that takes a patch over has none.
 ///

@@ -185,7 +185,8 @@ class Page {
     while (this.wanted && !this.rests(this.wanted)) {
       const next: SceneSummary = this.wanted;
       this.wanted = null;
-      if (!this.shows(next)) await this.openNow(next);
+      if (this.shows(next)) this.notice(''); // also where another object could not be loaded meanwhile
+      else await this.openNow(next);
     }
     this.opens = false;
   }
@@ -202,10 +203,11 @@ class Page {
 
   private async openNow(summary: SceneSummary): Promise<void> {
     try {
+      const [surface, points, rim, turned] = await Promise.all(['surface', 'points', 'rim', 'turned'].map((name) => this.server.part(name, summary)));
+      // Only now: where a part is refused, the object of before stays, with its own name and facts.
       const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
       showFacts(summary);
-      const [surface, points, rim, turned] = await Promise.all(['surface', 'points', 'rim', 'turned'].map((name) => this.server.part(name, summary)));
       if (!this.view) return;
       if (surface) this.view.object.setSurface(surface);
       if (points) this.view.object.setPoints(points);

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "host/field_file/open_field.h"
-#include "host/motion/device_in_hand.h"
 #include "host/motion/felt_surface.h"
 #include "host/to_double.h"
 #include "host/trace/recorded_patches.h"
@@ -48,40 +47,51 @@ TEST_F(TraceMutate, MutatedPacketsHoldWhatTheTickAnswers) {
   EXPECT_TRUE(mutated.chain_follows(1999));
 }
 
-/// A device whose field was patched meanwhile: what becomes of its packets replays to the bit, with the patches beside it.
+/// A hand whose field was patched meanwhile: what becomes of it replays, with the patches beside it.
+TEST_F(TraceMutate, UnderAStreamPatchesAreKeptWhereTheTicksAre) {
+  const std::string field = ISOTOUCH_GOLDEN "/field_1_3.itf", hand = ISOTOUCH_GOLDEN "/positions_patches.trace";
+  const auto first = field_file::open_field(field);
+  const auto recorded = trace::read_trace(hand);
+  for (const std::string kind : {"mirror", "jitter", "graze"}) {
+    run_command("trace mutate " + kind + " " + field + " " + hand + " -o " + file("mutated.trace"));
+    const auto mutated = trace::read_trace(file("mutated.trace"));
+    ASSERT_EQ(mutated.size(), recorded.size()) << kind;
+    ASSERT_TRUE(trace::read_patches(mutated, first.view)) << kind;
+    for (std::size_t tick = 0; tick < mutated.size(); ++tick) {
+      EXPECT_EQ(mutated.record(tick).input.moved_to, recorded.record(tick).input.moved_to) << kind << ", tick " << tick;
+    }
+    EXPECT_EQ(trace::replay(first.view, mutated, false).ticks, recorded.size()) << kind;
+  }
+  for (const std::string kind : {"fast", "dwell", "medial", "leave"}) {
+    EXPECT_NE(complaint_on("trace mutate " + kind + " " + field + " " + hand + " -o " + file("no.trace")).find("its field was patched"),
+              std::string::npos)
+        << kind;
+  }
+}
+
+/// The same as packets, which replay to the bit.
 TEST_F(TraceMutate, PacketsUnderAStreamKeepTheirPatches) {
   const std::string field = ISOTOUCH_GOLDEN "/field_1_3.itf";
   const auto first = field_file::open_field(field);
-  const auto hand = trace::read_trace(ISOTOUCH_GOLDEN "/positions_patches.trace");
-  const auto patches = trace::read_patches(hand, first.view);
-  ASSERT_TRUE(patches);
-  {
-    TraceHeader header = hand.header();
-    header.device = libnifalcon_model();
-    trace::Run run(first.view, header, &*patches);
-    trace::TraceWriter writer(file("under.trace"), run.header());
-    motion::DeviceInHand device(header.device);
-    for (std::size_t tick = 0; tick < hand.size(); ++tick) {
-      const Input recorded = hand.record(tick).input;
-      Input in = device(recorded);
-      in.requests = recorded.requests;
-      in.moved_to = recorded.moved_to;
-      writer.append(run.step(in));
-    }
-    writer.finish();
-  }
-  EXPECT_NE(
-      complaint_on("trace mutate wrap " + field + " " + file("under.trace") + " -o " + file("no.trace")).find("under.patches is not there"),
-      std::string::npos);
-  std::filesystem::copy_file(ISOTOUCH_GOLDEN "/positions_patches.patches", file("under.patches"));
+  run_command("trace to-packets " + field + " " ISOTOUCH_GOLDEN "/positions_patches.trace -o " + file("under.trace"));
+  const auto packets = trace::read_trace(file("under.trace"));
+  ASSERT_TRUE(trace::read_patches(packets, first.view));
+  EXPECT_FALSE(trace::replay(first.view, packets, true).first_difference);
   for (const std::string kind : {"wrap", "faults", "settings", "resume", "grip"}) {
     for (const std::string seed : {"1", "2", "3"}) {
       run_command("trace mutate " + kind + " " + field + " " + file("under.trace") + " --seed " + seed + " -o " + file("mutated.trace"));
       const auto mutated = trace::read_trace(file("mutated.trace"));
-      EXPECT_EQ(mutated.size(), hand.size());
+      EXPECT_EQ(mutated.size(), packets.size());
       EXPECT_FALSE(trace::replay(first.view, mutated, true).first_difference) << kind << ' ' << seed;
     }
   }
+  std::filesystem::create_directory(file("no.patches.part"));  // no file can get that name
+  EXPECT_NE(complaint_on("trace mutate wrap " + field + " " + file("under.trace") + " -o " + file("no.trace")), "");
+  EXPECT_FALSE(std::filesystem::exists(file("no.trace"))) << "without its patches it cannot be replayed";
+  std::filesystem::remove(file("under.patches"));
+  EXPECT_NE(
+      complaint_on("trace mutate wrap " + field + " " + file("under.trace") + " -o " + file("no.trace")).find("under.patches is not there"),
+      std::string::npos);
 }
 
 TEST_F(TraceMutate, AMutationOfTheOtherKindIsRefusedWithTheWayThere) {

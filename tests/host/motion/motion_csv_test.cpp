@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "host/error.h"
 #include "tests/support/scratch_folder.h"
@@ -49,27 +51,73 @@ TEST(MotionCsv, EndingsOfNamesAreReadInFullAndMustAgree) {
   EXPECT_EQ(read_motion_csv(mixed, columns)[1].position, Eigen::Vector3d(2, 2, 2));
 }
 
-/// /proc/self/mem opens, and cannot be read at its beginning.
-TEST(MotionCsv, AUnitThatIsNotReadIsRefusedAndNotTakenForAnother) {
-  MotionColumns columns;
-  columns.with_forces = true;
+/// What is read of a table whose times and places have these names and are 0 and 2; nothing where it is refused.
+std::optional<TimedPoint> second_row(const std::string& time, const std::string& place, const char* time_unit = "",
+                                     const char* length_unit = "") {
   const ScratchFolder folder;
-  for (const auto& [header, column] : {std::pair{"t_min,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N", "t_min"},
-                                       {"t_s,x_um,y_um,z_um,fx_N,fy_N,fz_N", "x_um"},
-                                       {"t_s,x_mm,y_mm,z_km,fx_N,fy_N,fz_N", "z_km"},
-                                       {"t_s,x_mm,y_mm,z_mm,fx_mN,fy_mN,fz_mN", "fx_mN"}}) {
-    const auto file = folder.write("unit.csv", std::string(header) + "\n0,0,0,0,0,0,0\n1,1,1,1,1,1,1\n");
-    MotionColumns named = columns;
-    std::string* const names[] = {&named.time, &named.x, &named.y, &named.z, &named.fx, &named.fy, &named.fz};
-    std::string_view left = header;
-    for (std::string* name : names) {
-      *name = left.substr(0, left.find(','));
-      left.remove_prefix(std::min(left.size(), name->size() + 1));
-    }
-    EXPECT_THAT([&] { read_motion_csv(file, named); },
-                testing::ThrowsMessage<InputError>(HasSubstr("the unit of the column '" + std::string(column) + "' is not read")));
-    named.time_unit = "s", named.length_unit = "mm", named.with_forces = false;
-    EXPECT_EQ(read_motion_csv(file, named).size(), 2U) << "a stated unit counts";
+  MotionColumns columns;
+  columns.time = time, columns.time_unit = time_unit, columns.length_unit = length_unit;
+  columns.x = "x" + place, columns.y = "y" + place, columns.z = "z" + place;
+  const std::string header = time + "," + columns.x + "," + columns.y + "," + columns.z;
+  try {
+    return read_motion_csv(folder.write("names.csv", header + "\n0,0,0,0\n2,2,2,2\n"), columns)[1];
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("none of the known units"));
+    return std::nullopt;
+  }
+}
+
+TEST(MotionCsv, TheLastWordOfANameIsItsUnit) {
+  for (const auto& [place, millimetres] : {std::pair{"", 2.0},
+                                           {"Left", 2.0},
+                                           {"_mm", 2.0},
+                                           {"_MM", 2.0},
+                                           {"_millimeter", 2.0},
+                                           {"_CM", 20.0},
+                                           {"_centimetre", 20.0},
+                                           {"_m", 2000.0},
+                                           {"_M", 2000.0},
+                                           {"_meter", 2000.0},
+                                           {"_Metre", 2000.0},
+                                           {".m", 2000.0},
+                                           {" (m)", 2000.0},
+                                           {"[m]", 2000.0},
+                                           {" / m", 2000.0},
+                                           {"_inch", 50.8}}) {
+    const auto row = second_row("t", place);
+    ASSERT_TRUE(row) << place;
+    EXPECT_NEAR(row->position.z(), millimetres, 1e-9) << place;
+  }
+  for (const auto& [time, seconds] :
+       {std::pair{"Time", 2.0}, {"t_second", 2.0}, {"t_MS", 2e-3}, {"stamp.nanosec", 2e-9}, {"t [µs]", 2e-6}, {"t (microseconds)", 2e-6}}) {
+    const auto row = second_row(time, "");
+    ASSERT_TRUE(row) << time;
+    EXPECT_NEAR(row->time, seconds, 1e-12) << time;
+  }
+}
+
+TEST(MotionCsv, ALastWordThatIsNoKnownUnitIsRefusedUnlessTheUnitIsStated) {
+  for (const char* place : {"_um", "_km", "_km2", "_foot", "_mile", "_x", ".x", " (px)", "[µm]", "_m (raw)"}) {
+    EXPECT_FALSE(second_row("t_s", place)) << place;
+    EXPECT_EQ(second_row("t_s", place, "", "cm").value().position.x(), 20.0) << place;
+  }
+  for (const char* time : {"t_min", "t_0", "header.stamp", "t (frames)"}) {
+    EXPECT_FALSE(second_row(time, "_mm")) << time;
+    EXPECT_EQ(second_row(time, "_mm", "ms").value().time, 2e-3) << time;
+  }
+}
+
+TEST(MotionCsv, ForcesAreInNewtonsOrRefused) {
+  const ScratchFolder folder;
+  const auto force = [&](const std::string& name) {
+    MotionColumns columns;
+    columns.with_forces = true, columns.fz = name;
+    const auto file = folder.write("forces.csv", "t_s,x_mm,y_mm,z_mm,fx_N,fy_N," + name + "\n0,0,0,0,0,0,0\n1,1,1,1,1,1,3\n");
+    return read_motion_csv(file, columns)[1].force.z();
+  };
+  for (const char* name : {"fz", "fz_N", "force_z_n", "force.z", "tip_fz", "fz [Newton]"}) EXPECT_EQ(force(name), 3.0) << name;
+  for (const char* name : {"fz_mN", "fz_kN", "fz_lbf", "fz (V)"}) {
+    EXPECT_THAT([&] { force(name); }, testing::ThrowsMessage<InputError>(HasSubstr("'" + std::string(name) + "' ends with '")));
   }
 }
 
@@ -89,6 +137,7 @@ TEST(MotionCsv, ALineWithoutEndIsRefusedAndNoSentenceIsLong) {
   }
 }
 
+/// /proc/self/mem opens, and cannot be read at its beginning.
 TEST(MotionCsv, AFileThatCannotBeReadToItsEndIsNoShortOne) {
   EXPECT_THAT([] { (void)read_motion_csv("/proc/self/mem", {}); },
               testing::ThrowsMessage<InputError>(HasSubstr("cannot be read to its end")));

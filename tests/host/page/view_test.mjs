@@ -758,6 +758,33 @@ const tests = {
     await close(opened, ['503']);
   },
 
+  async 'where an object is refused, the one before keeps its name'() {
+    const before = () => {
+      globalThis.WebSocket = class extends globalThis.WebSocket {
+        constructor(...address) {
+          super(...address);
+          this.addEventListener('message', ({ data }) => {
+            const message = typeof data === 'string' ? JSON.parse(data) : {};
+            if (message.topic !== 'hello') return;
+            globalThis.sendScene = (changed) => this.onmessage({ data: JSON.stringify({ topic: 'scene', scene: { ...message.scene, ...changed } }) });
+          });
+        }
+      };
+    };
+    const opened = await open({ before }, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    const said = async () => [await page.locator('#object').textContent(), await page.locator('#facts').textContent()].join(' | ');
+    const owl = await said();
+    const refused = page.waitForResponse((response) => response.status() === 410);
+    await page.evaluate(() => globalThis.sendScene({ name: 'another', voxel_mm: 9, hash: '0123456789abcdef' }));
+    await refused;
+    await page.evaluate(() => globalThis.sendScene({})); // the owl is back
+    await sleep(1000);
+    check((await said()) === owl, `beside the owl the page says: ${await said()}`);
+    await close(opened, ['410']);
+  },
+
   async 'two recordings of different periods have one time'() {
     for (const [name, ticks, period] of [['fine', 6000, 1], ['coarse', 1500, 4]]) {
       await run('isotouch', 'trace', 'make', 'tour', 'owl.itf', '--ticks', String(ticks), '--period', String(period), '-o', `${name}_in.trace`);

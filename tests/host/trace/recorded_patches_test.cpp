@@ -114,6 +114,18 @@ TEST_F(Patched, MorePatchesThanATraceThatWasCutOffNeedsAreFine) {
   EXPECT_EQ(report.hash, whole.chain(149));
 }
 
+TEST(RecordedPatches, GetTheirNameOnlyWithTheirTrace) {
+  const ScratchFolder folder;
+  const std::filesystem::path trace = folder.path() / "a.trace";
+  const Bytes patches = {1, 2, 3};
+  EXPECT_THROW(finish_with_patches(trace, patches, [] { throw InputError("the disk is full"); }), InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  finish_with_patches(trace, patches, [&] { EXPECT_FALSE(std::filesystem::exists(patches_of(trace))); });
+  EXPECT_EQ(read_file(patches_of(trace)), patches);
+  finish_with_patches(folder.path() / "b.trace", std::nullopt, [] {});
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "b.patches"));
+}
+
 TEST(RecordedPatches, AreNamedAfterTheirTrace) {
   EXPECT_EQ(patches_of("a/b.trace"), "a/b.patches");
   EXPECT_EQ(patches_of("a/b.trace.part"), "a/b.patches.part") << "what a kill has left";
