@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,19 @@ struct Judgement {
   Outcome outcome = Outcome::kNotMeasured;
 };
 
+/// A value is good up to its limit.
+///
+/// value     none: it was not measured
+Judgement judged(std::string key, std::string what, std::string unit, double limit, std::optional<double> value);
+
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end.
+/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end. Both of these must be among the judgements.
 bool is_fit(const std::vector<Judgement>& judgements);
+
+/// "fit", "not fit"
+const char* verdict(const std::vector<Judgement>& judgements);
 
 /// The verdict in one sentence.
 std::string sentence(const std::vector<Judgement>& judgements);
