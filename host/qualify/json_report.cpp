@@ -87,6 +87,8 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
                                  {"celsius", m.celsius ? Json(*m.celsius) : Json()},
                                  {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
                                  {"late", m.late},
+                                 {"page_faults", m.page_faults},
+                                 {"allocations", m.allocations},
                                  {"state", files::state_name(m.state)},
                                  {"force", m.force}});
     }

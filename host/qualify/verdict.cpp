@@ -71,6 +71,7 @@ Judgement judged(std::string key, std::string what, std::string unit, double lim
 
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
+  const Moment end = figures.later.empty() ? Moment{} : figures.later.back();
   const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : tenth_of_period_us(figures.period_ns);
   const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : tenth_of_period_us(figures.period_ns);
   const auto cold_ns = quantile_ns(figures.cold, 0.99);
@@ -84,8 +85,8 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
              quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
       judged("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
       judged("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
-      judged("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
-      judged("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
+      judged("page_faults", "page faults of the tick", "", limits.page_faults, counted(std::max(figures.page_faults, end.page_faults))),
+      judged("allocations", "allocations of the tick", "", limits.allocations, counted(std::max(figures.allocations, end.allocations))),
       judged("faults", "checks that find a fault", "", limits.faults, faults(figures)),
       judged("inactive", "checks that find no force", "%", limits.inactive, without_force(figures.moments)),
       judged("cold_tick_p99_us", "99 % of cold ticks", "us", cold_us, cold_ns ? std::optional(*cold_ns / 1000.0) : std::nullopt),

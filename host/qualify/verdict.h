@@ -18,7 +18,7 @@ struct Limits {
   double word_ticks = 1;        ///< sensor to command, all of them: commands are made of the newest sample
   double lost_samples = 1;      ///< of a hundred expected ones, one a tick or, where ticks are faster, one a millisecond
   double celsius = 75;          ///< most boards slow down at 80
-  double page_faults = 0;
+  double page_faults = 0;       ///< to the end of the measurement, as the next
   double allocations = 0;
   double left_out =
       1;              ///< of a hundred expected ticks, those that did not come: undisturbed or with others at the caches, whichever is more
