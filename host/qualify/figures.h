@@ -19,6 +19,8 @@ struct Moment {
   std::optional<double> celsius;    ///< the hottest of the board's sensors
   std::optional<double> megahertz;  ///< of the slowest processor
   std::uint64_t late = 0;           ///< ticks since the measurement began
+  std::uint64_t page_faults = 0;    ///< of the tick, since then
+  std::uint64_t allocations = 0;    ///< of the tick, since then
   std::uint16_t state = 0;          ///< SupervisorState
   bool force = false;               ///< from this look to the next, a tick was seen that was active and in contact
 };
@@ -58,7 +60,7 @@ struct Figures {
 
   link::Histogram cold;         ///< ticks while other programs wrote to memory; ns
   double cold_seconds = 0;      ///< that they wrote for; 0: not measured
-  std::uint64_t cold_late = 0;  ///< late ticks of that time
+  std::uint64_t cold_late = 0;  ///< late ticks of that time, also where it was cut short
   std::string cold_unknown;     ///< one sentence why there are none
 
   link::Histogram timer;      ///< cyclictest's wake-ups; ns

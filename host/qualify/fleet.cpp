@@ -32,12 +32,7 @@ std::string text_in(const nlohmann::json& json) {
   return text;
 }
 
-/// Does the verdict follow from the outcomes? A board without a missed limit may be unfit, because what matters most was not measured.
-bool follows(const std::string& verdict, const std::vector<std::string>& outcomes) {
-  const auto is = [](Judgement::Outcome outcome) { return [=](const std::string& text) { return text == name_of(outcome); }; };
-  if (verdict == "fit") return std::ranges::none_of(outcomes, is(Judgement::Outcome::kMissed));
-  return verdict == "not fit" && !std::ranges::all_of(outcomes, is(Judgement::Outcome::kMet));
-}
+std::optional<double> value_in(const nlohmann::json& json) { return json.is_null() ? std::nullopt : std::optional(json.get<double>()); }
 
 Report read_report(const fs::path& file) {
   const auto wrong = [&](const std::string& why) {
@@ -47,21 +42,24 @@ Report read_report(const fs::path& file) {
   const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
   if (json.is_discarded()) throw wrong("no JSON");
   Report report;
-  std::vector<std::string> outcomes;
+  std::vector<Judgement> judgements;
   try {
     report.board.name = text_in(json.at("host").is_null() ? json.at("address") : json.at("host"));
     report.board.date = text_in(json.at("date"));
     report.board.verdict = text_in(json.at("verdict"));
     for (const auto& limit : json.at("limits")) {
-      const auto& value = limit.at("value");
-      report.values.emplace_back(text_in(limit.at("key")), value.is_null() ? std::nullopt : std::optional(value.get<double>()));
-      outcomes.push_back(text_in(limit.at("outcome")));
+      const auto& [key, value] = report.values.emplace_back(text_in(limit.at("key")), value_in(limit.at("value")));
+      judgements.push_back(judged(key, "", "", limit.at("limit").get<double>(), value));
+      const std::string outcome = text_in(limit.at("outcome"));
+      if (outcome != name_of(judgements.back().outcome))
+        throw wrong("the outcome '" + outcome + "' of " + key + " does not follow from its value and limit");
     }
   } catch (const nlohmann::json::exception&) {
     throw wrong("no report of a board");
   }
-  if (outcomes.empty()) throw wrong("a report without limits");
-  if (!follows(report.board.verdict, outcomes)) throw wrong("the verdict '" + report.board.verdict + "' does not follow from its limits");
+  if (judgements.empty()) throw wrong("a report without limits");
+  if (report.board.verdict != verdict(judgements))
+    throw wrong("the verdict '" + report.board.verdict + "' does not follow from its limits");
   return report;
 }
 

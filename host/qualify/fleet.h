@@ -32,8 +32,8 @@ inline constexpr std::size_t kMinFleet = 5;
 /// each of these: five times the usual distance, a fifth of the median's absolute value, and 1e-6. The usual distance is the median of all distances times
 /// 1.4826. For normally distributed values that is the standard deviation.
 ///
-/// fails     InputError naming the file: it cannot be read, is no such report, has no limits or a verdict that does not follow from them, or repeats the board
-///           and the date of another one
+/// fails     InputError naming the file: it cannot be read, is no such report, has no limits, has an outcome or a verdict that does not follow from the
+///           figures, or repeats the board and the date of another one
 Fleet read_fleet(const std::vector<std::filesystem::path>& files);
 
 /// A CSV table with one line a board: board, date, verdict, the values by their keys, outliers. A cell is empty if nothing was measured.

@@ -34,7 +34,7 @@ MeasureText text_of(protocol::Measure measure) {
 }
 
 Json json_report(const Figures& figures, const std::vector<Judgement>& judgements) {
-  Json json{{"verdict", is_fit(judgements) ? "fit" : "not fit"}, {"sentence", sentence(judgements)}, {"limits", Json::array()}};
+  Json json{{"verdict", verdict(judgements)}, {"sentence", sentence(judgements)}, {"limits", Json::array()}};
   for (const Judgement& j : judgements) {
     const bool known = j.outcome != Judgement::Outcome::kNotMeasured;
     json["limits"].push_back(
@@ -87,6 +87,8 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
                                  {"celsius", m.celsius ? Json(*m.celsius) : Json()},
                                  {"megahertz", m.megahertz ? Json(*m.megahertz) : Json()},
                                  {"late", m.late},
+                                 {"page_faults", m.page_faults},
+                                 {"allocations", m.allocations},
                                  {"state", files::state_name(m.state)},
                                  {"force", m.force}});
     }

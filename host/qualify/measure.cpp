@@ -119,8 +119,8 @@ bool gives_force(const protocol::StatusReport& status) {
 /// Looks at the controller and its board in the course of a measurement.
 class Looks {
  public:
-  Looks(link::Controller& controller, link::BoardShell& shell, std::uint64_t late_before)
-      : controller_(controller), shell_(shell), late_before_(late_before) {}
+  Looks(link::Controller& controller, link::BoardShell& shell, const protocol::StatusReport& before)
+      : controller_(controller), shell_(shell), before_(before) {}
 
   double seconds() const { return seconds_since(begun_); }
 
@@ -153,7 +153,9 @@ class Looks {
     Moment moment;
     moment.second = seconds();
     const protocol::StatusReport status = controller_.status();
-    moment.late = status.late - late_before_;
+    moment.late = status.late - before_.late;
+    moment.page_faults = status.page_faults - before_.page_faults;
+    moment.allocations = status.allocations - before_.allocations;
     moment.state = status.state;
     moment.force = gives_force(status);
     return moment;
@@ -162,7 +164,7 @@ class Looks {
   link::Controller& controller_;
   link::BoardShell& shell_;
   Clock::time_point begun_ = Clock::now();
-  std::uint64_t late_before_;
+  protocol::StatusReport before_;
 };
 
 /// Ticks as they are while other programs use the caches.
@@ -178,16 +180,28 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     const auto begun = Clock::now();
     (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
     const double written = seconds_since(begun);
+    figures.cold_late = controller.status().late - late_before;
     if (written < 0.9 * seconds) {  // a program that ended at once has written nothing
       figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
       return;
     }
     figures.cold = between(before, controller.histogram(protocol::Measure::kTick));
-    figures.cold_late = controller.status().late - late_before;
     figures.cold_seconds = written;
     if (figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
   } catch (const InputError& e) {  // the ticks are measured, and stay so
     figures.cold_unknown = e.what();
+  }
+}
+
+/// A piece of cyclictest, or `figures.timer_unknown` says why there is none.
+std::optional<link::Histogram> timer_slice(link::BoardShell& shell, double seconds, Figures& figures) {
+  try {
+    const link::BoardShell::Answer answer =
+        shell.run(timer_command(figures.timer_priority, figures.period_ns / 1000, seconds), seconds + 3 * kPatience);
+    return read_timer(answer.status, answer.text, figures.timer_unknown);
+  } catch (const InputError& e) {  // the ticks are measured, and stay so
+    figures.timer_unknown = e.what();
+    return std::nullopt;
   }
 }
 
@@ -196,18 +210,9 @@ void measure_timer(Looks& looks, link::BoardShell& shell, const Wish& wish, Figu
     figures.timer_unknown = "cyclictest was not asked for";
     return;
   }
-  try {
-    for (double left = wish.seconds; left > 0; left -= kTimerSlice) {
-      const double slice = std::min(left, kTimerSlice);
-      const link::BoardShell::Answer answer =
-          shell.run(timer_command(figures.timer_priority, figures.period_ns / 1000, slice), slice + 3 * kPatience);
-      const auto timer = read_timer(answer.status, answer.text, figures.timer_unknown);
-      if (!timer) return;
-      figures.timer = sum(figures.timer, *timer);
-      looks.look_later(figures);
-    }
-  } catch (const InputError& e) {  // the ticks are measured, and stay so
-    figures.timer_unknown = e.what();
+  for (double left = wish.seconds; left > 0 && figures.timer_unknown.empty(); left -= kTimerSlice) {
+    if (const auto timer = timer_slice(shell, std::min(left, kTimerSlice), figures)) figures.timer = sum(figures.timer, *timer);
+    looks.look_later(figures);  // also where cyclictest failed: perhaps because the controller or its board is gone
   }
 }
 
@@ -234,7 +239,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   const BoardFiles files_before = read_practice(shell.run(practice_command(), kPatience).text);
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
-  Looks looks(controller, shell, before.status.late);
+  Looks looks(controller, shell, before.status);
   std::vector<protocol::WorstTick> worst;
   while (looks.seconds() < wish.seconds) {
     figures.moments.push_back(looks.look());

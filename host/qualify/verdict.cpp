@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "shared/tick_io.h"
 
@@ -11,11 +13,6 @@ namespace isotouch::qualify {
 namespace {
 
 using Outcome = Judgement::Outcome;
-
-Judgement against(const char* key, const char* what, const char* unit, double limit, std::optional<double> value) {
-  const Outcome outcome = !value ? Outcome::kNotMeasured : *value <= limit ? Outcome::kMet : Outcome::kMissed;
-  return {key, what, unit, limit, value.value_or(0), outcome};
-}
 
 std::optional<double> quantile(const Figures& figures, protocol::Measure measure, double share, double unit_ns) {
   const auto ns = quantile_ns(figures.measures[static_cast<std::size_t>(measure)], share);
@@ -67,37 +64,46 @@ double left_out(const Figures& figures) {
 
 double tenth_of_period_us(std::uint32_t period_ns) { return period_ns / 10'000.0; }
 
+Judgement judged(std::string key, std::string what, std::string unit, double limit, std::optional<double> value) {
+  const Outcome outcome = !value ? Outcome::kNotMeasured : *value <= limit ? Outcome::kMet : Outcome::kMissed;
+  return {std::move(key), std::move(what), std::move(unit), limit, value.value_or(0), outcome};
+}
+
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
   const auto counted = [&](std::uint64_t count) { return figures.ticks > 0 ? std::optional(static_cast<double>(count)) : std::nullopt; };
+  const Moment end = figures.later.empty() ? Moment{} : figures.later.back();
   const double wakeup_us = limits.wakeup_us > 0 ? limits.wakeup_us : tenth_of_period_us(figures.period_ns);
   const double cold_us = limits.cold_tick_us > 0 ? limits.cold_tick_us : tenth_of_period_us(figures.period_ns);
   const auto cold_ns = quantile_ns(figures.cold, 0.99);
   return {
-      against("left_out", "ticks that did not come", "%", limits.left_out, left_out(figures)),
-      against("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late + figures.cold_late)),
-      against("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, protocol::Measure::kWakeup, 0.999, 1000)),
-      against("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
-              quantile(figures, protocol::Measure::kRoundTrip, 0.999, 1000)),
-      against("word_max_ticks", "longest sensor to motor command", "ticks", limits.word_ticks,
-              quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
-      against("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
-      against("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
-      against("page_faults", "page faults of the tick", "", limits.page_faults, counted(figures.page_faults)),
-      against("allocations", "allocations of the tick", "", limits.allocations, counted(figures.allocations)),
-      against("faults", "checks that find a fault", "", limits.faults, faults(figures)),
-      against("inactive", "checks that find no force", "%", limits.inactive, without_force(figures.moments)),
-      against("cold_tick_p99_us", "99 % of cold ticks", "us", cold_us, cold_ns ? std::optional(*cold_ns / 1000.0) : std::nullopt),
+      judged("left_out", "ticks that did not come", "%", limits.left_out, left_out(figures)),
+      judged("late_ticks", "late ticks", "", limits.late_ticks, counted(figures.late + figures.cold_late)),
+      judged("wakeup_p999_us", "99.9 % of wake-ups", "us", wakeup_us, quantile(figures, protocol::Measure::kWakeup, 0.999, 1000)),
+      judged("round_trip_p999_us", "99.9 % of round trips", "us", limits.round_trip_us,
+             quantile(figures, protocol::Measure::kRoundTrip, 0.999, 1000)),
+      judged("word_max_ticks", "longest sensor to motor command", "ticks", limits.word_ticks,
+             quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
+      judged("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
+      judged("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
+      judged("page_faults", "page faults of the tick", "", limits.page_faults, counted(std::max(figures.page_faults, end.page_faults))),
+      judged("allocations", "allocations of the tick", "", limits.allocations, counted(std::max(figures.allocations, end.allocations))),
+      judged("faults", "checks that find a fault", "", limits.faults, faults(figures)),
+      judged("inactive", "checks that find no force", "%", limits.inactive, without_force(figures.moments)),
+      judged("cold_tick_p99_us", "99 % of cold ticks", "us", cold_us, cold_ns ? std::optional(*cold_ns / 1000.0) : std::nullopt),
   };
 }
 
 bool is_fit(const std::vector<Judgement>& judgements) {
-  const auto is = [](const char* key, Outcome outcome) { return [=](const Judgement& j) { return j.key == key && j.outcome == outcome; }; };
+  const auto is_measured = [&](std::string_view key) {
+    return std::any_of(judgements.begin(), judgements.end(),
+                       [&](const Judgement& j) { return j.key == key && j.outcome != Outcome::kNotMeasured; });
+  };
   const bool missed = std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed; });
   // Without a device, commands and round trips were never made: nothing is known of what matters most.
-  const bool felt = std::none_of(judgements.begin(), judgements.end(), is("word_max_ticks", Outcome::kNotMeasured));
-  const bool lasted = std::none_of(judgements.begin(), judgements.end(), is("faults", Outcome::kNotMeasured));
-  return !missed && felt && lasted && !judgements.empty();
+  return !missed && is_measured("word_max_ticks") && is_measured("faults");
 }
+
+const char* verdict(const std::vector<Judgement>& judgements) { return is_fit(judgements) ? "fit" : "not fit"; }
 
 std::string sentence(const std::vector<Judgement>& judgements) {
   const auto names = [&](Outcome outcome) {
@@ -108,7 +114,7 @@ std::string sentence(const std::vector<Judgement>& judgements) {
     return text;
   };
   const std::string missed = names(Outcome::kMissed), unknown = names(Outcome::kNotMeasured);
-  std::string text = is_fit(judgements) ? "fit" : "not fit";
+  std::string text = verdict(judgements);
   if (!missed.empty()) text += "; beyond the limit: " + missed;
   if (!unknown.empty()) text += "; not measured: " + unknown;
   return text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Limits {
   double word_ticks = 1;        ///< sensor to command, all of them: commands are made of the newest sample
   double lost_samples = 1;      ///< of a hundred expected ones, one a tick or, where ticks are faster, one a millisecond
   double celsius = 75;          ///< most boards slow down at 80
-  double page_faults = 0;
+  double page_faults = 0;       ///< to the end of the measurement, as the next
   double allocations = 0;
   double left_out =
       1;              ///< of a hundred expected ticks, those that did not come: undisturbed or with others at the caches, whichever is more
@@ -42,11 +43,19 @@ struct Judgement {
   Outcome outcome = Outcome::kNotMeasured;
 };
 
+/// A value is good up to its limit.
+///
+/// value     none: it was not measured
+Judgement judged(std::string key, std::string what, std::string unit, double limit, std::optional<double> value);
+
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end.
+/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end. Both of these must be among the judgements.
 bool is_fit(const std::vector<Judgement>& judgements);
+
+/// "fit", "not fit"
+const char* verdict(const std::vector<Judgement>& judgements);
 
 /// The verdict in one sentence.
 std::string sentence(const std::vector<Judgement>& judgements);

@@ -30,11 +30,9 @@ class ReadFleet : public ::testing::Test {
     Figures figures;
     figures.subject.host = host;
     figures.subject.date = "2026-11-26";
-    std::vector<Judgement> judgements(2);
-    judgements[0].key = "wakeup_p999_us";
-    judgements[0].value = wakeup_us;
-    judgements[0].outcome = Judgement::Outcome::kMet;
-    judgements[1].key = "celsius";
+    const std::vector<Judgement> judgements = {judged("wakeup_p999_us", "", "", 1000, wakeup_us),
+                                               judged("celsius", "", "", 75, std::nullopt), judged("word_max_ticks", "", "", 1, 0.5),
+                                               judged("faults", "", "", 0, 0)};
     return folder_.write(host + ".json", json_report(figures, judgements).dump());
   }
   std::string complaint(const std::vector<fs::path>& reports) const {
@@ -84,39 +82,58 @@ TEST_F(ReadFleet, TheLimitsOfAnOutlierLieWhereTheHeaderSays) {
 TEST_F(ReadFleet, AFewBoardsCannotSayWhichIsUnlikeTheOthers) {
   const Fleet fleet = read_fleet({report("a", 20), report("b", 20), report("c", 20), report("d", 600)});
   EXPECT_FALSE(has_outliers(fleet));
-  EXPECT_THAT(fleet.unjudged, ElementsAre("wakeup_p999_us"));
+  EXPECT_THAT(fleet.unjudged, ElementsAre("wakeup_p999_us", "word_max_ticks", "faults"));
 }
 
 TEST_F(ReadFleet, AReportOfAnotherReleaseHasEmptyCells) {
   const auto newer = folder_.write(
-      "newer.json", R"({"host": "x", "date": "", "verdict": "fit", "limits": [{"key": "new", "value": 1, "outcome": "met"}]})");
+      "newer.json",
+      R"({"host": "x", "date": "", "verdict": "not fit", "limits": [{"key": "new", "limit": 0, "value": 1, "outcome": "missed"}]})");
   EXPECT_EQ(to_csv(read_fleet({report("red", 20), newer})),
-            "board,date,verdict,wakeup_p999_us,celsius,new,outliers\n"
-            "red,2026-11-26,fit,20,,,\n"
-            "x,,fit,,,1,\n");
+            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,new,outliers\n"
+            "red,2026-11-26,fit,20,,0.5,0,,\n"
+            "x,,not fit,,,,,1,\n");
 }
 
 TEST_F(ReadFleet, TheTableHasARowForEachBoard) {
   EXPECT_EQ(to_csv(read_fleet({report("red", 20), report("blue, left", 21.5)})),
-            "board,date,verdict,wakeup_p999_us,celsius,outliers\n"
-            "red,2026-11-26,fit,20,,\n"
-            "\"blue, left\",2026-11-26,fit,21.5,,\n");
+            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,outliers\n"
+            "red,2026-11-26,fit,20,,0.5,0,\n"
+            "\"blue, left\",2026-11-26,fit,21.5,,0.5,0,\n");
 }
 
-TEST_F(ReadFleet, AVerdictMustFollowFromTheLimits) {
-  const auto said = [&](const std::string& verdict, const std::string& limits) {
-    return complaint(
-        {folder_.write("x.json", R"({"host": "x", "date": "", "verdict": ")" + verdict + R"(", "limits": [)" + limits + "]}")});
+TEST_F(ReadFleet, TheOutcomeAndTheVerdictMustFollowFromTheFigures) {
+  const auto limit = [](const std::string& key, const std::string& value, const std::string& outcome) {
+    return R"({"key": ")" + key + R"(", "limit": 1, "value": )" + value + R"(, "outcome": ")" + outcome + "\"}";
   };
-  const std::string met = R"({"key": "a", "value": 1, "outcome": "met"})", missed = R"({"key": "b", "value": 1, "outcome": "missed"})",
-                    unknown = R"({"key": "c", "value": null, "outcome": "not measured"})";
-  EXPECT_THAT(said("fit", ""), HasSubstr("x.json: a report without limits"));
-  EXPECT_THAT(said("fit", met + "," + missed), HasSubstr("x.json: the verdict 'fit' does not follow from its limits"));
-  EXPECT_THAT(said("not fit", met), HasSubstr("does not follow"));
-  EXPECT_THAT(said("splendid", met), HasSubstr("does not follow"));
-  EXPECT_THAT(said("fit", met + "," + unknown), IsEmpty());
-  EXPECT_THAT(said("not fit", met + "," + unknown), IsEmpty()) << "where no device answered, nothing was felt";
-  EXPECT_THAT(said("not fit", missed), IsEmpty());
+  const auto said = [&](const std::string& verdict, const std::vector<std::string>& limits) {
+    std::string list;
+    for (const std::string& one : limits) list += (list.empty() ? "" : ", ") + one;
+    return complaint({folder_.write("x.json", R"({"host": "x", "date": "", "verdict": ")" + verdict + R"(", "limits": [)" + list + "]}")});
+  };
+  const std::string word = limit("word_max_ticks", "1", "met"), faults = limit("faults", "0", "met"), met = limit("a", "1", "met"),
+                    missed = limit("b", "1.5", "missed"), unknown = limit("c", "null", "not measured");
+  EXPECT_THAT(said("fit", {word, faults, met}), IsEmpty());
+  EXPECT_THAT(said("fit", {word, faults, unknown}), IsEmpty());
+  EXPECT_THAT(said("not fit", {word, faults, missed}), IsEmpty());
+  EXPECT_THAT(said("not fit", {limit("word_max_ticks", "null", "not measured"), faults}), IsEmpty());
+  EXPECT_THAT(said("fit", {}), HasSubstr("x.json: a report without limits"));
+  for (const auto& [verdict, limits] :
+       std::vector<std::pair<std::string, std::vector<std::string>>>{{"fit", {word, faults, missed}},
+                                                                     {"not fit", {word, faults, met}},
+                                                                     {"splendid", {word, faults}},
+                                                                     {"fit", {limit("word_max_ticks", "null", "not measured"), faults}},
+                                                                     {"fit", {word, limit("faults", "null", "not measured")}},
+                                                                     {"fit", {met}},
+                                                                     {"fit", {word}},
+                                                                     {"fit", {faults}}}) {
+    EXPECT_THAT(said(verdict, limits), HasSubstr("x.json: the verdict '" + verdict + "' does not follow from its limits")) << limits.back();
+  }
+  for (const std::string& wrong : {limit("late_ticks", "500", "met"), limit("a", "0", "missed"), limit("a", "0", "not measured"),
+                                   limit("a", "null", "met"), limit("a", "2", "exceeded")}) {
+    EXPECT_THAT(said("fit", {word, faults, wrong}), HasSubstr("does not follow from its value and limit")) << wrong;
+    EXPECT_THAT(said("not fit", {word, faults, wrong}), HasSubstr("does not follow from its value and limit")) << wrong;
+  }
 }
 
 TEST_F(ReadFleet, WhatIsNoReportIsRefusedByName) {

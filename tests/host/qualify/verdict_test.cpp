@@ -125,6 +125,8 @@ TEST(Verdict, AControllerThatNeverGaveAForceIsNotFit) {
 
 TEST(Verdict, WhatHappensAfterTheUndisturbedTicksCounts) {
   EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.later[0].state = 6; }), std::set<std::string>{"faults"});
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.later[0].page_faults = 1; }), std::set<std::string>{"page_faults"});
+  EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.later[0].allocations = 1; }), std::set<std::string>{"allocations"});
   EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold_late = 1; }), std::set<std::string>{"late_ticks"});
   EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold.count = 1'979; }), std::set<std::string>{"left_out"});
   EXPECT_EQ(keys(Outcome::kMissed, [](Figures& f) { f.cold = {}; }), std::set<std::string>{"left_out"}) << "no tick came at all";
