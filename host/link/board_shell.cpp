@@ -19,7 +19,7 @@ namespace isotouch::link {
 
 namespace {
 
-constexpr std::string_view kEnded = "\nisotouch: ended ";  ///< a line that no command of ours prints
+constexpr std::string_view kEnded = "\nisotouch: ended ";  ///< a line that no command of ours prints: of which command, and its status
 
 }  // namespace
 
@@ -53,14 +53,17 @@ void BoardShell::at_end(const std::string& command) {
 
 BoardShell::Answer BoardShell::run(const std::string& command, double patience_s) {
   using Clock = std::chrono::steady_clock;
-  send("(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended %d\\n' $?\n");
+  send("(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended " + std::to_string(++commands_) + " %d\\n' $?\n");
   const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
   for (;;) {
     const auto mark = unread_.find(kEnded);
     const auto last = mark == std::string::npos ? mark : unread_.find('\n', mark + kEnded.size());
     if (last != std::string::npos) {
-      const Answer answer{std::atoi(unread_.c_str() + mark + kEnded.size()), unread_.substr(0, mark)};
+      char* after = nullptr;
+      const bool is_late = std::strtoull(unread_.c_str() + mark + kEnded.size(), &after, 10) != commands_;  // nobody waits for it any more
+      const Answer answer{std::atoi(after), unread_.substr(0, mark)};
       unread_.erase(0, last + 1);
+      if (is_late) continue;
       return answer;
     }
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();

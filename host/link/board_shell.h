@@ -40,6 +40,7 @@ class BoardShell {
   int stream_ = -1;
   pid_t child_ = -1;
   std::string unread_;
+  unsigned long long commands_ = 0;  ///< that were run
 };
 
 }  // namespace isotouch::link

@@ -23,25 +23,42 @@ namespace isotouch::link {
 
 namespace {
 
-/// Sends, and a connection that must be waited for, fail after that time.
-void limit_sending(int socket, int patience_ms) {
-  const timeval longest{patience_ms / 1000, patience_ms % 1000 * 1000};
-  if (patience_ms > 0) (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &longest, sizeof longest);
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kAsksEvery{100};  ///< whether anybody still waits
+
+[[noreturn]] void complain_of_nobody(const Address& address) { throw InputError(address.text + ": nobody waits for its answer any more"); }
+
+/// patience_ms   0: for ever
+Clock::time_point end_of(int patience_ms) {
+  return patience_ms > 0 ? Clock::now() + std::chrono::milliseconds(patience_ms) : Clock::time_point::max();
 }
 
-int connect_to(const Address& address, int patience_ms) {
+int connect_to(const Address& address, int patience_ms, const std::function<bool()>& is_over) {
   sockaddr_un name{};
   name.sun_family = AF_UNIX;
   if (address.socket.size() >= sizeof name.sun_path) {
     throw InputError(address.text + ": is too long for the path of a socket (at most 107 characters); use a shorter one");
   }
   std::copy(address.socket.begin(), address.socket.end(), name.sun_path);
+  const Clock::time_point end = end_of(patience_ms);
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  if (socket >= 0) limit_sending(socket, patience_ms);
-  if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0) return socket;
-  const std::string why = std::strerror(errno);
+  const timeval step{0, std::chrono::microseconds(kAsksEvery).count()};
+  if (socket >= 0)
+    (void)::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &step, sizeof step);  // a full queue at the door is waited for in steps
+  int failed = errno;
+  while (socket >= 0) {
+    if (::connect(socket, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0) return socket;
+    failed = errno;
+    if ((failed != EAGAIN && failed != EINTR) || Clock::now() >= end) break;
+    if (!is_over || !is_over()) continue;
+    ::close(socket);
+    complain_of_nobody(address);
+  }
   if (socket >= 0) ::close(socket);
-  throw InputError(address.text + ": no controller answers there (" + why + "); start isotouchd, or check the path and its permissions");
+  throw InputError(address.text + ": no controller answers there (" + std::strerror(failed) +
+                   "); start isotouchd, or check the path and its permissions");
 }
 
 }  // namespace
@@ -54,8 +71,7 @@ Connection::Connection(const Address& address, int patience_ms, std::function<bo
       frame_(protocol::kMaxFrame),
       in_(2 * protocol::kMaxFrame) {
   stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
-                                : connect_to(address, patience_ms);
-  if (address.is_remote()) limit_sending(stream_, patience_ms);
+                                : connect_to(address, patience_ms, is_over_);
 }
 
 Connection::~Connection() {
@@ -66,31 +82,38 @@ Connection::~Connection() {
 }
 
 void Connection::send_frame(std::size_t bytes) {
+  const Clock::time_point end = end_of(send_patience_ms_);
   for (std::size_t sent = 0; sent < bytes && !broken_;) {
-    const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL | (is_over_ ? MSG_DONTWAIT : 0));
-    if (taken < 0 && errno == EINTR) continue;
-    if (taken < 0 && is_over_ && errno == EAGAIN && can_send()) continue;
-    if (taken < 0) broken_ = true;  // it may have said why
+    const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (taken > 0) sent += static_cast<std::size_t>(taken);
+    if (taken >= 0 || errno == EINTR) continue;
+    broken_ = errno != EAGAIN || !wait(POLLOUT, end);
   }
 }
 
-/// Waits until the other side takes more.
+/// Waits until the other side takes more, or has said more.
 ///
-/// returns   false: it did not in time, or nobody wants it any more
-bool Connection::can_send() {
-  constexpr int kAsksOverMs = 100;
-  for (int waited = 0; send_patience_ms_ == 0 || waited < send_patience_ms_; waited += kAsksOverMs) {
-    pollfd one{stream_, POLLOUT, 0};
-    if (::poll(&one, 1, kAsksOverMs) > 0) return true;
-    if (is_over_()) return false;
+/// event     POLLOUT or POLLIN
+/// returns   false: not in time
+/// fails     InputError: nobody waits any more
+bool Connection::wait(short event, Clock::time_point end, const std::function<bool()>& enough) {
+  for (;;) {
+    const Clock::time_point now = Clock::now();
+    const auto left = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(end - now), 0ms, kAsksEvery);
+    pollfd one{stream_, event, 0};
+    const int ready = ::poll(&one, 1, static_cast<int>(left.count()));
+    if (ready == 0 || now - asked_ >= kAsksEvery) {  // also where a little comes again and again
+      asked_ = now;
+      if ((is_over_ && is_over_()) || (enough && enough())) complain_of_nobody(address_);
+    }
+    if (ready > 0) return true;
+    if (now >= end) return false;
   }
-  return false;
 }
 
-protocol::Frame Connection::receive(int patience_ms) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point end = Clock::now() + std::chrono::milliseconds(patience_ms);  // signals and single bytes do not move it
+protocol::Frame Connection::receive(int patience_ms, const std::function<bool()>& enough) {
+  const Clock::time_point end =
+      Clock::now() + std::chrono::milliseconds(broken_ ? 0 : patience_ms);  // what a broken one had to say is here
   for (;;) {
     const auto frame = protocol::read_frame(std::span(in_).subspan(used_, in_size_ - used_));
     if (!frame) {
@@ -101,9 +124,8 @@ protocol::Frame Connection::receive(int patience_ms) {
       used_ += frame->size;
       return *frame;
     }
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
-    if (!read_more(static_cast<int>(std::max<std::int64_t>(left, 0))))
-      throw InputError(address_.text + ": the controller does not answer; check whether it runs");
+    if (!wait(POLLIN, end, enough)) throw InputError(address_.text + ": the controller does not answer; check whether it runs");
+    read_more();
   }
 }
 
@@ -114,20 +136,14 @@ bool Connection::has_input(int patience_ms) {
   return ::poll(&one, 1, patience_ms) > 0;
 }
 
-/// returns   false: nothing has come in time
-bool Connection::read_more(int patience_ms) {
+void Connection::read_more() {
   std::copy(in_.begin() + static_cast<std::ptrdiff_t>(used_), in_.begin() + static_cast<std::ptrdiff_t>(in_size_), in_.begin());
   in_size_ -= used_;
   used_ = 0;
-  pollfd one{stream_, POLLIN, 0};
-  const int ready = ::poll(&one, 1, patience_ms);
-  if (ready < 0 && errno == EINTR) return true;
-  if (ready == 0) return false;
   const ssize_t got = ::recv(stream_, in_.data() + in_size_, in_.size() - in_size_, 0);
-  if (got < 0 && errno == EINTR) return true;
+  if (got < 0 && errno == EINTR) return;
   if (got <= 0) complain_of_the_end();
   in_size_ += static_cast<std::size_t>(got);
-  return true;
 }
 
 void Connection::complain_of_the_end() {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -19,8 +20,8 @@ class Connection {
  public:
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
-  /// patience_ms   longest time to wait until the controller takes what is sent; 0 = for ever
-  /// is_over       asked ten times a second meanwhile; true: what is left is not sent, and nothing more
+  /// patience_ms   longest time to wait until the controller lets in, and until it takes a frame; 0 = for ever
+  /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more
   /// fails         InputError: what is not there and what to do
   explicit Connection(const Address& address, int patience_ms = 0, std::function<bool()> is_over = {});
   ~Connection();
@@ -29,6 +30,9 @@ class Connection {
 
   const Address& address() const { return address_; }
 
+  /// What cannot be sent is no failure yet: the controller may have said why, and `receive` reports it.
+  ///
+  /// fails     InputError: nobody waits any more
   template <class Message>
   void send(protocol::Kind kind, const Message& message) {
     send_frame(protocol::encode(kind, message, frame_));
@@ -37,21 +41,26 @@ class Connection {
 
   /// The next frame; valid until the next call.
   ///
-  /// fails     InputError: the controller is gone, says nothing for so long, or what comes breaks the protocol
-  protocol::Frame receive(int patience_ms);
+  /// patience_ms   until the whole frame has come
+  /// enough        asked as `is_over` is, besides it
+  /// fails         InputError: the controller is gone, its frame is not there in time, nobody waits any more, or what comes breaks the protocol
+  protocol::Frame receive(int patience_ms, const std::function<bool()>& enough = {});
 
-  /// True when `receive` would not wait, at the latest after so long.
+  /// Waits at most so long for anything to come, be it a part of a frame.
   bool has_input(int patience_ms = 0);
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   void send_frame(std::size_t bytes);
-  bool can_send();
-  bool read_more(int patience_ms);
+  bool wait(short event, Clock::time_point end, const std::function<bool()>& enough = {});
+  void read_more();
   [[noreturn]] void complain_of_the_end();
 
   Address address_;
   int send_patience_ms_;
   std::function<bool()> is_over_;
+  Clock::time_point asked_;  ///< whether anybody still waits
   int stream_ = -1;
   pid_t child_ = -1;
   const pid_t owner_;  ///< the process that made this

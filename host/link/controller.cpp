@@ -1,7 +1,6 @@
 #include "host/link/controller.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <sstream>
 
@@ -16,7 +15,6 @@ using protocol::Kind;
 
 constexpr int kGreeting = 60'000;  ///< somebody may have to type a password
 constexpr int kAnswer = 10'000;
-constexpr int kAsksEnough = 100;
 constexpr int kChecking = 120'000;  ///< a large field on a slow disk, somebody else's, too: the controller does one such work at a time
 constexpr std::size_t kSentAhead =
     16;  ///< chunks, and questions for them, without their answers: a far controller is not waited for each time
@@ -184,12 +182,8 @@ void Controller::resume() {
 std::optional<protocol::Records> Controller::more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
                                                           std::string& ended) {
   try {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point end = Clock::now() + std::chrono::milliseconds(patience_ms);
-    bool there = false;
-    while (!there && Clock::now() < end && !enough()) there = connection_.has_input(kAsksEnough);
     if (enough()) return std::nullopt;
-    const auto records = read<protocol::Records>(expect(Kind::kRecords, there ? kAnswer : 0));
+    const auto records = read<protocol::Records>(required(Kind::kRecords, connection_.receive(patience_ms, enough)));
     if (records.record_bytes == 0 || records.bytes.size() % records.record_bytes != 0)
       complain("records of the ticks are cut; install the same release on both sides");
     return records;
@@ -239,11 +233,9 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
 }
 
 /// The answer of that kind. Whatever else comes ends the conversation.
-protocol::Frame Controller::expect(Kind kind, int patience_ms) {
-  for (int waited = 0; is_over_ && waited < patient(patience_ms) && !connection_.has_input(kAsksEnough); waited += kAsksEnough) {
-    if (is_over_()) complain("nobody waits for its answer any more");
-  }
-  const protocol::Frame frame = connection_.receive(patient(patience_ms));
+protocol::Frame Controller::expect(Kind kind, int patience_ms) { return required(kind, connection_.receive(patient(patience_ms))); }
+
+protocol::Frame Controller::required(Kind kind, const protocol::Frame& frame) {
   if (frame.kind == kind) return frame;
   if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));
   complain("the controller's answer does not fit the request; install the same release on both sides");

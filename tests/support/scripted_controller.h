@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -22,19 +23,45 @@ namespace isotouch::test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Answers its first client with prepared bytes, and goes.
+/// Serves that many clients, each in a thread of its own.
 class Scripted {
  public:
-  /// reads     false: it takes nothing of what the client sends
-  explicit Scripted(Bytes answers, bool reads = true) : path_((scratch_.path() / "socket").string()) {
+  using Talk = std::function<void(int client)>;
+
+  /// talks     what it does with its first client, its second, …
+  explicit Scripted(std::vector<Talk> talks) : path_((scratch_.path() / "socket").string()) {
     sockaddr_un name{};
     name.sun_family = AF_UNIX;
     std::copy(path_.begin(), path_.end(), name.sun_path);
     door_ = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     EXPECT_EQ(::bind(door_, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
     EXPECT_EQ(::listen(door_, 1), 0);
-    thread_ = std::thread([this, answers = std::move(answers), reads] {
-      const int client = ::accept(door_, nullptr, nullptr);
+    thread_ = std::thread([this, talks = std::move(talks)] {
+      std::vector<std::jthread> clients;
+      for (const Talk& talk : talks) {
+        const int client = ::accept(door_, nullptr, nullptr);
+        if (client < 0) return;
+        clients.emplace_back([talk, client] {
+          talk(client);
+          ::close(client);
+        });
+      }
+    });
+  }
+  /// One client gets prepared bytes.
+  explicit Scripted(Bytes answers, bool reads = true) : Scripted(std::vector{says(std::move(answers), reads)}) {}
+  ~Scripted() {
+    ::shutdown(door_, SHUT_RDWR);  // clients that never came are not waited for
+    thread_.join();
+    ::close(door_);
+  }
+  std::string address() const { return "unix:" + path_; }
+
+  /// Answers with prepared bytes, and goes.
+  ///
+  /// reads     false: it takes nothing of what the client sends, and stays as long as the client
+  static Talk says(Bytes answers, bool reads = true) {
+    return [answers = std::move(answers), reads](int client) {
       (void)::send(client, answers.data(), answers.size(), MSG_NOSIGNAL);
       if (!reads) {
         pollfd until_it_goes{client, 0, 0};
@@ -43,14 +70,8 @@ class Scripted {
       ::shutdown(client, SHUT_WR);
       Bytes heard(4096);
       while (::recv(client, heard.data(), heard.size(), 0) > 0) continue;
-      ::close(client);
-    });
+    };
   }
-  ~Scripted() {
-    thread_.join();
-    ::close(door_);
-  }
-  std::string address() const { return "unix:" + path_; }
 
  private:
   ScratchFolder scratch_;

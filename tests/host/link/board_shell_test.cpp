@@ -47,6 +47,16 @@ TEST(BoardShell, OneThatHangsOrEndsIsSaid) {
   EXPECT_THAT(complaint("kill -9 $$", 10), testing::HasSubstr("has ended"));
 }
 
+TEST(BoardShell, ALateAnswerIsNotThatOfTheNextCommand) {
+  BoardShell shell(read_address("unix:/nowhere"));
+  EXPECT_THROW((void)shell.run("sleep 0.5; echo late; exit 3", 0.1), InputError);
+  for (const char* word : {"next", "last"}) {
+    const auto answer = shell.run(std::string("echo ") + word, 10);
+    EXPECT_EQ(answer.text, std::string(word) + "\n");
+    EXPECT_EQ(answer.status, 0);
+  }
+}
+
 TEST(BoardShell, WhatItDoesAtItsEndIsDoneHoweverItEnds) {
   const ScratchFolder scratch;
   for (const char* end : {"true", "kill -HUP $$", "kill -INT $$", "kill -PIPE $$", "kill -TERM $$"}) {

@@ -7,7 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,6 +26,8 @@ namespace {
 using protocol::Kind;
 using test::Bytes, test::frame, test::Scripted;
 using testing::HasSubstr;
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
 Bytes refusal(const std::string& sentence) {
   return frame(Kind::kRefused, protocol::Refusal{2, {reinterpret_cast<const std::uint8_t*>(sentence.data()), sentence.size()}});
@@ -31,6 +37,15 @@ Bytes operator+(Bytes a, const Bytes& b) {
   return a;
 }
 const Bytes kWelcome = frame(Kind::kWelcome, protocol::Welcome{});
+
+std::string sentence_of(const std::function<void()>& failing) {
+  try {
+    failing();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "it did not fail";
+}
 
 /// The sentence with which it ends.
 std::string complaint(const Bytes& answers, const std::function<void(Controller&)>& ask) {
@@ -77,6 +92,89 @@ TEST(Controller, NobodyWaitsUntilItTakesWhatIsNotWantedAnyMore) {
     EXPECT_THAT(error.what(), HasSubstr("nobody waits"));
   }
   EXPECT_LE(asked, 5);
+}
+
+/// Once the client waits, it gets the first bytes of the last answer, and no more.
+Scripted::Talk says_later(const Bytes& answers, Bytes last) {
+  last.resize(5);
+  return [=](int client) {
+    (void)::send(client, answers.data(), answers.size(), MSG_NOSIGNAL);
+    std::this_thread::sleep_for(200ms);
+    Scripted::says(last, false)(client);
+  };
+}
+
+TEST(Controller, NobodyWaitsForTheRestOfAnAnswerThatIsNotWantedAnyMore) {
+  const Scripted scripted({says_later(kWelcome, frame(Kind::kStatusReport, protocol::StatusReport{}))});
+  int asked = 0;
+  Controller controller(scripted.address(), {}, [&] { return ++asked >= 3; });
+  EXPECT_THAT(sentence_of([&] { (void)controller.status(); }), HasSubstr("nobody waits"));
+}
+
+TEST(Controller, NobodyWaitsForTheRestOfARecordThatIsNotWantedAnyMore) {
+  const Scripted scripted({says_later(kWelcome + frame(Kind::kDone), frame(Kind::kRecords, protocol::Records{}))});
+  Controller controller(scripted.address());
+  const Clock::time_point begin = Clock::now();
+  const auto watched = controller.watch(
+      1, 10, [](std::uint64_t, std::span<const std::uint8_t>) {}, [&] { return Clock::now() - begin > 1s; });
+  EXPECT_EQ(watched.ended, "");
+  EXPECT_LT(Clock::now() - begin, 5s);
+}
+
+TEST(Controller, WhoeverTakesALittleAtATimeIsNotWaitedForEither) {
+  std::atomic<std::size_t> taken = 0;
+  const Bytes field(40'000'000);
+  Bytes answers = kWelcome;
+  for (std::size_t i = 0; i <= field.size() / protocol::kMaxChunk + 1; ++i) answers = answers + frame(Kind::kDone);
+  const Scripted scripted({[&](int client) {
+    (void)::send(client, answers.data(), answers.size(), MSG_NOSIGNAL);
+    Bytes heard(40'000);
+    for (ssize_t got = 1; got > 0; taken += static_cast<std::size_t>(std::max<ssize_t>(got, 0))) {
+      std::this_thread::sleep_for(5ms);
+      got = ::recv(client, heard.data(), heard.size(), 0);
+    }
+  }});
+  int asked = 0;
+  Controller controller(scripted.address(), {}, [&] { return ++asked >= 3; });
+  EXPECT_THAT(sentence_of([&] { (void)controller.upload({field.size(), 1, 2, {}}, field); }), HasSubstr("nobody waits"));
+  EXPECT_LT(taken, field.size() / 2);
+}
+
+TEST(Controller, NobodyWaitsAtADoorWithAQueue) {
+  const ScratchFolder scratch;
+  const std::string path = (scratch.path() / "socket").string();
+  sockaddr_un name{};
+  name.sun_family = AF_UNIX;
+  std::copy(path.begin(), path.end(), name.sun_path);
+  const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ASSERT_EQ(::bind(door, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
+  ASSERT_EQ(::listen(door, 0), 0);
+  std::vector<int> queue;
+  do queue.push_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  while (::connect(queue.back(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0);
+  int asked = 0;
+  EXPECT_THAT(sentence_of([&] { const Controller controller("unix:" + path, {}, [&] { return ++asked == 3; }); }),
+              HasSubstr("nobody waits"));
+  EXPECT_THAT(sentence_of([&] { const Controller controller("unix:" + path, 300); }), HasSubstr("no controller answers there"));
+  for (const int waiting : queue) ::close(waiting);
+  ::close(door);
+}
+
+TEST(Controller, ItsPatienceIsOverOnce) {
+  for (const bool is_asked : {false, true}) {
+    const auto never = is_asked ? std::function<bool()>([] { return false; }) : nullptr;
+    const auto waited = [&](const Bytes& answers, const std::function<void(Controller&)>& ask) {
+      const Scripted scripted(answers, false);
+      Controller controller(scripted.address(), 1000, never);
+      const Clock::time_point begin = Clock::now();
+      EXPECT_THAT(sentence_of([&] { ask(controller); }), HasSubstr("does not answer"));
+      return Clock::now() - begin;
+    };
+    EXPECT_LT(waited(kWelcome, [](Controller& c) { (void)c.status(); }), 1900ms) << is_asked;
+    const Bytes field(2'000'000);
+    const Bytes taken = kWelcome + frame(Kind::kDone);
+    EXPECT_LT(waited(taken, [&](Controller& c) { (void)c.upload({field.size(), 1, 2, {}}, field); }), 1900ms) << is_asked;
+  }
 }
 
 TEST(Controller, WhatTheControllerRefusesIsPassedOn) {
