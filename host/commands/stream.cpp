@@ -174,7 +174,10 @@ Json summary_json(const stream::Stream& of, const std::string& field_hash) {
 }
 
 /// What a second brought, for whoever watches.
-void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const stream::Tally& of, const stream::Stream& stream) {
+///
+/// silent    the controller whose hand did not tick meanwhile; empty: none
+void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const std::string& silent, const stream::Tally& of,
+                  const stream::Stream& stream) {
   const Quantiles delay = of.delay_ms.quantiles();
   std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points, %zu not needed, %zu outside", now,
                static_cast<unsigned long long>(of.frames), static_cast<unsigned long long>(thinned), of.points.taken, of.points.surplus,
@@ -182,7 +185,8 @@ void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const s
   if (of.unoriented > 0) std::fprintf(stderr, ", %llu frames without normals", static_cast<unsigned long long>(of.unoriented));
   if (lost > 0) std::fprintf(stderr, ", %llu ticks of the hand lost", static_cast<unsigned long long>(lost));
   if (delay.count > 0) std::fprintf(stderr, ", %zu patches, delay %.1f ms, at most %.1f ms", delay.count, delay.median, delay.max);
-  if (of.unanswered) std::fprintf(stderr, "; the controller does not answer");
+  if (!silent.empty()) std::fprintf(stderr, "; %s is silent", silent.c_str());
+  if (of.unanswered) std::fprintf(stderr, "; still waiting for the controller");
   if (stream.status() && stream.status()->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*stream.status()).c_str());
   std::fprintf(stderr, "\n");
 }
@@ -236,31 +240,51 @@ void close(stream::Stream& of, const StreamingOptions& options) {
 }
 
 /// Runs until the source ends, the time is over, or somebody wants an end.
-void work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& options) {
+///
+/// hand      the controller whose hand is the source; empty: none
+/// returns   why the controller has not confirmed all that was taken when the stream was to end; empty: it has
+std::string work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& options, const std::string& hand) {
   const Interruption interruption;
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
-  std::uint64_t thinned = 0, lost = 0;
-  std::optional<double> interrupted;
+  std::uint64_t thinned = 0, heard = 0, lost = 0;
+  std::optional<double> over;  // since then
+  const auto is_over = [&] {
+    if (!over && (interruption.has_come() || (options.seconds && seconds() >= *options.seconds))) over = seconds();
+    return over.has_value();
+  };
   constexpr double kGrace = 2;  // seconds that a busy controller gets to take the last frame
   try {
-    stream.run(inbox, {.is_over = [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); },
-                       .gives_up =
-                           [&] {
-                             if (interruption.has_come() && !interrupted) interrupted = seconds();
-                             return interrupted && seconds() - *interrupted >= kGrace;
-                           },
+    stream.run(inbox, {.is_over = is_over,
+                       .gives_up = [&] { return is_over() && seconds() - *over >= kGrace; },
                        .second =
                            [&](const stream::Tally& second) {
-                             print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, second, stream);
+                             print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "",
+                                          second, stream);
                              thinned = inbox.thinned();
+                             heard = inbox.heard();
                              lost = inbox.lost();
                            }});
     stream.finish();
   } catch (const InputError& error) {
-    if (!interruption.has_come()) throw;  // what interrupts us interrupts the ssh beside us
-    std::fprintf(stderr, "isotouch: %s; the last frame may not be felt\n", error.what());
+    if (!is_over()) throw;
+    if (stream.is_felt()) return {};  // Ctrl-C interrupts the ssh to the controller, too
+    const bool has_some = stream.report().upload_bytes > 0;
+    return error.what() + std::string(has_some ? "; the last frame may not be felt" : "; the controller confirmed nothing of this field");
   }
+  return {};
+}
+
+/// Why there is no field.
+std::string nothing_built(FrameSource kind, const StreamingOptions& options, const stream::StreamReport& report) {
+  const std::string nothing = ", so nothing was built; ";
+  if (kind != FrameSource::kRecording && kind != FrameSource::kController)
+    return "no frame had points with normals within the box" + nothing + "check the normals, --box and --units";
+  const std::string& name = options.sources[0];
+  if (report.all.points.outside > 0) return name + ": every touch was outside the box" + nothing + "check --box";
+  if (kind == FrameSource::kController && report.heard == 0)
+    return name + ": no tick of the hand came" + nothing + "check whether the controller runs";
+  return name + ": no frame showed a touch" + nothing + "let the hand touch the object";
 }
 
 void run(StreamingOptions& options) {
@@ -289,16 +313,16 @@ void run(StreamingOptions& options) {
       ~Closed() { inbox.close(); }
     } const closed{inbox};
     try {
-      work(stream, inbox, options);
+      ended = work(stream, inbox, options, kind == FrameSource::kController ? options.sources[0] : "");
     } catch (const InputError& error) {
       if (!stream.has_points() || options.out.empty()) throw;
       ended = error.what();
     }
   }
-  if (!stream.has_points())
-    throw InputError("no frame had points with normals within the box, so nothing was built; check the normals, --box and --units");
+  if (!stream.has_points()) throw InputError(nothing_built(kind, options, stream.report()));
   close(stream, options);
-  if (!ended.empty()) throw EndedEarly(ended + "; " + options.out.string() + " holds the field as it was then");
+  if (!options.out.empty() && !ended.empty()) ended += "; " + options.out.string() + " holds the field as it was then";
+  if (!ended.empty()) throw EndedEarly(ended);
 }
 
 }  // namespace

@@ -92,8 +92,8 @@ OrientedPoints averaged(const OrientedPoints& touches, double edge) {
 }  // namespace
 
 TouchReader::TouchReader(std::string name, const TickSettings& settings, double least_force_n, double wall)
-    : name_(std::move(name)), settings_(settings), least_force_n_(least_force_n), wall_(wall) {
-  require_no_friction();
+    : name_(std::move(name)), least_force_n_(least_force_n), wall_(wall) {
+  set(settings);
 }
 
 void TouchReader::require_no_friction() const {
@@ -102,13 +102,17 @@ void TouchReader::require_no_friction() const {
                    " is set, which moves the proxy along the surface, so touches do not show where that is; set it to 0 and touch anew");
 }
 
+void TouchReader::set(const TickSettings& settings) {
+  settings_ = settings;
+  require_no_friction();
+}
+
 TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
   const Output& out = record.output;
   if (record.input.change.setting != TickSetting::kNone) {
     RawSettings raw = raw_settings(settings_);
     raw[index_of(record.input.change.setting)] = record.input.change.raw;
-    settings_ = from_raw(raw);
-    require_no_friction();
+    set(from_raw(raw));
   }
   if ((out.status & kContact) == 0) return TouchKind::kFree;
   if ((out.status & kUnfit) != 0 || !record.input.fresh) return TouchKind::kUnfit;

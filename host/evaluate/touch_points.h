@@ -38,6 +38,11 @@ class TouchReader {
   /// fails     InputError: friction is set in this tick
   TouchKind read(const TraceRecord& record, Touch& touch);
 
+  /// These settings hold now: changes in lost ticks were not seen.
+  ///
+  /// fails     InputError: there is friction
+  void set(const TickSettings& settings);
+
   /// Touches without a proxy. If `wall` is not known, they are unfit.
   std::size_t proxyless() const { return proxyless_; }
   /// Why the ticks until now show no surface: they have forces and no proxies.

@@ -41,9 +41,10 @@ void Inbox::miss(std::uint64_t frames) {
   thinned_ += frames;
 }
 
-void Inbox::lose(std::uint64_t ticks) {
+void Inbox::hear(std::uint64_t lost) {
   const std::lock_guard hold(lock_);
-  lost_ += ticks;
+  ++heard_;
+  lost_ += lost;
 }
 
 bool Inbox::wait_until(Clock::time_point time) {
@@ -94,6 +95,11 @@ std::uint64_t Inbox::offered() const {
 std::uint64_t Inbox::thinned() const {
   const std::lock_guard hold(lock_);
   return thinned_;
+}
+
+std::uint64_t Inbox::heard() const {
+  const std::lock_guard hold(lock_);
+  return heard_;
 }
 
 std::uint64_t Inbox::lost() const {

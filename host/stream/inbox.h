@@ -36,8 +36,8 @@ class Inbox {
   bool has_room() const;
   /// So many frames were due and could not even be made: they count as left out.
   void miss(std::uint64_t frames);
-  /// So many ticks of another hand did not arrive, and nobody knows what they touched.
-  void lose(std::uint64_t ticks);
+  /// A tick of a hand arrived. That many before it did not, and nobody knows what they touched.
+  void hear(std::uint64_t lost = 0);
   /// False at once when nobody takes any more.
   bool wait_until(Clock::time_point time);
   bool is_closed() const;
@@ -55,6 +55,7 @@ class Inbox {
   /// How many frames there were, and how many of them were left out.
   std::uint64_t offered() const;
   std::uint64_t thinned() const;
+  std::uint64_t heard() const;  ///< ticks
   std::uint64_t lost() const;
   /// No more are taken; one that still waits is left out.
   void close();
@@ -65,7 +66,7 @@ class Inbox {
   std::optional<Frame> waiting_;
   std::exception_ptr error_;
   bool finished_ = false, closed_ = false;
-  std::uint64_t offered_ = 0, thinned_ = 0, lost_ = 0;
+  std::uint64_t offered_ = 0, thinned_ = 0, heard_ = 0, lost_ = 0;
 };
 
 }  // namespace isotouch::stream

@@ -43,7 +43,8 @@ bool Stream::is_due() const { return watch_.second && Clock::now() - reported_ >
 
 /// While the controller is waited for.
 bool Stream::gives_up() {
-  if (is_due()) {
+  constexpr auto kSoon = 100ms;
+  if (is_due() && Clock::now() - asked_ >= kSoon) {
     second_.unanswered = true;
     report_second();
   }
@@ -64,12 +65,21 @@ void Stream::run(Inbox& inbox, Watch watch) {
     if (is_end) inbox.close();
     report_.offered = inbox.offered();
     report_.thinned = inbox.thinned();
+    report_.heard = inbox.heard();
     report_.lost = inbox.lost();
     report_.seconds = ms_since(begin) / 1e3;
   };
+  const auto next = [&]() -> std::optional<Frame> {
+    try {
+      return inbox.take(50ms);
+    } catch (const InputError&) {
+      if (!watch_.is_over()) throw;
+      return {};  // Ctrl-C interrupts the ssh of a source, too
+    }
+  };
   try {
     while (!watch_.is_over() && !inbox.is_finished()) {
-      if (const auto frame = inbox.take(50ms)) work_on(*frame);
+      if (const auto frame = next()) work_on(*frame);
       count(false);
       if (!is_due()) continue;
       ask_status();  // it shows, too, whether the controller is still there
@@ -117,6 +127,7 @@ bool Stream::begin(const cloud::Model& model) {
 }
 
 void Stream::send() {
+  asked_ = Clock::now();
   try {
     felt_ ? patch() : upload();
   } catch (const InputError& refused) {
@@ -164,13 +175,20 @@ void Stream::explain_refusal(const std::string& sentence) {
 
 void Stream::ask_status() {
   if (!controller_) return;
+  asked_ = Clock::now();
   status_ = controller_->status();
   require_own_field();
 }
 
-void Stream::require_own_field() const {
-  if (felt_ && status_->field_hash != *felt_)
+void Stream::require_own_field() {
+  if (felt_ && status_->field_hash != *felt_) {
+    is_replaced_ = true;
     throw InputError(options_.to + ": another field was loaded while this one grew, and it stays; stream again to replace it");
+  }
+}
+
+bool Stream::is_felt() const {
+  return !controller_ || !has_points() || (felt_ == field_->kept_hash() && !field_->has_changed() && !is_replaced_);
 }
 
 void Stream::finish() {

@@ -44,6 +44,7 @@ struct Tally {
 struct StreamReport {
   Tally all;
   std::uint64_t offered = 0, thinned = 0;                             ///< frames
+  std::uint64_t heard = 0;                                            ///< ticks of a hand
   std::uint64_t lost = 0;                                             ///< ticks of another controller that did not arrive
   std::uint64_t upload_bytes = 0;                                     ///< of the first field, packed
   Classes read_ms{10}, grow_ms{10}, patch_ms{10}, controller_ms{10};  ///< the parts of the delay, behind the wait for the frame before
@@ -76,6 +77,8 @@ class Stream {
   /// fails     InputError: as `run`
   void finish();
 
+  /// Has the controller confirmed all that was taken, as far as is known? True where nothing was taken.
+  bool is_felt() const;
   /// Has any point come into the field? It may have gone again.
   bool has_points() const { return report_.all.points.taken > 0; }
   /// Nothing before the first frame that shows where the field lies.
@@ -98,7 +101,7 @@ class Stream {
   void report_second();
   [[noreturn]] void explain_refusal(const std::string& sentence);
   void ask_status();
-  void require_own_field() const;
+  void require_own_field();
 
   StreamOptions options_;
   std::optional<link::Controller> controller_;
@@ -106,10 +109,11 @@ class Stream {
   std::optional<live::Space> space_;
   std::optional<GrowingField> field_;
   std::optional<std::uint64_t> felt_;  ///< hash of the field that the controller has from here
+  bool is_replaced_ = false;           ///< somebody loaded another one
   StreamReport report_;
   Tally second_;
   Watch watch_;
-  Clock::time_point reported_;
+  Clock::time_point reported_, asked_;  ///< a second; the controller
 };
 
 }  // namespace isotouch::stream

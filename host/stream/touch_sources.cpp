@@ -35,6 +35,8 @@ class Touches {
     model_.positions.push_back(touch.position);
     model_.normals.push_back(touch.normal);
   }
+  /// As evaluate::TouchReader.
+  void set(const TickSettings& settings) { reader_.set(settings); }
   /// fails     InputError: there were touches, and none shows where the surface is
   void require_any() const {
     if (!any_ && reader_.proxyless() > 0) reader_.refuse_proxyless();
@@ -78,6 +80,7 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
     const Clock::time_point begin = Clock::now();
     Touches touches(file.string(), trace.header().settings);
     for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+      inbox.hear();
       touches.add(trace.record(tick));
       const bool is_last = tick + 1 == trace.size();
       if ((tick + 1) % of_frame != 0 && !is_last) continue;
@@ -94,24 +97,30 @@ Source recording(std::filesystem::path file, double rate, bool in_time) {
 Source controller(std::string address, double rate) {
   return [address = std::move(address), rate](Inbox& inbox) {
     using trace_layout::kRecordBytes;
-    link::Controller felt(address);
+    const auto is_over = [&inbox] { return inbox.is_closed(); };
+    link::Controller asked(address, {}, is_over), felt(address, {}, is_over);  // two, because one that is watched answers nothing else
     const std::uint64_t of_frame = ticks(rate, felt.welcome().period_ns);
-    Touches touches(address, settings_at(felt));
+    Touches touches(address, settings_at(asked));
     std::uint64_t next = 0;
     std::optional<std::uint64_t> follows;  // the tick that is expected
+    bool is_sure = false;                  // every change of the settings was seen
     const auto take = [&](std::uint64_t tick, std::span<const std::uint8_t> bytes) {
       const auto record =
           bytes.size() == kRecordBytes ? decode_record(bytes.first<kRecordBytes>()) : Result<TraceRecord>(Error::kBadRecord);
       if (!record) throw InputError(address + ": a record cannot be read; install the same release on both sides");
-      if (follows && tick > *follows) inbox.lose(tick - *follows);
+      const std::uint64_t lost = follows && tick > *follows ? tick - *follows : 0;
+      inbox.hear(lost);
+      if (lost > 0) is_sure = false;
       follows = tick + 1;
       touches.add(*record);
       if (tick < next || !inbox.has_room()) return;  // no touch comes twice, so those of a frame that cannot go yet stay for the next one
+      if (!is_sure) touches.set(settings_at(asked));
+      is_sure = true;
       next = tick + of_frame;
       (void)inbox.offer(touches.frame());
     };
-    const auto watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, [&inbox] { return inbox.is_closed(); });
-    (void)inbox.hand_over(touches.frame());
+    const auto watched = felt.watch(1, std::numeric_limits<std::uint64_t>::max(), take, is_over);
+    if (is_sure) (void)inbox.hand_over(touches.frame());
     if (!watched.ended.empty()) throw InputError(watched.ended);
   };
 }

@@ -1,8 +1,11 @@
 /// Touches of a running controller as frames.
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 
 #include <cstdint>
 #include <string>
+#include <thread>
+#include <utility>
 
 #include "host/error.h"
 #include "host/stream/sources.h"
@@ -28,19 +31,34 @@ Bytes records(std::uint64_t first_tick, std::size_t count) {
   return frame(Kind::kRecords, protocol::Records{first_tick, 1, static_cast<std::uint32_t>(bytes.size()), 0, all});
 }
 
-Bytes begin(const std::string& settings) {
-  protocol::Welcome welcome;
-  welcome.period_ns = 1'000'000;
-  Bytes all = frame(Kind::kWelcome, welcome);
-  const Bytes report =
-      frame(Kind::kSettingsReport, protocol::SettingsReport{1, {reinterpret_cast<const std::uint8_t*>(settings.data()), settings.size()}});
-  for (const Bytes& next : {report, frame(Kind::kDone)}) all.insert(all.end(), next.begin(), next.end());
-  return all;
+Bytes operator+(Bytes a, const Bytes& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
+Bytes welcome() {
+  protocol::Welcome welcome;
+  welcome.period_ns = 1'000'000;
+  return frame(Kind::kWelcome, welcome);
+}
+
+Bytes settings(const std::string& different) {
+  return frame(Kind::kSettingsReport,
+               protocol::SettingsReport{1, {reinterpret_cast<const std::uint8_t*>(different.data()), different.size()}});
+}
+
+const Bytes kFrictionless = settings("feel.stiffness = 0.5\n"), kRough = settings("feel.friction = 0.3\n");
+
 /// Why the source ended.
-std::string end_of(const Bytes& answers, Inbox& inbox) {
-  const test::Scripted scripted(answers);
+///
+/// reports   of the settings, each time they are asked for
+/// ticks     of the hand
+std::string end_of(const Bytes& reports, const test::Scripted::Talk& ticks, Inbox& inbox) {
+  const test::Scripted scripted({test::Scripted::says(welcome() + reports), [&](int client) {
+                                   const Bytes begin = welcome() + frame(Kind::kDone);
+                                   (void)::send(client, begin.data(), begin.size(), MSG_NOSIGNAL);
+                                   ticks(client);
+                                 }});
   const std::jthread thread = run(controller(scripted.address(), 30), inbox);
   try {
     while (!inbox.is_finished()) (void)inbox.take(1s);
@@ -51,21 +69,41 @@ std::string end_of(const Bytes& answers, Inbox& inbox) {
 }
 
 TEST(ControllerSource, TicksThatDoNotArriveAreCounted) {
-  Bytes answers = begin("feel.stiffness = 0.5\n");
+  Bytes ticks, reports;
   for (const auto& [tick, count] : {std::pair<std::uint64_t, std::size_t>{100, 20}, {120, 20}, {150, 10}, {167, 3}}) {
-    const Bytes more = records(tick, count);
-    answers.insert(answers.end(), more.begin(), more.end());
+    ticks = ticks + records(tick, count);
+    reports = reports + kFrictionless + kFrictionless;
   }
   Inbox inbox;
-  EXPECT_NE(end_of(answers, inbox).find("closed the connection"), std::string::npos);
+  EXPECT_NE(end_of(reports, test::Scripted::says(ticks), inbox).find("closed the connection"), std::string::npos);
+  EXPECT_EQ(inbox.heard(), 53U);
   EXPECT_EQ(inbox.lost(), 10U + 7U);
 }
 
 TEST(ControllerSource, FrictionIsRefused) {
-  for (const char* settings : {"feel.friction = 0.3\n", "feel.stiffness = 0.5\nfeel.friction_damping = 0.001\n"}) {
+  for (const char* different : {"feel.friction = 0.3\n", "feel.stiffness = 0.5\nfeel.friction_damping = 0.001\n"}) {
     Inbox inbox;
-    EXPECT_NE(end_of(begin(settings), inbox).find(" is set, which moves the proxy"), std::string::npos) << settings;
+    EXPECT_NE(end_of(settings(different), test::Scripted::says({}), inbox).find(" is set, which moves the proxy"), std::string::npos)
+        << different;
   }
+}
+
+TEST(ControllerSource, FrictionThatWasSetBeforeTheFirstTickIsSeen) {
+  Inbox inbox;
+  EXPECT_NE(end_of(kFrictionless + kRough, test::Scripted::says(records(100, 20)), inbox).find("friction is set"), std::string::npos);
+  EXPECT_EQ(inbox.offered(), 0U);
+}
+
+TEST(ControllerSource, FrictionThatWasSetInALostTickIsSeen) {
+  Inbox inbox;
+  const auto ticks = [&](int client) {
+    const Bytes before = records(100, 20);
+    (void)::send(client, before.data(), before.size(), MSG_NOSIGNAL);
+    while (inbox.offered() == 0 || !inbox.has_room()) std::this_thread::sleep_for(1ms);
+    test::Scripted::says(records(150, 20))(client);
+  };
+  EXPECT_NE(end_of(kFrictionless + kFrictionless + kRough, ticks, inbox).find("friction is set"), std::string::npos);
+  EXPECT_EQ(inbox.offered(), 1U);
 }
 
 }  // namespace
