@@ -47,7 +47,8 @@ class Shrinking {
   /// What a triangle may be whose corner is cut off.
   enum class Ear { kClear, kTouched, kEmpty };  // no other corner in it or on its rim; none in it; without area
 
-  /// The corner that is an ear, the first from `from` on; the number of corners if there is none, or after too many tests.
+  /// The corner that is an ear, the first from `from` on; the number of corners
+  /// if there is none, or after too many tests.
   std::size_t ear(std::size_t from, Ear kind) {
     std::size_t corner = from;
     for (std::size_t n = 0; n < left_; ++n, corner = behind_[corner]) {
@@ -59,7 +60,6 @@ class Shrinking {
 
   std::array<std::size_t, 3> triangle(std::size_t corner) const { return {before_[corner], corner, behind_[corner]}; }
   double area_at(std::size_t corner) const { return twice_area(at_[before_[corner]], at_[corner], at_[behind_[corner]]); }
-  double area() const { return area_; }
   std::size_t left() const { return left_; }
   void cut(std::size_t corner) {
     behind_[before_[corner]] = behind_[corner];
@@ -106,17 +106,18 @@ const char* cut_polygon(const std::vector<Vector3d>& positions, std::span<Triang
   std::vector<std::uint32_t> corners = {fan[0][0], fan[0][1]};
   for (const Triangle& face : fan) corners.push_back(face[2]);
   Eigen::Index axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);  // seen along it, the polygon is largest
-  const Eigen::Index x = (axis + 1) % 3, y = (axis + 2) % 3;
+  normal.cwiseAbs().maxCoeff(&axis);
+  const Vector3d along = normal / normal.norm();  // seen along it, the polygon is largest, and what
+                                                  // is warped is not moved aside
+  const Vector3d x = (Vector3d::Unit((axis + 1) % 3) - along[(axis + 1) % 3] * along).normalized(), y = along.cross(x);
   std::vector<Vector2d> seen;
   for (const std::uint32_t corner : corners) {
     const Vector3d from = positions[corner] - positions[corners[0]];
-    seen.emplace_back(from[x], normal[axis] < 0 ? -from[y] : from[y]);
+    seen.emplace_back(x.dot(from), y.dot(from));
   }
 
   Shrinking polygon(std::move(seen));
   std::vector<Triangle> cut;
-  double covered = 0;
   std::size_t from = 0;
   while (cut.size() < fan.size()) {
     std::size_t ear = corners.size();
@@ -126,12 +127,10 @@ const char* cut_polygon(const std::vector<Vector3d>& positions, std::span<Triang
     if (polygon.is_tired()) return "is not convex and takes too long to be cut into triangles";
     if (ear == corners.size()) return "crosses itself";
     const auto [a, b, c] = polygon.triangle(ear);
-    covered += std::abs(polygon.area_at(ear));
     cut.push_back({corners[a], corners[b], corners[c]});
     polygon.cut(ear);
     from = c;
   }
-  if (covered > (1 + kTurned) * polygon.area()) return "crosses itself";
   std::copy(cut.begin(), cut.end(), fan.begin());
   return nullptr;
 }

@@ -12,6 +12,7 @@
 #include "host/commands/progress_bar.h"
 #include "host/encoding/certificate.h"
 #include "host/encoding/inside_samples.h"
+#include "host/encoding/lost_pieces.h"
 #include "host/error.h"
 #include "host/field/make_grid.h"
 #include "host/field/parallel.h"
@@ -26,8 +27,10 @@ namespace isotouch::commands {
 namespace {
 
 /// Of what a device cannot reach or a controller cannot hold.
-void warn_of_limits(const FieldView& view, const encoding::SmallComponents& small, const BuildOptions& options, BuildReport& report) {
+void warn_of_limits(const FieldView& view, const encoding::SmallComponents& small, const encoding::LostPieces& lost,
+                    const BuildOptions& options, BuildReport& report) {
   std::vector<std::string> found = small.warnings();
+  for (std::string& warning : lost.warnings(report.placement)) found.push_back(std::move(warning));
   const Eigen::Vector3d origin = to_double(view.origin);
   const double edge = to_double(view.edge);
   const double margin = edge * field::field_margin(options.band_voxels());
@@ -124,7 +127,8 @@ BuiltField built_field(const BuildOptions& options) {
   progress.begin("write");
   if (!options.out.empty()) write_file(options.out, packed.data(), packed.size());
   progress.end();
-  warn_of_limits(field.view, small, options, report);
+  const encoding::LostPieces lost = made.mesh.faces.empty() ? encoding::LostPieces{} : encoding::lost_pieces(made.mesh, field.view);
+  warn_of_limits(field.view, small, lost, options, report);
   const double advised = encoding::certificate_of(field.view).stiffness_n_per_mm;
   if (info.stiffness_n_per_mm > advised && !options.quiet) {
     std::fprintf(

@@ -212,6 +212,7 @@ Made from_mesh(const cloud::SourceFile& source, const BuildOptions& options, Bui
   progress.begin("bricks");
   const double band = options.band_voxels();
   Made made{field::mesh_field(distance, grid_round(options, distance.mesh().vertices, field::mesh_margin(band)), band)};
+  made.mesh = distance.mesh();
   progress.end();
   return made;
 }

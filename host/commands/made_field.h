@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/cloud/mesh.h"
 #include "host/cloud/oriented_points.h"
 #include "host/commands/built_field.h"
 #include "host/commands/progress_bar.h"
@@ -24,6 +25,7 @@ struct Made {
   std::optional<field::Repair> repair = {};        ///< of a scan that is to be judged
   std::optional<field_file::OpenField> live = {};  ///< instead of `field`
   cloud::OrientedPoints live_points = {};          ///< workspace, mm
+  cloud::TriangleMesh mesh = {};                   ///< workspace, mm; empty unless the input is one
 };
 
 /// How long the stages of a whole build take on two processors: of 120,000 points, of a mesh of 100,000 faces, of a level set of a million voxels.

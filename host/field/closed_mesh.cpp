@@ -6,13 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <locale>
-#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "host/error.h"
 #include "host/field/face_edges.h"
 #include "host/field/line_crossings.h"
+#include "host/field/parallel.h"
+#include "host/field/sets.h"
 
 namespace isotouch::field {
 
@@ -42,7 +43,8 @@ double diagonal(const cloud::TriangleMesh& mesh) {
   return box.diagonal().norm();
 }
 
-/// The edges that are run more often in this direction than in the other, as often as that, sorted; with the checks on all others.
+/// The edges that are run more often in this direction than in the other, as
+/// often as that, sorted; with the checks on all others.
 std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& name, MeshRepair& repair) {
   const std::vector<FaceEdge> edges = face_edges(mesh);
   std::vector<Edge> rim;
@@ -71,7 +73,8 @@ std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& 
   return rim;
 }
 
-/// Cuts the rim into loops that pass no vertex twice. As many edges end at a vertex as begin there, so a walk ends only where it began.
+/// Cuts the rim into loops that pass no vertex twice. As many edges end at a
+/// vertex as begin there, so a walk ends only where it began.
 std::vector<std::vector<std::uint32_t>> loops_of(const std::vector<Edge>& rim) {
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<bool> used(rim.size());
@@ -124,55 +127,98 @@ void close_holes(cloud::TriangleMesh& mesh, const std::vector<Edge>& rim, MeshRe
   }
 }
 
-/// A piece: faces that hang together by their corners.
-struct Piece {
-  double six_volumes = 0;
-  std::size_t largest = 0;  ///< its face of largest area
-  double largest_area = 0;
-  std::size_t faces = 0;
-};
-
-std::vector<Piece> pieces_of(const cloud::TriangleMesh& mesh) {
-  const std::vector<std::uint32_t> root = cloud::pieces_of_vertices(mesh);
-  std::vector<Piece> by_root(mesh.vertices.size());
-  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
-    const auto& [a, b, c] = mesh.faces[face];
-    const std::uint32_t number = root[a];
-    Piece& piece = by_root[number];
-    const Vector3d& origin = mesh.vertices[number];
-    piece.six_volumes += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
-    const double area = (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-    if (piece.faces++ == 0 || area > piece.largest_area) {
-      piece.largest = face;
-      piece.largest_area = area;
-    }
+/// Is every edge run as often in one direction as in the other?
+bool is_balanced(const cloud::TriangleMesh& mesh) {
+  const std::vector<FaceEdge> edges = face_edges(mesh);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    std::size_t back = 0;
+    for (; end < edges.size() && edges[end].same_edge(edges[begin]); ++end) back += edges[end].is_back(mesh) ? 1U : 0U;
+    if (2 * back != end - begin) return false;
   }
-  by_root.erase(std::remove_if(by_root.begin(), by_root.end(), [](const Piece& p) { return p.faces == 0; }), by_root.end());
-  return by_root;
+  return true;
 }
 
-/// In front of a piece's face that faces inward lies what the piece encloses. In a hollow nothing winds round that place.
-void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size) {
-  const std::vector<Piece> pieces = pieces_of(mesh);
-  const double noise = 6 * kLeastVolume * size * size * size;
-  const auto inward = [=](const Piece& piece) { return piece.six_volumes < -noise; };
-  if (std::none_of(pieces.begin(), pieces.end(), inward)) return;
-  const TriangleTree tree(mesh);
-  for (const Piece& piece : pieces) {
-    if (!inward(piece)) continue;
-    const auto& [a, b, c] = mesh.faces[piece.largest];
-    const Vector3d middle = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
-    if (turns_round(tree, middle + 1e-6 * size * cloud::face_normal(mesh, piece.largest)) < 0) {
-      throw InputError(name + ": a closed piece of " + count_of(piece.faces, "face", "faces") + " near " + text(middle) +
-                       " has faces that point inwards, and it lies in no other piece; reverse its faces");
-    }
+/// Keeps each face once, whatever corner it is written from. Returns how many
+/// were dropped.
+std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
+  const auto from_least = [](std::array<std::uint32_t, 3> face) {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    return face;
+  };
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>> sorted;
+  sorted.reserve(faces.size());
+  for (std::size_t face = 0; face < faces.size(); ++face) sorted.emplace_back(from_least(faces[face]), face);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<bool> repeats(faces.size());
+  for (std::size_t i = 1; i < sorted.size(); ++i) repeats[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
+  std::size_t kept = 0;
+  for (std::size_t face = 0; face < faces.size(); ++face) {
+    if (!repeats[face]) faces[kept++] = faces[face];
   }
+  const std::size_t dropped = faces.size() - kept;
+  faces.resize(kept);
+  return dropped;
+}
+
+/// Of each face one of its sheet: faces hang together by edges that have no
+/// third face.
+std::vector<std::uint32_t> sheets_of(const cloud::TriangleMesh& mesh) {
+  Sets sheets(mesh.faces.size());
+  const std::vector<FaceEdge> edges = face_edges(mesh);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
+    const std::uint32_t a = sheets.of(edges[begin].face), b = sheets.of(edges[end - 1].face);
+    if (end - begin == 2 && a != b) sheets.join(a, b);
+  }
+  std::vector<std::uint32_t> all(mesh.faces.size());
+  for (std::uint32_t face = 0; face < all.size(); ++face) all[face] = sheets.of(face);
+  return all;
+}
+
+/// In front of the faces of a sheet that faces inward lies what the sheet
+/// encloses. In a hollow nothing winds round that place.
+void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size) {
+  const std::vector<std::uint32_t> sheet = sheets_of(mesh);
+  std::vector<double> six_volumes(mesh.faces.size());  // of a sheet
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    const Vector3d& origin = mesh.vertices[mesh.faces[sheet[face]][0]];
+    const auto& [a, b, c] = mesh.faces[face];
+    six_volumes[sheet[face]] += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
+  }
+  const double noise = 6 * kLeastVolume * size * size * size;
+  std::vector<std::uint32_t> inward;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (six_volumes[sheet[face]] < -noise) inward.push_back(face);
+  }
+  if (inward.empty()) return;
+  const TriangleTree tree(mesh);
+  std::vector<std::uint8_t> in_nothing(inward.size());
+  in_parallel(inward.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const Corners corners = tree.corners(inward[n]);
+      const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3, ahead = 1e-6 * size * cloud::face_normal(mesh, inward[n]);
+      const auto is_in_nothing = [&](const Vector3d& place) { return turns_round(tree, place + ahead) < 0; };
+      in_nothing[n] = is_in_nothing(middle) || std::any_of(corners.begin(), corners.end(), [&](const Vector3d& corner) {
+                        return is_in_nothing(middle + 0.999 * (corner - middle));  // what sticks out of a piece may be a corner
+                      });
+    }
+  });
+  const auto found = std::find(in_nothing.begin(), in_nothing.end(), 1);
+  if (found == in_nothing.end()) return;
+  const std::uint32_t face = inward[static_cast<std::size_t>(found - in_nothing.begin())];
+  const auto& [a, b, c] = mesh.faces[face];
+  throw InputError(name + ": a closed piece of " +
+                   count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") + " near " +
+                   text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3) +
+                   " has faces that point inwards, and there it lies in no other piece; "
+                   "reverse its faces");
 }
 
 }  // namespace
 
 cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& name, MeshRepair& repair) {
   repair = MeshRepair{};
+  if (!is_balanced(mesh)) repair.repeated = drop_repeated(mesh.faces);
   close_holes(mesh, rim_edges(mesh, name, repair), repair);
   const double size = diagonal(mesh);
   const double volume = cloud::signed_volume(mesh);
@@ -194,6 +240,7 @@ std::vector<std::string> MeshRepair::warnings() const {
     list.push_back("the mesh is open: " + count_of(holes, "rim", "rims") + " of " + text(rim_length) +
                    " units length together, the longest round " + text(rim) + ", closed by fans of faces");
   }
+  if (repeated > 0) list.push_back(count_of(repeated, "face was", "faces were") + " written more than once; each was kept once");
   if (branching > 0) {
     list.push_back(count_of(branching, "edge has", "edges have") + " more than two faces, the first near " + text(branch) +
                    "; inside is what the faces wind round");

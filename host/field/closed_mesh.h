@@ -12,6 +12,7 @@ namespace isotouch::field {
 
 /// What was found and what was done. Places and lengths in the mesh's unit.
 struct MeshRepair {
+  std::size_t repeated = 0;                          ///< faces that were written before, and dropped
   std::size_t holes = 0;                             ///< closed by fans
   double rim_length = 0;                             ///< of all of them
   Eigen::Vector3d rim = Eigen::Vector3d::Zero();     ///< the middle of the longest
@@ -27,14 +28,15 @@ struct MeshRepair {
 
 /// Checks and mends, in this order:
 ///
+/// repeated    where the edges are not run as often in one direction as in the other, faces that are written twice are dropped
 /// direction   two faces that share an edge must run it in opposite directions
 /// holes       every rim gets a fan round the mean of its edges. Then each edge is run as often in one direction as in the other, and winding
 ///             numbers are whole
-/// inside out  a mesh of negative volume is turned round. Pieces are not turned one by one: a piece that faces inward is a hollow when it lies
-///             in another one
+/// inside out  a mesh of negative volume is turned round. Pieces are not turned one by one: a piece that faces inward is a hollow when all of
+///             it lies in others. Each of its faces is asked at its middle and at its corners
 ///
 /// name        of the file, for the sentences
-/// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece faces inward beside the others
+/// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece, or a part of it, faces inward beside the others
 cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& name, MeshRepair& repair);
 
 }  // namespace isotouch::field

@@ -20,19 +20,19 @@ using Eigen::Vector3d;
 /// Six times the volume of a tetrahedron.
 double volume(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) { return (b - a).cross(c - a).dot(d - a); }
 
+/// Does the edge from `p` to `q` run through the inside of `face`?
+bool edge_pierces(const Vector3d& p, const Vector3d& q, const Corners& face) {
+  const double from = volume(face[0], face[1], face[2], p), to = volume(face[0], face[1], face[2], q);
+  if (!(from < 0 && to > 0) && !(from > 0 && to < 0)) return false;
+  const double u = volume(p, q, face[0], face[1]);
+  const double v = volume(p, q, face[1], face[2]);
+  const double w = volume(p, q, face[2], face[0]);
+  return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+}
+
 /// Does an edge of `a` run through the inside of `b`?
 bool pierces(const Corners& a, const Corners& b) {
-  std::array<double, 3> height;
-  for (std::size_t i = 0; i < 3; ++i) height[i] = volume(b[0], b[1], b[2], a[i]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    if (!(height[i] < 0 && height[j] > 0) && !(height[i] > 0 && height[j] < 0)) continue;
-    const double u = volume(a[i], a[j], b[0], b[1]);
-    const double v = volume(a[i], a[j], b[1], b[2]);
-    const double w = volume(a[i], a[j], b[2], b[0]);
-    if ((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0)) return true;
-  }
-  return false;
+  return edge_pierces(a[0], a[1], b) || edge_pierces(a[1], a[2], b) || edge_pierces(a[2], a[0], b);
 }
 
 /// Do the corners of `a` all lie on one side of the plane of `b`, farther than `reach`?
@@ -67,6 +67,27 @@ bool touch(const Corners& a, const Corners& b, double reach) {
     }
   }
   return false;
+}
+
+/// Which corners two faces have in common.
+struct Common {
+  std::size_t count = 0, of_a = 0, of_b = 0;  ///< the last such corner of each
+};
+
+Common common_corners(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
+  Common common;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (a[i] == b[j]) common = {common.count + 1, i, j};
+    }
+  }
+  return common;
+}
+
+/// Does the edge of `a` that is opposite its corner `apex` run through `b`? Faces that have only that corner in common meet elsewhere only if one's
+/// opposite edge meets the other.
+bool opposite_edge_pierces(const Corners& a, std::size_t apex, const Corners& b) {
+  return edge_pierces(a[(apex + 1) % 3], a[(apex + 2) % 3], b);
 }
 
 /// A face and the box round it, along the coordinates.
@@ -109,10 +130,6 @@ double size_of(const cloud::TriangleMesh& mesh) {
 }  // namespace
 
 FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree) {
-  const auto share_a_corner = [&](std::uint32_t a, std::uint32_t b) {
-    const auto& f = mesh.faces[b];
-    return std::any_of(mesh.faces[a].begin(), mesh.faces[a].end(), [&](std::uint32_t v) { return f[0] == v || f[1] == v || f[2] == v; });
-  };
   constexpr std::size_t kGroup = 8;  // faces that follow each other lie together
   const double reach = 1e-6 * size_of(mesh);
   std::vector<std::uint8_t> crosses(mesh.faces.size()), touches(mesh.faces.size());
@@ -125,13 +142,17 @@ FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tr
       for (const FaceTree::Face& face : together) {
         const BoxedFace boxed(face);
         for (const BoxedFace& other : near) {
-          if (other.number <= face.number || !boxes_meet(boxed, other, reach) || share_a_corner(face.number, other.number)) continue;
+          if (other.number <= face.number || !boxes_meet(boxed, other, reach)) continue;
           const Corners &a = face.corners, &b = other.face->corners;
-          if (boxes_meet(boxed, other, 0) && (pierces(a, b) || pierces(b, a))) {
+          const auto [common, of_a, of_b] = common_corners(mesh.faces[face.number], mesh.faces[other.number]);
+          if (common > 1) continue;
+          const bool cross = common == 1 ? opposite_edge_pierces(a, of_a, b) || opposite_edge_pierces(b, of_b, a)
+                                         : boxes_meet(boxed, other, 0) && (pierces(a, b) || pierces(b, a));
+          if (cross) {
             crosses[face.number] = 1;
             break;
           }
-          if (touches[face.number] == 0 && touch(a, b, reach)) touches[face.number] = 1;
+          if (common == 0 && touches[face.number] == 0 && touch(a, b, reach)) touches[face.number] = 1;
         }
       }
     }

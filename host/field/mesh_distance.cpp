@@ -9,6 +9,7 @@
 #include "host/field/angle.h"
 #include "host/field/face_edges.h"
 #include "host/field/line_crossings.h"
+#include "host/field/outer_faces.h"
 #include "host/field/sets.h"
 
 namespace isotouch::field {
@@ -68,7 +69,10 @@ bool is_one_sheet(const cloud::TriangleMesh& mesh, const std::vector<FaceEdge>& 
 MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {
   const bool is_one_sheet = make_pseudonormals();
   crossings_ = face_crossings(mesh_, tree_);
-  if (!is_one_sheet || crossings_.faces > 0 || crossings_.touching) turns_.emplace(mesh_);
+  if (is_one_sheet && crossings_.faces == 0 && !crossings_.touching) return;
+  turns_.emplace(mesh_);
+  outer_ = outer_faces(mesh_, tree_, *turns_);
+  if (outer_) tree_ = FaceTree(*outer_);
 }
 
 /// Fills both kinds of normals. Is the mesh one sheet?

@@ -21,8 +21,8 @@ BandField mesh_field(const MeshDistance& mesh, const Grid& grid, double band) {
                                  },
                                  1.0 + 1e-6};
   std::vector<Eigen::Vector3i> seeds;
-  seeds.reserve(mesh.mesh().vertices.size());
-  for (const auto& vertex : mesh.mesh().vertices) seeds.emplace_back((grid.to_index(vertex) * 0.25).array().floor().cast<int>());
+  seeds.reserve(mesh.outer().vertices.size());
+  for (const auto& vertex : mesh.outer().vertices) seeds.emplace_back((grid.to_index(vertex) * 0.25).array().floor().cast<int>());
   BandField field{grid, band, {}};
   field.bricks = band_bricks(distance, (grid.size + Eigen::Vector3i::Constant(3)) / 4, band, seeds);
   return field;

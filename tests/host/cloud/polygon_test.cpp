@@ -122,6 +122,26 @@ TEST(Polygon, OneThatCrossesItselfIsRefusedWithItsPlace) {
   EXPECT_THAT(cut_refusal({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}), ::testing::HasSubstr("crosses itself"));
 }
 
+TEST(Polygon, IsCutHoweverItIsTurnedAndWarped) {
+  const Outline clamp = {{0, 0}, {40, 0}, {40, 19.8}, {5, 19.8}, {5, 20.2}, {40, 20.2}, {40, 40}, {0, 40}};
+  for (int turn = 0; turn < 60; ++turn) {
+    const Eigen::Matrix3d axes =
+        (Eigen::AngleAxisd(0.7 * turn, Vector3d::UnitZ()) * Eigen::AngleAxisd(0.31 * turn, Vector3d(1, 1, 0).normalized()) *
+         Eigen::AngleAxisd(1.3 * turn, Vector3d::UnitZ()))
+            .toRotationMatrix();
+    Model model;
+    std::vector<std::uint32_t> corners;
+    for (std::size_t i = 0; i < clamp.size(); ++i) {
+      const double warp = std::sin(7.0 * static_cast<double>(i) + turn);  // up and down by more than the slot is wide
+      model.positions.push_back(axes * Vector3d(clamp[i].x(), clamp[i].y(), warp));
+      corners.push_back(static_cast<std::uint32_t>(i));
+    }
+    add_polygon(model, corners, 12, 1);
+    ASSERT_NO_THROW(cut_polygons(model, "f.obj")) << turn;
+    EXPECT_NEAR(covered(model), area(clamp), 0.02 * area(clamp)) << turn;
+  }
+}
+
 TEST(Polygon, AHugeOneIsCutOrRefusedInTime) {
   // A spiral of two arms of corners: most ears are far from each other.
   Outline spiral;

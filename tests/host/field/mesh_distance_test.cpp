@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -179,6 +180,75 @@ TEST(MeshDistance, OfPiecesThatHaveOneVertexTogetherIsThatOfBoth) {
     for (auto& v : face) v = v == 8 ? 7 : v;
   }
   expect_union(mesh, {{{-1, -1, -1}, {0, 0, 0}}, {{0, 0, 0}, {3, 3, 3}}}, "vertex");
+}
+
+/// Points inside the union are as deep as they are below its surface: faces within it do not count.
+TEST(MeshDistance, FacesInsideTheUnionDoNotCount) {
+  cloud::TriangleMesh cubes, plates;
+  for (int n = 0; n < 27; ++n) {
+    const Vector3d low(2 * (n % 3) - 3, 2 * (n / 3 % 3) - 3, 2 * (n / 9) - 3);
+    cubes = together(cubes, box_mesh(low, low + Vector3d(2, 2, 2)));
+  }
+  for (int n = 0; n < 12; ++n) plates = together(plates, box_mesh({-3, -3, -3 + 0.5 * n}, {3, 3, -2.5 + 0.5 * n}));
+  const auto body = box_mesh({-3, -3, -3}, {3, 3, 3});
+  // Both crossing boxes go beyond the body; where they leave it, their faces are cut.
+  const std::pair<const char*, cloud::TriangleMesh> meshes[] = {
+      {"cubes", cubes},
+      {"plates", plates},
+      {"nested", together(body, box_mesh({-1, -2, -0.5}, {1.3, 0.4, 2}))},
+      {"the same twice", together(body, body)},
+      {"abutting", together(box_mesh({-3, -3, -3}, {3, 3, 0}), box_mesh({-3, -3, 0}, {3, 3, 3}))}};
+  for (const auto& [what, mesh] : meshes) {
+    const MeshDistance distance(mesh);
+    cloud::Random random(10);
+    for (int i = 0; i < 5'000; ++i) {
+      const Vector3d p = any_point(random);
+      ASSERT_NEAR(distance(p), box_distance({3, 3, 3}, p), 1e-12) << what << " at " << p.transpose();
+    }
+  }
+}
+
+/// Distance to a box and one that stands on it or runs into it, both round the z axis.
+double two_boxes(const Vector3d& p) {
+  const Vector3d low(3, 3, 3), high(1, 1.5, 2);  // half sides; the second one's middle is at z = 4
+  const double foot = box_distance(low, p), tower = box_distance(high, p - Vector3d(0, 0, 4));
+  if (foot > 0 && tower > 0) return std::min(foot, tower);
+  // Inside: the faces of the union alone.
+  double inside = std::numeric_limits<double>::max();
+  const auto to_rectangle = [&](const Vector3d& from, const Vector3d& to) {
+    inside = std::min(inside, (p - p.cwiseMax(from).cwiseMin(to)).norm());
+  };
+  for (const double s : {-1.0, 1.0}) {
+    to_rectangle({3 * s, -3, -3}, {3 * s, 3, 3});
+    to_rectangle({-3, 3 * s, -3}, {3, 3 * s, 3});
+    to_rectangle({s, -1.5, 3}, {s, 1.5, 6});
+    to_rectangle({-1, 1.5 * s, 3}, {1, 1.5 * s, 6});
+    to_rectangle({s < 0 ? -3.0 : 1.0, -3, 3}, {s < 0 ? -1.0 : 3.0, 3, 3});
+    to_rectangle({-3, s < 0 ? -3 : 1.5, 3}, {3, s < 0 ? -1.5 : 3, 3});
+  }
+  to_rectangle({-3, -3, -3}, {3, 3, -3});
+  to_rectangle({-1, -1.5, 6}, {1, 1.5, 6});
+  return -inside;
+}
+
+TEST(MeshDistance, FacesThatAreInsideTheUnionInPartCountForTheRest) {
+  const auto foot = box_mesh({-3, -3, -3}, {3, 3, 3});
+  for (const double low : {3.0, 2.0}) {  // it stands on the foot; it runs into it
+    const MeshDistance distance(together(foot, box_mesh({-1, -1.5, low}, {1, 1.5, 6})));
+    cloud::Random random(11);
+    for (int i = 0; i < 10'000; ++i) {
+      Vector3d p = any_point(random);
+      p.z() += 2;
+      const double exact = two_boxes(p), found = distance(p);
+      ASSERT_EQ(found < 0, exact < 0) << low << " at " << p.transpose();
+      if (exact > 0) {
+        ASSERT_NEAR(found, exact, 1e-6) << low << " at " << p.transpose();
+      } else {
+        ASSERT_LE(-found, -exact + 1e-12) << low << " at " << p.transpose();
+        ASSERT_GE(-found, -exact - 0.006) << low << " at " << p.transpose() << ": a two-thousandth of the size";
+      }
+    }
+  }
 }
 
 }  // namespace

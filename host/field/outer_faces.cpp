@@ -1,0 +1,249 @@
+#include "host/field/outer_faces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "host/field/face_edges.h"
+#include "host/field/line_crossings.h"
+#include "host/field/parallel.h"
+#include "host/field/sets.h"
+
+namespace isotouch::field {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kReach = 1e-6;         // of the mesh's size: what is nearer counts as touching
+constexpr double kFinest = 1.0 / 2048;  // of the mesh's size: parts of a face are not cut further
+constexpr double kMaxParts = 2e5;       // in the length of all meetings: bounds memory
+
+/// A part of the line along which another face meets this one, in this one's plane.
+struct Meeting {
+  Vector2d begin, end;
+};
+
+class Plane {
+ public:
+  explicit Plane(const Corners& face)
+      : origin_(face[0]),
+        normal_((face[1] - face[0]).cross(face[2] - face[0]).normalized()),
+        x_((face[1] - face[0]).normalized()),
+        y_(normal_.cross(x_)) {}
+  Vector2d seen(const Vector3d& p) const { return {x_.dot(p - origin_), y_.dot(p - origin_)}; }
+  double height(const Vector3d& p) const { return normal_.dot(p - origin_); }
+  const Vector3d& normal() const { return normal_; }
+
+ private:
+  Vector3d origin_, normal_, x_, y_;
+};
+
+/// Appends where another face meets the plane: a segment; or, where it lies in it, its edges.
+void add_meetings(const Plane& plane, const Corners& other, double reach, std::vector<Meeting>& meetings) {
+  std::array<double, 3> height;
+  for (std::size_t i = 0; i < 3; ++i) {
+    height[i] = plane.height(other[i]);
+    if (std::abs(height[i]) <= reach) height[i] = 0;
+  }
+  std::array<Vector2d, 3> places;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (height[i] == 0) places[count++] = plane.seen(other[i]);
+    if ((height[i] < 0 && height[j] > 0) || (height[i] > 0 && height[j] < 0))
+      places[count++] = plane.seen(other[i] + height[i] / (height[i] - height[j]) * (other[j] - other[i]));
+  }
+  if (count == 2) meetings.push_back({places[0], places[1]});
+  for (std::size_t i = 0; i < 3 && count == 3; ++i) meetings.push_back({places[i], places[(i + 1) % 3]});
+}
+
+/// How much of a segment lies in a triangle whose sides are moved inward by `inset`. The corners run counter-clockwise.
+double length_in(const Meeting& meeting, const std::array<Vector2d, 3>& corners, double inset) {
+  const Vector2d way = meeting.end - meeting.begin;
+  double from = 0, until = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector2d side = (corners[(i + 1) % 3] - corners[i]).normalized(), inward(-side.y(), side.x());
+    const double before = inward.dot(meeting.begin - corners[i]) - inset, change = inward.dot(way);
+    if (change == 0 && before < 0) return 0;
+    if (change > 0) from = std::max(from, -before / change);
+    if (change < 0) until = std::min(until, -before / change);
+  }
+  return std::max(until - from, 0.0) * way.norm();
+}
+
+double longest_side(const Corners& face) {
+  return std::sqrt(std::max({(face[1] - face[0]).squaredNorm(), (face[2] - face[1]).squaredNorm(), (face[0] - face[2]).squaredNorm()}));
+}
+
+/// Is the union on one side of a face alone?
+class Sides {
+ public:
+  Sides(const TriangleTree& turns, double reach) : turns_(turns), step_(2 * reach) {}
+  bool differ(const Vector3d& place, const Vector3d& normal) const {
+    return is_inside(turns_, place + step_ * normal) != is_inside(turns_, place - step_ * normal);
+  }
+
+ private:
+  const TriangleTree& turns_;
+  double step_;
+};
+
+/// Cuts one face.
+class Cutter {
+ public:
+  Cutter(Plane plane, const Sides& sides, double reach, double finest)
+      : plane_(std::move(plane)), sides_(sides), reach_(reach), finest_(finest) {}
+
+  /// Appends what stays of a part. Does all of it?
+  bool cut(const Corners& part, const std::vector<Meeting>& near, std::vector<Corners>& stay) const {
+    const std::array<Vector2d, 3> seen = {plane_.seen(part[0]), plane_.seen(part[1]), plane_.seen(part[2])};
+    std::vector<Meeting> meetings;
+    std::copy_if(near.begin(), near.end(), std::back_inserter(meetings),
+                 [&](const Meeting& meeting) { return length_in(meeting, seen, reach_) > reach_; });
+    const Vector3d middle = (part[0] + part[1] + part[2]) / 3;
+    if (meetings.empty() || longest_side(part) <= finest_) {
+      bool stays = sides_.differ(middle, plane_.normal());
+      for (std::size_t i = 0; i < 3 && !meetings.empty(); ++i)  // a straight cut leaves a corner on each side
+        stays = stays || sides_.differ(middle + 0.999 * (part[i] - middle), plane_.normal());
+      if (stays) stay.push_back(part);
+      return stays;
+    }
+    const Vector3d ab = (part[0] + part[1]) / 2, bc = (part[1] + part[2]) / 2, ca = (part[2] + part[0]) / 2;
+    const std::size_t before = stay.size();
+    bool all = true;
+    for (const Corners& quarter : {Corners{part[0], ab, ca}, {ab, part[1], bc}, {ca, bc, part[2]}, {bc, ca, ab}})
+      all = cut(quarter, meetings, stay) && all;
+    if (!all) return false;
+    stay.resize(before);
+    stay.push_back(part);
+    return true;
+  }
+
+ private:
+  Plane plane_;
+  const Sides& sides_;
+  double reach_, finest_;
+};
+
+/// Where others meet a face.
+struct Met {
+  std::vector<Meeting> within;  ///< through its inside
+  bool touched = false;         ///< it, or its rim elsewhere than where faces share a corner or an edge
+  double length = 0;            ///< of what is within
+};
+
+bool has(const std::array<std::uint32_t, 3>& face, std::uint32_t vertex) {
+  return std::find(face.begin(), face.end(), vertex) != face.end();
+}
+
+/// What meets each face.
+std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tree, double reach) {
+  std::vector<Met> all(mesh.faces.size());
+  in_parallel(all.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<Meeting> meetings;
+    for (std::size_t n = begin; n < end; ++n) {
+      const Corners& corners = tree.faces()[n].corners;
+      const std::uint32_t number = tree.faces()[n].number;
+      const auto& own = mesh.faces[number];
+      const Plane plane(corners);
+      if (!(plane.normal().squaredNorm() > 0.5)) continue;  // no area
+      const std::array<Vector2d, 3> seen = {plane.seen(corners[0]), plane.seen(corners[1]), plane.seen(corners[2])};
+      Eigen::AlignedBox3d box;
+      for (const Vector3d& corner : corners) box.extend(corner);
+      Met& met = all[number];
+      tree.each_near(box.center(), box.diagonal().norm() / 2 + reach, [&](std::uint32_t face) {
+        const auto& [other, other_number] = tree.faces()[face];
+        if (other_number == number) return;
+        const auto& theirs = mesh.faces[other_number];
+        meetings.clear();
+        add_meetings(plane, other, reach, meetings);
+        const auto shared = std::count_if(theirs.begin(), theirs.end(), [&](std::uint32_t v) { return has(own, v); });
+        if (shared == 3 || (shared == 2 && meetings.size() < 3)) return;  // all in common, or an edge
+        for (const Meeting& meeting : meetings) {
+          const double within = length_in(meeting, seen, reach);
+          if (within > reach) {
+            met.within.push_back(meeting);
+            met.length += within;
+          }
+          met.touched = met.touched || within > reach || (shared < 2 && length_in(meeting, seen, -reach) > 10 * reach);
+        }
+      });
+    }
+  });
+  return all;
+}
+
+/// Of each face the one to ask for it: faces that nothing touches have the union on the same sides as their neighbours, so the largest of each sheet
+/// of them stands for all.
+std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std::vector<Met>& met) {
+  Sets sheets(mesh.faces.size());
+  const std::vector<FaceEdge> edges = face_edges(mesh);
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
+    const std::uint32_t a = edges[begin].face, b = edges[end - 1].face;
+    if (end - begin != 2 || met[a].touched || met[b].touched) continue;
+    const std::uint32_t root = sheets.of(a), other = sheets.of(b);
+    if (root != other) sheets.join(root, other);
+  }
+  const auto area = [&](std::uint32_t face) {
+    const auto& [a, b, c] = mesh.faces[face];
+    return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).squaredNorm();
+  };
+  std::vector<std::uint32_t> largest(mesh.faces.size());
+  std::iota(largest.begin(), largest.end(), 0U);
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    std::uint32_t& of_sheet = largest[sheets.of(face)];
+    if (area(face) > area(of_sheet)) of_sheet = face;
+  }
+  std::vector<std::uint32_t> all(mesh.faces.size());
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) all[face] = largest[sheets.of(face)];
+  return all;
+}
+
+}  // namespace
+
+std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns) {
+  const auto& box = turns.box(TriangleTree::root());
+  const double size = (box.high - box.low).norm(), reach = kReach * size;
+  const std::vector<Met> met = meetings_of(mesh, tree, reach);
+  const double length = std::accumulate(met.begin(), met.end(), 0.0, [](double sum, const Met& face) { return sum + face.length; });
+  const double finest = std::max(kFinest * size, length / kMaxParts);
+  const Sides sides(turns, reach);
+
+  const std::vector<std::uint32_t> asked = spokesmen(mesh, met);
+  std::vector<std::vector<Corners>> stay(mesh.faces.size());  // one part: all of the face
+  std::vector<std::uint8_t> whole(mesh.faces.size());
+  in_parallel(mesh.faces.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face) {
+      if (asked[face] != face) continue;
+      const Corners corners = turns.corners(face);
+      whole[face] = Cutter(Plane(corners), sides, reach, finest).cut(corners, met[face].within, stay[face]) ? 1 : 0;
+    }
+  });
+  cloud::TriangleMesh outer{mesh.vertices, {}};
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    if (whole[asked[face]] != 0) {
+      outer.faces.push_back(mesh.faces[face]);
+      continue;
+    }
+    for (const Corners& part : stay[face]) {
+      const auto first = static_cast<std::uint32_t>(outer.vertices.size());
+      outer.vertices.insert(outer.vertices.end(), part.begin(), part.end());
+      outer.faces.push_back({first, first + 1, first + 2});
+    }
+  }
+  if (outer.faces.empty() || (outer.faces.size() == mesh.faces.size() && outer.vertices.size() == mesh.vertices.size()))
+    return std::nullopt;
+  return outer;
+}
+
+}  // namespace isotouch::field

@@ -1,0 +1,24 @@
+/// The faces of a closed mesh that bound the union of what its parts enclose.
+#pragma once
+
+#include <optional>
+
+#include "host/cloud/mesh.h"
+#include "host/field/face_tree.h"
+#include "host/field/triangle_tree.h"
+
+namespace isotouch::field {
+
+/// A face that has the union on both sides, or on neither, is left out. One that does in part is cut into quarters, again and again, until each part
+/// bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size (longer where faces meet along more than a
+/// hundred times that size: a 200,000th of the way). Such a small part stays whole if a corner of it bounds the union. So all of the union's surface is there, and what
+/// is there inside it is within that length of the surface.
+///
+/// mesh      closed: every edge is run as often in one direction as in the other
+/// faces     of the mesh
+/// turns     of the mesh
+/// returns   the faces that stay, in their order; those that are cut have vertices of their own behind the mesh's. Faces within a millionth of the
+///           mesh's size count as lying on each other. Nothing if all faces stay, or none would
+std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& faces, const TriangleTree& turns);
+
+}  // namespace isotouch::field
