@@ -186,8 +186,8 @@ void ControlServer::forget(ControlClient& client) {
   client.close();
 }
 
-/// Closes whoever stops in the middle of something, sends a field too slowly, does not complete its greeting, or holds the place for a stop for too long. A client that has said
-/// and read everything may stay.
+/// Closes whoever stops in the middle of something, sends a field too slowly, does not complete its greeting, or holds the place for a stop for too long. A
+/// client that has said and read everything may stay.
 void ControlServer::dismiss_the_idle() {
   const std::int64_t since = neighbours_.clock.now_ns() - settings_.patience_ns;
   for (ControlClient& client : clients_) {

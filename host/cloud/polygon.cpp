@@ -47,8 +47,7 @@ class Shrinking {
   /// What a triangle may be whose corner is cut off.
   enum class Ear { kClear, kTouched, kEmpty };  // no other corner in it or on its rim; none in it; without area
 
-  /// The corner that is an ear, the first from `from` on; the number of corners
-  /// if there is none, or after too many tests.
+  /// The corner that is an ear, the first from `from` on; the number of corners if there is none, or after too many tests.
   std::size_t ear(std::size_t from, Ear kind) {
     std::size_t corner = from;
     for (std::size_t n = 0; n < left_; ++n, corner = behind_[corner]) {
@@ -107,8 +106,7 @@ const char* cut_polygon(const std::vector<Vector3d>& positions, std::span<Triang
   for (const Triangle& face : fan) corners.push_back(face[2]);
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
-  const Vector3d along = normal / normal.norm();  // seen along it, the polygon is largest, and what
-                                                  // is warped is not moved aside
+  const Vector3d along = normal / normal.norm();  // seen along it, the polygon is largest, and no warp moves a corner aside
   const Vector3d x = (Vector3d::Unit((axis + 1) % 3) - along[(axis + 1) % 3] * along).normalized(), y = along.cross(x);
   std::vector<Vector2d> seen;
   for (const std::uint32_t corner : corners) {

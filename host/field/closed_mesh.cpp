@@ -43,8 +43,7 @@ double diagonal(const cloud::TriangleMesh& mesh) {
   return box.diagonal().norm();
 }
 
-/// The edges that are run more often in this direction than in the other, as
-/// often as that, sorted; with the checks on all others.
+/// The edges that are run more often in this direction than in the other, as often as that, sorted; with the checks on all others.
 std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& name, MeshRepair& repair) {
   const std::vector<FaceEdge> edges = face_edges(mesh);
   std::vector<Edge> rim;
@@ -73,8 +72,7 @@ std::vector<Edge> rim_edges(const cloud::TriangleMesh& mesh, const std::string& 
   return rim;
 }
 
-/// Cuts the rim into loops that pass no vertex twice. As many edges end at a
-/// vertex as begin there, so a walk ends only where it began.
+/// Cuts the rim into loops that pass no vertex twice. As many edges end at a vertex as begin there, so a walk ends only where it began.
 std::vector<std::vector<std::uint32_t>> loops_of(const std::vector<Edge>& rim) {
   std::vector<std::vector<std::uint32_t>> loops;
   std::vector<bool> used(rim.size());
@@ -138,8 +136,7 @@ bool is_balanced(const cloud::TriangleMesh& mesh) {
   return true;
 }
 
-/// Keeps each face once, whatever corner it is written from. Returns how many
-/// were dropped.
+/// Keeps each face once, whatever corner it is written from. Returns how many were dropped.
 std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
   const auto from_least = [](std::array<std::uint32_t, 3> face) {
     std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
@@ -160,8 +157,7 @@ std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
   return dropped;
 }
 
-/// Of each face one of its sheet: faces hang together by edges that have no
-/// third face.
+/// Of each face one of its sheet: faces hang together by edges that have no third face.
 std::vector<std::uint32_t> sheets_of(const cloud::TriangleMesh& mesh) {
   Sets sheets(mesh.faces.size());
   const std::vector<FaceEdge> edges = face_edges(mesh);
@@ -175,8 +171,7 @@ std::vector<std::uint32_t> sheets_of(const cloud::TriangleMesh& mesh) {
   return all;
 }
 
-/// In front of the faces of a sheet that faces inward lies what the sheet
-/// encloses. In a hollow nothing winds round that place.
+/// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place.
 void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size) {
   const std::vector<std::uint32_t> sheet = sheets_of(mesh);
   std::vector<double> six_volumes(mesh.faces.size());  // of a sheet
