@@ -277,14 +277,13 @@ std::string work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOp
 
 /// Why there is no field.
 std::string nothing_built(FrameSource kind, const StreamingOptions& options, const stream::StreamReport& report) {
-  const std::string nothing = ", so nothing was built; ";
   if (kind != FrameSource::kRecording && kind != FrameSource::kController)
-    return "no frame had points with normals within the box" + nothing + "check the normals, --box and --units";
+    return "no frame had points with normals within the box, so nothing was built; check the normals, --box and --units";
   const std::string& name = options.sources[0];
-  if (report.all.points.outside > 0) return name + ": every touch was outside the box" + nothing + "check --box";
+  if (report.all.points.outside > 0) return name + ": every touch was outside the box, so nothing was built; check --box";
   if (kind == FrameSource::kController && report.heard == 0)
-    return name + ": no tick of the hand came" + nothing + "check whether the controller runs";
-  return name + ": no frame showed a touch" + nothing + "let the hand touch the object";
+    return name + ": no tick of the hand came, so nothing was built; check whether the controller runs";
+  return name + ": no frame showed a touch, so nothing was built; let the hand touch the object";
 }
 
 void run(StreamingOptions& options) {
