@@ -123,7 +123,7 @@ const char* cut_polygon(const std::vector<Vector3d>& positions, std::span<Triang
       if (ear == corners.size()) ear = polygon.ear(from, kind);
     }
     if (polygon.is_tired()) return "is not convex and takes too long to be cut into triangles";
-    if (ear == corners.size()) return "crosses itself";
+    if (ear == corners.size()) return "crosses itself or cannot be cut into triangles";
     const auto [a, b, c] = polygon.triangle(ear);
     cut.push_back({corners[a], corners[b], corners[c]});
     polygon.cut(ear);

@@ -22,7 +22,9 @@ void add_polygon(Model& model, std::span<const std::uint32_t> corners, std::size
 /// off, which are corners whose triangle holds no other corner. Each edge of the polygon keeps its direction. A polygon without area keeps its fan.
 ///
 /// name      of the file, for the sentence
-/// fails     InputError with the polygon's place: it crosses itself, or it has so many corners that this would take too long
+/// fails     InputError with the polygon's place: it runs out of ears, as some that cross themselves or run along themselves do, or it has so many
+///           corners that this would take too long. One that crosses itself and has ears enough, or whose fan looks to one side, is accepted: what its
+///           triangles wind round is inside
 /// source    G. H. Meisters, Polygons have ears, American Mathematical Monthly 82, 1975
 void cut_polygons(Model& model, const std::string& name);
 

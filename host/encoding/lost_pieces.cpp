@@ -27,7 +27,37 @@ struct Piece {
   bool shown = false;
 };
 
-/// Has a coefficient within a voxel of a face this sign?
+/// The written field at a sample, or half a voxel farther along some axes, in no unit that counts.
+double value_at(const FieldView& view, const Vector3i& sample, const Vector3i& halves) {
+  double sum = 0;
+  for (int n = 0; n < 27; ++n) {
+    const Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    double weight = 1;
+    Vector3i at = sample + step;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool linear = view.interpolation == Interpolation::kTrilinear;
+      const double beside = linear ? 0 : 0.125;
+      weight *= halves[axis] != 0 ? (step[axis] < 0 ? 0 : 0.5) : step[axis] == 0 ? 1 - 2 * beside : beside;
+      at[axis] = std::clamp(at[axis], 0, view.size[static_cast<std::size_t>(axis)] - 1);
+    }
+    if (weight > 0) sum += weight * view.coefficient(at.x(), at.y(), at.z());
+  }
+  return sum;
+}
+
+/// Has the field this sign at or beside a sample?
+bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
+  for (int n = 0; n < 27; ++n) {
+    const Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);  // in halves; back is the half before
+    const Vector3i from = sample + step.cwiseMin(0);
+    if ((from.array() < 0).any()) continue;
+    const double value = value_at(view, from, step.cwiseAbs());
+    if (inside ? value < 0 : value > 0) return true;
+  }
+  return false;
+}
+
+/// Has the field this sign beside a sample within a voxel of a face whose coefficient has it?
 bool shows(const FieldView& view, const field::Corners& in_voxels, bool inside) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& corner : in_voxels) box.extend(corner);
@@ -43,7 +73,8 @@ bool shows(const FieldView& view, const field::Corners& in_voxels, bool inside) 
         const std::int16_t* brick = view.brick(4 * cell.x(), 4 * cell.y(), 4 * cell.z());
         for (int n = 0; n < 64; ++n) {
           if (inside ? brick[n] >= 0 : brick[n] <= 0) continue;
-          if (square_to((4 * cell + Vector3i(n & 3, n >> 2 & 3, n >> 4)).cast<double>()) <= 1) return true;
+          const Vector3i sample = 4 * cell + Vector3i(n & 3, n >> 2 & 3, n >> 4);
+          if (square_to(sample.cast<double>()) <= 1 && shows_at(view, sample, inside)) return true;
         }
       }
     }

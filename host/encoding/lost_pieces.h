@@ -20,7 +20,8 @@ struct LostPieces {
   std::vector<std::string> warnings(const cloud::Placement& placement) const;
 };
 
-/// A piece is lost if no coefficient within a voxel of its faces has its sign: then the field has no zero there.
+/// A piece is lost if no coefficient within a voxel of its faces has its sign, or the field has the other sign all around those that have: at every
+/// sample and half way between them.
 ///
 /// mesh      closed, workspace, mm; faces that share a vertex are of one piece
 /// view      the field as it was written
