@@ -62,7 +62,7 @@ const std::map<std::string, Rule> kRules = {
     {"host/field", {{"host/cloud", "host/files", "host/error.h", "shared"}}},
     {"host/vdb", {{"host/field", "host/cloud", "host/files", "host/error.h", "shared"}}},
     {"host/published", {{"host/field", "host/cloud", "host/error.h", "shared"}}},
-    {"host/encoding", {{"host/field_file", "host/field", "host/cloud", "host/error.h", "shared"}}},
+    {"host/encoding", {{"host/field_file", "host/field", "host/cloud", "host/error.h", "host/to_double.h", "shared"}}},
     {"host/live", {{"host/encoding", "host/field_file", "host/field", "host/cloud", "host/error.h", "shared"}}},
     {"host/stream",
      {{"host/live", "host/encoding", "host/field_file", "host/field", "host/cloud", "host/files", "host/link", "host/trace",
