@@ -20,6 +20,7 @@
 #include "host/evaluate/recorded_hand.h"
 #include "host/evaluate/truth_comparison.h"
 #include "host/evaluate/zero_surface.h"
+#include "host/field/closed_mesh.h"
 #include "host/field/parallel.h"
 #include "host/field/triangle_tree.h"
 #include "host/field_file/open_field.h"
@@ -55,16 +56,26 @@ struct Measured {
   TruthComparison whole;
 };
 
-Measured measure(const FieldView& field, const cloud::TriangleMesh& mesh, ProgressBar& bar) {
+Measured measure(const FieldView& field, const evaluate::TrueSurface& mesh, ProgressBar& bar) {
   Measured measured;
   bar.begin("offsets");
-  measured.at_points = evaluate::compare_with_mesh(field, mesh);
+  measured.at_points = evaluate::compare_with_mesh(field, mesh.outer);
   bar.begin("surface");
   measured.surface = evaluate::zero_surface(field);
   bar.begin("distances");
   measured.whole = evaluate::compare_surfaces(field, measured.surface, mesh);
   bar.end();
   return measured;
+}
+
+/// The mesh of a file, where the field's cloud is: sound as `build` wants it, and without holes.
+cloud::TriangleMesh placed_mesh(const std::filesystem::path& file, const FieldView& field) {
+  field::MeshRepair repair;
+  cloud::TriangleMesh mesh = field::closed_mesh(cloud::read_mesh(file), file.string(), repair);
+  if (repair.holes > 0)
+    throw InputError(file.string() + ": " + repair.warnings().front() + ", so it is no truth to compare with; close it first");
+  for (const std::string& warning : repair.warnings()) std::fprintf(stderr, "isotouch: %s: %s\n", file.string().c_str(), warning.c_str());
+  return cloud::placed(std::move(mesh), evaluate::placement_of(field));
 }
 
 /// How long the stages take, about.
@@ -126,9 +137,7 @@ void print(std::FILE* to, const char* name, const Measured& measured) {
 void run(const CompareOptions& options) {
   std::FILE* to = text_stream(options.worst);
   const field_file::OpenField field = field_file::open_field(options.field);
-  const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
-  cloud::require_closed(in_cloud, options.mesh.string());
-  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
+  const evaluate::TrueSurface mesh = evaluate::true_surface(placed_mesh(options.mesh, field.view));
   ProgressBar bar(plan_for(options.floor, !options.beside.empty()));
   const Measured measured = measure(field.view, mesh, bar);
 
@@ -136,17 +145,15 @@ void run(const CompareOptions& options) {
   if (!options.json) print(to, "field", measured);
   if (options.floor) {
     bar.begin("floor");
-    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
+    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh.closed);
     const Measured floor = measure(exact.view, mesh, bar);
     json["floor"] = measured_json(floor);
     if (!options.json) print(to, "floor", floor);
   }
   if (!options.beside.empty()) {
     bar.begin("beside");
-    const cloud::TriangleMesh other = cloud::read_mesh(options.beside);
-    cloud::require_closed(other, options.beside.string());
-    const field_file::OpenField theirs = evaluate::field_of_mesh(cloud::placed(other, evaluate::placement_of(field.view)),
-                                                                 to_double(field.view.edge), to_double(field.view.band));
+    const field_file::OpenField theirs =
+        evaluate::field_of_mesh(placed_mesh(options.beside, field.view), to_double(field.view.edge), to_double(field.view.band));
     const Measured beside = measure(theirs.view, mesh, bar);
     json["beside"] = measured_json(beside);
     if (!options.json) print(to, "beside", beside);
@@ -154,7 +161,7 @@ void run(const CompareOptions& options) {
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
     const evaluate::Farthest& worst = measured.whole.worst();
-    view::write_picture(options.worst, view::worst_picture(field.view, measured.surface, mesh,
+    view::write_picture(options.worst, view::worst_picture(field.view, measured.surface, mesh.outer,
                                                            {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
                                                            {.title = options.field.stem().string()}));
   }
@@ -176,9 +183,7 @@ void run_felt(const CompareOptions& options) {
   std::FILE* to = text_stream(options.worst);
   const field::ThreadLimit limit(options.threads);
   const field_file::OpenField field = field_file::open_field(options.field);
-  const cloud::TriangleMesh in_cloud = cloud::read_mesh(options.mesh);
-  cloud::require_closed(in_cloud, options.mesh.string());
-  const cloud::TriangleMesh mesh = cloud::placed(in_cloud, evaluate::placement_of(field.view));
+  const cloud::TriangleMesh mesh = placed_mesh(options.mesh, field.view);
   std::vector<evaluate::RecordedHand> recorded;
   for (const std::string& file : options.traces) recorded.push_back(evaluate::recorded_hand(trace::read_trace(file)));
   ProgressBar bar({{"hands", 5},
@@ -204,9 +209,7 @@ void run_felt(const CompareOptions& options) {
   }
   if (!options.beside.empty()) {
     bar.begin("beside");
-    const cloud::TriangleMesh other_in_cloud = cloud::read_mesh(options.beside);
-    cloud::require_closed(other_in_cloud, options.beside.string());
-    const cloud::TriangleMesh other = cloud::placed(other_in_cloud, evaluate::placement_of(field.view));
+    const cloud::TriangleMesh other = placed_mesh(options.beside, field.view);
     const evaluate::FeltComparison beside = evaluate::compare_felt(field.view, field::TriangleTree(other), tree, hands);
     bar.end();
     json["beside"] = felt_json(beside);

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "host/cloud/oriented_points.h"
 #include "host/error.h"
 #include "host/evaluate/wrong_side.h"
+#include "host/field/mesh_distance.h"
 #include "host/field/triangle_tree.h"
 #include "host/to_double.h"
 
@@ -29,19 +31,25 @@ Spread spread(const field::TriangleTree& surface, const field::TriangleTree& oth
 
 }  // namespace
 
-TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh) {
+TrueSurface true_surface(cloud::TriangleMesh mesh) {
+  const field::MeshDistance distance(std::move(mesh));
+  return {distance.mesh(), distance.outer(), distance.is_simple()};
+}
+
+TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const TrueSurface& mesh) {
   if (surface.faces.empty()) throw InputError("the field has no surface: nothing in it is inside; build it again");
   TruthComparison found;
   found.voxel_mm = to_double(field.edge);
   const field::TriangleTree ours(surface);
-  const field::TriangleTree truth(mesh);
+  const field::TriangleTree truth(mesh.outer), all(mesh.closed);
   found.from_mesh = farthest(truth, ours, kFineness * found.voxel_mm);
   found.from_field = farthest(ours, truth, kFineness * found.voxel_mm);
   found.mesh_to_field = spread(truth, ours, found.voxel_mm);
   found.field_to_mesh = spread(ours, truth, found.voxel_mm);
 
-  const double mesh_volume = cloud::signed_volume(mesh);
-  const WrongSide wrong = wrong_side(ours, truth, found.voxel_mm * found.voxel_mm / kLinesPerVoxel);
+  const WrongSide wrong = wrong_side(ours, all, found.voxel_mm * found.voxel_mm / kLinesPerVoxel);
+  // The sum of what the parts enclose counts what they share twice.
+  const double mesh_volume = mesh.is_simple ? cloud::signed_volume(mesh.closed) : wrong.truth;
   found.wrong_side_pct = 100 * wrong.volume / mesh_volume;
   found.too_much_pct = 100 * wrong.too_much / mesh_volume;
   found.pieces = pieces(surface);

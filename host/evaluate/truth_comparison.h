@@ -23,6 +23,16 @@ inline constexpr double kFarVoxels = 2;
 inline constexpr double kFineness = 0.15;
 inline constexpr double kLinesPerVoxel = 4;
 
+/// The true surface of an object. Where parts of a mesh run through, touch or hold each other, the object is the union of what they enclose.
+struct TrueSurface {
+  cloud::TriangleMesh closed;  ///< all faces: what they turn round is inside
+  cloud::TriangleMesh outer;   ///< those that bound the union
+  bool is_simple = false;      ///< one sheet, which encloses nothing twice
+};
+
+/// mesh      closed, as field::closed_mesh leaves it
+TrueSurface true_surface(cloud::TriangleMesh mesh);
+
 struct TruthComparison {
   Farthest from_mesh;   ///< the place of the mesh farthest from the field's surface, mm: what the field misses or rounds off
   Farthest from_field;  ///< the place of the field's surface farthest from the mesh, mm: debris, bridges, bumps
@@ -41,8 +51,8 @@ struct TruthComparison {
 
 /// surface   zero_surface(field): what is exact about it stands there. Distances between the two surfaces add at most kFineness of a voxel to
 ///           what is reported, and nothing where a corner of the mesh is the worst place
-/// mesh      closed, workspace, mm; the places where it runs through itself count as inside
+/// mesh      workspace, mm
 /// fails     InputError when the field has no surface
-TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& mesh);
+TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const TrueSurface& mesh);
 
 }  // namespace isotouch::evaluate

@@ -30,7 +30,7 @@ WrongSide wrong_side(const field::TriangleTree& surface, const field::TriangleTr
   const auto lines = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(area / area_a_line)));
 
   struct Length {
-    double too_much = 0, too_little = 0;
+    double too_much = 0, too_little = 0, truth = 0;
   };
   std::vector<Length> found(lines);
   field::in_parallel(lines, 256, [&](std::size_t begin, std::size_t end) {
@@ -51,6 +51,7 @@ WrongSide wrong_side(const field::TriangleTree& surface, const field::TriangleTr
         in_truth += steps[i].truth;
         const double length = steps[i + 1].x - steps[i].x;
         if (in_surface > 0 && in_truth <= 0) found[line].too_much += length;
+        if (in_truth > 0) found[line].truth += length;
         if (in_surface <= 0 && in_truth > 0) found[line].too_little += length;
       }
     }
@@ -60,6 +61,7 @@ WrongSide wrong_side(const field::TriangleTree& surface, const field::TriangleTr
   const double share = area / static_cast<double>(lines);
   for (const Length& length : found) {
     sum.too_much += share * length.too_much;
+    sum.truth += share * length.truth;
     sum.volume += share * (length.too_much + length.too_little);
   }
   return sum;

@@ -10,6 +10,7 @@ namespace isotouch::evaluate {
 struct WrongSide {
   double volume = 0;    ///< mm³ inside exactly one of the two
   double too_much = 0;  ///< of it, what is inside `surface` only
+  double truth = 0;     ///< mm³ inside `truth`
   std::size_t lines = 0;
 };
 

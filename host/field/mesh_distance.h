@@ -43,6 +43,8 @@ class MeshDistance {
   const cloud::TriangleMesh& mesh() const { return mesh_; }
   /// The surface that distances are measured to: the mesh's faces but for those inside the union.
   const cloud::TriangleMesh& outer() const { return outer_ ? *outer_ : mesh_; }
+  /// Is it one sheet that neither crosses nor touches itself?
+  bool is_simple() const { return !turns_; }
   const FaceCrossings& crossings() const { return crossings_; }
 
  private:

@@ -165,6 +165,18 @@ TEST_F(TouchPoints, TheHandlesWeightMakesNoTouchStronger) {
   EXPECT_EQ(report_.weak, 50U);
 }
 
+TEST_F(TouchPoints, WhereADeviceGivesNoForceItsWeightIsNone) {
+  header_.settings.weight = Newton::of(0.8);
+  const auto idle = [](std::size_t, TraceRecord& record) {
+    Input packet;
+    packet.fresh = true;
+    record.input = packet;
+    record.output.force = {};
+  };
+  EXPECT_THROW(touch_points(trace(50, idle), {}, report_), InputError);
+  EXPECT_EQ(report_.weak, 50U);
+}
+
 TEST_F(TouchPoints, ForcesWithoutProxiesNeedTheWallsStiffness) {
   const auto forces_only = [](std::size_t, TraceRecord& record) { record.output.proxy = record.output.hip; };
   const auto points = touch_points(trace(20000, forces_only), {.stiffness_n_per_mm = kStiffness, .points = 500}, report_);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "host/error.h"
 #include "tests/support/field_image.h"
@@ -29,7 +30,7 @@ const cloud::TriangleMesh& ball() {
 
 TruthComparison compare(const test::DistanceFunction& distance) {
   const test::FieldImage image = image_of(distance);
-  return compare_surfaces(image.view(), zero_surface(image.view()), ball());
+  return compare_surfaces(image.view(), zero_surface(image.view()), true_surface(ball()));
 }
 
 Eigen::Vector3d workspace(const test::Point& p) { return kVoxel * Eigen::Vector3d(p[0], p[1], p[2]) - Eigen::Vector3d::Constant(20); }
@@ -86,6 +87,23 @@ TEST(TruthComparison, AFlippedInteriorCannotHide) {
   EXPECT_EQ(found.pieces.size(), 2U);
   EXPECT_LT(found.pieces[1].volume, 0);
   EXPECT_NEAR(found.volume_ratio, 1 - std::pow(6 / kRadius, 3), 0.02);
+}
+
+TEST(TruthComparison, FacesInsideTheUnionAreNoTruth) {
+  // A smaller ball within, and the same one again: the union is the ball.
+  cloud::TriangleMesh mesh = ball();
+  for (const double share : {0.5, 1.0}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const Eigen::Vector3d middle = workspace(kMiddle);
+    for (const Eigen::Vector3d& vertex : ball().vertices) mesh.vertices.emplace_back(middle + share * (vertex - middle));
+    for (const auto& [a, b, c] : ball().faces) mesh.faces.push_back({a + first, b + first, c + first});
+  }
+  const test::FieldImage image = image_of([](const test::Point& p) { return to_ball(p, kMiddle, kRadius); });
+  const TruthComparison found = compare_surfaces(image.view(), zero_surface(image.view()), true_surface(mesh));
+  EXPECT_LT(found.hausdorff_voxel(), 1e-9);
+  EXPECT_EQ(found.mesh_to_field.far, 0U);
+  EXPECT_LT(found.wrong_side_pct, 1e-9);
+  EXPECT_NEAR(found.volume_ratio, 1, 1e-3);
 }
 
 TEST(TruthComparison, AFieldWithoutASurfaceIsRefused) {
