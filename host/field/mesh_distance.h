@@ -17,7 +17,8 @@ namespace isotouch::field {
 /// The nearest place of the mesh is found through a tree of boxes. The sign is the side of the pseudonormal there: of the face, the sum of both
 /// faces' at an edge, the sum weighted by the angles at a corner. That is right for every mesh of one piece whose edges have two faces each and whose
 /// faces neither cross nor touch. On any other, inside is what the mesh turns round at least once: the union of what its parts enclose; and only the
-/// union's surface counts (outer_faces.h): outside, the distance is exact; inside, it may be too small by the length given there.
+/// union's surface counts (outer_faces.h): outside, the distance is exact but for the slivers named there; inside, it
+/// may be too small by the length given there.
 ///
 /// source    Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005
 class MeshDistance {
@@ -52,12 +53,12 @@ class MeshDistance {
   bool make_pseudonormals();
 
   cloud::TriangleMesh mesh_;
-  FaceTree tree_;  ///< of the outer surface
+  FaceTree tree_;                                        ///< of the outer surface
   std::vector<std::array<Eigen::Vector3d, 4>> normals_;  ///< of a face's three edges and of itself, in the mesh's order
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
   std::optional<cloud::TriangleMesh> outer_;  ///< if it is not the mesh itself
-  std::optional<TriangleTree> turns_;  ///< of a mesh for which pseudonormals do not decide
+  std::optional<TriangleTree> turns_;         ///< of a mesh for which pseudonormals do not decide
 };
 
 }  // namespace isotouch::field

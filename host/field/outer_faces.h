@@ -10,9 +10,9 @@
 namespace isotouch::field {
 
 /// A face that has the union on both sides, or on neither, is left out. One that does in part is cut into quarters, again and again, until each part
-/// bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size (longer where faces meet along more than a
-/// hundred times that size: a 200,000th of the way). Such a small part stays whole if a corner of it bounds the union. So all of the union's surface
-/// is there, and what is there inside it is within that length of the surface.
+/// bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size; where faces meet along more than a hundred times
+/// that size, a 200,000th of their way. Such a small part stays whole if its middle or a corner of it bounds the union. So, but for slivers a
+/// thousandth as wide as that, all of the union's surface is there, and what is there inside it is within that length of the surface.
 ///
 /// mesh      closed: every edge is run as often in one direction as in the other
 /// faces     of the mesh

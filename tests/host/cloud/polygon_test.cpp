@@ -117,8 +117,9 @@ std::string cut_refusal(const Outline& outline) {
 }
 
 TEST(Polygon, OneThatCannotBeCutIsRefusedWithItsPlace) {
-  EXPECT_EQ(cut_refusal({{0, 0}, {4, 0}, {1, 3}, {3, 4}}),
-            "f.obj: line 12: a polygon of 4 corners crosses itself or cannot be cut into triangles; triangulate the faces in a mesh program");
+  EXPECT_EQ(
+      cut_refusal({{0, 0}, {4, 0}, {1, 3}, {3, 4}}),
+      "f.obj: line 12: a polygon of 4 corners crosses itself or cannot be cut into triangles; triangulate the faces in a mesh program");
   EXPECT_THAT(cut_refusal({{0, 0}, {4, 0}, {4, 4}, {2, -1}, {0, 4}}), ::testing::HasSubstr("crosses itself"));
 }
 
