@@ -149,12 +149,17 @@ TEST(Loop, WhatIsLateAndWhatTheLinesTellEntersTheTick) {
   EXPECT_EQ(bench.state(), SupervisorState::kFault);
 }
 
-TEST(Loop, AHoldOfSeveralPausesLastsNoLongerThanOneOfOne) {
-  Bench bench;
+/// Until there may be force: the hand is beside the ball.
+void make_active(Bench& bench) {
   bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
   bench.load(ball());
   bench.steps(500);
   ASSERT_EQ(bench.state(), SupervisorState::kActive);
+}
+
+TEST(Loop, AHoldOfSeveralPausesLastsNoLongerThanOneOfOne) {
+  Bench bench;
+  make_active(bench);
   bench.device.stall_ns = 60'000'000;
   EXPECT_EQ(bench.step().in.requests, 0);
   ASSERT_EQ(bench.state(), SupervisorState::kHold);
@@ -168,9 +173,7 @@ TEST(Loop, AHoldOfSeveralPausesLastsNoLongerThanOneOfOne) {
 
 TEST(Loop, PausesWithForceBetweenThemAreNoLongHold) {
   Bench bench;
-  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
-  bench.load(ball());
-  bench.steps(500);
+  make_active(bench);
   for (int n = 0; n < 5; ++n) {
     ASSERT_EQ(bench.state(), SupervisorState::kActive);
     bench.device.stall_ns = 60'000'000;
@@ -220,10 +223,7 @@ TEST(Loop, TheFaultsOfAnEarlierLoopStayUntilAPersonResumes) {
 
 TEST(Loop, ARecordingBegunInAPauseDoesNotHideIt) {
   Bench bench;
-  bench.device.answer = [far = grip_at({11, 0, 0})](const Command&) { return far; };
-  bench.load(ball());
-  bench.steps(500);
-  ASSERT_EQ(bench.state(), SupervisorState::kActive);
+  make_active(bench);
   bench.requests.ask(kRequestRestart);
   bench.device.stall_ns = 200'000'000;
   EXPECT_EQ(bench.step().in.requests, kRequestRestart | kRequestPaused | kRequestStop);

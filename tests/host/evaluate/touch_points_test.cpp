@@ -153,12 +153,16 @@ TEST_F(TouchPoints, DampingsWeightAndASofterPlaceMoveNoPoint) {
   }
 }
 
+Input fresh_packet() {
+  Input packet;
+  packet.fresh = true;
+  return packet;
+}
+
 TEST_F(TouchPoints, TheHandlesWeightMakesNoTouchStronger) {
   header_.settings.weight = Newton::of(0.8);
   const auto of_a_device = [](std::size_t, TraceRecord& record) {
-    Input packet;
-    packet.fresh = true;
-    record.input = packet;
+    record.input = fresh_packet();
     record.output.force = to_fixed<Newton>(Vector3d(0.02 * to_double(record.output.proxy).normalized() + Vector3d(0, 0.8, 0)));
   };
   EXPECT_THROW(touch_points(trace(50, of_a_device), {}, report_), InputError);
@@ -168,9 +172,7 @@ TEST_F(TouchPoints, TheHandlesWeightMakesNoTouchStronger) {
 TEST_F(TouchPoints, WhereADeviceGivesNoForceItsWeightIsNone) {
   header_.settings.weight = Newton::of(0.8);
   const auto idle = [](std::size_t, TraceRecord& record) {
-    Input packet;
-    packet.fresh = true;
-    record.input = packet;
+    record.input = fresh_packet();
     record.output.force = {};
   };
   EXPECT_THROW(touch_points(trace(50, idle), {}, report_), InputError);

@@ -60,24 +60,35 @@ std::string complaint(const Bytes& answers, const std::function<void(Controller&
   return {};
 }
 
-TEST(Controller, NobodyWaitsForAnAnswerThatIsNotWantedAnyMore) {
-  const ScratchFolder scratch;
-  const std::string path = (scratch.path() / "socket").string();
-  sockaddr_un name{};
-  name.sun_family = AF_UNIX;
-  std::copy(path.begin(), path.end(), name.sun_path);
-  const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);  // lets in, and never answers
-  ASSERT_EQ(::bind(door, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
-  ASSERT_EQ(::listen(door, 1), 0);
-  int asked = 0;
-  try {
-    const Controller controller("unix:" + path, {}, [&] { return ++asked == 3; });
-    ADD_FAILURE() << "it has answered";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("nobody waits"));
+/// A socket that lets in as many as its queue holds, and never answers.
+class Door {
+ public:
+  explicit Door(int queue) : path_((scratch_.path() / "socket").string()), door_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    name_.sun_family = AF_UNIX;
+    std::copy(path_.begin(), path_.end(), name_.sun_path);
+    EXPECT_EQ(::bind(door_, reinterpret_cast<const sockaddr*>(&name_), sizeof name_), 0);
+    EXPECT_EQ(::listen(door_, queue), 0);
   }
+  Door(const Door&) = delete;
+  Door& operator=(const Door&) = delete;
+  ~Door() { ::close(door_); }
+
+  std::string address() const { return "unix:" + path_; }
+  bool lets_in(int client) const { return ::connect(client, reinterpret_cast<const sockaddr*>(&name_), sizeof name_) == 0; }
+
+ private:
+  ScratchFolder scratch_;
+  std::string path_;
+  sockaddr_un name_{};
+  int door_;
+};
+
+TEST(Controller, NobodyWaitsForAnAnswerThatIsNotWantedAnyMore) {
+  const Door door(1);
+  int asked = 0;
+  EXPECT_THAT(sentence_of([&] { const Controller controller(door.address(), {}, [&] { return ++asked == 3; }); }),
+              HasSubstr("nobody waits"));
   EXPECT_EQ(asked, 3);
-  ::close(door);
 }
 
 TEST(Controller, NobodyWaitsUntilItTakesWhatIsNotWantedAnyMore) {
@@ -141,23 +152,15 @@ TEST(Controller, WhoeverTakesALittleAtATimeIsNotWaitedForEither) {
 }
 
 TEST(Controller, NobodyWaitsAtADoorWithAQueue) {
-  const ScratchFolder scratch;
-  const std::string path = (scratch.path() / "socket").string();
-  sockaddr_un name{};
-  name.sun_family = AF_UNIX;
-  std::copy(path.begin(), path.end(), name.sun_path);
-  const int door = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  ASSERT_EQ(::bind(door, reinterpret_cast<const sockaddr*>(&name), sizeof name), 0);
-  ASSERT_EQ(::listen(door, 0), 0);
+  const Door door(0);
   std::vector<int> queue;
   do queue.push_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  while (::connect(queue.back(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0);
+  while (door.lets_in(queue.back()));
   int asked = 0;
-  EXPECT_THAT(sentence_of([&] { const Controller controller("unix:" + path, {}, [&] { return ++asked == 3; }); }),
+  EXPECT_THAT(sentence_of([&] { const Controller controller(door.address(), {}, [&] { return ++asked == 3; }); }),
               HasSubstr("nobody waits"));
-  EXPECT_THAT(sentence_of([&] { const Controller controller("unix:" + path, 300); }), HasSubstr("no controller answers there"));
+  EXPECT_THAT(sentence_of([&] { const Controller controller(door.address(), 300); }), HasSubstr("no controller answers there"));
   for (const int waiting : queue) ::close(waiting);
-  ::close(door);
 }
 
 TEST(Controller, ItsPatienceIsOverOnce) {
