@@ -45,16 +45,15 @@ std::uint16_t faults_of(const Observations& seen, const Doubts& doubts, const Su
 /// Has the hand pressed one of the model's buttons anew?
 bool presses_anew(const Observations& seen, const Supervision& limits, SupervisorMemory& memory) {
   if (seen.stale_ticks > limits.fault_ticks) {  // as before the first packet
-    memory.knows_buttons = false;
-    memory.buttons = memory.steady = 0;
+    memory.knows_buttons = memory.buttons = memory.steady = 0;
   }
   if (!seen.heard || seen.stale_ticks > 0) return false;
   const int steady = seen.buttons == memory.shown ? memory.steady + 1 : 1;
   memory.steady = static_cast<std::uint8_t>(std::min<int>(steady, kSteadyPackets));
   memory.shown = seen.buttons;
   if (memory.steady < kSteadyPackets) return false;
-  const bool pressed = memory.knows_buttons && (seen.buttons & ~memory.buttons & limits.buttons) != 0;
-  memory.knows_buttons = true;
+  const bool pressed = memory.knows_buttons != 0 && (seen.buttons & ~memory.buttons & limits.buttons) != 0;
+  memory.knows_buttons = 1;
   memory.buttons = seen.buttons;
   return pressed;
 }

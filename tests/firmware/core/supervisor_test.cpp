@@ -43,7 +43,7 @@ struct Exhaustive {
     const bool is_active = memory.state == S::kActive;
     active += is_active ? 1 : 0;
     const bool fresh = seen.heard && seen.stale_ticks == 0 && seen.buttons == before.shown && before.steady + 1 >= kSteadyPackets;
-    const bool pressed = fresh && before.knows_buttons && (seen.buttons & ~before.buttons & with.buttons) != 0;
+    const bool pressed = fresh && before.knows_buttons != 0 && (seen.buttons & ~before.buttons & with.buttons) != 0;
     const bool asked = (seen.requests & kRequestResume) != 0 || pressed;
     const auto demand = [&](bool holds, const char* property) {
       if (!holds && broken == nullptr) broken = property;
@@ -63,7 +63,7 @@ struct Exhaustive {
     demand(!(before.state == S::kActive && seen.too_deep) || memory.state == S::kFault, "a hand too deep is a fault");
     const bool late = before.lateness + seen.late * kLatenessOfAPeriod >= kHold * kLatenessOfAPeriod;
     const bool doubt = seen.stale_ticks >= kHold || late || !seen.pose_settled || seen.too_fast;
-    const bool let_go = with.hold_to_run && (!memory.knows_buttons || (seen.buttons & memory.buttons & with.buttons) == 0);
+    const bool let_go = with.hold_to_run && (memory.knows_buttons == 0 || (seen.buttons & memory.buttons & with.buttons) == 0);
     demand(!is_active || !(doubt || cause || let_go || !seen.heard || !seen.homed || !seen.has_field), "forces only when all is well");
     demand(!(before.state == S::kHold && doubt && before.held_ticks >= kFault) || seen.stale_ticks >= kHold || memory.state == S::kFault ||
                !seen.heard || !seen.homed,
@@ -93,7 +93,7 @@ TEST(Supervisor, WhateverItFindsAndRemembersItsPromisesHold) {
             before.faults = before.state == S::kFault ? std::uint16_t{kFaultStopped} : std::uint16_t{0};
             before.ramp = (memory & 1) != 0 ? 7 : 0;
             before.buttons = (memory & 2) != 0 ? 0xFF : 0;
-            before.knows_buttons = (memory & 6) != 0;
+            before.knows_buttons = (memory & 6) != 0 ? 1 : 0;
             before.shown = 1;
             before.steady = (memory & 1) != 0 ? kSteadyPackets - 1 : kSteadyPackets - 2;
             before.held_ticks = (memory & 4) != 0 ? kFault : 0;
