@@ -243,6 +243,7 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
     for (std::size_t i = 0; i < at.size(); ++i) value[i] = number(table, fields[at[i]], names[at[i]]);
     const TimedPoint point{seconds * value[0], millimetres * Eigen::Vector3d(value[1], value[2], value[3]),
                            Eigen::Vector3d(value[4], value[5], value[6])};
+    if (!point.position.allFinite()) table.refuse("the place is farther away than a number can say; correct the row or the unit");
     if (!points.empty() && point.time <= points.back().time) {
       table.refuse("the time " + shortened(fields[at[0]]) +
                    " does not come after that of the row before; sort the rows or remove this one");

@@ -174,6 +174,9 @@ TEST(MotionCsv, EveryMalformedTableGetsItsSentence) {
     }
   }
   const ScratchFolder folder;
+  const auto far = folder.write("far.csv", "t_s,x_m,y_m,z_m\n0,1,1,1\n1,1e306,1,1\n");
+  EXPECT_THAT([&] { (void)read_motion_csv(far, parse_columns("x=x_m,y=y_m,z=z_m")); },
+              testing::ThrowsMessage<InputError>(HasSubstr("far.csv: line 3: the place is farther away than a number can say")));
   EXPECT_THROW(read_motion_csv(folder.path() / "missing.csv", {}), InputError);
   EXPECT_THROW(read_motion_csv(folder.path(), {}), InputError);
 }
