@@ -1,5 +1,6 @@
 #include "host/stream/growing_field.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "host/field_file/make_patch.h"
@@ -20,19 +21,24 @@ GrowingField::GrowingField(const live::Space& space, double band, encoding::Fiel
                            std::uint32_t enough)
     : space_(space), field_(space.grid, band, with_placement(std::move(info), space.placement)), keep_(keep), enough_(enough) {}
 
-/// Counts a point that its bucket still wants.
-bool GrowingField::has_enough(const live::Point& point, Clock::time_point at) {
-  if (enough_ == 0) return false;
-  Place& place = places_[live::bucket_key(point)];
-  if (place.held < enough_) {
-    ++place.held;
-    return false;
-  }
-  if (keep_) {
-    if (place.waiting.size() == enough_) place.waiting.erase(place.waiting.begin());
-    place.waiting.push_back({at, point});
-  }
-  return true;
+/// Notes that the batch may change a place.
+void GrowingField::touch(std::uint64_t key, Place& place) {
+  if (!place.is_touched) touched_.push_back(key);
+  place.is_touched = true;
+}
+
+/// Lets a point wait for its place.
+///
+/// returns   false: the place has enough without it
+bool GrowingField::wait(const live::Point& point, Clock::time_point at) {
+  const std::uint64_t key = live::bucket_key(point);
+  Place& place = places_[key];
+  const bool is_wanted = place.held + place.waiting.size() < enough_;
+  if (!is_wanted && !keep_) return false;
+  if (place.waiting.size() == enough_) place.waiting.erase(place.waiting.begin());
+  place.waiting.push_back({at, point});
+  touch(key, place);
+  return is_wanted;
 }
 
 void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
@@ -42,28 +48,44 @@ void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
     old_.erase(old_.begin());
   }
   if (enough_ == 0) return;
-  for (const live::Point& gone : batch.removed) --places_[live::bucket_key(gone)].held;
+  for (const live::Point& gone : batch.removed) {
+    const std::uint64_t key = live::bucket_key(gone);
+    Place& place = places_[key];
+    --place.held;
+    place.has_lost = true;
+    touch(key, place);
+  }
 }
 
-/// Places whose points went take those that wait: a place that is seen for long stays.
-void GrowingField::refill(Clock::time_point at, live::Batch& batch) {
-  if (enough_ == 0) return;
-  for (const live::Point& gone : batch.removed) {
-    const auto found = places_.find(live::bucket_key(gone));
-    if (found == places_.end()) continue;
-    Place& place = found->second;
-    for (; place.held < enough_ && !place.waiting.empty(); place.waiting.pop_back()) {
-      const Waiting& next = place.waiting.back();
-      if (at - next.at >= *keep_) {
-        place.waiting.clear();
-        break;
-      }
-      batch.added.push_back(next.point);
-      old_[next.at].push_back(next.point);
-      ++place.held;
-    }
-    if (place.held == 0) places_.erase(found);
+/// Takes the newest of what waits. Nothing waits afterwards unless the place has enough.
+void GrowingField::fill(Place& place, Clock::time_point at, live::Batch& batch) {
+  for (; place.held < enough_ && !place.waiting.empty(); place.waiting.pop_back()) {
+    const Waiting& next = place.waiting.back();
+    if (keep_ && at - next.at >= *keep_) return place.waiting.clear();
+    batch.added.push_back(next.point);
+    if (keep_) old_[next.at].push_back(next.point);
+    ++place.held;
   }
+}
+
+/// Fills the places whose points have doubled, and those that are computed anyway because some went: a place that follows each point that comes would be
+/// computed anew for an ever smaller part of its mean.
+void GrowingField::settle(Clock::time_point at, live::Batch& batch) {
+  for (const std::uint64_t key : touched_) {
+    const auto found = places_.find(key);
+    Place& place = found->second;
+    const std::size_t due = std::clamp<std::size_t>(2 * std::size_t{place.held}, 1, enough_);
+    if (place.has_lost || place.held + place.waiting.size() >= due) fill(place, at, batch);
+    place.is_touched = place.has_lost = false;
+    if (place.held < enough_ && !place.waiting.empty()) unsettled_.insert(key);
+    if (place.held == 0 && place.waiting.empty()) places_.erase(found);
+  }
+  touched_.clear();
+}
+
+void GrowingField::apply(const live::Batch& batch) {
+  work_ = field_.apply(batch);
+  changed_ = changed_ || work_.changed > 0;
 }
 
 PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) {
@@ -82,20 +104,33 @@ PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) 
                            : std::nullopt;
     if (!point) {
       ++counts.useless;
-    } else if (has_enough(*point, at)) {
-      ++counts.surplus;
-    } else {
+    } else if (enough_ == 0) {
       batch.added.push_back(*point);
+    } else if (!wait(*point, at)) {
+      ++counts.surplus;
     }
   }
-  if (keep_ && !batch.added.empty()) {
+  if (enough_ > 0) {
+    settle(at, batch);
+  } else if (keep_ && !batch.added.empty()) {
     std::vector<live::Point>& now = old_[at];
     now.insert(now.end(), batch.added.begin(), batch.added.end());
   }
-  refill(at, batch);
   counts.taken = batch.added.size();
-  work_ = field_.apply(batch);
-  changed_ = changed_ || work_.changed > 0;
+  apply(batch);
+  return counts;
+}
+
+PointCounts GrowingField::take_waiting(Clock::time_point at) {
+  PointCounts counts;
+  if (unsettled_.empty()) return counts;
+  live::Batch batch;
+  for (const std::uint64_t key : unsettled_) {
+    if (const auto found = places_.find(key); found != places_.end()) fill(found->second, at, batch);
+  }
+  unsettled_.clear();
+  counts.taken = batch.added.size();
+  apply(batch);
   return counts;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "host/cloud/model.h"
@@ -39,8 +40,9 @@ class GrowingField {
  public:
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
-  /// enough    that many points of a bucket count; 0: all. Further ones are left out. With `keep`, the newest of them wait and take the places of
-  ///           those that go, as long as they are no older than `keep` themselves
+  /// enough    that many points of a bucket count; 0: all. A bucket that has some takes further ones once they double it, or some of its own go; until
+  ///           then they wait. Those beyond enough are left out. With `keep`, the newest of them wait, too, and all only as long as they are
+  ///           no older than `keep` themselves
   /// fails     as LiveField
   GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
                std::uint32_t enough = 0);
@@ -50,6 +52,10 @@ class GrowingField {
   /// model     input coordinates; with a normal for each position, or none of its points is taken
   /// at        not earlier than that of the frame before
   PointCounts take(const cloud::Model& model, Clock::time_point at);
+  /// Takes in the points that wait although their places have not enough: for a time in which no frame comes, and for the end.
+  ///
+  /// at        as for `take`
+  PointCounts take_waiting(Clock::time_point at);
 
   /// Do bricks differ from those of the last state that was kept?
   bool has_changed() const { return changed_; }
@@ -74,18 +80,25 @@ class GrowingField {
   /// A bucket, where `enough_` counts its points.
   struct Place {
     std::uint32_t held = 0;        ///< points that count
-    std::vector<Waiting> waiting;  ///< none unless enough count; the newest last
+    bool is_touched = false;       ///< by the batch
+    bool has_lost = false;         ///< points, with the batch
+    std::vector<Waiting> waiting;  ///< the newest last
   };
 
-  bool has_enough(const live::Point& point, Clock::time_point at);
+  void touch(std::uint64_t key, Place& place);
+  bool wait(const live::Point& point, Clock::time_point at);
   void remove_old(Clock::time_point at, live::Batch& batch);
-  void refill(Clock::time_point at, live::Batch& batch);
+  void fill(Place& place, Clock::time_point at, live::Batch& batch);
+  void settle(Clock::time_point at, live::Batch& batch);
+  void apply(const live::Batch& batch);
 
   live::Space space_;
   live::LiveField field_;
   std::optional<Clock::duration> keep_;
   std::uint32_t enough_;
   std::unordered_map<std::uint64_t, Place> places_;            ///< by bucket
+  std::vector<std::uint64_t> touched_;                         ///< of them, by the batch
+  std::unordered_set<std::uint64_t> unsettled_;                ///< all where points wait although enough do not count yet, and others
   std::map<Clock::time_point, std::vector<live::Point>> old_;  ///< points that count, where they go again, by when they came
   live::Work work_;
   bool changed_ = false;

@@ -62,7 +62,10 @@ void Stream::run(Inbox& inbox, Watch watch) {
   reported_ = begin;
   watch_ = std::move(watch);
   const auto count = [&](bool is_end) {
-    if (is_end) inbox.close();
+    if (is_end) {
+      inbox.close();
+      take_waiting();
+    }
     report_.offered = inbox.offered();
     report_.thinned = inbox.thinned();
     report_.heard = inbox.heard();
@@ -79,7 +82,12 @@ void Stream::run(Inbox& inbox, Watch watch) {
   };
   try {
     while (!watch_.is_over() && !inbox.is_finished()) {
-      if (const auto frame = next()) work_on(*frame);
+      if (const auto frame = next()) {
+        work_on(*frame);
+      } else {
+        take_waiting();
+        if (controller_ && field_ && field_->has_changed()) send();
+      }
       count(false);
       if (!is_due()) continue;
       ask_status();  // it shows, too, whether the controller is still there
@@ -116,6 +124,14 @@ void Stream::work_on(const Frame& frame) {
   send();
   if (!is_patch) return;
   for (Tally* tally : {&report_.all, &second_}) tally->delay_ms.add(ms_since(*frame.at));
+}
+
+/// Takes in what waits for frames that may not come.
+void Stream::take_waiting() {
+  if (!field_) return;
+  const PointCounts points = field_->take_waiting(Clock::now());
+  report_.all.points += points;
+  second_.points += points;
 }
 
 /// Decides where the field lies. False where the frame does not show it.

@@ -92,6 +92,7 @@ class Stream {
 
  private:
   void work_on(const Frame& frame);
+  void take_waiting();
   bool begin(const cloud::Model& model);
   void send();
   void upload();

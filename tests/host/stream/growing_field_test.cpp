@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <limits>
 #include <vector>
 
@@ -101,6 +102,50 @@ TEST(GrowingField, APlaceThatHasEnoughTakesNoMoreUntilItsPointsExpire) {
   cloud::Model one = part(points, 0, 1);
   GrowingField small(unit_space(), kBand, {}, {}, 3);
   for (std::size_t n = 0; n < 10; ++n) EXPECT_EQ(small.take(one, begin).taken, n < 3 ? 1U : 0U);
+}
+
+TEST(GrowingField, APlaceThatHasPointsTakesFurtherOnesOnceTheyDoubleIt) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 4000, 1);
+  const cloud::Model one = part(points, 0, 1);
+  const Clock::time_point begin{};
+  GrowingField field(unit_space(), kBand, {}, {}, 16);
+  for (std::size_t n = 1; n <= 20; ++n) {
+    const PointCounts counts = field.take(one, begin);
+    const bool doubles = n <= 16 && std::has_single_bit(n);
+    EXPECT_EQ(counts.taken, doubles ? n - n / 2 : 0) << n;
+    EXPECT_EQ(counts.surplus, n > 16 ? 1U : 0U) << n;
+    EXPECT_EQ(field.work().samples, doubles ? 1U : 0U) << n;
+  }
+  EXPECT_EQ(field.take_waiting(begin).taken, 0U);
+
+  GrowingField growing(unit_space(), kBand, {}, {}, 1000);
+  std::size_t taken = 0, waited = 0;
+  for (std::size_t at = 0; at < 4000; at += 100) {
+    taken += growing.take(part(points, at, at + 100), begin).taken;
+    if (taken < at + 100) ++waited;
+  }
+  EXPECT_GT(waited, 20U);
+  EXPECT_LT(taken, 4000U);
+  EXPECT_EQ(growing.take_waiting(begin).taken, 4000 - taken);
+  EXPECT_EQ(growing.take_waiting(begin).taken, 0U);
+  EXPECT_EQ(bytes_of(growing.keep_whole()), built(part(points, 0, 4000)));
+}
+
+TEST(GrowingField, APointWaitsNoLongerThanItWouldCount) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 3, 1);
+  const cloud::Model one = part(points, 0, 1);
+  const Clock::time_point begin{};
+  GrowingField field(unit_space(), kBand, {}, 2s, 16);
+  EXPECT_EQ(field.take(one, begin).taken, 1U);
+  EXPECT_EQ(field.take(one, begin + 1s).taken, 1U);
+  EXPECT_EQ(field.take(one, begin + 1100ms).taken, 0U);
+  const PointCounts first_gone = field.take({}, begin + 2s);
+  EXPECT_EQ(first_gone.expired, 1U);
+  EXPECT_EQ(first_gone.taken, 1U) << "the place is computed anew, so what waits counts at once";
+  EXPECT_EQ(field.take(one, begin + 2100ms).taken, 0U);
+  EXPECT_EQ(field.take_waiting(begin + 4100ms).taken, 0U);
+  EXPECT_EQ(field.take({}, begin + 4100ms).expired, 2U);
+  EXPECT_EQ(field.verdict().points, 0U);
 }
 
 /// A place that is seen again and again stays for as long after it was seen last as any other.
