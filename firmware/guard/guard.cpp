@@ -20,6 +20,8 @@ constexpr std::uint64_t kTicksToNotice = 3;                      // beyond the t
 constexpr std::int64_t kQuietNs = 100'000'000;                   // without a command until the guard believes the tick again
 constexpr std::uint64_t kTicksToHear = 2;                        // after the one whose command was stopped: the first may have begun before
 constexpr std::uint32_t kSteadyPackets = 4;                      // half as many as the tick waits for, which may miss one
+constexpr std::uint32_t kReleasePackets = 16;                    // twice as many as the tick waits for
+constexpr std::int64_t kSilencePart = 2;                         // of the tick's silence; its clock and this one count from different times
 constexpr double kForceSlack = 0.1, kForcePart = 1.05;           // N; the arms a sample further
 constexpr double kWaySlack = 0.5, kWayPart = 1.5;                // mm; a proxy that slides round an edge
 constexpr double kStep = 0.2;                                    // mm: a hand that trembles less makes no way
@@ -228,17 +230,18 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
   const int change = largest_change(memory.counts, reply->counts);
   const bool jumped = first || change > device_.count_jump * ticks;
-  if (now_ns - memory.heard_ns > device_.fault_age_ns) {  // what was held meanwhile, nobody knows
+  if (now_ns - memory.heard_ns > kSilencePart * device_.fault_age_ns) {  // what was held meanwhile, nobody knows
     memory.knows_buttons = false;
-    memory.buttons = 0;
+    memory.buttons = memory.may_hold = 0;
     memory.steady = 0;
   }
-  memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kSteadyPackets) : 1;
+  memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kReleasePackets) : 1;
   memory.shown = reply->buttons;
-  if (memory.steady == kSteadyPackets) {
+  if (memory.steady >= kSteadyPackets) {
     if (memory.knows_buttons && (memory.shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
     memory.knows_buttons = true;
     memory.buttons = memory.shown;
+    memory.may_hold = memory.steady == kReleasePackets ? memory.shown : memory.may_hold | memory.shown;
   }
   const bool all = reply->homed == 7;
   if (!all && (jumped || reply->counts == std::array<std::int16_t, 3>{} || change > device_.count_jump * ticks / 8)) {
@@ -248,7 +251,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   if (memory.referenced_in_a_row >= 2) memory.referenced = true;
   memory.since.jump = jumped ? memory.replies : 0;  // for this sample alone
   mark(!memory.referenced, memory.replies, memory.since.reference);
-  mark(device_.hold_to_run != 0 && (reply->buttons & memory.buttons & device_.buttons) == 0, memory.replies, memory.since.button);
+  mark(device_.hold_to_run != 0 && (reply->buttons & memory.may_hold & device_.buttons) == 0, memory.replies, memory.since.button);
   follow_counts(reply->counts, memory.referenced && !jumped, memory.encoders);
   memory.counts = reply->counts;
   memory.valid_before = memory.valid;

@@ -79,6 +79,7 @@ struct Memory {
   std::uint64_t stop_tick = 0;   ///< of the first command after a stop that nobody has resumed from; 0 = there was none
   bool knows_buttons = false;    ///< enough packets have come for it
   std::uint8_t buttons = 0;      ///< as the hand holds them: what a few valid packets in a row showed
+  std::uint8_t may_hold = 0;     ///< those that the tick may take for held: it forgets them later
   std::uint8_t shown = 0;        ///< by the newest valid packet
   std::uint32_t steady = 0;      ///< valid packets in a row that show the same
   std::uint64_t lines_tick = 0;  ///< of the first command beside lines that are not good; 0 = they are good
