@@ -260,10 +260,17 @@ struct Select {
 /// Where a controller has the angles of the arms at count 0 from.
 enum class AnglesFrom : std::uint8_t { kGeometry, kSettings, kMeasured };
 
+/// Whether the device that answers has other angles than those in use, which hold from the controller's next start on.
+enum class OtherAngles : std::uint8_t {
+  kNone,
+  kKept,      ///< they were measured meanwhile
+  kUntrusted  ///< those in use are not its own, so it is not heard and gets no force
+};
+
 struct DeviceReport {
   Text serial;                             ///< of the device that answers; empty: none, or it has none
   std::uint8_t from = 0;                   ///< AnglesFrom
-  std::uint8_t waits = 0;                  ///< 1: this device has other angles, which hold from the controller's next start
+  std::uint8_t waits = 0;                  ///< OtherAngles
   std::array<std::uint32_t, 3> at_zero{};  ///< in use: of the arms at count 0, 2^32 to the turn, legs 1 to 3
   static void fields(auto& m, auto& use) {
     use(m.serial), use(m.from), use(m.waits);

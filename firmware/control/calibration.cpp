@@ -5,6 +5,8 @@
 
 namespace isotouch::control {
 
+using protocol::OtherAngles;
+
 namespace {
 
 void take(const store::AnglesAtZero& angles, DeviceModel& model) {
@@ -30,15 +32,15 @@ Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, B
 
 void Calibration::answers(const std::optional<std::string>& serial) {
   Refusal ignored;
-  const bool waits = serial && choose(*serial, ignored).model != in_use_.model;
+  const bool has_others = serial && choose(*serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
   serial_ = serial.value_or("");
-  waits_ = waits;
+  others_ = has_others ? OtherAngles::kUntrusted : OtherAngles::kNone;
 }
 
-bool Calibration::waits() const {
+OtherAngles Calibration::others() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return waits_;
+  return others_;
 }
 
 protocol::DeviceReport Calibration::report() const {
@@ -46,7 +48,7 @@ protocol::DeviceReport Calibration::report() const {
   for (std::size_t i = 0; i < report.at_zero.size(); ++i) report.at_zero[i] = in_use_.model.legs[i].at_zero.raw();
   report.from = static_cast<std::uint8_t>(in_use_.source);
   const std::lock_guard<std::mutex> lock(mutex_);
-  report.waits = waits_ ? 1 : 0;
+  report.waits = static_cast<std::uint8_t>(others_);
   report.serial = protocol::Text::of(serial_);
   return report;
 }
@@ -70,9 +72,14 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   const store::StoreResult<void> kept = store_->put(serial, angles);
   if (!kept) return std::string("the calibration cannot be stored: ") + describe(kept.error()) + "; check the controller's state folder";
   Refusal ignored;
-  const bool waits = choose(serial, ignored).model != in_use_.model;
+  const bool has_others = choose(serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (serial == serial_) waits_ = waits;  // another device may answer by now
+  if (serial != serial_) return {};  // another device may answer by now
+  if (!has_others) {
+    others_ = OtherAngles::kNone;
+  } else if (others_ == OtherAngles::kNone) {
+    others_ = OtherAngles::kKept;
+  }
   return {};
 }
 

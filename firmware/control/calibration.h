@@ -37,8 +37,8 @@ class Calibration {
   /// The device of this serial answers, which may be empty; nullopt: none does.
   void answers(const std::optional<std::string>& serial);
 
-  /// For the device that answers there are other angles than those in use: they hold from the next start on.
-  bool waits() const;
+  /// Are there other angles for the device that answers than those in use?
+  protocol::OtherAngles others() const;
 
   protocol::DeviceReport report() const;
 
@@ -59,7 +59,7 @@ class Calibration {
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows
   std::string serial_;
-  bool waits_ = false;
+  protocol::OtherAngles others_ = protocol::OtherAngles::kNone;
 };
 
 }  // namespace isotouch::control

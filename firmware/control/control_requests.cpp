@@ -74,9 +74,11 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
     client.refuse(frame.kind, "the request is too short for its kind; install the same release on both sides");
   };
   if (!may(client, frame.kind, role_for(frame.kind))) return;
-  // What may lead to a force waits until the hand has been measured.
+  // What may lead to a force waits until the hand has been measured, and until what was measured holds.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
   if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
+  const auto others = neighbours_.calibration != nullptr ? neighbours_.calibration->others() : protocol::OtherAngles::kNone;
+  if (others != protocol::OtherAngles::kNone && may_lead_to_force) return client.refuse(frame.kind, files::angles_text(others));
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = protocol::decode<protocol::Begin>(frame.body);
@@ -116,7 +118,6 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
       return client.say(Kind::kDone);
     case Kind::kResume:
       if (!may(client, frame.kind, role_after(neighbours_.shown.get().faults))) return;
-      if (neighbours_.calibration != nullptr && neighbours_.calibration->waits()) return client.refuse(frame.kind, files::kOtherAngles);
       neighbours_.requests.ask(kRequestResume, author_of(client.user));
       log(client.user, "resume");
       return client.say(Kind::kDone);

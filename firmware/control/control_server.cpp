@@ -36,15 +36,21 @@ ControlServer::~ControlServer() {
   ::close(bell_);
 }
 
-Refusal ControlServer::start() {
-  Refusal refusal = socket_.open(settings_.path, settings_.mode, settings_.group);
+Refusal ControlServer::listen() { return socket_.open(settings_.path, settings_.mode, settings_.group); }
+
+void ControlServer::serve() {
   stop_ = false;
-  if (!refusal) thread_ = std::thread([this] { run(); });
+  thread_ = std::thread([this] { run(); });
+}
+
+Refusal ControlServer::start() {
+  Refusal refusal = listen();
+  if (!refusal) serve();
   return refusal;
 }
 
 void ControlServer::stop() {
-  if (!thread_.joinable()) return;
+  if (!thread_.joinable()) return socket_.close();
   stop_ = true;
   const std::uint64_t ring = 1;
   (void)!::write(bell_, &ring, sizeof ring);

@@ -47,9 +47,13 @@ class ControlServer {
   ControlServer(const ControlServer&) = delete;
   ControlServer& operator=(const ControlServer&) = delete;
 
-  /// Listens and starts the thread.
+  /// From now on clients may connect, and wait.
   ///
-  /// returns   why it does not run
+  /// returns   why they may not
+  Refusal listen();
+  /// Lets them in and answers: starts the thread. Not before there is a tick, or they would hear of a state that never was.
+  void serve();
+  /// Both at once.
   Refusal start();
 
   /// Closes every connection and joins the thread. An upload that is being checked is finished first.

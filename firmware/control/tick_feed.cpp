@@ -91,12 +91,12 @@ void TickFeed::put(const TraceRecord& record) {
 }
 
 void TickFeed::give_recording(ControlClient& client, std::span<const loop::TickRecord> ticks) {
+  std::uint64_t first = 0;
   const auto end = [&](const char* why) {
+    if (used_ > 0) (void)flush(client, first, 1);  // all before the end counts
     client.records = false;
-    used_ = 0;
     client.refuse(Kind::kRecord, why);
   };
-  std::uint64_t first = 0;
   for (const loop::TickRecord& tick : ticks) {
     if (!begun_) {
       if ((tick.in.requests & kRequestRestart) == 0) continue;

@@ -23,6 +23,8 @@
 
 namespace isotouch::daemon {
 
+using protocol::OtherAngles;
+
 namespace {
 
 /// A run that needs a person's confirmation begins in fault and leaves it by a resume.
@@ -119,9 +121,9 @@ Refusal Controller::connect_device() {
 Refusal Controller::load_field() {
   const auto check = [this](const FieldView& field) { return settings::refusal_of(field, live_.now(), measured_delay()); };
   intake_.emplace(fields_, store_ ? &*store_ : nullptr, real_clock_, check);
-  const std::vector<std::uint8_t> image = std::move(before_.image);
-  if (!image.empty()) {
-    if (const Refusal refusal = intake_->begin_with(image, before_.field_name)) say("the field is not loaded again: " + refusal.sentence());
+  if (const std::optional<std::vector<std::uint8_t>> image = std::exchange(before_.image, std::nullopt)) {
+    const Refusal refusal = image->empty() ? Refusal() : intake_->begin_with(*image, before_.field_name);
+    if (refusal) say("the field is not loaded again: " + refusal.sentence());
   } else if (!settings_.field.empty()) {
     if (Refusal refusal = begin_with_file(settings_.field, *intake_)) return refusal;
   } else if (const Refusal refusal = intake_->begin_with_active()) {
@@ -151,7 +153,7 @@ Refusal Controller::listen() {
   const auto different = [this] { return settings::different(live_.now()); };
   control_.emplace(std::move(wish), control::ControlNeighbours{*intake_, requests_, stats_, shown_, real_clock_, &watched_, &*calibration_,
                                                                set, different, std::bind_front(&Controller::say, this)});
-  return control_->start();
+  return control_->listen();
 }
 
 void Controller::mark_run() {
@@ -162,7 +164,9 @@ void Controller::mark_run() {
 
 /// What the next start must know of this run, and that a person has confirmed what was before it.
 void Controller::keep_mark() {
-  if (mark_) mark_->note(loop_->faults() & kServiceFaults);
+  const Refusal unnamed = mark_ ? mark_->note(loop_->faults() & kServiceFaults) : Refusal();
+  if (unnamed && !said_unnamed_) say(unnamed.sentence());
+  said_unnamed_ = static_cast<bool>(unnamed);
   const SupervisorState state = lines_.state.told();
   const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
   if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
@@ -221,8 +225,10 @@ void Controller::start() {
 Controller::End Controller::supervise() {
   systemd_.ready();
   const sigset_t signals = ending_signals();
-  const timespec pause{0, 100'000'000};
+  const timespec pause{0, 100'000'000}, soon{0, 1'000'000};
+  bool serves = !control_;
   while (!ticks_ended_) {
+    if (!serves && stats_.ticks.value() > 1) control_->serve(), serves = true;  // of the first there is all to tell
     say_what_changed();
     know_device();
     keep_stiffness();
@@ -230,7 +236,7 @@ Controller::End Controller::supervise() {
     stay_awake();
     check_memory();
     if (begins_again_ = may_begin_again(); begins_again_) return End::kBeginAgain;
-    if (sigtimedwait(&signals, nullptr, &pause) > 0) break;
+    if (sigtimedwait(&signals, nullptr, serves ? &pause : &soon) > 0) break;
   }
   systemd_.ending();
   return End::kOver;
@@ -276,16 +282,16 @@ void Controller::know_device() {
   if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
     calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
-    if (calibration_->waits()) say("device: " + std::string(files::kOtherAngles));
+    if (const auto others = calibration_->others(); others != OtherAngles::kNone) say("device: " + std::string(files::angles_text(others)));
   }
-  if (!is_there || calibration_->waits()) return;
+  if (!is_there || calibration_->others() != OtherAngles::kNone) return;
   hardware_.falcon->trust(report.found);
-  had_device_ = true;
+  had_device_ |= report.state == falcon::SessionState::kRunning;
 }
 
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
-  if (!calibration_->waits() || options_.lockstep || (control_ && control_->is_in_use())) return false;
+  if (calibration_->others() == OtherAngles::kNone || options_.lockstep || (control_ && control_->is_in_use())) return false;
   const SupervisorState state = lines_.state.told();
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
   return !had_device_ || (settings_.record.empty() && !gives_force);
@@ -334,7 +340,8 @@ void Controller::stop() {
   begins_again_ ? recorder_->discard() : recorder_->stop();
   keep_mark();
   stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
-  if (mark_) mark_->end((faults() & (kServiceFaults | kFaultStopped)) != 0 ? faults() : std::uint16_t{0});
+  const bool must_stay = (faults() & (kServiceFaults | kFaultStopped)) != 0;
+  if (const Refusal unnamed = mark_ ? mark_->end(must_stay ? faults() : std::uint16_t{0}) : Refusal()) say(unnamed.sentence());
   crash_.reset();
 }
 
@@ -345,9 +352,10 @@ std::uint16_t Controller::faults() const {
 }
 
 Controller::Legacy Controller::legacy() const {
-  Legacy legacy{loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults(), {}, {}};
+  Legacy legacy{
+      loop_ ? loop_->heat() : before_.heat, std::string(calibration_->report().serial.view()), faults(), std::vector<std::uint8_t>(), {}};
   if (const loop::ActiveField field = fields_.published(); field.view != nullptr) {
-    legacy.image.assign(field.view->image.begin(), field.view->image.end());
+    legacy.image->assign(field.view->image.begin(), field.view->image.end());
     legacy.field_name = intake_->published().name.view();
   }
   return legacy;

@@ -48,11 +48,12 @@ class Controller {
 
   /// What a run leaves to the next one.
   struct Legacy {
-    std::uint32_t heat = 0;           ///< as core::heat_input gives it; 0 = not known
-    std::string serial;               ///< of the device that answered; empty: not known
-    std::uint16_t faults = 0;         ///< that nobody has resumed after: the next one begins in a fault
-    std::vector<std::uint8_t> image;  ///< of the field that it had, with every patch; empty: none
-    std::string field_name;           ///< of that field
+    std::uint32_t heat = 0;    ///< as core::heat_input gives it; 0 = not known
+    std::string serial;        ///< of the device that answered; empty: not known
+    std::uint16_t faults = 0;  ///< that nobody has resumed after: the next one begins in a fault
+    std::optional<std::vector<std::uint8_t>>
+        image;               ///< of the field that it had, with every patch; empty: it had none; not given: it was no run
+    std::string field_name;  ///< of that field
   };
 
   /// All of them live longer. Signals that end the program must be blocked already: `supervise` takes them.
@@ -151,6 +152,7 @@ class Controller {
 
   bool had_device_ = false;                                     ///< one was heard in this run
   bool was_idle_ = false;                                       ///< at the last look; the recorder's thread's
+  bool said_unnamed_ = false;                                   ///< that a fault's name cannot be kept; the recorder's thread's
   bool begins_again_ = false;                                   ///< a new run follows
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none

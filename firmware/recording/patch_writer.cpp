@@ -1,12 +1,14 @@
 #include "firmware/recording/patch_writer.h"
 
-#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
+#include "shared/files/part_file.h"
 #include "shared/files/sync_folder.h"
 #include "shared/files/write_all.h"
 
@@ -25,14 +27,23 @@ std::string patches_of(const std::string& trace) {
 
 PatchWriter::~PatchWriter() { discard(); }
 
-void PatchWriter::begin(const std::string& trace) {
+Refusal PatchWriter::begin(const std::string& trace) {
   discard();
   path_ = patches_of(trace);
   bytes_ = 0;
+  struct stat there {};
+  if (::lstat(part().c_str(), &there) != 0) return {};
+  files::OpenPart left = files::open_part(part(), files::Leftover::kRefuse);  // an empty one may stay: whoever writes takes it
+  if (left.file >= 0) ::close(left.file);
+  return std::move(left.refusal);
 }
 
 Refusal PatchWriter::append(std::span<const std::uint8_t> patch) {
-  if (file_ < 0) file_ = ::open(part().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file_ < 0) {
+    files::OpenPart opened = files::open_part(part(), files::Leftover::kRefuse);
+    if (opened.refusal) return path_ + ": the recording ends at a patch that cannot be written: " + opened.refusal.sentence();
+    file_ = opened.file;
+  }
   if (file_ >= 0 && files::write_all(file_, patch)) {
     bytes_ += patch.size();
     return {};

@@ -22,7 +22,8 @@ class PatchWriter {
   PatchWriter& operator=(const PatchWriter&) = delete;
 
   /// trace     the name of the recording
-  void begin(const std::string& trace);
+  /// returns   why nothing may be written there: a recording that was cut off has left patches
+  Refusal begin(const std::string& trace);
 
   /// returns   why it is not in the file; what was there before stays whole
   Refusal append(std::span<const std::uint8_t> patch);

@@ -64,8 +64,8 @@ Refusal Recorder::start(const std::string& path) {
   begun_ = false;
   generation_ = 0;
   hash_ = 0;
+  if (Refusal refusal = patch_writer_.begin(path)) return refusal;
   if (Refusal refusal = writer_.begin(path, settings_.header, files::Leftover::kRefuse)) return refusal;
-  patch_writer_.begin(path);
   keep_patches(true);
   requests_.ask(kRequestRestart);
   return {};

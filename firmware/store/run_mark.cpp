@@ -66,32 +66,39 @@ void RunMark::confirm() {
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
   if (!lock) return;
   in_doubt_ = false;
-  if (noted_ != 0) put_faults(0);
+  if (noted_ != 0) (void)put_faults(0);  // the next time again
   if (!confirms_) return;
   confirms_ = false;
   if (folder_.remove(kRecalibrated)) (void)folder_.sync_names();
 }
 
-void RunMark::note(std::uint16_t faults) {
+Refusal RunMark::note(std::uint16_t faults) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto all = static_cast<std::uint16_t>(noted_ | faults);
-  if (all != noted_) put_faults(all);
+  if (all == noted_ || put_faults(all)) return {};
+  return "the state folder cannot be written, so after a restart nobody will know the fault's name, nor that the role service must resume; "
+         "check its "
+         "permissions and free space";
 }
 
-void RunMark::end(std::uint16_t faults) {
-  note(faults);
+Refusal RunMark::end(std::uint16_t faults) {
+  Refusal unnamed = note(faults);
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (in_doubt_ || faults != 0) return;
-  if (folder_.remove(kRunning)) (void)folder_.sync_names();
+  if (!in_doubt_ && faults == 0 && folder_.remove(kRunning)) (void)folder_.sync_names();
+  return unnamed;
 }
 
-/// Where that fails, the mark stays as it was.
-void RunMark::put_faults(std::uint16_t faults) {
+/// returns   false: the mark stays as it was
+bool RunMark::put_faults(std::uint16_t faults) {
   std::string text;
   for (const FaultName& fault : kFaultNames) {
     if ((faults & fault.fault) != 0) text.append(fault.name).append("\n");
   }
-  if (write_whole(folder_, "running.part", kRunning, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) noted_ = faults;
+  if (!write_whole(folder_, "running.part", kRunning, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})) {
+    return false;
+  }
+  noted_ = faults;
+  return true;
 }
 
 /// returns   it survives a power cut

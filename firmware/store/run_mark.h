@@ -41,16 +41,18 @@ class RunMark {
   /// This run is in faults that the next start must not forget, whatever ends this run. Any thread; waits for the disk where a fault is new.
   ///
   /// faults    bits of Faults; those noted before stay until `confirm`
-  void note(std::uint16_t faults);
+  /// returns   why their names are not kept; the mark stays all the same
+  Refusal note(std::uint16_t faults);
 
   /// The end of an orderly run. The next start finds the mark if that fails, if this run found it and nobody has confirmed it, or as it is asked here.
   ///
   /// faults    that the next start must not forget; 0: none
-  void end(std::uint16_t faults = 0);
+  /// returns   as `note`
+  Refusal end(std::uint16_t faults = 0);
 
  private:
   bool write(const char* name);
-  void put_faults(std::uint16_t faults);
+  bool put_faults(std::uint16_t faults);
 
   Folder& folder_;
   const bool crashed_, recalibrated_;

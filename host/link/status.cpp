@@ -21,8 +21,13 @@ ControllerStatus whole_status(Controller& controller) {
 
 std::string sentence(const ControllerStatus& seen) {
   const protocol::StatusReport& status = seen.status;
-  if (seen.device.waits != 0) return files::state_name(status.state) + (": " + std::string(files::kOtherAngles));
-  return files::state_text({status.state, status.faults, status.status, status.generation != 0});
+  const auto others = static_cast<protocol::OtherAngles>(seen.device.waits);
+  const std::string state = files::state_text({status.state, status.faults, status.status, status.generation != 0});
+  if (others == protocol::OtherAngles::kNone) return state;
+  const bool is_unheard =
+      others == protocol::OtherAngles::kUntrusted && status.faults == 0;  // what the state says of the packets is not the cause
+  return (is_unheard ? files::state_name(status.state) + std::string(": ") : state + "; besides, ") +
+         std::string(files::angles_text(others));
 }
 
 std::string angles_from(const protocol::DeviceReport& device) {

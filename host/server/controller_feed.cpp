@@ -144,7 +144,8 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
     if (!batch.continues_with(tick)) flush();
     batch.add(tick, *record);
     const Output& out = record->output;
-    words = words_of({out.state, out.faults, out.status, record->input.field_generation != 0}, record->input.kind == InputKind::kPacket);
+    const auto faults = static_cast<std::uint16_t>(out.faults != 0 ? out.faults | standing_ : 0);
+    words = words_of({out.state, faults, out.status, record->input.field_generation != 0}, record->input.kind == InputKind::kPacket);
     last_tick = tick;
     if (batch.is_old()) flush();
   };
@@ -179,6 +180,7 @@ void ControllerFeed::tell_measures(link::Controller& controller) {
 
 void ControllerFeed::take_field(link::Controller& controller) {
   const protocol::StatusReport status = controller.status();
+  standing_ = status.faults;
   if (status.field_hash == 0 || !field_.wanted(status.field_hash)) return;
   field_.taken(std::string(status.field_name.view()), controller.image());
 }

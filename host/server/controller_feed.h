@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -55,6 +56,7 @@ class ControllerFeed {
   mutable std::mutex lock_;
   std::array<Shared, kTopics> newest_;
   bool was_there_ = false;
+  std::atomic<std::uint16_t> standing_{0};  ///< faults, those before a restart among them, which no tick has
   std::jthread measures_, follows_;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "shared/protocol_messages.h"
 #include "shared/tick_io.h"
 
 namespace isotouch::files {
@@ -20,10 +21,10 @@ struct Condition {
   bool operator==(const Condition&) const = default;
 };
 
-/// What is true instead while the device that answers has other angles than those in use.
-inline constexpr std::string_view kOtherAngles =
-    "the angles in use are not those of the device that answers, so it gets no force until the controller has started again with its own; "
-    "that waits until nobody records or sends a field; where [files] record has begun with another device, you must start it";
+/// What is true besides while the device that answers has other angles than those in use.
+///
+/// returns   empty: it has none
+std::string_view angles_text(protocol::OtherAngles others);
 
 /// One word: "boot" to "fault"; "unknown" for a number that is no state.
 const char* state_name(std::uint16_t state);

@@ -436,7 +436,7 @@ class World {
     for (std::size_t i = 0; i < kPlaces; ++i)
       fuzz::hold(!clients_[i].heard.empty() && clients_[i].heard[0] == Kind::kWelcome, "every place is free again");
     fuzz::hold(last.heard.size() == 4 && last.heard[1] == Kind::kDone, "an upload may begin");
-    fuzz::hold(last.heard[2] == (calibration_.waits() ? Kind::kRefused : Kind::kDone),
+    fuzz::hold(last.heard[2] == (calibration_.others() != protocol::OtherAngles::kNone ? Kind::kRefused : Kind::kDone),
                "a fault may be resumed: nobody is being measured, and the device has the angles in use");
     fuzz::hold(last.heard[3] == Kind::kRecording, "a recording may begin");
     const std::lock_guard lock(mutex_);

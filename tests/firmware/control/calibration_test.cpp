@@ -12,7 +12,7 @@
 namespace isotouch::control {
 namespace {
 
-using protocol::AnglesFrom;
+using protocol::AnglesFrom, protocol::OtherAngles;
 using testing::HasSubstr;
 
 /// A settings file that names a calibration for the serial SET.
@@ -38,35 +38,39 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
   Calibration first(&store, nullptr, by_settings, "A1");
   EXPECT_EQ(from(first), AnglesFrom::kGeometry);
   first.answers("A1");
-  EXPECT_FALSE(first.waits());
+  EXPECT_EQ(first.others(), OtherAngles::kNone);
   EXPECT_EQ(first.keep(measured("A1")).sentence(), "");
-  EXPECT_TRUE(first.waits());
-  EXPECT_EQ(first.report().waits, 1);
+  EXPECT_EQ(first.others(), OtherAngles::kKept);
+  EXPECT_EQ(first.report().waits, static_cast<std::uint8_t>(OtherAngles::kKept));
   EXPECT_EQ(first.in_use().model, libnifalcon_model());
+  first.answers("A1");
+  EXPECT_EQ(first.others(), OtherAngles::kUntrusted) << "it is plugged in anew";
+  EXPECT_EQ(first.keep(measured("A1")).sentence(), "");
+  EXPECT_EQ(first.others(), OtherAngles::kUntrusted) << "it is still not heard";
 
   Calibration next(&store, nullptr, by_settings, "A1");
   EXPECT_EQ(from(next), AnglesFrom::kMeasured);
   EXPECT_EQ(next.report().at_zero, (std::array<std::uint32_t, 3>{near(1), near(2), near(3)}));
   next.answers("A1");
-  EXPECT_FALSE(next.waits());
+  EXPECT_EQ(next.others(), OtherAngles::kNone);
 }
 
 TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   ASSERT_TRUE(store.put("B2", angles(7)));
   Calibration unknown(&store, nullptr, by_settings, "");
-  EXPECT_FALSE(unknown.waits());
+  EXPECT_EQ(unknown.others(), OtherAngles::kNone);
   unknown.answers("A1");
-  EXPECT_FALSE(unknown.waits()) << "nothing is kept for it";
+  EXPECT_EQ(unknown.others(), OtherAngles::kNone) << "nothing is kept for it";
   unknown.answers("B2");
-  EXPECT_TRUE(unknown.waits());
+  EXPECT_EQ(unknown.others(), OtherAngles::kUntrusted);
   unknown.answers(std::nullopt);
-  EXPECT_FALSE(unknown.waits()) << "no device, nothing to wait for";
+  EXPECT_EQ(unknown.others(), OtherAngles::kNone) << "no device, nothing to wait for";
 
   Calibration b(&store, nullptr, by_settings, "B2");
   b.answers("A1");
-  EXPECT_TRUE(b.waits()) << "the angles of another device are in use";
+  EXPECT_EQ(b.others(), OtherAngles::kUntrusted) << "the angles of another device are in use";
   b.answers("");
-  EXPECT_TRUE(b.waits()) << "one without a serial is another one, too";
+  EXPECT_EQ(b.others(), OtherAngles::kUntrusted) << "one without a serial is another one, too";
 }
 
 TEST_F(CalibrationTest, WhatIsKeptOfADeviceThatHasGoneSaysNothingOfTheOneThatAnswers) {
@@ -81,7 +85,7 @@ TEST_F(CalibrationTest, WhatIsKeptOfADeviceThatHasGoneSaysNothingOfTheOneThatAns
   calibration->answers("A1");
   comes = true;
   EXPECT_EQ(calibration->keep({protocol::Text::of("A1"), {near(0), near(0), near(0)}}).sentence(), "");
-  EXPECT_TRUE(calibration->waits()) << "B2 does not have the angles in use";
+  EXPECT_EQ(calibration->others(), OtherAngles::kUntrusted) << "B2 does not have the angles in use";
 }
 
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
@@ -92,7 +96,7 @@ TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
     const std::uint32_t at = near(static_cast<std::uint32_t>(static_cast<std::int64_t>(degrees / 360 * kTurn)));
     EXPECT_THAT(calibration.keep({protocol::Text::of("A1"), {near(1), near(2), at}}).sentence(), HasSubstr("more than 20 degrees away"))
         << degrees;
-    EXPECT_FALSE(calibration.waits()) << degrees;
+    EXPECT_EQ(calibration.others(), OtherAngles::kNone) << degrees;
     ASSERT_TRUE(store.put("A1", {Angle::from_raw(at), Angle::from_raw(near(2)), Angle::from_raw(near(3))}));
     Calibration next(&store, nullptr, by_settings, "A1");
     EXPECT_EQ(from(next), AnglesFrom::kGeometry) << degrees;
@@ -130,7 +134,7 @@ TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
   Calibration calibration(&store, nullptr, by_settings, "SET");
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");
-  EXPECT_FALSE(calibration.waits());
+  EXPECT_EQ(calibration.others(), OtherAngles::kNone);
   EXPECT_THAT(calibration.keep(measured("SET")).sentence(), HasSubstr("remove [calibration.SET] from the settings"));
 }
 
@@ -141,7 +145,7 @@ TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
   EXPECT_THAT(calibration.keep(measured("B2")).sentence(), HasSubstr("another device"));
   folder.full = true;
   EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("cannot be stored"));
-  EXPECT_FALSE(calibration.waits());
+  EXPECT_EQ(calibration.others(), OtherAngles::kNone);
   Calibration without(nullptr, nullptr, by_settings, "A1");
   without.answers("A1");
   EXPECT_THAT(without.keep(measured("A1")).sentence(), HasSubstr("state folder"));

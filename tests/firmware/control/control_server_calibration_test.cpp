@@ -39,9 +39,13 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   ASSERT_EQ(device.kind, Kind::kDeviceReport);
   const auto report = *protocol::decode<protocol::DeviceReport>(device.body);
   EXPECT_EQ(report.serial.view(), "A1");
-  EXPECT_EQ(report.waits, 1);
+  EXPECT_EQ(report.waits, static_cast<std::uint8_t>(protocol::OtherAngles::kKept));
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
-  expect_sentence(ask(speaker, Kind::kResume), "the angles in use are not those of the device");
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
+    expect_sentence(ask(speaker, kind), "other angles were measured for this device; they hold once the controller has started again");
+  rig.calibration.answers("A1");
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
+    expect_sentence(ask(speaker, kind), "the angles in use are not those of the device that answers, so it gets no force");
 }
 
 TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {

@@ -93,16 +93,6 @@ TEST(Recorder, ARecordingThatBeginsAnewLeavesNothing) {
   EXPECT_FALSE(bench.recorder->has_lost_a_recording());
 }
 
-TEST(Recorder, WhatAKillLeftOfARecordingStays) {
-  Bench bench;
-  std::ofstream(bench.path + ".part") << "an hour of ticks";
-  EXPECT_NE(bench.recorder->start(bench.path).sentence().find("is left of a recording that was cut off"), std::string::npos);
-  bench.ticks(5);
-  EXPECT_EQ(std::filesystem::file_size(bench.path + ".part"), 16U);
-  std::filesystem::remove(bench.path + ".part");
-  EXPECT_EQ(bench.recorder->start(bench.path).sentence(), "");
-}
-
 /// A tick that takes a patch over which leads to an image of this hash.
 void moved_tick(Bench& bench, std::uint32_t generation, std::uint32_t moved_to) {
   loop::TickRecord tick;
@@ -112,6 +102,29 @@ void moved_tick(Bench& bench, std::uint32_t generation, std::uint32_t moved_to) 
   tick.in.field_generation = generation;
   bench.ring.push(tick);
   bench.recorder->drain();
+}
+
+TEST(Recorder, WhatAKillLeftOfARecordingStays) {
+  Bench bench;
+  std::ofstream(bench.path + ".part") << "an hour of ticks";
+  EXPECT_NE(bench.recorder->start(bench.path).sentence().find("is left of a recording that was cut off"), std::string::npos);
+  bench.ticks(5);
+  EXPECT_EQ(std::filesystem::file_size(bench.path + ".part"), 16U);
+  std::filesystem::remove(bench.path + ".part");
+  const std::string patches = patches_of(bench.path) + ".part";
+  std::ofstream(patches) << "its patches";
+  EXPECT_EQ(bench.recorder->start(bench.path).sentence(),
+            patches + ": is left of a recording that was cut off; rename it to keep it, or remove it");
+  EXPECT_FALSE(std::filesystem::exists(bench.path + ".part"));
+  std::filesystem::remove(patches);
+  EXPECT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  std::ofstream(patches) << "of another program";
+  const std::vector<std::uint8_t> patch = {1, 2, 3};
+  bench.recorder->tell_patch(7, patch);
+  bench.ticks(1, 1);
+  moved_tick(bench, 2, 7);
+  bench.recorder->stop();
+  EXPECT_EQ(std::filesystem::file_size(patches), 18U);
 }
 
 std::vector<std::uint8_t> bytes_of(const std::string& file) {

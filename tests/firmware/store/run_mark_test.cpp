@@ -22,7 +22,7 @@ void asks_again_and_again(CrashingFolder& folder, bool (RunMark::*finds)() const
     RunMark later(folder);
     EXPECT_TRUE((later.*finds)());
     EXPECT_THAT(later.begin().sentence(), HasSubstr(words));
-    later.end();
+    EXPECT_EQ(later.end().sentence(), "");
   }
 }
 
@@ -31,7 +31,7 @@ void run(CrashingFolder& folder, const std::function<void(RunMark&)>& life = nul
   RunMark mark(folder);
   EXPECT_EQ(mark.begin().sentence(), "");
   if (life) life(mark);
-  mark.end();
+  EXPECT_EQ(mark.end().sentence(), "");
 }
 
 TEST(RunMark, ACrashIsFoundByEveryStartUntilAPersonHasConfirmedIt) {
@@ -45,7 +45,7 @@ TEST(RunMark, ACrashIsFoundByEveryStartUntilAPersonHasConfirmedIt) {
   confirming.confirm();
   EXPECT_TRUE(confirming.crashed()) << "as it was at the start";
   EXPECT_TRUE(finds_a_crash(folder)) << "it may still crash itself";
-  confirming.end();
+  EXPECT_EQ(confirming.end().sentence(), "");
   EXPECT_FALSE(finds_a_crash(folder));
 }
 
@@ -53,15 +53,15 @@ TEST(RunMark, ARunThatEndsInAFaultIsFoundUntilAPersonHasConfirmedIt) {
   CrashingFolder folder;
   RunMark first(folder);
   EXPECT_EQ(first.begin().sentence(), "");
-  first.end(kFaultStopped);
+  EXPECT_EQ(first.end(kFaultStopped).sentence(), "");
   EXPECT_TRUE(finds_a_crash(folder));
   RunMark second(folder);
   second.confirm();
-  second.end(kFaultStopped);
+  EXPECT_EQ(second.end(kFaultStopped).sentence(), "");
   EXPECT_TRUE(finds_a_crash(folder)) << "confirmed, and in a fault again";
   RunMark third(folder);
   third.confirm();
-  third.end();
+  EXPECT_EQ(third.end().sentence(), "");
   EXPECT_FALSE(finds_a_crash(folder));
 }
 
@@ -71,8 +71,8 @@ TEST(RunMark, TheNamesOfFaultsStayUntilAPersonHasConfirmedThem) {
     RunMark first(folder);
     EXPECT_EQ(first.begin().sentence(), "");
     EXPECT_EQ(first.faults(), 0);
-    first.note(kFaultGuard);
-    first.note(0);  // and it is killed
+    EXPECT_EQ(first.note(kFaultGuard).sentence(), "");
+    EXPECT_EQ(first.note(0).sentence(), "");  // and it is killed
   }
   CrashingFolder cut = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
   EXPECT_EQ(RunMark(cut).faults(), kFaultGuard) << "it was on the disk at once";
@@ -80,23 +80,37 @@ TEST(RunMark, TheNamesOfFaultsStayUntilAPersonHasConfirmedThem) {
     RunMark later(folder);
     EXPECT_EQ(later.faults(), kFaultGuard) << times;
     EXPECT_TRUE(later.begin());
-    later.end();
+    EXPECT_EQ(later.end().sentence(), "");
   }
   RunMark second(folder);
   EXPECT_TRUE(second.begin());
-  second.end(kFaultStopped);
+  EXPECT_EQ(second.end(kFaultStopped).sentence(), "");
   RunMark third(folder);
   EXPECT_EQ(third.faults(), kFaultGuard | kFaultStopped);
   third.confirm();
   EXPECT_EQ(RunMark(folder).faults(), 0) << "confirmed, although it may still crash itself";
-  third.end();
+  EXPECT_EQ(third.end().sentence(), "");
   EXPECT_FALSE(finds_a_crash(folder));
+}
+
+TEST(RunMark, ANameThatCannotBeKeptIsTold) {
+  CrashingFolder folder;
+  RunMark first(folder);
+  EXPECT_EQ(first.begin().sentence(), "");
+  folder.full = true;
+  EXPECT_THAT(first.note(kFaultGuard).sentence(), testing::HasSubstr("nobody will know the fault's name"));
+  EXPECT_EQ(first.note(0).sentence(), "");
+  EXPECT_THAT(first.end(kFaultGuard).sentence(), testing::HasSubstr("nobody will know the fault's name"));
+  EXPECT_TRUE(finds_a_crash(folder)) << "a person must resume all the same";
+  folder.full = false;
+  EXPECT_EQ(first.note(kFaultGuard).sentence(), "") << "it is tried again";
+  EXPECT_EQ(RunMark(folder).faults(), kFaultGuard);
 }
 
 TEST(RunMark, EveryFaultIsFoundByItsNameAlone) {
   for (const FaultName& fault : kFaultNames) {
     CrashingFolder folder;
-    RunMark(folder).end(fault.fault);
+    EXPECT_EQ(RunMark(folder).end(fault.fault).sentence(), "");
     EXPECT_EQ(RunMark(folder).faults(), fault.fault) << fault.name;
   }
 }
@@ -140,7 +154,7 @@ TEST(RunMark, APowerCutInARunIsFoundAndOneAfterItIsNot) {
   ASSERT_EQ(folder.pending(), 0U);
   CrashingFolder cut = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
   EXPECT_TRUE(finds_a_crash(cut));
-  mark.end();
+  EXPECT_EQ(mark.end().sentence(), "");
   ASSERT_EQ(folder.pending(), 0U);
   CrashingFolder later = folder.after_power_cut(0, CrashingFolder::Content::kEmpty);
   EXPECT_FALSE(finds_a_crash(later));

@@ -1,0 +1,37 @@
+#include "host/link/status.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shared/fault_names.h"
+
+namespace isotouch::link {
+namespace {
+
+using protocol::OtherAngles;
+using testing::AllOf, testing::HasSubstr, testing::Not, testing::StartsWith;
+
+std::string sentence_of(SupervisorState state, std::uint16_t faults, OtherAngles others) {
+  ControllerStatus seen;
+  seen.status.state = static_cast<std::uint16_t>(state);
+  seen.status.faults = faults;
+  seen.device.waits = static_cast<std::uint8_t>(others);
+  return sentence(seen);
+}
+
+TEST(Status, ADeviceThatIsNotHeardIsTheCauseOfWhatIsMissing) {
+  EXPECT_THAT(sentence_of(SupervisorState::kBoot, 0, OtherAngles::kNone), HasSubstr("plug it in"));
+  EXPECT_THAT(sentence_of(SupervisorState::kBoot, 0, OtherAngles::kUntrusted),
+              AllOf(StartsWith("boot: the angles in use are not those"), Not(HasSubstr("plug it in"))));
+}
+
+TEST(Status, OtherAnglesDoNotHideAFaultOrAForce) {
+  const std::string fault = sentence_of(SupervisorState::kFault, kFaultGuard, OtherAngles::kNone);
+  for (const OtherAngles others : {OtherAngles::kKept, OtherAngles::kUntrusted})
+    EXPECT_THAT(sentence_of(SupervisorState::kFault, kFaultGuard, others), StartsWith(fault + "; besides, "));
+  EXPECT_THAT(sentence_of(SupervisorState::kActive, 0, OtherAngles::kKept),
+              AllOf(StartsWith("active: "), HasSubstr("they hold once the controller has started again"), Not(HasSubstr("no force"))));
+}
+
+}  // namespace
+}  // namespace isotouch::link
