@@ -72,7 +72,10 @@ MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), t
   if (is_one_sheet && crossings_.faces == 0 && !crossings_.touching) return;
   turns_.emplace(mesh_);
   outer_ = outer_faces(mesh_, tree_, *turns_);
-  if (outer_) tree_ = FaceTree(*outer_);
+  if (!outer_) return;
+  tree_ = FaceTree(*outer_);
+  const auto& box = turns_->box(TriangleTree::root());
+  size_ = (box.high - box.low).norm();
 }
 
 /// Fills both kinds of normals. Is the mesh one sheet?
@@ -107,10 +110,15 @@ bool MeshDistance::is_behind(const FaceTree::Place& place) const {
   return place.offset.dot(normal) < 0;
 }
 
+Vector3d MeshDistance::out_of_gaps(double distance) const {
+  const Vector3d aside = kThinnest * size_ * Vector3d(1.55, 2.15, 2.65);  // leaves every gap along the coordinates, and most others
+  return distance > aside.norm() ? aside : Vector3d::Zero();
+}
+
 double MeshDistance::operator()(const Vector3d& point) const {
   const FaceTree::Place place = tree_.nearest(point);
   const double distance = std::sqrt(place.square);
-  const bool inside = turns_ ? is_inside(*turns_, point) : is_behind(place);
+  const bool inside = turns_ ? is_inside(*turns_, point + out_of_gaps(distance)) : is_behind(place);
   return inside ? -distance : distance;
 }
 
@@ -118,7 +126,7 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
   const Vector3d middle = first + Vector3d::Constant(1.5 * step);
   const FaceTree::Place place = tree_.nearest(middle);
   const double to_middle = std::sqrt(place.square);
-  const bool middle_inside = turns_ ? is_inside(*turns_, middle) : is_behind(place);
+  const bool middle_inside = turns_ ? is_inside(*turns_, middle + out_of_gaps(to_middle)) : is_behind(place);
   Block block{middle_inside ? -to_middle : to_middle, std::nullopt};
   if (to_middle / step > reach) return block;
   // The nearest place of a corner is at most a half diagonal farther from it than the middle's, and from the middle a whole one.
@@ -127,7 +135,7 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
   constexpr std::array<std::size_t, 3> kBack = {1, 4, 16};  // to the point before along each axis
   std::array<double, 64>& result = block.points.emplace();
   std::array<std::uint32_t, 64> faces{};
-  std::optional<TurnsAlong> turns;  // along the row, once it is asked for
+  std::array<std::optional<TurnsAlong>, 2> turns;  // along the row, and beside it, once they are asked for
   // Between two points of which one is farther from the mesh than they are from each other lies no face: they have one sign.
   const double faceless = step * (1 + 1e-9);
   for (std::size_t n = 0; n < result.size(); ++n) {
@@ -143,9 +151,16 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
     for (axis = 0; axis < 3; ++axis) {
       if (index[axis] > 0 && std::max(distance, std::abs(result[n - kBack[axis]])) > faceless) alike = result[n - kBack[axis]];
     }
-    if (index[0] == 0) turns.reset();
-    if (turns_ && alike == 0 && !turns) turns.emplace(*turns_, point.y(), point.z());
-    const bool inside = alike != 0 ? alike < 0 : turns ? turns->at(point.x()) > 0 : is_behind(found);
+    if (index[0] == 0) turns = {};
+    bool inside = alike < 0;
+    if (alike == 0 && turns_) {
+      const Vector3d aside = out_of_gaps(distance), at = point + aside;
+      std::optional<TurnsAlong>& row = turns[aside.x() > 0 ? 1 : 0];
+      if (!row) row.emplace(*turns_, at.y(), at.z());
+      inside = row->at(at.x()) > 0;
+    } else if (alike == 0) {
+      inside = is_behind(found);
+    }
     result[n] = inside ? -distance : distance;
   }
   return block;

@@ -18,7 +18,7 @@ namespace isotouch::field {
 /// faces' at an edge, the sum weighted by the angles at a corner. That is right for every mesh of one piece whose edges have two faces each and whose
 /// faces neither cross nor touch. On any other, inside is what the mesh turns round at least once: the union of what its parts enclose; and only the
 /// union's surface counts (outer_faces.h): outside, the distance is exact but for the slivers named there; inside, it
-/// may be too small by the length given there.
+/// may be too small by the length given there. A place in a gap or a wall that is too thin to count there is on the side of what is round it.
 ///
 /// source    Bærentzen and Aanæs, "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005
 class MeshDistance {
@@ -50,6 +50,8 @@ class MeshDistance {
 
  private:
   bool is_behind(const FaceTree::Place& nearest) const;
+  /// By how much a question moves along each axis to leave gaps and walls that do not count, `distance` from the surface.
+  Eigen::Vector3d out_of_gaps(double distance) const;
   bool make_pseudonormals();
 
   cloud::TriangleMesh mesh_;
@@ -58,6 +60,7 @@ class MeshDistance {
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
   std::optional<cloud::TriangleMesh> outer_;  ///< if it is not the mesh itself
+  double size_ = 0;                           ///< of a mesh that has an outer surface of its own
   std::optional<TriangleTree> turns_;         ///< of a mesh for which pseudonormals do not decide
 };
 

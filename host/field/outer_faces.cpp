@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kReach = 1e-6;         // of the mesh's size: what is nearer counts as touching
+constexpr double kReach = 1e-6;         // of the mesh's size: meetings are as exact as this
 constexpr double kFinest = 1.0 / 2048;  // of the mesh's size: parts of a face are not cut further
 constexpr double kMaxParts = 2e5;       // in the length of all meetings: bounds memory
 
@@ -47,12 +47,12 @@ class Plane {
   Vector3d origin_, normal_, x_, y_;
 };
 
-/// Appends where another face meets the plane: a segment; or, where it lies in it, its edges.
-void add_meetings(const Plane& plane, const Corners& other, double reach, std::vector<Meeting>& meetings) {
+/// Appends where another face meets the plane: a segment; or, where it lies in it, its edges. Corners as near as `near` lie in the plane.
+void add_meetings(const Plane& plane, const Corners& other, double near, std::vector<Meeting>& meetings) {
   std::array<double, 3> height;
   for (std::size_t i = 0; i < 3; ++i) {
     height[i] = plane.height(other[i]);
-    if (std::abs(height[i]) <= reach) height[i] = 0;
+    if (std::abs(height[i]) <= near) height[i] = 0;
   }
   std::array<Vector2d, 3> places;
   std::size_t count = 0;
@@ -87,7 +87,7 @@ double longest_side(const Corners& face) {
 /// Is the union on one side of a face alone?
 class Sides {
  public:
-  Sides(const TriangleTree& turns, double reach) : turns_(turns), step_(2 * reach) {}
+  Sides(const TriangleTree& turns, double size) : turns_(turns), step_(kThinnest * size) {}
   bool differ(const Vector3d& place, const Vector3d& normal) const {
     return is_inside(turns_, place + step_ * normal) != is_inside(turns_, place - step_ * normal);
   }
@@ -112,8 +112,9 @@ class Cutter {
     const Vector3d middle = (part[0] + part[1] + part[2]) / 3;
     if (meetings.empty() || longest_side(part) <= finest_) {
       bool stays = sides_.differ(middle, plane_.normal());
-      for (std::size_t i = 0; i < 3 && !meetings.empty(); ++i)  // a straight cut leaves a corner on each side
-        stays = stays || sides_.differ(middle + 0.999 * (part[i] - middle), plane_.normal());
+      // A straight cut leaves a corner on each side. Where none is left, a tip may still stand on the middle.
+      const double outward = meetings.empty() ? 0.5 : 0.999;
+      for (std::size_t i = 0; i < 3; ++i) stays = stays || sides_.differ(middle + outward * (part[i] - middle), plane_.normal());
       if (stays) stay.push_back(part);
       return stays;
     }
@@ -145,8 +146,9 @@ bool has(const std::array<std::uint32_t, 3>& face, std::uint32_t vertex) {
   return std::find(face.begin(), face.end(), vertex) != face.end();
 }
 
-/// What meets each face.
-std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tree, double reach) {
+/// What meets each face. All that `Sides` can reach is near.
+std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tree, double size) {
+  const double reach = kReach * size, near = kNear * size;
   std::vector<Met> all(mesh.faces.size());
   in_parallel(all.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<Meeting> meetings;
@@ -160,12 +162,12 @@ std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tr
       Eigen::AlignedBox3d box;
       for (const Vector3d& corner : corners) box.extend(corner);
       Met& met = all[number];
-      tree.each_near(box.center(), box.diagonal().norm() / 2 + reach, [&](std::uint32_t face) {
+      tree.each_near(box.center(), box.diagonal().norm() / 2 + near, [&](std::uint32_t face) {
         const auto& [other, other_number] = tree.faces()[face];
         if (other_number == number) return;
         const auto& theirs = mesh.faces[other_number];
         meetings.clear();
-        add_meetings(plane, other, reach, meetings);
+        add_meetings(plane, other, near, meetings);
         const auto shared = std::count_if(theirs.begin(), theirs.end(), [&](std::uint32_t v) { return has(own, v); });
         if (shared == 3 || (shared == 2 && meetings.size() < 3)) return;  // all in common, or an edge
         for (const Meeting& meeting : meetings) {
@@ -174,7 +176,7 @@ std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tr
             met.within.push_back(meeting);
             met.length += within;
           }
-          met.touched = met.touched || within > reach || (shared < 2 && length_in(meeting, seen, -reach) > 10 * reach);
+          met.touched = met.touched || within > reach || (shared < 2 && length_in(meeting, seen, -near) > 10 * reach);
         }
       });
     }
@@ -214,10 +216,10 @@ std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std:
 std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns) {
   const auto& box = turns.box(TriangleTree::root());
   const double size = (box.high - box.low).norm(), reach = kReach * size;
-  const std::vector<Met> met = meetings_of(mesh, tree, reach);
+  const std::vector<Met> met = meetings_of(mesh, tree, size);
   const double length = std::accumulate(met.begin(), met.end(), 0.0, [](double sum, const Met& face) { return sum + face.length; });
   const double finest = std::max(kFinest * size, length / kMaxParts);
-  const Sides sides(turns, reach);
+  const Sides sides(turns, size);
 
   const std::vector<std::uint32_t> asked = spokesmen(mesh, met);
   std::vector<std::vector<Corners>> stay(mesh.faces.size());  // one part: all of the face

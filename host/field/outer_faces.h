@@ -9,6 +9,9 @@
 
 namespace isotouch::field {
 
+/// Of the mesh's size. Gaps and walls thinner than `kThinnest` are none; faces within `kNear` touch, so that both sides of such a gap are seen to.
+inline constexpr double kThinnest = 2e-6, kNear = 4e-6;
+
 /// A face that has the union on both sides, or on neither, is left out. One that does in part is cut into quarters, again and again, until each part
 /// bounds the union everywhere or nowhere, or is no longer than a two-thousandth of the mesh's size; where faces meet along more than a hundred times
 /// that size, a 200,000th of their way. Such a small part stays whole if its middle or a corner of it bounds the union. So, but for slivers a
@@ -17,8 +20,8 @@ namespace isotouch::field {
 /// mesh      closed: every edge is run as often in one direction as in the other
 /// faces     of the mesh
 /// turns     of the mesh
-/// returns   the faces that stay, in their order; those that are cut have vertices of their own behind the mesh's. Faces within a millionth of the
-///           mesh's size count as lying on each other. Nothing if all faces stay, or none would
+/// returns   the faces that stay, in their order; those that are cut have vertices of their own behind the mesh's. Faces within `kThinnest` count as
+///           lying on each other. Nothing if all faces stay, or none would
 std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& faces, const TriangleTree& turns);
 
 }  // namespace isotouch::field

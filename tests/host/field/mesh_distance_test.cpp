@@ -251,5 +251,58 @@ TEST(MeshDistance, FacesThatAreInsideTheUnionInPartCountForTheRest) {
   }
 }
 
+/// Moves a mesh's coordinates on by one axis.
+cloud::TriangleMesh rolled(cloud::TriangleMesh mesh) {
+  for (Vector3d& v : mesh.vertices) v = {v.z(), v.x(), v.y()};
+  return mesh;
+}
+
+TEST(MeshDistance, AGapThatFilesRoundToIsNone) {
+  const double size = Vector3d(6, 6, 9).norm();
+  for (const double gap : {0.0, 0.3e-6, 0.9e-6, 1.1e-6, 1.5e-6, 1.9e-6}) {
+    const double low = 3 + gap * size;
+    auto mesh = together(box_mesh({-3, -3, -3}, {3, 3, 3}), box_mesh({-1, -1.5, low}, {1, 1.5, low + 3}));
+    for (int axis = 0; axis < 3; ++axis, mesh = rolled(mesh)) {
+      const MeshDistance distance(mesh);
+      const auto ask = [&](const Vector3d& p) {
+        const Vector3d turned = axis == 0 ? p : axis == 1 ? Vector3d(p.z(), p.x(), p.y()) : Vector3d(p.y(), p.z(), p.x());
+        const double exact = two_boxes(p), found = distance(turned);
+        ASSERT_EQ(found < 0, exact < 0) << gap << ", axis " << axis << " at " << p.transpose();
+        if (exact > 0) {
+          ASSERT_NEAR(found, exact, 3e-6 * size) << gap << ", axis " << axis << " at " << p.transpose();
+        } else {
+          ASSERT_NEAR(found, exact, 0.006) << gap << ", axis " << axis << " at " << p.transpose();
+        }
+      };
+      cloud::Random random(12);
+      for (int i = 0; i < 5'000; ++i) {
+        Vector3d p = any_point(random);
+        p.z() += 2;
+        ask(p);
+      }
+      for (int i = 0; i < 100; ++i) {  // in the gap, and on either side of it
+        for (const double z : {3.0, 3 + gap * size / 2, low}) ask({random.uniform(-0.9, 0.9), random.uniform(-1.4, 1.4), z});
+      }
+    }
+  }
+}
+
+TEST(MeshDistance, APieceThatStandsOnItsTipLeavesTheFaceBelow) {
+  // The tip stands on the middle of the body's largest face.
+  cloud::TriangleMesh body, tip;
+  body.vertices = {{0, 0, 3}, {6, 0, 3}, {0, 6, 3}, {1, 1, 0}};
+  body.faces = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  tip.vertices = {{2, 2, 3}, {1, 1, 5}, {3, 1, 5}, {2, 4, 5}};
+  tip.faces = {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+  ASSERT_GT(cloud::signed_volume(body), 0);
+  ASSERT_GT(cloud::signed_volume(tip), 0);
+  for (const double up : {0.0, 2e-6, 8e-6}) {
+    auto lifted = tip;
+    for (Vector3d& v : lifted.vertices) v.z() += up;
+    const MeshDistance distance(together(body, lifted));
+    for (const Vector3d& p : {Vector3d(2, 2, 2.9), {3, 1, 2.9}, {1, 3, 2.9}}) EXPECT_NEAR(distance(p), -0.1, 1e-9) << up;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::field
