@@ -157,23 +157,33 @@ std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
   return dropped;
 }
 
-/// Of each face one of its sheet: faces hang together by edges that have no third face.
-std::vector<std::uint32_t> sheets_of(const cloud::TriangleMesh& mesh) {
-  Sets sheets(mesh.faces.size());
+/// Faces that hang together by edges that have no third face.
+struct Sheets {
+  std::vector<std::uint32_t> of;   ///< of each face, one of its sheet
+  std::vector<std::uint8_t> open;  ///< of that one: does the sheet end where more than two faces meet?
+};
+
+Sheets sheets_of(const cloud::TriangleMesh& mesh) {
+  Sets sets(mesh.faces.size());
+  Sheets sheets{std::vector<std::uint32_t>(mesh.faces.size()), std::vector<std::uint8_t>(mesh.faces.size())};
+  std::vector<std::uint32_t> at_ends;
   const std::vector<FaceEdge> edges = face_edges(mesh);
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
-    const std::uint32_t a = sheets.of(edges[begin].face), b = sheets.of(edges[end - 1].face);
-    if (end - begin == 2 && a != b) sheets.join(a, b);
+    const std::uint32_t a = sets.of(edges[begin].face), b = sets.of(edges[end - 1].face);
+    if (end - begin == 2 && a != b) sets.join(a, b);
+    for (std::size_t i = begin; i < end && end - begin != 2; ++i) at_ends.push_back(edges[i].face);
   }
-  std::vector<std::uint32_t> all(mesh.faces.size());
-  for (std::uint32_t face = 0; face < all.size(); ++face) all[face] = sheets.of(face);
-  return all;
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) sheets.of[face] = sets.of(face);
+  for (const std::uint32_t face : at_ends) sheets.open[sheets.of[face]] = 1;
+  return sheets;
 }
 
-/// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place.
-void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size) {
-  const std::vector<std::uint32_t> sheet = sheets_of(mesh);
+/// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place. A sheet that ends at
+/// others encloses nothing by itself: it faces inward if that is so in front of the larger part of it.
+void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, bool turned) {
+  const Sheets sheets = sheets_of(mesh);
+  const std::vector<std::uint32_t>& sheet = sheets.of;
   std::vector<double> six_volumes(mesh.faces.size());  // of a sheet
   for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
     const Vector3d& origin = mesh.vertices[mesh.faces[sheet[face]][0]];
@@ -181,32 +191,42 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
     six_volumes[sheet[face]] += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
   }
   const double noise = 6 * kLeastVolume * size * size * size;
-  std::vector<std::uint32_t> inward;
+  const auto is_inward = [&](std::uint32_t face) { return six_volumes[sheet[face]] < -noise; };
+  std::vector<std::uint32_t> asked;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    if (six_volumes[sheet[face]] < -noise) inward.push_back(face);
+    if (is_inward(face) || sheets.open[sheet[face]] != 0) asked.push_back(face);
   }
-  if (inward.empty()) return;
+  if (asked.empty()) return;
   const TriangleTree tree(mesh);
-  std::vector<std::uint8_t> in_nothing(inward.size());
-  in_parallel(inward.size(), 64, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::uint8_t> in_nothing(asked.size());
+  in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
-      const Corners corners = tree.corners(inward[n]);
-      const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3, ahead = 1e-6 * size * cloud::face_normal(mesh, inward[n]);
+      const Corners corners = tree.corners(asked[n]);
+      const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3, ahead = 1e-6 * size * cloud::face_normal(mesh, asked[n]);
       const auto is_in_nothing = [&](const Vector3d& place) { return turns_round(tree, place + ahead) < 0; };
-      in_nothing[n] = is_in_nothing(middle) || std::any_of(corners.begin(), corners.end(), [&](const Vector3d& corner) {
-                        return is_in_nothing(middle + 0.999 * (corner - middle));  // what sticks out of a piece may be a corner
-                      });
+      in_nothing[n] = is_in_nothing(middle) ||
+                      (is_inward(asked[n]) && std::any_of(corners.begin(), corners.end(), [&](const Vector3d& corner) {
+                         return is_in_nothing(middle + 0.999 * (corner - middle));  // what sticks out of a piece may be a corner
+                       }));
     }
   });
-  const auto found = std::find(in_nothing.begin(), in_nothing.end(), 1);
-  if (found == in_nothing.end()) return;
-  const std::uint32_t face = inward[static_cast<std::size_t>(found - in_nothing.begin())];
-  const auto& [a, b, c] = mesh.faces[face];
-  throw InputError(name + ": a closed piece of " +
-                   count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") + " near " +
-                   text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3) +
-                   " has faces that point inwards, and there it lies in no other piece; "
-                   "reverse its faces");
+  std::vector<double> surplus(mesh.faces.size());  // of a sheet's area: in front of it is nothing
+  for (std::size_t n = 0; n < asked.size(); ++n) {
+    const Corners corners = tree.corners(asked[n]);
+    const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    surplus[sheet[asked[n]]] += in_nothing[n] != 0 ? area : -area;
+  }
+  for (std::size_t n = 0; n < asked.size(); ++n) {
+    const std::uint32_t face = asked[n];
+    if (in_nothing[n] == 0 || (!is_inward(face) && surplus[sheet[face]] <= 0)) continue;
+    const auto& [a, b, c] = mesh.faces[face];
+    const std::string piece = (sheets.open[sheet[face]] != 0 ? "a piece of " : "a closed piece of ") +
+                              count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") +
+                              " near " + text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
+    throw InputError(turned
+                         ? name + ": most faces point inwards, but those of " + piece + " point outwards; reverse all others"
+                         : name + ": " + piece + " has faces that point inwards, and there it lies in no other piece; reverse its faces");
+  }
 }
 
 }  // namespace
@@ -219,13 +239,14 @@ cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& nam
   const double volume = cloud::signed_volume(mesh);
   if (!(std::abs(volume) > kLeastVolume * size * size * size)) {
     throw InputError(name + ": the faces enclose nothing" + (repair.holes > 0 ? ", also when its rim is closed" : "") +
-                     "; a body needs a surface on all sides");
+                     ", or those that point inwards as much as those that point outwards; "
+                     "a body needs a surface on all sides, and all of it points outwards");
   }
   repair.turned = volume < 0;
   if (repair.turned) {
     for (auto& face : mesh.faces) std::swap(face[1], face[2]);
   }
-  require_hollows(mesh, name, size);
+  require_hollows(mesh, name, size, repair.turned);
   return mesh;
 }
 

@@ -109,6 +109,34 @@ TEST(ClosedMesh, AnInvertedPieceThatIsNotAllInAnotherOneIsRefused) {
   EXPECT_EQ(refusal(joined(body, turned(box_mesh({2, 2, 2}, {10, 8, 8})))), "no refusal") << "a hollow that opens to nothing";
 }
 
+TEST(ClosedMesh, AnInvertedPieceIsRefusedThatSharesAllItsEdges) {
+  const auto cubes = [](const Eigen::Vector3i& counts, const Eigen::Vector3i& inverted) {
+    cloud::TriangleMesh mesh;
+    for (int n = 0; n < counts.prod(); ++n) {
+      const Eigen::Vector3i at(n % counts.x(), n / counts.x() % counts.y(), n / counts.x() / counts.y());
+      const Eigen::Vector3d low = at.cast<double>();
+      const auto one = box_mesh(low, low + Eigen::Vector3d(1, 1, 1));
+      mesh = joined(mesh, at == inverted ? turned(one) : one);
+    }
+    return mesh;
+  };
+  for (const Eigen::Vector3i& counts : {Eigen::Vector3i(2, 2, 2), {3, 3, 3}, {3, 1, 1}, {2, 2, 1}}) {
+    EXPECT_EQ(refusal(cubes(counts, {-1, -1, -1})), "no refusal") << counts.transpose();
+    for (int n = 0; n < counts.prod(); ++n) {
+      const Eigen::Vector3i at(n % counts.x(), n / counts.x() % counts.y(), n / counts.x() / counts.y());
+      EXPECT_THAT(refusal(cubes(counts, at)), HasSubstr("faces that point inwards")) << counts.transpose() << ": " << at.transpose();
+    }
+  }
+}
+
+TEST(ClosedMesh, WhereMostFacesPointInwardsThatIsTheBlame) {
+  const auto right = box_mesh({0, 0, 0}, {4, 4, 4});
+  EXPECT_THAT(refusal(together(right, turned(box_mesh({10, 0, 0}, {15, 5, 5})))),
+              StartsWith("a.stl: most faces point inwards, but those of a closed piece of 12 faces near ("));
+  EXPECT_THAT(refusal(joined(right, turned(box_mesh({4, 0, 0}, {8, 4, 4})))),
+              StartsWith("a.stl: the faces enclose nothing, or those that point inwards as much as those that point outwards"));
+}
+
 TEST(ClosedMesh, AFaceThatIsWrittenTwiceIsDroppedAndNoRim) {
   auto mesh = cube();
   const auto& [a, b, c] = mesh.faces[3];
