@@ -16,9 +16,10 @@ struct FaceCrossings {
 
 /// Two faces cross when an edge of one runs through the inside of the other; of faces with a common corner only the edges opposite that corner are
 /// asked, and faces with a common edge do not cross. Faces that only touch do not cross; the test is in doubles, so faces closer than rounding may
-/// count as either. Faces without a common corner touch when they are within a millionth of the mesh's size, so that faces rounded to floats touch, too.
+/// count as either. Faces without a common corner touch when they are within `touching`, so that faces rounded to floats touch, too.
 ///
 /// mesh      the one that the tree was grown on
-FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree);
+/// touching  of the mesh's size
+FaceCrossings face_crossings(const cloud::TriangleMesh& mesh, const FaceTree& tree, double touching = 1e-6);
 
 }  // namespace isotouch::field

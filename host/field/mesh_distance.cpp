@@ -68,10 +68,10 @@ bool is_one_sheet(const cloud::TriangleMesh& mesh, const std::vector<FaceEdge>& 
 
 MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), tree_(mesh_) {
   const bool is_one_sheet = make_pseudonormals();
-  crossings_ = face_crossings(mesh_, tree_);
+  crossings_ = is_one_sheet ? face_crossings(mesh_, tree_) : face_crossings(mesh_, tree_, kNear);
   if (is_one_sheet && crossings_.faces == 0 && !crossings_.touching) return;
   turns_.emplace(mesh_);
-  outer_ = outer_faces(mesh_, tree_, *turns_);
+  outer_ = outer_faces(mesh_, tree_, *turns_, crossings_.faces > 0 || crossings_.touching);
   if (!outer_) return;
   tree_ = FaceTree(*outer_);
   const auto& box = turns_->box(TriangleTree::root());

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/field/face_edges.h"
+#include "host/field/face_pairs.h"
 #include "host/field/line_crossings.h"
 #include "host/field/parallel.h"
 #include "host/field/sets.h"
@@ -142,43 +143,48 @@ struct Met {
   double length = 0;            ///< of what is within
 };
 
-bool has(const std::array<std::uint32_t, 3>& face, std::uint32_t vertex) {
-  return std::find(face.begin(), face.end(), vertex) != face.end();
+/// Do two faces with one common corner meet elsewhere? Only if one's edge opposite that corner meets the other.
+bool meet_elsewhere(const Corners& a, const Corners& b, const Common& common, double near) {
+  return edge_touches(a[(common.of_a + 1) % 3], a[(common.of_a + 2) % 3], b, near) ||
+         edge_touches(b[(common.of_b + 1) % 3], b[(common.of_b + 2) % 3], a, near);
 }
 
 /// What meets each face. All that `Sides` can reach is near.
 std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tree, double size) {
+  constexpr std::size_t kGroup = 8;  // faces that follow each other lie together
   const double reach = kReach * size, near = kNear * size;
-  std::vector<Met> all(mesh.faces.size());
-  in_parallel(all.size(), 256, [&](std::size_t begin, std::size_t end) {
+  const std::span faces(tree.faces());
+  std::vector<Met> all(faces.size());
+  in_parallel((faces.size() + kGroup - 1) / kGroup, 32, [&](std::size_t begin, std::size_t end) {
+    std::vector<BoxedFace> others;
     std::vector<Meeting> meetings;
-    for (std::size_t n = begin; n < end; ++n) {
-      const Corners& corners = tree.faces()[n].corners;
-      const std::uint32_t number = tree.faces()[n].number;
-      const auto& own = mesh.faces[number];
-      const Plane plane(corners);
-      if (!(plane.normal().squaredNorm() > 0.5)) continue;  // no area
-      const std::array<Vector2d, 3> seen = {plane.seen(corners[0]), plane.seen(corners[1]), plane.seen(corners[2])};
-      Eigen::AlignedBox3d box;
-      for (const Vector3d& corner : corners) box.extend(corner);
-      Met& met = all[number];
-      tree.each_near(box.center(), box.diagonal().norm() / 2 + near, [&](std::uint32_t face) {
-        const auto& [other, other_number] = tree.faces()[face];
-        if (other_number == number) return;
-        const auto& theirs = mesh.faces[other_number];
-        meetings.clear();
-        add_meetings(plane, other, near, meetings);
-        const auto shared = std::count_if(theirs.begin(), theirs.end(), [&](std::uint32_t v) { return has(own, v); });
-        if (shared == 3 || (shared == 2 && meetings.size() < 3)) return;  // all in common, or an edge
-        for (const Meeting& meeting : meetings) {
-          const double within = length_in(meeting, seen, reach);
-          if (within > reach) {
-            met.within.push_back(meeting);
-            met.length += within;
+    for (std::size_t group = begin; group < end; ++group) {
+      const auto together = faces.subspan(kGroup * group, std::min(kGroup, faces.size() - kGroup * group));
+      faces_near(tree, together, near, others);
+      for (const FaceTree::Face& face : together) {
+        const Corners& corners = face.corners;
+        const BoxedFace boxed(face);
+        const Plane plane(corners);
+        if (!(plane.normal().squaredNorm() > 0.5)) continue;  // no area
+        const std::array<Vector2d, 3> seen = {plane.seen(corners[0]), plane.seen(corners[1]), plane.seen(corners[2])};
+        Met& met = all[face.number];
+        for (const BoxedFace& other : others) {
+          if (other.number == face.number || !boxes_meet(boxed, other, near)) continue;
+          const Common common = common_corners(mesh.faces[face.number], mesh.faces[other.number]);
+          if (common.count == 3 || (common.count == 1 && !meet_elsewhere(corners, other.face->corners, common, near))) continue;
+          meetings.clear();
+          add_meetings(plane, other.face->corners, near, meetings);
+          if (common.count == 2 && meetings.size() < 3) continue;  // an edge
+          for (const Meeting& meeting : meetings) {
+            const double within = length_in(meeting, seen, reach);
+            if (within > reach) {
+              met.within.push_back(meeting);
+              met.length += within;
+            }
+            met.touched = met.touched || within > reach || (common.count < 2 && length_in(meeting, seen, -near) > 10 * reach);
           }
-          met.touched = met.touched || within > reach || (shared < 2 && length_in(meeting, seen, -near) > 10 * reach);
         }
-      });
+      }
     }
   });
   return all;
@@ -186,9 +192,8 @@ std::vector<Met> meetings_of(const cloud::TriangleMesh& mesh, const FaceTree& tr
 
 /// Of each face the one to ask for it: faces that nothing touches have the union on the same sides as their neighbours, so the largest of each sheet
 /// of them stands for all.
-std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std::vector<Met>& met) {
+std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std::vector<FaceEdge>& edges, const std::vector<Met>& met) {
   Sets sheets(mesh.faces.size());
-  const std::vector<FaceEdge> edges = face_edges(mesh);
   for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
     while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
     const std::uint32_t a = edges[begin].face, b = edges[end - 1].face;
@@ -211,17 +216,26 @@ std::vector<std::uint32_t> spokesmen(const cloud::TriangleMesh& mesh, const std:
   return all;
 }
 
+/// Is there an edge of more than two faces?
+bool any_branches(const std::vector<FaceEdge>& edges) {
+  for (std::size_t n = 2; n < edges.size(); ++n)
+    if (edges[n].same_edge(edges[n - 2])) return true;
+  return false;
+}
+
 }  // namespace
 
-std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns) {
+std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& tree, const TriangleTree& turns,
+                                               bool meet) {
   const auto& box = turns.box(TriangleTree::root());
   const double size = (box.high - box.low).norm(), reach = kReach * size;
-  const std::vector<Met> met = meetings_of(mesh, tree, size);
+  const std::vector<FaceEdge> edges = face_edges(mesh);
+  const std::vector<Met> met = meet || any_branches(edges) ? meetings_of(mesh, tree, size) : std::vector<Met>(mesh.faces.size());
   const double length = std::accumulate(met.begin(), met.end(), 0.0, [](double sum, const Met& face) { return sum + face.length; });
   const double finest = std::max(kFinest * size, length / kMaxParts);
   const Sides sides(turns, size);
 
-  const std::vector<std::uint32_t> asked = spokesmen(mesh, met);
+  const std::vector<std::uint32_t> asked = spokesmen(mesh, edges, met);
   std::vector<std::vector<Corners>> stay(mesh.faces.size());  // one part: all of the face
   std::vector<std::uint8_t> whole(mesh.faces.size());
   in_parallel(mesh.faces.size(), 16, [&](std::size_t begin, std::size_t end) {

@@ -20,8 +20,10 @@ inline constexpr double kThinnest = 2e-6, kNear = 4e-6;
 /// mesh      closed: every edge is run as often in one direction as in the other
 /// faces     of the mesh
 /// turns     of the mesh
+/// meet      whether faces cross, or touch within `kNear`
 /// returns   the faces that stay, in their order; those that are cut have vertices of their own behind the mesh's. Faces within `kThinnest` count as
 ///           lying on each other. Nothing if all faces stay, or none would
-std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& faces, const TriangleTree& turns);
+std::optional<cloud::TriangleMesh> outer_faces(const cloud::TriangleMesh& mesh, const FaceTree& faces, const TriangleTree& turns,
+                                               bool meet);
 
 }  // namespace isotouch::field

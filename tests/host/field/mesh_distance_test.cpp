@@ -231,10 +231,33 @@ double two_boxes(const Vector3d& p) {
   return -inside;
 }
 
+/// A box whose ends are fans of slivers round a corner beside their middles.
+cloud::TriangleMesh fan_box() {
+  constexpr std::uint32_t kSide = 25, kRound = 4 * kSide;
+  cloud::TriangleMesh mesh;
+  for (const double z : {-3.0, 3.0}) {
+    for (std::uint32_t i = 0; i < kRound; ++i) {
+      const double way = 6.0 * (i % kSide) / kSide - 3;
+      const Vector3d sides[] = {{way, -3, z}, {3, way, z}, {-way, 3, z}, {-3, -way, z}};
+      mesh.vertices.push_back(sides[i / kSide]);
+    }
+  }
+  mesh.vertices.emplace_back(0.2, 0.3, -3);
+  mesh.vertices.emplace_back(0.2, 0.3, 3);
+  for (std::uint32_t i = 0; i < kRound; ++i) {
+    const std::uint32_t j = (i + 1) % kRound;
+    mesh.faces.insert(mesh.faces.end(),
+                      {{i, j, kRound + j}, {i, kRound + j, kRound + i}, {2 * kRound, j, i}, {2 * kRound + 1, kRound + i, kRound + j}});
+  }
+  return mesh;
+}
+
 TEST(MeshDistance, FacesThatAreInsideTheUnionInPartCountForTheRest) {
-  const auto foot = box_mesh({-3, -3, -3}, {3, 3, 3});
-  for (const double low : {3.0, 2.0}) {  // it stands on the foot; it runs into it
-    const MeshDistance distance(together(foot, box_mesh({-1, -1.5, low}, {1, 1.5, 6})));
+  const auto foot = box_mesh({-3, -3, -3}, {3, 3, 3}), fan = fan_box();
+  ASSERT_NEAR(cloud::signed_volume(fan), 216, 1e-9);
+  const std::pair<const cloud::TriangleMesh*, double> feet[] = {{&foot, 3}, {&foot, 2}, {&fan, 3}, {&fan, 2}};
+  for (const auto& [below, low] : feet) {  // it stands on the foot; it runs into it
+    const MeshDistance distance(together(*below, box_mesh({-1, -1.5, low}, {1, 1.5, 6})));
     cloud::Random random(11);
     for (int i = 0; i < 10'000; ++i) {
       Vector3d p = any_point(random);
