@@ -169,13 +169,12 @@ void run(const CompareOptions& options) {
 }
 
 /// Draws the touch whose direction is worst.
-void draw_felt(const CompareOptions& options, const FieldView& field, const field::TriangleTree& tree, const evaluate::FeltPlace& worst) {
+void draw_felt(const CompareOptions& options, const FieldView& field, const cloud::TriangleMesh& truth, const evaluate::FeltPlace& worst) {
   const cloud::TriangleMesh surface = evaluate::zero_surface(field);
   const double distance = field::TriangleTree(surface).nearest(worst.god).distance;
   const view::WorstTouch touch{worst.hip, worst.god, worst.proxy, words_of(worst)};
-  view::write_picture(options.worst,
-                      view::worst_picture(field, surface, tree.mesh(), {worst.god, true, distance, to_double(field.edge), touch},
-                                          {.title = options.field.stem().string()}));
+  view::write_picture(options.worst, view::worst_picture(field, surface, truth, {worst.god, true, distance, to_double(field.edge), touch},
+                                                         {.title = options.field.stem().string()}));
 }
 
 /// What hands feel of the field, beside the true surface.
@@ -183,7 +182,7 @@ void run_felt(const CompareOptions& options) {
   std::FILE* to = text_stream(options.worst);
   const field::ThreadLimit limit(options.threads);
   const field_file::OpenField field = field_file::open_field(options.field);
-  const cloud::TriangleMesh mesh = placed_mesh(options.mesh, field.view);
+  const evaluate::TrueSurface mesh = evaluate::true_surface(placed_mesh(options.mesh, field.view));
   std::vector<evaluate::RecordedHand> recorded;
   for (const std::string& file : options.traces) recorded.push_back(evaluate::recorded_hand(trace::read_trace(file)));
   ProgressBar bar({{"hands", 5},
@@ -192,32 +191,34 @@ void run_felt(const CompareOptions& options) {
                    {"beside", options.beside.empty() ? 0.0 : 4.0},
                    {"picture", options.worst.empty() ? 0.0 : 1.0}});
   bar.begin("hands");
-  const field::TriangleTree tree(mesh);
-  const std::vector<evaluate::FeltHand> hands = evaluate::felt_hands(tree, recorded, {.seed = options.seed});
+  const field::TriangleTree outer(mesh.outer), closed(mesh.closed);
+  const evaluate::TrueTrees trees(outer, closed);
+  const std::vector<evaluate::FeltHand> hands = evaluate::felt_hands(trees, recorded, {.seed = options.seed});
   bar.begin("touch");
-  const evaluate::FeltComparison felt = evaluate::compare_felt(field.view, tree, hands);
+  const evaluate::FeltComparison felt = evaluate::compare_felt(field.view, trees, hands);
   bar.end();
   nlohmann::ordered_json json = felt_json(felt);
   if (!options.json) print_felt(to, "field", felt);
   if (options.floor) {
     bar.begin("floor");
-    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh);
-    const evaluate::FeltComparison floor = evaluate::compare_felt(exact.view, tree, hands);
+    const field_file::OpenField exact = evaluate::floor_of_mesh(field.view, mesh.closed);
+    const evaluate::FeltComparison floor = evaluate::compare_felt(exact.view, trees, hands);
     bar.end();
     json["floor"] = felt_json(floor);
     if (!options.json) print_felt(to, "\nfloor", floor);
   }
   if (!options.beside.empty()) {
     bar.begin("beside");
-    const cloud::TriangleMesh other = placed_mesh(options.beside, field.view);
-    const evaluate::FeltComparison beside = evaluate::compare_felt(field.view, field::TriangleTree(other), tree, hands);
+    const evaluate::TrueSurface other = evaluate::true_surface(placed_mesh(options.beside, field.view));
+    const field::TriangleTree other_outer(other.outer), other_closed(other.closed);
+    const evaluate::FeltComparison beside = evaluate::compare_felt(field.view, {other_outer, other_closed}, trees, hands);
     bar.end();
     json["beside"] = felt_json(beside);
     if (!options.json) print_felt(to, "\nbeside", beside);
   }
   if (!options.worst.empty()) {
     bar.begin("picture");
-    draw_felt(options, field.view, tree, felt.worst_direction);
+    draw_felt(options, field.view, mesh.outer, felt.worst_direction);
     bar.end();
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());

@@ -24,6 +24,7 @@
 #include "host/evaluate/compare_mesh.h"
 #include "host/evaluate/mesh_scan.h"
 #include "host/evaluate/touch_points.h"
+#include "host/evaluate/truth_comparison.h"
 #include "host/field/nearest.h"
 #include "host/field/triangle_tree.h"
 #include "host/files/whole_file.h"
@@ -119,7 +120,7 @@ void scan_mesh(const ScanOptions& options) {
   const cloud::TriangleMesh in_file = cloud::read_mesh(options.input);
   cloud::require_closed(in_file, options.input.string());
   const cloud::Placement placement = cloud::place(in_file.vertices);
-  const cloud::TriangleMesh mesh = cloud::placed(in_file, placement);
+  const cloud::TriangleMesh mesh = evaluate::true_surface(cloud::placed(in_file, placement)).outer;
   const field::TriangleTree tree(mesh);
   const evaluate::MeshScanReport scan = record_scan(tree, options);
 

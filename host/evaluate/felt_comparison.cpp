@@ -67,14 +67,14 @@ class OnField {
 /// One hand on a mesh, with a god-object of its own.
 class OnMesh {
  public:
-  OnMesh(const TriangleTree& tree, double n_per_mm) : tree_(tree), n_per_mm_(n_per_mm) {}
+  OnMesh(const TrueTrees& trees, double n_per_mm) : trees_(trees), n_per_mm_(n_per_mm) {}
 
   Output operator()(const Vec3<Mm>& hip) {
     Output out;
     out.hip = out.proxy = hip;
     const Vector3d hand = to_double(hip);
     if (!object_) {
-      if (!field::is_inside(tree_, hand)) object_.emplace(tree_, hand);
+      if (!field::is_inside(trees_.closed, hand)) object_.emplace(trees_.outer, hand);
       return out;
     }
     object_->settle(hand);
@@ -86,20 +86,20 @@ class OnMesh {
   }
 
  private:
-  const TriangleTree& tree_;
+  TrueTrees trees_;
   double n_per_mm_;
   std::optional<GodObject> object_;
 };
 
 class Comparer {
  public:
-  Comparer(const FieldView& field, const TriangleTree& tree)
-      : field_(evenly_stiff(field)), tree_(tree), tolerance_(kWrongSideVoxels * to_double(field.edge)) {}
+  Comparer(const FieldView& field, const TrueTrees& trees)
+      : field_(evenly_stiff(field)), trees_(trees), tree_(trees.outer), tolerance_(kWrongSideVoxels * to_double(field.edge)) {}
 
   double tolerance() const { return tolerance_; }
 
   Felt run_on_field(const FeltHand& hand) const { return run(hand, OnField(field_)); }
-  Felt run_on_mesh(const FeltHand& hand, const TriangleTree& other) const { return run(hand, OnMesh(other, to_double(field_.stiffness))); }
+  Felt run_on_mesh(const FeltHand& hand, const TrueTrees& other) const { return run(hand, OnMesh(other, to_double(field_.stiffness))); }
 
  private:
   template <class Rendering>
@@ -121,7 +121,7 @@ class Comparer {
     const Vector3d way = proxy - god;
     const double length = way.norm();
     if (length <= tolerance_) return false;
-    if (field::is_inside(tree_, proxy)) return tree_.nearest(proxy).distance > tolerance_;
+    if (field::is_inside(trees_.closed, proxy)) return tree_.nearest(proxy).distance > tolerance_;
     const auto hit = field::first_hit(tree_, god, way / length);
     return hit && hit->t < length && normal_at(proxy).dot(normal_at(god)) < 0;
   }
@@ -172,7 +172,8 @@ class Comparer {
   }
 
   FieldView field_;
-  const TriangleTree& tree_;
+  TrueTrees trees_;
+  const TriangleTree& tree_;  ///< of what can be touched
   double tolerance_;
 };
 
@@ -244,15 +245,14 @@ FeltComparison compared(const std::vector<FeltHand>& hands, double tolerance, co
 
 }  // namespace
 
-FeltComparison compare_felt(const FieldView& field, const TriangleTree& tree, const std::vector<FeltHand>& hands) {
-  const Comparer comparer(field, tree);
+FeltComparison compare_felt(const FieldView& field, const TrueTrees& trees, const std::vector<FeltHand>& hands) {
+  const Comparer comparer(field, trees);
   return compared(hands, comparer.tolerance(), {"the field", "is this the mesh of the field?"},
                   [&](const FeltHand& hand) { return comparer.run_on_field(hand); });
 }
 
-FeltComparison compare_felt(const FieldView& field, const TriangleTree& other, const TriangleTree& tree,
-                            const std::vector<FeltHand>& hands) {
-  const Comparer comparer(field, tree);
+FeltComparison compare_felt(const FieldView& field, const TrueTrees& other, const TrueTrees& trees, const std::vector<FeltHand>& hands) {
+  const Comparer comparer(field, trees);
   return compared(hands, comparer.tolerance(), {"the other mesh", "is it a mesh of the same object?"},
                   [&](const FeltHand& hand) { return comparer.run_on_mesh(hand, other); });
 }

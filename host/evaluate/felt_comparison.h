@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/evaluate/felt_hands.h"
+#include "host/evaluate/true_trees.h"
 #include "host/quantiles.h"
 #include "shared/field_view.h"
 
@@ -70,18 +71,17 @@ struct FeltComparison {
 /// force is that stiffness times god-object minus HIP.
 ///
 /// field     of any method
-/// tree      the true surface: closed, workspace, mm
+/// trees     of the true surface: workspace, mm
 /// hands     planned on it
 /// returns   the same for any number of threads
 /// fails     InputError when no tick was compared
-FeltComparison compare_felt(const FieldView& field, const field::TriangleTree& tree, const std::vector<FeltHand>& hands);
+FeltComparison compare_felt(const FieldView& field, const TrueTrees& trees, const std::vector<FeltHand>& hands);
 
 /// The same with a god-object on another mesh in place of the field: what is felt of a surface that is nearly the true one. A hand that begins inside
 /// it feels nothing until it has left.
 ///
 /// field     gives the stiffness and the tolerance of the wrong side
-/// other     closed, workspace, mm
-FeltComparison compare_felt(const FieldView& field, const field::TriangleTree& other, const field::TriangleTree& tree,
-                            const std::vector<FeltHand>& hands);
+/// other     of that mesh: workspace, mm
+FeltComparison compare_felt(const FieldView& field, const TrueTrees& other, const TrueTrees& trees, const std::vector<FeltHand>& hands);
 
 }  // namespace isotouch::evaluate

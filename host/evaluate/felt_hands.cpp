@@ -49,14 +49,14 @@ double swing(double per_second, int tick) {
 
 class Planner {
  public:
-  Planner(const TriangleTree& tree, const std::vector<RecordedHand>& recorded, const FeltHandOptions& options)
-      : tree_(tree), options_(options) {
-    const cloud::OrientedPoints drawn = cloud::scatter_on_mesh(tree.mesh(), kPlaces, options.seed);
+  Planner(const TrueTrees& trees, const std::vector<RecordedHand>& recorded, const FeltHandOptions& options)
+      : trees_(trees), tree_(trees.outer), options_(options) {
+    const cloud::OrientedPoints drawn = cloud::scatter_on_mesh(tree_.mesh(), kPlaces, options.seed);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (const Place place{drawn.positions[i], drawn.normals[i]}; is_free(place) && above(place)) places_.push_back(place);
     }
     if (places_.empty()) throw InputError("the mesh has no place that can be touched from outside");
-    for (const SharpEdge& edge : sharp_edges(tree.mesh(), kSharpDeg)) (edge.turn_deg > 0 ? convex_ : concave_).push_back(edge);
+    for (const SharpEdge& edge : sharp_edges(tree_.mesh(), kSharpDeg)) (edge.turn_deg > 0 ? convex_ : concave_).push_back(edge);
     for (const RecordedHand& hand : recorded) motions_.push_back(plane_motion(hand.positions));
     for (std::size_t kind = 0; kind < kHands.size(); ++kind) {
       const double wanted = static_cast<double>(kHands[kind]) * options.share;
@@ -105,7 +105,7 @@ class Planner {
 
   /// Anywhere on the surface that can be seen from outside, by area.
   const Place& any_place(Random& random) const { return places_[random.bits() % places_.size()]; }
-  bool is_free(const Place& place) const { return !field::is_inside(tree_, place.point + 0.01 * place.outward); }
+  bool is_free(const Place& place) const { return !field::is_inside(trees_.closed, place.point + 0.01 * place.outward); }
 
   /// A place in front of the surface for a hand to begin at; none where the gap is too narrow for one.
   std::optional<Vector3d> before(const Place& place, const Vector3d& way, double wanted) const {
@@ -258,7 +258,8 @@ class Planner {
     return path.take();
   }
 
-  const TriangleTree& tree_;
+  TrueTrees trees_;
+  const TriangleTree& tree_;  ///< of what can be touched
   FeltHandOptions options_;
   std::vector<Place> places_;
   std::vector<SharpEdge> convex_, concave_;
@@ -269,8 +270,8 @@ class Planner {
 
 }  // namespace
 
-std::vector<FeltHand> felt_hands(const TriangleTree& tree, const std::vector<RecordedHand>& recorded, const FeltHandOptions& options) {
-  return Planner(tree, recorded, options).run();
+std::vector<FeltHand> felt_hands(const TrueTrees& trees, const std::vector<RecordedHand>& recorded, const FeltHandOptions& options) {
+  return Planner(trees, recorded, options).run();
 }
 
 }  // namespace isotouch::evaluate

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/evaluate/felt_path.h"
-#include "host/field/triangle_tree.h"
+#include "host/evaluate/true_trees.h"
 
 namespace isotouch::evaluate {
 
@@ -50,10 +50,9 @@ struct FeltHandOptions {
 /// recorded   a recorded hand in pieces of 2 s, each on another place: what it moves along its main plane becomes motion along the surface, what it
 ///            moves across, within half a second, becomes depth between 0.1 and 1 mm
 ///
-/// tree       closed, workspace, mm
+/// trees      of the true surface: workspace, mm
 /// returns    kind by kind; nothing of a kind for which the object has no place. The same for a seed and for any number of threads
 /// fails      InputError: no place of the mesh can be touched from outside
-std::vector<FeltHand> felt_hands(const field::TriangleTree& tree, const std::vector<RecordedHand>& recorded,
-                                 const FeltHandOptions& options);
+std::vector<FeltHand> felt_hands(const TrueTrees& trees, const std::vector<RecordedHand>& recorded, const FeltHandOptions& options);
 
 }  // namespace isotouch::evaluate

@@ -34,7 +34,7 @@ inline constexpr double kScanForceLimit = rows::kForceLimit.high;  ///< N, the m
 /// mass with limited speed and acceleration that trembles by 0.03 mm at 9 to 12 Hz. Its force is stiffness · (god-object - HIP), shortened to
 /// kScanForceLimit where it must be, and then marked.
 ///
-/// tree      closed, workspace, mm
+/// tree      of what can be touched of a closed mesh, workspace, mm
 /// emit      takes each tick in its order: the HIP as a trace holds it, and what is felt there
 /// same      for a seed on every machine: + − × ÷ and square roots only
 MeshScanReport scan_mesh(const field::TriangleTree& tree, const MeshScanOptions& options,

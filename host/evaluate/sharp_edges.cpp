@@ -1,10 +1,14 @@
 #include "host/evaluate/sharp_edges.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "host/field/face_edges.h"
 
@@ -12,7 +16,25 @@ namespace isotouch::evaluate {
 
 using Eigen::Vector3d;
 
-std::vector<SharpEdge> sharp_edges(const cloud::TriangleMesh& mesh, double least_deg) {
+namespace {
+
+/// The same with one vertex at each place, the first one there.
+cloud::TriangleMesh with_common_vertices(cloud::TriangleMesh mesh) {
+  std::vector<std::uint32_t> order(mesh.vertices.size()), first(mesh.vertices.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto key = [&](std::uint32_t v) { return std::tuple(mesh.vertices[v].x(), mesh.vertices[v].y(), mesh.vertices[v].z()); };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  for (auto& face : mesh.faces)
+    for (std::uint32_t& v : face) v = first[v];
+  return mesh;
+}
+
+}  // namespace
+
+std::vector<SharpEdge> sharp_edges(const cloud::TriangleMesh& of, double least_deg) {
+  const cloud::TriangleMesh mesh = with_common_vertices(of);
   std::vector<SharpEdge> sharp;
   const std::vector<field::FaceEdge> sides = field::face_edges(mesh);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {

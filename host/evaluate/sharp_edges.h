@@ -17,7 +17,7 @@ struct SharpEdge {
   double turn_deg;                         ///< between the normals; positive: convex, negative: concave
 };
 
-/// mesh      closed
+/// mesh      closed; vertices at one place count as one
 /// least     degrees by which the normals of its two faces differ at least
 /// returns   in the order of their vertices' numbers; faces without area have no sharp edges
 std::vector<SharpEdge> sharp_edges(const cloud::TriangleMesh& mesh, double least_deg);

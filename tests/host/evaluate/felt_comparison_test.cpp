@@ -9,6 +9,7 @@
 
 #include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/evaluate/truth_comparison.h"
 #include "host/field/make_grid.h"
 #include "host/field/parallel.h"
 #include "host/field/sample_distance.h"
@@ -191,6 +192,33 @@ TEST(FeltComparison, RoundedEdgesAreMeasuredAsEdges) {
   EXPECT_GT(edge->equal_answers, 0U);
   EXPECT_LT(slide->errors.direction_deg.median, 0.01);
   EXPECT_EQ(felt.all.wrong_side, 0U);
+}
+
+TEST(FeltComparison, CubesThatMakeUpACubeFeelAsIt) {
+  cloud::TriangleMesh cubes;
+  for (int n = 0; n < 27; ++n) {
+    const Vector3d low(6 * (n % 3) - 9, 6 * (n / 3 % 3) - 9, 6 * (n / 9) - 9);
+    const auto first = static_cast<std::uint32_t>(cubes.vertices.size());
+    const auto one = box(low, low + Vector3d(6, 6, 6));
+    cubes.vertices.insert(cubes.vertices.end(), one.vertices.begin(), one.vertices.end());
+    for (const auto& [a, b, c] : one.faces) cubes.faces.push_back({first + a, first + b, first + c});
+  }
+  const auto whole = box({-9, -9, -9}, {9, 9, 9});
+  const auto cube = [](const Vector3d& p) {
+    const Vector3d out = p.cwiseAbs() - Vector3d::Constant(9);
+    return out.cwiseMax(0).norm() + std::min(out.maxCoeff(), 0.0);
+  };
+  const field_file::OpenField field = field_of(cube, 10);
+  const auto felt_of = [&](const cloud::TriangleMesh& mesh) {
+    const TrueSurface truth = true_surface(mesh);
+    const field::TriangleTree outer(truth.outer), closed(truth.closed);
+    const TrueTrees trees(outer, closed);
+    return compare_felt(field.view, trees, felt_hands(trees, {}, {.seed = 3, .share = kShare}));
+  };
+  const FeltComparison one = felt_of(whole), many = felt_of(cubes);
+  EXPECT_EQ(many.kinds.size(), one.kinds.size()) << "no crease where cubes meet";
+  EXPECT_NEAR(many.all.errors.direction_deg.p95, one.all.errors.direction_deg.p95, 0.2 * one.all.errors.direction_deg.p95);
+  EXPECT_NEAR(static_cast<double>(many.all.touching), static_cast<double>(one.all.touching), 0.05 * static_cast<double>(one.all.touching));
 }
 
 TEST(FeltComparison, AnyNumberOfThreadsGivesTheSame) {

@@ -23,6 +23,17 @@ TEST(SharpEdges, ABoxHasTwelveAndTheDiagonalsOfItsSidesAreNone) {
   EXPECT_TRUE(sharp_edges(box({0, 0, 0}, {1, 2, 3}), 91).empty());
 }
 
+TEST(SharpEdges, VerticesAtOnePlaceAreOne) {
+  cloud::TriangleMesh apart;
+  const auto whole = box({0, 0, 0}, {1, 2, 3});
+  for (const auto& face : whole.faces) {
+    const auto first = static_cast<std::uint32_t>(apart.vertices.size());
+    for (const std::uint32_t v : face) apart.vertices.push_back(whole.vertices[v]);
+    apart.faces.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(sharp_edges(apart, 30).size(), 12U);
+}
+
 TEST(SharpEdges, ABallHasNone) { EXPECT_TRUE(sharp_edges(ball(1, 4), 30).empty()); }
 
 TEST(SharpEdges, AnInnerEdgeIsConcave) {

@@ -233,7 +233,7 @@ double two_boxes(const Vector3d& p) {
 
 /// A box whose ends are fans of slivers round a corner beside their middles.
 cloud::TriangleMesh fan_box() {
-  constexpr std::uint32_t kSide = 25, kRound = 4 * kSide;
+  constexpr std::uint32_t kSide = 7, kRound = 4 * kSide;
   cloud::TriangleMesh mesh;
   for (const double z : {-3.0, 3.0}) {
     for (std::uint32_t i = 0; i < kRound; ++i) {
