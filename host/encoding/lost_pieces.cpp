@@ -8,6 +8,7 @@
 
 #include "host/cloud/placement.h"
 #include "host/field/first_hit.h"
+#include "host/field/line_crossings.h"
 #include "host/field/on_triangle.h"
 #include "host/field/triangle_tree.h"
 #include "host/to_double.h"
@@ -23,7 +24,7 @@ constexpr double kNoVolume = 6e-9;  // of the box's diagonal cubed: a piece of l
 
 struct Piece {
   double six_volumes = 0, largest_area = 0;
-  std::uint32_t largest = 0;  ///< its largest face
+  std::uint32_t largest = 0;  ///< its largest face; of a hollow, of those in front of which nothing is
   bool shown = false;
 };
 
@@ -93,11 +94,6 @@ LostPieces lost_pieces(const cloud::TriangleMesh& mesh, const FieldView& view) {
     Piece& piece = pieces[root[mesh.faces[face][0]]];
     const Vector3d& origin = mesh.vertices[root[mesh.faces[face][0]]];
     piece.six_volumes += (a - origin).dot((b - origin).cross(c - origin));
-    const double area = (b - a).cross(c - a).norm();
-    if (area > piece.largest_area) {
-      piece.largest_area = area;
-      piece.largest = face;
-    }
   }
   const double edge = to_double(view.edge);
   const Vector3d grid = to_double(view.origin);
@@ -110,9 +106,20 @@ LostPieces lost_pieces(const cloud::TriangleMesh& mesh, const FieldView& view) {
   }
   const auto& box = tree.box(field::TriangleTree::root());
   const double size = (box.high - box.low).norm();
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    Piece& piece = pieces[root[mesh.faces[face][0]]];
+    if (piece.shown) continue;
+    const auto [a, b, c] = tree.corners(face);
+    const double area = (b - a).cross(c - a).norm();
+    if (area <= piece.largest_area) continue;
+    const Vector3d ahead = (a + b + c) / 3 + 1e-6 * size * cloud::face_normal(mesh, face);
+    if (piece.six_volumes < 0 && field::is_inside(tree, ahead)) continue;  // another piece fills the hollow there
+    piece.largest_area = area;
+    piece.largest = face;
+  }
   LostPieces lost;
   for (const Piece& piece : pieces) {
-    if (piece.shown || std::abs(piece.six_volumes) <= kNoVolume * size * size * size) continue;
+    if (piece.shown || piece.largest_area == 0 || std::abs(piece.six_volumes) <= kNoVolume * size * size * size) continue;
     if (lost.pieces + lost.cavities == 0) {
       const auto [a, b, c] = tree.corners(piece.largest);
       lost.place = (a + b + c) / 3;

@@ -21,7 +21,7 @@ struct LostPieces {
 };
 
 /// A piece is lost if no coefficient within a voxel of its faces has its sign, or the field has the other sign all around those that have: at every
-/// sample and half way between them.
+/// sample and half way between them. A hollow that other pieces fill is none.
 ///
 /// mesh      closed, workspace, mm; faces that share a vertex are of one piece
 /// view      the field as it was written

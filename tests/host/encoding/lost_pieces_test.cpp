@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "host/encoding/write_image.h"
 #include "host/field/make_grid.h"
@@ -49,6 +50,22 @@ TEST(LostPieces, ThoseTooThinForTheGridAreCountedWithPlaceAndThickness) {
   EXPECT_EQ(cavity.pieces, 0U);
   EXPECT_EQ(cavity.cavities, 1U);
   EXPECT_NEAR(cavity.thickness_voxel, 0.3, 1e-9);
+}
+
+TEST(LostPieces, AHollowThatAnotherPieceFillsIsNotLost) {
+  const auto body = box_mesh({-10, -10, -10}, {10, 10, 10}), hollow = turned(box_mesh({-5, -5, -5}, {5, 5, 5}));
+  const auto with_hollow = together(body, hollow);
+  const std::pair<const char*, cloud::TriangleMesh> filled[] = {
+      {"the body twice", together(with_hollow, body)},
+      {"plugged", together(with_hollow, box_mesh({-5, -5, -5}, {5, 5, 5}))},
+      {"plugged by more", together(with_hollow, box_mesh({-6, -6, -6}, {6, 6, 6}))},
+      {"in two boxes", together(with_hollow, box_mesh({-7, -7, -7}, {16, 9, 9}))}};
+  for (const auto& [what, mesh] : filled) {
+    const LostPieces lost = lost_of(mesh);
+    EXPECT_EQ(lost.pieces + lost.cavities, 0U) << what;
+  }
+  const auto slot = turned(box_mesh({0.02, -8, -8}, {0.12, 8, 8}));  // a part of which is filled
+  EXPECT_EQ(lost_of(together(together(body, slot), box_mesh({-3, -9, -9}, {3, 9, 0}))).cavities, 1U);
 }
 
 }  // namespace
