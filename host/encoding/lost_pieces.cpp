@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -10,6 +13,7 @@
 #include "host/field/first_hit.h"
 #include "host/field/line_crossings.h"
 #include "host/field/on_triangle.h"
+#include "host/field/parallel.h"
 #include "host/field/triangle_tree.h"
 #include "host/to_double.h"
 
@@ -28,59 +32,67 @@ struct Piece {
   bool shown = false;
 };
 
-/// The written field at a sample, or half a voxel farther along some axes, in no unit that counts.
-double value_at(const FieldView& view, const Vector3i& sample, const Vector3i& halves) {
-  double sum = 0;
-  for (int n = 0; n < 27; ++n) {
-    const Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    double weight = 1;
-    Vector3i at = sample + step;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool linear = view.interpolation == Interpolation::kTrilinear;
-      const double beside = linear ? 0 : 0.125;
-      weight *= halves[axis] != 0 ? (step[axis] < 0 ? 0 : 0.5) : step[axis] == 0 ? 1 - 2 * beside : beside;
-      at[axis] = std::clamp(at[axis], 0, view.size[static_cast<std::size_t>(axis)] - 1);
-    }
-    if (weight > 0) sum += weight * view.coefficient(at.x(), at.y(), at.z());
-  }
-  return sum;
-}
-
-/// Has the field this sign at or beside a sample?
+/// Has the field this sign at or beside a sample, half a voxel away along any axes?
 bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
+  const double beside = view.interpolation == Interpolation::kTrilinear ? 0 : 0.125;
+  std::array<double, 27>
+      values;  // coefficients round the sample; then, axis by axis, the field half a voxel before it, at it, and after it
   for (int n = 0; n < 27; ++n) {
-    const Vector3i step(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);  // in halves; back is the half before
-    const Vector3i from = sample + step.cwiseMin(0);
-    if ((from.array() < 0).any()) continue;
-    const double value = value_at(view, from, step.cwiseAbs());
-    if (inside ? value < 0 : value > 0) return true;
+    Vector3i at = sample + Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    for (int axis = 0; axis < 3; ++axis) at[axis] = std::clamp(at[axis], 0, view.size[static_cast<std::size_t>(axis)] - 1);
+    values[static_cast<std::size_t>(n)] = view.coefficient(at.x(), at.y(), at.z());
   }
-  return false;
+  for (const std::size_t step : {1U, 3U, 9U}) {
+    for (std::size_t n = 0; n < 27; ++n) {
+      if (n / step % 3 != 1) continue;
+      double &before = values[n - step], &here = values[n], &after = values[n + step];
+      const double middle = (1 - 2 * beside) * here + beside * (before + after);
+      before = (before + here) / 2;
+      after = (here + after) / 2;
+      here = middle;
+    }
+  }
+  return std::any_of(values.begin(), values.end(), [&](double value) { return inside ? value < 0 : value > 0; });
 }
 
-/// Has the field this sign beside a sample within a voxel of a face whose coefficient has it?
+/// A face beside a field, of which one sign is asked.
+struct Beside {
+  const FieldView& view;
+  const field::Corners& in_voxels;
+  bool inside;
+
+  double square_to(const Vector3d& place) const { return (field::nearest_on_triangle(place, in_voxels).point - place).squaredNorm(); }
+
+  /// Is there a sample whose coefficient has the sign within a voxel of the face, and the field beside it? In a cube of bricks from `first` to `last`,
+  /// `side` of them along an edge, a power of two. Cubes farther away are left out whole: the box round a tilted face is mostly empty.
+  bool shows(const Vector3i& first, int side, const Vector3i& last) const {
+    if ((first.array() > last.array()).any()) return false;
+    const double half = (4.0 * side - 1) / 2, reach = 1 + std::sqrt(3.0) * half;
+    if (square_to((4 * first).cast<double>() + Vector3d::Constant(half)) > reach * reach) return false;
+    if (side > 1) {
+      for (int n = 0; n < 8; ++n)
+        if (shows(first + side / 2 * Vector3i(n & 1, n >> 1 & 1, n >> 2), side / 2, last)) return true;
+      return false;
+    }
+    const std::int16_t* brick = view.brick(4 * first.x(), 4 * first.y(), 4 * first.z());
+    for (int n = 0; n < 64; ++n) {
+      if (inside ? brick[n] >= 0 : brick[n] <= 0) continue;
+      const Vector3i sample = 4 * first + Vector3i(n & 3, n >> 2 & 3, n >> 4);
+      if (square_to(sample.cast<double>()) <= 1 && shows_at(view, sample, inside)) return true;
+    }
+    return false;
+  }
+};
+
 bool shows(const FieldView& view, const field::Corners& in_voxels, bool inside) {
   Eigen::AlignedBox3d box;
   for (const Vector3d& corner : in_voxels) box.extend(corner);
   const Vector3i last(view.size[0] - 1, view.size[1] - 1, view.size[2] - 1);
   const Vector3i low = (box.min().array() - 1).ceil().cast<int>().matrix().cwiseMax(0) / 4;
   const Vector3i high = (box.max().array() + 1).floor().cast<int>().matrix().cwiseMin(last) / 4;
-  const auto square_to = [&](const Vector3d& place) { return (field::nearest_on_triangle(place, in_voxels).point - place).squaredNorm(); };
-  constexpr double kBrick = 1 + 2.6;  // a voxel, and from a brick's middle to its farthest sample
-  for (Vector3i cell = low; cell.z() <= high.z(); ++cell.z()) {
-    for (cell.y() = low.y(); cell.y() <= high.y(); ++cell.y()) {
-      for (cell.x() = low.x(); cell.x() <= high.x(); ++cell.x()) {
-        if (square_to((4 * cell).cast<double>() + Vector3d::Constant(1.5)) > kBrick * kBrick) continue;
-        const std::int16_t* brick = view.brick(4 * cell.x(), 4 * cell.y(), 4 * cell.z());
-        for (int n = 0; n < 64; ++n) {
-          if (inside ? brick[n] >= 0 : brick[n] <= 0) continue;
-          const Vector3i sample = 4 * cell + Vector3i(n & 3, n >> 2 & 3, n >> 4);
-          if (square_to(sample.cast<double>()) <= 1 && shows_at(view, sample, inside)) return true;
-        }
-      }
-    }
-  }
-  return false;
+  if ((low.array() > high.array()).any()) return false;
+  const auto bricks = static_cast<unsigned>((high - low).maxCoeff() + 1);
+  return Beside{view, in_voxels, inside}.shows(low, static_cast<int>(std::bit_ceil(bricks)), high);
 }
 
 }  // namespace
@@ -97,13 +109,16 @@ LostPieces lost_pieces(const cloud::TriangleMesh& mesh, const FieldView& view) {
   }
   const double edge = to_double(view.edge);
   const Vector3d grid = to_double(view.origin);
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    Piece& piece = pieces[root[mesh.faces[face][0]]];
-    if (piece.shown) continue;
-    field::Corners in_voxels = tree.corners(face);
-    for (Vector3d& corner : in_voxels) corner = (corner - grid) / edge;
-    piece.shown = shows(view, in_voxels, piece.six_volumes > 0);
-  }
+  field::in_parallel(mesh.faces.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face) {
+      Piece& piece = pieces[root[mesh.faces[face][0]]];
+      const std::atomic_ref shown(piece.shown);
+      if (shown) continue;
+      field::Corners in_voxels = tree.corners(face);
+      for (Vector3d& corner : in_voxels) corner = (corner - grid) / edge;
+      if (shows(view, in_voxels, piece.six_volumes > 0)) shown = true;
+    }
+  });
   const auto& box = tree.box(field::TriangleTree::root());
   const double size = (box.high - box.low).norm();
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
