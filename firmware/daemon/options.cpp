@@ -37,6 +37,11 @@ bool read_device(const std::string& text, Options& options) {
   return (kind == "sim" || kind == "replay") && !options.name.empty();
 }
 
+/// What a variable of the shell leaves that is not set.
+std::string refusal_of_empty(const std::string& text) {
+  return text.empty() ? "its value is empty; name one, or check the variable of the shell that it comes from" : "";
+}
+
 }  // namespace
 
 bool read_options(int argc, char** argv, Options& options, int& exit_code) {
@@ -55,7 +60,11 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   app.add_option("--record", record, "record to this file from the first tick on");
   app.add_flag("--lockstep", options.lockstep,
                "start one tick for every packet and use no clock, so that a run depends only on the device's answers");
-  app.add_option("--ticks", options.ticks, "end after this many ticks");
+  app.add_option("--ticks", options.ticks, "end after this many ticks")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
+  for (CLI::Option* option : app.get_options({})) {
+    if (option->get_expected_max() > 0) option->transform(CLI::Validator(refusal_of_empty, ""));  // before its other checks
+  }
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
   if (manual::is_asked_for(argc, argv)) return manual::print_command(app, ""), exit_code = 0, false;

@@ -11,6 +11,7 @@
 
 #include "host/board_commands/choice.h"
 #include "host/board_commands/commands.h"
+#include "host/board_commands/every_option.h"
 #include "host/board_commands/help_formatter.h"
 #include "host/error.h"
 #include "packaging/manual/command_tree.h"
@@ -118,6 +119,7 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
   app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   add(app);  // last: a sub-command takes over what is said before it is made
+  check_every_option(app);
   group_by_task(app);
   if (manual::is_asked_for(argc, argv)) return manual::print_command(app, ""), kDone;
   try {

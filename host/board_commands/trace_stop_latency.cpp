@@ -78,7 +78,7 @@ void add_stop_latency(CLI::App& trace) {
       "Count the ticks from each input that forbids forces to motor commands of zero; exit code 3 when one took longer than allowed");
   command->alias("zero");
   command->add_option("TRACE", options->trace, "a controller's recording (.trace)")->required();
-  command->add_option("--most", options->most, "ticks allowed")->capture_default_str();
+  command->add_option("--most", options->most, "ticks allowed")->check(CLI::Range(0U, 1'000'000U))->capture_default_str();
   command->add_flag("--json", options->json, "print one JSON object");
   command->callback([options] { run(*options); });
 }

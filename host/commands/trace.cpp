@@ -134,7 +134,9 @@ void add_make(CLI::App& trace) {
       trace.add_subcommand("make", "Make the motion of a hand: press slide tap corner graze stab leave, or tour (all of them)");
   command->add_option("KIND", options->motion.kind, "which")->required()->check(one_of(motion::motion_kinds()));
   command->add_option("FIELD", options->field, "the field that the hand follows; without one it moves through the whole workspace");
-  command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")->capture_default_str();
+  command->add_option("--ticks", options->motion.ticks, "exact number of ticks; 0: one round of the motion")
+      ->check(CLI::Range(std::uint64_t{0}, motion::kMaxTicks))
+      ->capture_default_str();
   command->add_option("--seed", options->motion.seed, "seed of the places and speeds")->capture_default_str();
   command->add_option("--lost", options->lost_percent, "percentage of samples that do not arrive and are repeated")
       ->check(number_in(0.0, 50.0))

@@ -10,6 +10,8 @@
 
 namespace isotouch::motion {
 
+constexpr std::uint64_t kMaxTicks = 100'000'000;  ///< of a trace that is made or imported: 28 hours at the usual rate
+
 struct MotionOptions {
   std::string kind = "tour";  ///< one of motion_kinds()
   std::uint64_t ticks = 0;    ///< exactly so many, the gestures again and again at other places; 0 = one round

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host/error.h"
+#include "host/motion/motion.h"
 #include "host/to_double.h"
 
 namespace isotouch::motion {
@@ -13,7 +14,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kMaxTicks = 1e8;
 constexpr double kMaxMm = 2047.0;
 constexpr double kLeastApart = 1e-12;  // s; between samples that are nearer, a velocity may have no number
 
@@ -57,7 +57,7 @@ std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t peri
   }
   const double period = period_ns * 1e-9;
   const double whole = (points.back().time - points.front().time) / period;
-  if (whole >= kMaxTicks) throw InputError("the motion lasts more than 100,000,000 ticks; check the unit of its time");
+  if (whole >= static_cast<double>(kMaxTicks)) throw InputError("the motion lasts more than 100,000,000 ticks; check the unit of its time");
 
   // Half a millionth of a tick: a table's decimal times must not lose the last tick to rounding.
   const auto ticks = static_cast<std::uint64_t>(std::floor(whole + 5e-7)) + 1;

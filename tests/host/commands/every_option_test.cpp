@@ -1,0 +1,116 @@
+#include "host/board_commands/every_option.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/commands/commands.h"
+#include "host/error.h"
+
+namespace isotouch::commands {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// None of the commands works, which is what a value that is not refused would lead to, and none wants anything besides that value.
+void keep_from_work(CLI::App& app) {
+  app.callback(nullptr);
+  for (CLI::Option* option : app.get_options({})) {
+    option->required(false);
+    for (CLI::Option* needed : std::set<CLI::Option*>(option->get_needs())) option->remove_needs(needed);
+  }
+  for (CLI::App* command : app.get_subcommands(nullptr)) keep_from_work(*command);
+}
+
+void add_all(CLI::App& app) {
+  for (const auto add :
+       {add_build,  add_info, add_export, add_sample,  add_shape,     add_scan,    add_trace, add_compare, add_evaluate, add_bench,
+        add_render, add_plot, add_demo,   add_on_desk, add_calibrate, add_qualify, add_view,  add_farm,    add_fleet,    add_stream})
+    add(app);
+  check_every_option(app);
+  keep_from_work(app);
+}
+
+using Words = std::vector<std::string>;
+
+/// Every option and argument of a command below `app`, with the words that lead to it.
+void each_option(const CLI::App& app, const Words& words, const std::function<void(const Words&, const CLI::Option&)>& use) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_type_size() > 0 && option->get_expected_max() > 0) use(words, *option);
+  }
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    Words longer = words;
+    longer.push_back(command->get_name());
+    each_option(*command, longer, use);
+  }
+}
+
+/// How the parser refuses these words.
+std::string refusal(Words words) {
+  CLI::App app;
+  add_all(app);
+  std::reverse(words.begin(), words.end());
+  try {
+    app.parse(words);
+  } catch (const CLI::ValidationError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    return std::string("no wrong value: ") + error.what();
+  }
+  return "nothing";
+}
+
+TEST(EveryOption, RefusesAnEmptyText) {
+  CLI::App all;
+  add_all(all);
+  int asked = 0;
+  each_option(all, {}, [&](Words words, const CLI::Option& option) {
+    if (option.get_items_expected_min() == 0) return;  // it may stand alone, and to the parser an empty text is no value then
+    const std::string name = option.get_name();
+    if (option.get_positional()) {
+      words.insert(words.end(), 4, "");
+    } else {
+      words.push_back(name);
+      words.insert(words.end(), static_cast<std::size_t>(option.get_items_expected_min()), "");
+    }
+    const std::string said = refusal(words);
+    EXPECT_THAT(said, testing::StartsWith(option.get_positional() ? "" : name + ": ")) << testing::PrintToString(words);
+    EXPECT_THAT(said, testing::Not(testing::StartsWith("no"))) << testing::PrintToString(words);
+    ++asked;
+  });
+  EXPECT_GT(asked, 150);
+  EXPECT_EQ(refusal({"record", "--to", "unix:control", "-o", ""}),
+            "--out: its value is empty; name one, or check the variable of the shell that it comes from");
+  EXPECT_THAT(refusal({"stream", "a.ply", "--to="}), HasSubstr("--to: "));
+}
+
+TEST(EveryOption, OfAWholeNumberRefusesASignAndMoreThan64Bits) {
+  CLI::App all;
+  add_all(all);
+  int asked = 0;
+  each_option(all, {}, [&](Words words, const CLI::Option& option) {
+    if (!option.get_type_name().starts_with("UINT")) return;
+    const Words before = words;
+    for (const char* wrong : {"-1", "18446744073709551616"}) {
+      words = before;
+      words.push_back(option.get_name() + "=" + wrong);
+      EXPECT_THAT(refusal(words), testing::StartsWith(option.get_name() + ": ")) << option.get_name() << ' ' << wrong;
+    }
+    ++asked;
+  });
+  EXPECT_GT(asked, 15);
+}
+
+/// What would fill the disk, and a gate that could not fail.
+TEST(EveryOption, CountsOfTicksHaveAnEnd) {
+  EXPECT_THAT(refusal({"trace", "make", "press", "-o", "a.trace", "--ticks", "100000001"}), testing::StartsWith("--ticks: "));
+  EXPECT_THAT(refusal({"trace", "stop-latency", "a.trace", "--most", "100000001"}), testing::StartsWith("--most: "));
+}
+
+}  // namespace
+}  // namespace isotouch::commands
