@@ -82,12 +82,17 @@ Connection::~Connection() {
 }
 
 void Connection::send_frame(std::size_t bytes) {
+  if (has_ended_)
+    throw InputError(address_.text +
+                     ": an answer before did not come in time or did not fit, so what comes now is not trusted; connect again");
   const Clock::time_point end = end_of(send_patience_ms_);
   for (std::size_t sent = 0; sent < bytes && !broken_;) {
     const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (taken > 0) sent += static_cast<std::size_t>(taken);
     if (taken >= 0 || errno == EINTR) continue;
-    broken_ = errno != EAGAIN || !wait(POLLOUT, end);
+    const bool is_full = errno == EAGAIN;
+    broken_ = true;  // also where nobody waits any more: a part of a frame may be sent
+    broken_ = !is_full || !wait(POLLOUT, end);
   }
 }
 
@@ -112,6 +117,7 @@ bool Connection::wait(short event, Clock::time_point end, const std::function<bo
 }
 
 protocol::Frame Connection::receive(int patience_ms, const std::function<bool()>& enough) {
+  end_conversation();  // unless a frame comes
   const Clock::time_point end =
       Clock::now() + std::chrono::milliseconds(broken_ ? 0 : patience_ms);  // what a broken one had to say is here
   for (;;) {
@@ -122,6 +128,7 @@ protocol::Frame Connection::receive(int patience_ms, const std::function<bool()>
     }
     if (frame->size > 0) {
       used_ += frame->size;
+      has_ended_ = false;
       return *frame;
     }
     if (!wait(POLLIN, end, enough)) throw InputError(address_.text + ": the controller does not answer; check whether it runs");

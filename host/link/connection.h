@@ -32,7 +32,7 @@ class Connection {
 
   /// What cannot be sent is no failure yet: the controller may have said why, and `receive` reports it.
   ///
-  /// fails     InputError: nobody waits any more
+  /// fails     InputError: nobody waits any more, or the conversation has ended
   template <class Message>
   void send(protocol::Kind kind, const Message& message) {
     send_frame(protocol::encode(kind, message, frame_));
@@ -43,8 +43,12 @@ class Connection {
   ///
   /// patience_ms   until the whole frame has come
   /// enough        asked as `is_over` is, besides it
-  /// fails         InputError: the controller is gone, its frame is not there in time, nobody waits any more, or what comes breaks the protocol
+  /// fails         InputError: the controller is gone, its frame is not there in time, nobody waits any more, or what comes breaks the protocol. The
+  ///               conversation has ended then: a frame that comes late would pass for the answer to what is asked next
   protocol::Frame receive(int patience_ms, const std::function<bool()>& enough = {});
+
+  /// What came does not fit what was asked: nobody knows what comes next. Nothing can be sent any more.
+  void end_conversation() { has_ended_ = true; }
 
   /// Waits at most so long for anything to come, be it a part of a frame.
   bool has_input(int patience_ms = 0);
@@ -66,7 +70,8 @@ class Connection {
   const pid_t owner_;  ///< the process that made this
   std::vector<std::uint8_t> frame_, in_;
   std::size_t in_size_ = 0, used_ = 0;
-  bool broken_ = false;  ///< it takes no more; what it said before may still be read
+  bool has_ended_ = false;  ///< what comes may be the answer to something else
+  bool broken_ = false;     ///< it takes no more; what it said before may still be read
 };
 
 }  // namespace isotouch::link

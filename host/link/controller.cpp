@@ -238,6 +238,7 @@ protocol::Frame Controller::expect(Kind kind, int patience_ms) { return required
 protocol::Frame Controller::required(Kind kind, const protocol::Frame& frame) {
   if (frame.kind == kind) return frame;
   if (frame.kind == Kind::kRefused) complain(for_people(read<protocol::Refusal>(frame).sentence));
+  connection_.end_conversation();
   complain("the controller's answer does not fit the request; install the same release on both sides");
 }
 

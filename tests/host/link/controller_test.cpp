@@ -180,6 +180,34 @@ TEST(Controller, ItsPatienceIsOverOnce) {
   }
 }
 
+/// A late answer would pass for that to the next request: the state from before as the state of a controller that is gone.
+TEST(Controller, WhateverIsAskedAfterAnAnswerThatDidNotComeFails) {
+  protocol::StatusReport late;
+  late.ticks = 7;
+  const auto talk = [late = frame(Kind::kStatusReport, late)](int client) {
+    (void)::send(client, kWelcome.data(), kWelcome.size(), MSG_NOSIGNAL);
+    std::this_thread::sleep_for(500ms);
+    Scripted::says(late, false)(client);
+  };
+  const Scripted scripted({talk});
+  Controller controller(scripted.address(), 100);
+  EXPECT_THAT(sentence_of([&] { (void)controller.status(); }), HasSubstr("does not answer"));
+  std::this_thread::sleep_for(1s);
+  EXPECT_THAT(sentence_of([&] { (void)controller.status(); }), HasSubstr("an answer before did not come"));
+  EXPECT_THAT(sentence_of([&] { controller.stop(); }), HasSubstr("an answer before did not come"));
+}
+
+TEST(Controller, ARefusalLeavesTheConversationAsItIs) {
+  protocol::StatusReport status;
+  status.ticks = 7;
+  const Scripted scripted(kWelcome + refusal("no") + frame(Kind::kStatusReport, status) + frame(Kind::kDone) + frame(Kind::kDone));
+  Controller controller(scripted.address());
+  EXPECT_THAT(sentence_of([&] { controller.stop(); }), HasSubstr("no"));
+  EXPECT_EQ(controller.status().ticks, 7U);
+  EXPECT_THAT(sentence_of([&] { (void)controller.status(); }), HasSubstr("does not fit the request"));
+  EXPECT_THAT(sentence_of([&] { controller.stop(); }), HasSubstr("an answer before")) << "whose Done is it?";
+}
+
 TEST(Controller, WhatTheControllerRefusesIsPassedOn) {
   const Bytes field(100'000);
   const auto upload = [&](Controller& c) { (void)c.upload({field.size(), 1, 2, {}}, field); };
