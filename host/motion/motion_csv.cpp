@@ -27,6 +27,8 @@ struct Unit {
 struct Units {
   std::vector<Unit> units;
   std::string_view option;  ///< that states one; empty: there is none
+  std::vector<std::string_view> quantity =
+      {};  ///< words for what is measured, which may stand before the last word of a name where that is its axis
 };
 const Units kSeconds = {{{"s", 1.0, {"sec", "secs", "second", "seconds"}},
                          {"ms", 1e-3, {"msec", "msecs", "millis", "millisecond", "milliseconds"}},
@@ -38,8 +40,8 @@ const Units kMillimetres = {{{"mm", 1.0, {"millimetre", "millimetres", "millimet
                              {"m", 1000.0, {"metre", "metres", "meter", "meters"}},
                              {"in", 25.4, {"inch", "inches"}}},
                             "--length-unit"};
-/// A name that ends with its axis has no unit.
-const Units kNewtons = {{{"N", 1.0, {"newton", "newtons", "x", "y", "z", "fx", "fy", "fz"}}}, ""};
+const Units kNewtons = {{{"N", 1.0, {"newton", "newtons"}}}, "", {"force", "forces", "f"}};
+constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "fx", "fy", "fz"};
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \r\"";
@@ -126,13 +128,17 @@ class Table {
   std::size_t number_ = 0;
 };
 
-/// The last word of a name that has more than one. A word is made of letters, digits and what is not ASCII.
-std::string_view last_word(std::string_view name) {
+/// The last word of a name, and what stands before it. A word is made of letters, digits and what is not ASCII.
+struct LastWord {
+  std::string_view before, word;
+};
+
+LastWord last_word(std::string_view name) {
   const auto is_of_word = [](char c) { return (c & 0x80) != 0 || std::isalnum(static_cast<unsigned char>(c)) != 0; };
   while (!name.empty() && !is_of_word(name.back())) name.remove_suffix(1);
   std::size_t begin = name.size();
   while (begin > 0 && is_of_word(name[begin - 1])) --begin;
-  return begin > 0 ? name.substr(begin) : std::string_view();
+  return {name.substr(0, begin), name.substr(begin)};
 }
 
 /// No two units differ only by capital letters.
@@ -142,16 +148,26 @@ bool is_same_word(std::string_view a, std::string_view b) {
   });
 }
 
-/// The factor of the unit that a column's name ends with; 1 for a name of one word.
+/// The factor of the unit that a column's name ends with, or that stands before an axis at its end; 1 for a name of one word.
 double named_factor(const Table& table, const Units& units, std::string_view column) {
-  const std::string_view word = last_word(column);
-  if (word.empty()) return 1.0;
+  auto [before, word] = last_word(column);
   const auto is_it = [&](std::string_view name) { return is_same_word(name, word); };
-  for (const Unit& unit : units.units) {
-    if (is_it(unit.name) || std::any_of(unit.words.begin(), unit.words.end(), is_it)) return unit.factor;
+  const auto has_it = [&](const auto& words) { return std::any_of(words.begin(), words.end(), is_it); };
+  if (!units.quantity.empty() && has_it(kAxes)) {
+    word = last_word(before).word;
+    if (word.empty() || has_it(units.quantity)) return 1.0;
+    before = column;  // it has more than one word
   }
   const std::string give = units.option.empty() ? "" : "give the unit with " + std::string(units.option) + ", or ";
-  table.refuse("the name of the column " + in_quotes(column) + " ends with " + in_quotes(word) + ", which is none of the known units (" +
+  for (const Unit& unit : units.units) {
+    if (!is_it(unit.name) && !has_it(unit.words)) continue;
+    if (before.empty() && unit.factor != 1.0)
+      table.refuse("the name of the column " + in_quotes(column) + " is only a unit; " + give + "rename it");
+    return unit.factor;
+  }
+  if (before.empty()) return 1.0;
+  table.refuse("the name of the column " + in_quotes(column) + " ends with " +
+               in_quotes(column.substr(static_cast<std::size_t>(word.data() - column.data()))) + ", which is none of the known units (" +
                names_of(units) + "); " + give + "convert the column if needed and rename it");
 }
 

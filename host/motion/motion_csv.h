@@ -26,7 +26,8 @@ struct MotionColumns {
   bool with_forces = false;  ///< read them, N
   std::string time_unit;     ///< s ms us ns; empty: the last word of the column's name (t_s, "stamp [ns]"), else s
   std::string length_unit;   ///< mm cm m in; empty: the last words of the columns' names, which must agree, else mm
-  // A name of one word has no unit. Of a longer one, a last word that is no known unit is refused, as in t_min, x_um, pose.x and fx_kN.
+  // A name of one word has no unit, and must not be another one than s, mm or N. Of a longer one, a last word that is no known unit is refused, as in t_min,
+  // x_um, pose.x and fx_kN. A force's may be its axis, behind "force" or its unit: force_x, F_N_x, but not F_mN_x.
 };
 
 /// How many mm a unit of length has: mm cm m in.
