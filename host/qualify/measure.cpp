@@ -144,7 +144,7 @@ class Looks {
     try {
       figures.later.push_back(ask());
     } catch (const InputError& e) {
-      figures.end_unknown = e.what();
+      if (figures.end_unknown.empty()) figures.end_unknown = e.what();  // later ones only follow from it
     }
   }
 
@@ -178,9 +178,14 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     const std::uint64_t late_before = controller.status().late;
     const link::Histogram before = controller.histogram(protocol::Measure::kTick);
     const auto begun = Clock::now();
-    (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
+    try {
+      (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
+    } catch (const InputError& e) {
+      figures.cold_unknown = e.what();
+    }
     const double written = seconds_since(begun);
-    figures.cold_late = controller.status().late - late_before;
+    figures.cold_late = controller.status().late - late_before;  // they count whatever became of the shell
+    if (!figures.cold_unknown.empty()) return;
     if (written < 0.9 * seconds) {  // a program that ended at once has written nothing
       figures.cold_unknown = "cold ticks are unknown: 'dd' and 'timeout' could not write 64 MiB of memory there";
       return;
