@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "host/error.h"
@@ -54,6 +55,9 @@ void finish_with_patches(const std::filesystem::path& trace, const std::optional
                          const std::function<void()>& finish) {
   if (!patches) return finish();
   const std::string file = files::output_place(patches_of(trace)).path, part = file + ".part";
+  std::error_code failed;
+  if (std::filesystem::exists(file, failed) && !std::filesystem::is_regular_file(file, failed))  // else only the last step would fail
+    throw InputError(file + ": the patches of the trace cannot be written: it is a folder, a device or a pipe; name the trace otherwise");
   write_file(part, patches->data(), patches->size());
   try {
     finish();

@@ -114,6 +114,17 @@ TEST_F(Patched, MorePatchesThanATraceThatWasCutOffNeedsAreFine) {
   EXPECT_EQ(report.hash, whole.chain(149));
 }
 
+TEST(RecordedPatches, WhereTheyHaveNoPlaceTheOldTraceStays) {
+  const ScratchFolder folder;
+  const std::filesystem::path trace = folder.path() / "k.trace";
+  std::filesystem::create_directory(patches_of(trace));
+  bool finished = false;
+  EXPECT_THAT([&] { finish_with_patches(trace, Bytes{1, 2, 3}, [&] { finished = true; }); },
+              testing::ThrowsMessage<InputError>(HasSubstr("k.patches: the patches of the trace cannot be written: it is a folder")));
+  EXPECT_FALSE(finished);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "k.patches.part"));
+}
+
 TEST(RecordedPatches, GetTheirNameOnlyWithTheirTrace) {
   const ScratchFolder folder;
   const std::filesystem::path trace = folder.path() / "a.trace";
