@@ -31,6 +31,7 @@
 #include "host/field/parallel.h"
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
+#include "host/link/link_error.h"
 #include "host/stream/sources.h"
 #include "host/stream/stream.h"
 #include "host/trace/hash_text.h"
@@ -242,8 +243,10 @@ void close(stream::Stream& of, const StreamingOptions& options) {
 /// Runs until the source ends, the time is over, or somebody wants an end.
 ///
 /// hand      the controller whose hand is the source; empty: none
+/// fails     InputError: as stream::Stream, but for a link to the controller that is cut once the stream is to end
 /// returns   why the controller has not confirmed all that was taken when the stream was to end; empty: it has
-std::string work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOptions& options, const std::string& hand) {
+std::string work(stream::Stream& stream, stream::Source source, const StreamingOptions& options, const std::string& hand) {
+  stream::Inbox inbox;
   const Interruption interruption;
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
@@ -255,19 +258,25 @@ std::string work(stream::Stream& stream, stream::Inbox& inbox, const StreamingOp
   };
   constexpr double kGrace = 2;  // seconds that a busy controller gets to take the last frame
   try {
-    stream.run(inbox, {.is_over = is_over,
-                       .gives_up = [&] { return is_over() && seconds() - *over >= kGrace; },
-                       .second =
-                           [&](const stream::Tally& second) {
-                             print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "",
-                                          second, stream);
-                             thinned = inbox.thinned();
-                             heard = inbox.heard();
-                             lost = inbox.lost();
-                           }});
+    stream.connect({.is_over = is_over,
+                    .gives_up = [&] { return is_over() && seconds() - *over >= kGrace; },
+                    .second =
+                        [&](const stream::Tally& second) {
+                          print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "",
+                                       second, stream);
+                          thinned = inbox.thinned();
+                          heard = inbox.heard();
+                          lost = inbox.lost();
+                        }});
+    const std::jthread thread = stream::run(std::move(source), inbox);
+    struct Closed {
+      stream::Inbox& inbox;
+      ~Closed() { inbox.close(); }
+    } const closed{inbox};
+    stream.run(inbox);
     stream.finish();
-  } catch (const InputError& error) {
-    if (!is_over()) throw;
+  } catch (const link::LinkError& error) {
+    if (!is_over() || (!options.stream.to.empty() && !stream.is_connected())) throw;
     if (stream.is_felt()) return {};  // Ctrl-C interrupts the ssh to the controller, too
     const bool has_some = stream.report().upload_bytes > 0;
     return error.what() + std::string(has_some ? "; the last frame may not be felt" : "; the controller confirmed nothing of this field");
@@ -304,19 +313,11 @@ void run(StreamingOptions& options) {
   stream::Source source = source_of(kind, options, scene);
   stream::Stream stream(options.stream);
   std::string ended;
-  {
-    stream::Inbox inbox;
-    const std::jthread thread = stream::run(std::move(source), inbox);
-    struct Closed {
-      stream::Inbox& inbox;
-      ~Closed() { inbox.close(); }
-    } const closed{inbox};
-    try {
-      ended = work(stream, inbox, options, kind == FrameSource::kController ? options.sources[0] : "");
-    } catch (const InputError& error) {
-      if (!stream.has_points() || options.out.empty()) throw;
-      ended = error.what();
-    }
+  try {
+    ended = work(stream, std::move(source), options, kind == FrameSource::kController ? options.sources[0] : "");
+  } catch (const InputError& error) {
+    if (!stream.has_points() || options.out.empty()) throw;
+    ended = error.what();
   }
   if (!stream.has_points()) throw InputError(nothing_built(kind, options, stream.report()));
   close(stream, options);

@@ -18,6 +18,7 @@
 
 #include "host/error.h"
 #include "host/link/child.h"
+#include "host/link/link_error.h"
 
 namespace isotouch::link {
 
@@ -28,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kAsksEvery{100};  ///< whether anybody still waits
 
-[[noreturn]] void complain_of_nobody(const Address& address) { throw InputError(address.text + ": nobody waits for its answer any more"); }
+[[noreturn]] void complain_of_nobody(const Address& address) { throw LinkError(address.text + ": nobody waits for its answer any more"); }
 
 /// patience_ms   0: for ever
 Clock::time_point end_of(int patience_ms) {
@@ -83,8 +84,8 @@ Connection::~Connection() {
 
 void Connection::send_frame(std::size_t bytes) {
   if (has_ended_)
-    throw InputError(address_.text +
-                     ": an answer before did not come in time or did not fit, so what comes now is not trusted; connect again");
+    throw LinkError(address_.text +
+                    ": an answer before did not come in time or did not fit, so what comes now is not trusted; connect again");
   const Clock::time_point end = end_of(send_patience_ms_);
   for (std::size_t sent = 0; sent < bytes && !broken_;) {
     const ssize_t taken = ::send(stream_, frame_.data() + sent, bytes - sent, MSG_NOSIGNAL | MSG_DONTWAIT);
@@ -131,7 +132,7 @@ protocol::Frame Connection::receive(int patience_ms, const std::function<bool()>
       has_ended_ = false;
       return *frame;
     }
-    if (!wait(POLLIN, end, enough)) throw InputError(address_.text + ": the controller does not answer; check whether it runs");
+    if (!wait(POLLIN, end, enough)) throw LinkError(address_.text + ": the controller does not answer; check whether it runs");
     read_more();
   }
 }
@@ -159,11 +160,11 @@ void Connection::complain_of_the_end() {
     ::waitpid(child_, &status, 0);
     child_ = -1;
     if (WIFEXITED(status) && WEXITSTATUS(status) != 0) {
-      throw InputError(address_.text + ": ssh ended with status " + std::to_string(WEXITSTATUS(status)) +
-                       " before the controller had answered; see its messages, and check that isotouchd is installed there");
+      throw LinkError(address_.text + ": ssh ended with status " + std::to_string(WEXITSTATUS(status)) +
+                      " before the controller had answered; see its messages, and check that isotouchd is installed there");
     }
   }
-  throw InputError(address_.text + ": the controller closed the connection; check whether it still runs");
+  throw LinkError(address_.text + ": the controller closed the connection; check whether it still runs");
 }
 
 }  // namespace isotouch::link

@@ -43,7 +43,7 @@ class Connection {
   ///
   /// patience_ms   until the whole frame has come
   /// enough        asked as `is_over` is, besides it
-  /// fails         InputError: the controller is gone, its frame is not there in time, nobody waits any more, or what comes breaks the protocol. The
+  /// fails         LinkError: the controller is gone, its frame is not there in time, nobody waits any more; InputError: what comes breaks the protocol. The
   ///               conversation has ended then: a frame that comes late would pass for the answer to what is asked next
   protocol::Frame receive(int patience_ms, const std::function<bool()>& enough = {});
 

@@ -1,6 +1,6 @@
 /// A running controller, as the host tool speaks with it: each request of the protocol is one function.
 ///
-/// fails     every function: InputError with the address and one sentence, the controller's own where it refuses. After an answer that did not come in
+/// fails     every function: InputError with the address and one sentence, the controller's own where it refuses; LinkError where it cannot be heard. After an answer that did not come in
 ///           time or did not fit, all further requests fail: connect anew
 #pragma once
 

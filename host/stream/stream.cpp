@@ -33,22 +33,26 @@ Eigen::AlignedBox3d box_round_first(std::span<const Eigen::Vector3d> positions) 
 
 }  // namespace
 
-Stream::Stream(StreamOptions options) : options_(std::move(options)) {
+Stream::Stream(StreamOptions options) : options_(std::move(options)) {}
+
+void Stream::connect(Watch watch) {
+  watch_ = std::move(watch);
   if (options_.to.empty()) return;
   controller_.emplace(options_.to, std::nullopt, [this] { return gives_up(); });
   status_ = controller_->status();
 }
 
-bool Stream::is_due() const { return watch_.second && Clock::now() - reported_ >= 1s; }
+bool Stream::is_due() const { return Clock::now() - reported_ >= 1s; }
 
 /// While the controller is waited for.
 bool Stream::gives_up() {
+  if (!status_) return watch_.is_over();  // it does not know of the stream yet
   constexpr auto kSoon = 100ms;
   if (is_due() && Clock::now() - asked_ >= kSoon) {
     second_.unanswered = true;
     report_second();
   }
-  return watch_.gives_up && watch_.gives_up();
+  return watch_.gives_up();
 }
 
 void Stream::report_second() {
@@ -57,10 +61,9 @@ void Stream::report_second() {
   second_ = {};
 }
 
-void Stream::run(Inbox& inbox, Watch watch) {
+void Stream::run(Inbox& inbox) {
   const Clock::time_point begin = Clock::now();
   reported_ = begin;
-  watch_ = std::move(watch);
   const auto count = [&](bool is_end) {
     if (is_end) {
       inbox.close();
@@ -146,8 +149,9 @@ void Stream::send() {
   asked_ = Clock::now();
   try {
     felt_ ? patch() : upload();
-  } catch (const InputError& refused) {
-    explain_refusal(refused.what());
+  } catch (const InputError&) {
+    explain_refusal();
+    throw;
   }
 }
 
@@ -178,15 +182,16 @@ void Stream::patch() {
 }
 
 /// The field of somebody else is no error of this program, and is not replaced.
-void Stream::explain_refusal(const std::string& sentence) {
-  if (!felt_) throw InputError(sentence);
+///
+/// fails     InputError: there is such a field
+void Stream::explain_refusal() {
+  if (!felt_) return;
   try {
     status_ = controller_->status();
   } catch (const InputError&) {
-    throw InputError(sentence);  // it is gone
+    return;  // it is gone
   }
   require_own_field();
-  throw InputError(sentence);
 }
 
 void Stream::ask_status() {

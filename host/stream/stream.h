@@ -54,24 +54,26 @@ struct StreamReport {
 
 class Stream {
  public:
-  /// Connects to the controller.
-  ///
-  /// fails     InputError: as link::Controller
   explicit Stream(StreamOptions options);
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  /// What `run` asks and reports. All of it lives until after `finish`.
+  /// What the stream asks and reports. All of it lives until after `finish`.
   struct Watch {
-    std::function<bool()> is_over;             ///< asked ten times a second and oftener, but not while the controller is waited for
+    std::function<bool()> is_over;             ///< asked ten times a second and oftener, but not while a connected controller is waited for
     std::function<bool()> gives_up;            ///< asked ten times a second while the controller is waited for; true: it fails
     std::function<void(const Tally&)> second;  ///< called each second with what it brought
   };
+  /// Connects to the controller, if one was named; once, before `run`.
+  ///
+  /// fails     InputError: as link::Controller, also when the stream is over meanwhile
+  void connect(Watch watch);
+  bool is_connected() const { return status_.has_value(); }
   /// Works until there are no more frames.
   ///
-  /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses or is gone. What the field held before it
+  /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses; LinkError: one that is gone. What the field held before it
   ///           still holds
-  void run(Inbox& inbox, Watch watch);
+  void run(Inbox& inbox);
   /// Sends what has not been sent, if anything, and looks whether the controller has it.
   ///
   /// fails     InputError: as `run`
@@ -100,7 +102,7 @@ class Stream {
   bool is_due() const;
   bool gives_up();
   void report_second();
-  [[noreturn]] void explain_refusal(const std::string& sentence);
+  void explain_refusal();
   void ask_status();
   void require_own_field();
 
