@@ -31,6 +31,7 @@
 #include "host/field/parallel.h"
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
+#include "host/link/address.h"
 #include "host/link/link_error.h"
 #include "host/stream/sources.h"
 #include "host/stream/stream.h"
@@ -133,7 +134,8 @@ stream::Source source_of(FrameSource kind, StreamingOptions& options, Scene& sce
     case FrameSource::kInput: return stream::standard_input(options.sensor, options.every_frame);
     case FrameSource::kRecording: return stream::recording(options.sources[0], rate, options.rate.has_value());
     case FrameSource::kController:
-      if (options.sources[0] == options.stream.to)
+      if (!options.stream.to.empty() &&
+          link::is_same_controller(link::read_address(options.sources[0]), link::read_address(options.stream.to)))
         throw InputError(options.stream.to + ": the hand feels there what the stream has made; name another controller as the source");
       return stream::controller(options.sources[0], rate);
     case FrameSource::kCamera: return camera_source(options, scene);

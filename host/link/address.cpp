@@ -1,5 +1,7 @@
 #include "host/link/address.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
@@ -66,6 +68,14 @@ Address read_address(const std::string& text) {
   if (!is_name(rest)) refuse(text, "has a host name that cannot be one");
   address.host = rest;
   return address;
+}
+
+bool is_same_controller(const Address& a, const Address& b) {
+  if (a.is_remote() || b.is_remote()) return a.text == b.text;
+  struct stat one {
+  }, other{};
+  return ::stat(a.socket.c_str(), &one) == 0 && ::stat(b.socket.c_str(), &other) == 0 && one.st_dev == other.st_dev &&
+         one.st_ino == other.st_ino;
 }
 
 std::vector<std::string> ssh_command(const Address& address, const std::string& ssh, const std::string& there) {

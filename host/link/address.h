@@ -20,6 +20,9 @@ struct Address {
 /// fails     InputError: what is wrong with it and how one looks
 Address read_address(const std::string& text);
 
+/// Do both lead to one controller? On this machine that is seen, by whatever path; another one's is known by how it is written.
+bool is_same_controller(const Address& a, const Address& b);
+
 /// The program that runs a command on a remote machine, with its arguments. Nothing in an address is taken for an option, or for more than one word, on
 /// either machine.
 ///

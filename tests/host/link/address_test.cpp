@@ -3,10 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "host/error.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch::link {
 namespace {
@@ -51,6 +53,21 @@ TEST(Address, WhatIsNoneIsRefusedWithAnExample) {
       EXPECT_THAT(e.what(), testing::HasSubstr("write unix:PATH or ssh://")) << text;
     }
   }
+}
+
+TEST(Address, ASocketIsTheSameByWhateverPath) {
+  const ScratchFolder folder;
+  const std::string socket = folder.write("control", "").string(), other = folder.write("other", "").string();
+  std::filesystem::create_symlink(socket, folder.path() / "link");
+  const auto is_same = [](const std::string& a, const std::string& b) { return is_same_controller(read_address(a), read_address(b)); };
+  EXPECT_TRUE(is_same("unix:" + socket, "unix:" + socket));
+  EXPECT_TRUE(is_same("unix:" + socket, "unix:" + folder.path().string() + "/./control"));
+  EXPECT_TRUE(is_same("unix:" + socket, "unix:" + (folder.path() / "link").string()));
+  EXPECT_FALSE(is_same("unix:" + socket, "unix:" + other));
+  EXPECT_FALSE(is_same("unix:" + socket, "unix:" + folder.path().string() + "/missing"));
+  EXPECT_TRUE(is_same("ssh://me@board:22/control", "ssh://me@board:22/control"));
+  EXPECT_FALSE(is_same("ssh://me@board/control", "ssh://me@bench/control"));
+  EXPECT_FALSE(is_same("unix:" + socket, "ssh://me@board" + socket));
 }
 
 }  // namespace
