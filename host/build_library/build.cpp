@@ -57,7 +57,9 @@ void require_valid(const isotouch_build_options& options) {
   require_range(options.has_viewpoint, 0, 1, "has_viewpoint");
   require_range(options.accept_implausible, 0, 1, "accept_implausible");
   require_range(options.reserved, 0, 0, "reserved");
-  if (options.has_viewpoint != 0) require_finite(options.viewpoint, 3, "viewpoint");
+  if (options.has_viewpoint != 0) {
+    for (const double number : options.viewpoint) require_range(number, -1e100, 1e100, "viewpoint");  // as cloud::is_computable
+  }
 }
 
 std::vector<Vector3d> vectors(const double* numbers, std::size_t count) {

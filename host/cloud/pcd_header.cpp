@@ -8,6 +8,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "host/cloud/computable.h"
 #include "host/cloud/text_lines.h"
 
 namespace isotouch::cloud {
@@ -45,6 +46,7 @@ std::optional<Eigen::Vector3d> viewpoint(TextLines& lines) {
     value = lines.number("a number of the viewpoint");
     if (!std::isfinite(value)) throw lines.refusal("a number of the viewpoint is not finite");
   }
+  if (!is_computable({values[0], values[1], values[2]})) throw lines.refusal("the viewpoint is farther away than 1e100");
   if (values == std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}) return std::nullopt;
   return Eigen::Vector3d(values[0], values[1], values[2]);
 }

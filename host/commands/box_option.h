@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/cloud/computable.h"
+
 namespace isotouch::commands {
 
 /// box       stays alive as long as the command
@@ -17,8 +19,8 @@ inline void add_box(CLI::App& command, std::optional<Eigen::AlignedBox3d>& box, 
           "--box",
           [&box](const std::vector<double>& of) {
             const Eigen::Vector3d a(of[0], of[1], of[2]), b(of[3], of[4], of[5]);
-            if (!a.allFinite() || !b.allFinite() || !((a - b).cwiseAbs().array() > 0.0).all())
-              throw CLI::ValidationError("--box", "its two corners must be finite and differ in every coordinate");
+            if (!cloud::is_computable(a) || !cloud::is_computable(b) || !((a - b).cwiseAbs().array() > 0.0).all())
+              throw CLI::ValidationError("--box", "its two corners must lie within ±1e100 and differ in every coordinate");
             box.emplace(a.cwiseMin(b), a.cwiseMax(b));
           },
           about)

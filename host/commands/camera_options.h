@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/number_in.h"
+#include "host/cloud/computable.h"
 #include "host/cloud/depth_image.h"
 #include "host/cloud/source_file.h"
 
@@ -46,7 +47,7 @@ inline void add_viewpoint(CLI::App& command, cloud::SensorOptions& sensor, const
           "--viewpoint",
           [&sensor](const std::vector<double>& place) {
             const Eigen::Vector3d at(place[0], place[1], place[2]);
-            if (!at.allFinite()) throw CLI::ValidationError("--viewpoint", "its three numbers must be finite");
+            if (!cloud::is_computable(at)) throw CLI::ValidationError("--viewpoint", "its three numbers must lie within ±1e100");
             sensor.viewpoint = at;
           },
           about)

@@ -51,6 +51,8 @@ std::vector<std::uint8_t> read_to_end(const std::filesystem::path& file, std::FI
 }  // namespace
 
 void claim_standard_input() {
+  if (std::uint8_t byte = 0; ::read(STDIN_FILENO, &byte, 0) < 0 && errno == EBADF)
+    throw InputError("-: standard input is closed; name a file, or let a program or a file give the input");
   static bool claimed = false;
   if (std::exchange(claimed, true)) throw InputError("-: standard input can be read only once; name a file for the other input");
 }

@@ -16,7 +16,7 @@ inline bool is_standard(const std::filesystem::path& file) { return file == "-";
 
 /// Standard input can be read once: whoever reads it by another way than `read_file` says so.
 ///
-/// fails     InputError when it was claimed before
+/// fails     InputError when it was claimed before, or is closed
 void claim_standard_input();
 
 /// All bytes of a file, a pipe, or standard input.

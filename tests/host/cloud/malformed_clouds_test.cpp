@@ -189,6 +189,8 @@ std::vector<Malformed> all() {
       {"pcd of a negative height", "a.pcd", with(pcd("ascii", ""), "HEIGHT 1", "HEIGHT -1"), "line 8: HEIGHT is '-1', not a whole number"},
       {"pcd with nan viewpoint", "a.pcd", with(pcd("ascii", ""), "0 0 0 1", "0 nan 0 1"),
        "line 9: a number of the viewpoint is not finite"},
+      {"pcd with a viewpoint beyond all numbers", "a.pcd", with(pcd("ascii", ""), "0 0 0 1", "0 1e200 0 1"),
+       "line 9: the viewpoint is farther away than 1e100"},
       {"pcd with half a viewpoint", "a.pcd", with(pcd("ascii", ""), "0 0 0 1 0 0 0", "0 0 0"),
        "line 9: the line ends where a number of the viewpoint"},
       {"pcd of unknown data", "a.pcd", pcd("zip", ""), "line 11: PCD data 'zip' is unknown"},

@@ -112,5 +112,19 @@ TEST(EveryOption, CountsOfTicksHaveAnEnd) {
   EXPECT_THAT(refusal({"trace", "stop-latency", "a.trace", "--most", "100000001"}), testing::StartsWith("--most: "));
 }
 
+/// Distances to them could not be computed, and other things would be blamed.
+TEST(EveryOption, PlacesBeyondAllNumbersAreRefused) {
+  for (const std::string far : {"1e200", "-1e308", "nan"}) {
+    for (const char* command : {"build", "stream"}) {
+      EXPECT_THAT(refusal({command, "a.ply", "-o", "a.itf", "--viewpoint", "0", far, "0"}),
+                  testing::StartsWith("--viewpoint: its three numbers must lie within"))
+          << command << ' ' << far;
+      EXPECT_THAT(refusal({command, "a.ply", "-o", "a.itf", "--box=" + far + ",0,0,1,1,1"}),
+                  testing::StartsWith("--box: its two corners must lie within"))
+          << command << ' ' << far;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::commands

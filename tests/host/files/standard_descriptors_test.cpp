@@ -5,6 +5,11 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <string>
+
+#include "host/error.h"
+#include "host/files/whole_file.h"
+
 namespace isotouch::files {
 namespace {
 
@@ -26,6 +31,20 @@ namespace {
 TEST(StandardDescriptorsDeathTest, NoFileGetsTheNumberOfOneThatIsClosed) {
   for (int closed = 0; closed < 8; ++closed) EXPECT_EXIT(close_and_occupy(closed), testing::ExitedWithCode(0), "") << closed;
 }
+
+/// Ends with 0 if it is said that standard input is closed.
+[[noreturn]] void close_and_claim() {
+  close(0);
+  occupy_standard_descriptors();
+  try {
+    claim_standard_input();
+  } catch (const InputError& error) {
+    _exit(std::string(error.what()).starts_with("-: standard input is closed") ? 0 : 1);
+  }
+  _exit(2);
+}
+
+TEST(StandardDescriptorsDeathTest, WhoeverReadsAClosedInputIsTold) { EXPECT_EXIT(close_and_claim(), testing::ExitedWithCode(0), ""); }
 
 }  // namespace
 }  // namespace isotouch::files
