@@ -1,7 +1,7 @@
 /// A running controller, as the host tool speaks with it: each request of the protocol is one function.
 ///
-/// fails     every function: InputError with the address and one sentence, the controller's own where it refuses; LinkError where it cannot be heard. After an answer that did not come in
-///           time or did not fit, all further requests fail: connect anew
+/// fails     every function: InputError with the address and one sentence, the controller's own where it refuses; LinkError where it cannot be heard.
+///           After an answer that did not come in time or did not fit, all further requests fail: connect anew
 #pragma once
 
 #include <algorithm>

@@ -71,7 +71,8 @@ class Stream {
   bool is_connected() const { return status_.has_value(); }
   /// Works until there are no more frames.
   ///
-  /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses; LinkError: one that is gone. What the field held before it
+  /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses; LinkError: one that is gone.
+  ///           What the field held before it
   ///           still holds
   void run(Inbox& inbox);
   /// Sends what has not been sent, if anything, and looks whether the controller has it.
