@@ -72,8 +72,7 @@ class Stream {
   /// Works until there are no more frames.
   ///
   /// fails     InputError: what the source fails with, a frame that cannot be read, a controller that refuses; LinkError: one that is gone.
-  ///           What the field held before it
-  ///           still holds
+  ///           What the field held before it still holds
   void run(Inbox& inbox);
   /// Sends what has not been sent, if anything, and looks whether the controller has it.
   ///
