@@ -27,6 +27,21 @@ Eigen::Matrix3d looking_along(const Vector3d& forward) {
   return axes;
 }
 
+/// Where in the picture a box may be seen, in pixels from its middle, whole ones outwards; all of the picture where a corner is not in front.
+///
+/// camera    the box's frame
+Eigen::AlignedBox2d seen_of(const field::TriangleTree::Box& box, const Vector3d& camera, const Eigen::Matrix3d& axes, double focal_pixels) {
+  Eigen::AlignedBox2d seen;
+  for (int n = 0; n < 8; ++n) {
+    const Vector3d corner((n & 1) != 0 ? box.high.x() : box.low.x(), (n & 2) != 0 ? box.high.y() : box.low.y(),
+                          (n & 4) != 0 ? box.high.z() : box.low.z());
+    const Vector3d at = axes.transpose() * (corner - camera);
+    if (!(at.z() > 0)) return Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9));
+    seen.extend(Eigen::Vector2d(focal_pixels * at.head<2>() / at.z()));
+  }
+  return {seen.min() - Eigen::Vector2d::Ones(), seen.max() + Eigen::Vector2d::Ones()};
+}
+
 /// From the middle of the object to the camera, unit.
 Vector3d place(double turns, double tilt) {
   const Vector3d round = Vector3d(motion::wave(turns), motion::wave(turns - 0.25), 0).normalized();
@@ -48,6 +63,8 @@ DepthFrame SimulatedDepthCamera::frame(std::uint64_t number) const {
   const Eigen::Matrix3d axes = looking_along(-away);
   const Vector3d corner(static_cast<double>(options_.columns - 1) / 2, static_cast<double>(options_.rows - 1) / 2, 0);
 
+  const Eigen::AlignedBox2d seen_at = seen_of(tree_.box(field::TriangleTree::root()), camera, axes, options_.focal_pixels);
+
   const std::size_t pixels = options_.columns * options_.rows;
   std::vector<Vector3d> rays(pixels);  // of depth 1
   std::vector<double> depths(pixels);  // mm; 0 = nothing returned
@@ -56,6 +73,7 @@ DepthFrame SimulatedDepthCamera::frame(std::uint64_t number) const {
       const Vector3d pixel(static_cast<double>(i % options_.columns), static_cast<double>(i / options_.columns), 0);
       const Vector3d through = (pixel - corner) / options_.focal_pixels + Vector3d::UnitZ();
       rays[i] = axes * through;
+      if (!seen_at.contains(Eigen::Vector2d((pixel - corner).head<2>()))) continue;
       const double length = rays[i].norm();
       const std::optional<field::FaceHit> hit = field::first_hit(tree_, camera, rays[i] / length);
       if (hit && !hit->from_inside && -hit->normal.dot(rays[i]) >= options_.least_cosine * length) depths[i] = hit->t / length;

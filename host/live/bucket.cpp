@@ -6,20 +6,26 @@
 namespace isotouch::live {
 
 namespace {
-constexpr double kPositionSteps = 64;  // of a mean, a voxel
-constexpr double kNormalSteps = 512;   // of a mean normal's component
-constexpr int kVoxelBits = 1;          // a bucket is so many doublings of a voxel wide
+constexpr double kPositionSteps = 64;         // of a mean, a voxel
+constexpr double kNormalSteps = 512;          // of a mean normal's component
+constexpr int kAxisBits = 13, kSideBits = 3;  // of a key
+constexpr int kVoxelBits = 1;                 // a bucket is so many doublings of a voxel wide
 }  // namespace
 
 std::uint64_t bucket_key(const Point& point) {
   std::uint64_t key = 0;
   for (std::size_t axis = 3; axis-- > 0;)
-    key = key << 13 | static_cast<std::uint64_t>(point.position[axis] >> (kPositionBits + kVoxelBits));
+    key = key << kAxisBits | static_cast<std::uint64_t>(point.position[axis] >> (kPositionBits + kVoxelBits));
   std::size_t side = 0;
   for (std::size_t axis = 1; axis < 3; ++axis) {
     if (std::abs(int{point.normal[axis]}) > std::abs(int{point.normal[side]})) side = axis;
   }
-  return key << 3 | side << 1 | (point.normal[side] < 0 ? 1U : 0U);
+  return key << kSideBits | side << 1 | (point.normal[side] < 0 ? 1U : 0U);
+}
+
+Eigen::Vector3i bucket_place(std::uint64_t key) {
+  const auto axis = [key](int n) { return static_cast<int>(key >> (kSideBits + n * kAxisBits) & ((1U << kAxisBits) - 1)); };
+  return {axis(0), axis(1), axis(2)};
 }
 
 void Bucket::add(const Point& point) {

@@ -13,6 +13,8 @@ namespace isotouch::live {
 
 /// Which bucket a point belongs to: the cell that it lies in, and the axis and sign of its normal's largest component. Sorts by z, y, x, side.
 std::uint64_t bucket_key(const Point& point);
+/// Where the bucket of a key is, in widths of a bucket.
+Eigen::Vector3i bucket_place(std::uint64_t key);
 
 /// Mean position and normal of a bucket. They are rounded, so that one more point among many mostly changes nothing.
 struct Mean {

@@ -10,6 +10,8 @@ namespace isotouch::stream {
 
 namespace {
 
+constexpr unsigned kBlockBits = 4;  // a block is so many doublings of a bucket wide: 32 voxels
+
 encoding::FieldInfo with_placement(encoding::FieldInfo info, const cloud::Placement& placement) {
   info.placement = placement;
   return info;
@@ -20,6 +22,12 @@ encoding::FieldInfo with_placement(encoding::FieldInfo info, const cloud::Placem
 GrowingField::GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
                            std::uint32_t enough)
     : space_(space), field_(space.grid, band, with_placement(std::move(info), space.placement)), keep_(keep), enough_(enough) {}
+
+/// When the block of a bucket has its turn; those side by side have different ones.
+std::size_t GrowingField::turn_of(std::uint64_t key) {
+  const Eigen::Vector3i bucket = live::bucket_place(key);
+  return static_cast<std::size_t>((bucket.x() >> kBlockBits) + (bucket.y() >> kBlockBits) + (bucket.z() >> kBlockBits)) % kTurns;
+}
 
 /// Notes that the batch may change a place.
 void GrowingField::touch(std::uint64_t key, Place& place) {
@@ -68,19 +76,25 @@ void GrowingField::fill(Place& place, Clock::time_point at, live::Batch& batch) 
   }
 }
 
-/// Fills the places whose points have doubled, and those that are computed anyway because some went: a place that follows each point that comes would be
-/// computed anew for an ever smaller part of its mean.
+/// Fills the places that are new, those that are computed anyway because some points went, and of those whose block has its turn the ones whose points
+/// have doubled: a place that followed each point would be computed anew for an ever smaller part of its mean, and its neighbours with it.
 void GrowingField::settle(Clock::time_point at, live::Batch& batch) {
   for (const std::uint64_t key : touched_) {
     const auto found = places_.find(key);
     Place& place = found->second;
-    const std::size_t due = std::clamp<std::size_t>(2 * std::size_t{place.held}, 1, enough_);
-    if (place.has_lost || place.held + place.waiting.size() >= due) fill(place, at, batch);
+    if (place.held == 0 || place.has_lost) fill(place, at, batch);
     place.is_touched = place.has_lost = false;
-    if (place.held < enough_ && !place.waiting.empty()) unsettled_.insert(key);
+    if (place.held < enough_ && !place.waiting.empty()) unsettled_[turn_of(key)].insert(key);
     if (place.held == 0 && place.waiting.empty()) places_.erase(found);
   }
   touched_.clear();
+  std::erase_if(unsettled_[frames_++ % kTurns], [&](std::uint64_t key) {
+    const auto found = places_.find(key);
+    if (found == places_.end()) return true;
+    Place& place = found->second;
+    if (place.held + place.waiting.size() >= std::min<std::size_t>(2 * std::size_t{place.held}, enough_)) fill(place, at, batch);
+    return place.held == enough_ || place.waiting.empty();
+  });
 }
 
 void GrowingField::apply(const live::Batch& batch) {
@@ -123,12 +137,14 @@ PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) 
 
 PointCounts GrowingField::take_waiting(Clock::time_point at) {
   PointCounts counts;
-  if (unsettled_.empty()) return counts;
   live::Batch batch;
-  for (const std::uint64_t key : unsettled_) {
-    if (const auto found = places_.find(key); found != places_.end()) fill(found->second, at, batch);
+  for (auto& keys : unsettled_) {
+    for (const std::uint64_t key : keys) {
+      if (const auto found = places_.find(key); found != places_.end()) fill(found->second, at, batch);
+    }
+    keys.clear();
   }
-  unsettled_.clear();
+  if (batch.added.empty()) return counts;
   counts.taken = batch.added.size();
   apply(batch);
   return counts;

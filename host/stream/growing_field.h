@@ -1,6 +1,7 @@
 /// A live field with what a stream needs around it: points come in frames and may go again after a while, and each state leads to the next by a patch.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -38,11 +39,13 @@ struct PointCounts {
 
 class GrowingField {
  public:
+  static constexpr std::size_t kTurns = 8;
+
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
-  /// enough    that many points of a bucket count; 0: all. A bucket that has some takes further ones once they double it, or some of its own go; until
-  ///           then they wait. Those beyond enough are left out. With `keep`, the newest of them wait, too, and all only as long as they are
-  ///           no older than `keep` themselves
+  /// enough    that many points of a bucket count; 0: all. A bucket that has some takes further ones when its block has its turn, every `kTurns`
+  ///           frames, if they double it by then; or when some of its own go. Until then they wait. Those beyond enough are left out. With `keep`, the
+  ///           newest of them wait, too, and all only as long as they are no older than `keep` themselves
   /// fails     as LiveField
   GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
                std::uint32_t enough = 0);
@@ -89,6 +92,7 @@ class GrowingField {
   bool wait(const live::Point& point, Clock::time_point at);
   void remove_old(Clock::time_point at, live::Batch& batch);
   void fill(Place& place, Clock::time_point at, live::Batch& batch);
+  static std::size_t turn_of(std::uint64_t key);
   void settle(Clock::time_point at, live::Batch& batch);
   void apply(const live::Batch& batch);
 
@@ -96,9 +100,11 @@ class GrowingField {
   live::LiveField field_;
   std::optional<Clock::duration> keep_;
   std::uint32_t enough_;
-  std::unordered_map<std::uint64_t, Place> places_;            ///< by bucket
-  std::vector<std::uint64_t> touched_;                         ///< of them, by the batch
-  std::unordered_set<std::uint64_t> unsettled_;                ///< all where points wait although enough do not count yet, and others
+  std::unordered_map<std::uint64_t, Place> places_;  ///< by bucket
+  std::uint64_t frames_ = 0;                         ///< taken
+  std::vector<std::uint64_t> touched_;               ///< of them, by the batch
+  std::array<std::unordered_set<std::uint64_t>, kTurns>
+      unsettled_;  ///< by turn, all where points wait although enough do not count yet, and others
   std::map<Clock::time_point, std::vector<live::Point>> old_;  ///< points that count, where they go again, by when they came
   live::Work work_;
   bool changed_ = false;
