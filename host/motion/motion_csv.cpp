@@ -150,7 +150,8 @@ bool is_same_word(std::string_view a, std::string_view b) {
 
 /// The factor of the unit that a column's name ends with, or that stands before an axis at its end; 1 for a name of one word.
 double named_factor(const Table& table, const Units& units, std::string_view column) {
-  auto [before, word] = last_word(column);
+  const LastWord last = last_word(column);
+  std::string_view before = last.before, word = last.word;
   const auto is_it = [&](std::string_view name) { return is_same_word(name, word); };
   const auto has_it = [&](const auto& words) { return std::any_of(words.begin(), words.end(), is_it); };
   if (!units.quantity.empty() && has_it(kAxes)) {
