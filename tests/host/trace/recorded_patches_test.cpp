@@ -119,8 +119,11 @@ TEST(RecordedPatches, WhereTheyHaveNoPlaceTheOldTraceStays) {
   const std::filesystem::path trace = folder.path() / "k.trace";
   std::filesystem::create_directory(patches_of(trace));
   bool finished = false;
-  EXPECT_THAT([&] { finish_with_patches(trace, Bytes{1, 2, 3}, [&] { finished = true; }); },
-              testing::ThrowsMessage<InputError>(HasSubstr("k.patches: the patches of the trace cannot be written: it is a folder")));
+  EXPECT_THAT(
+      [&] {
+        finish_with_patches(trace, Bytes{1, 2, 3}, [&] { finished = true; });
+      },
+      testing::ThrowsMessage<InputError>(HasSubstr("k.patches: the patches of the trace cannot be written: it is a folder")));
   EXPECT_FALSE(finished);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "k.patches.part"));
 }
