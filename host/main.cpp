@@ -21,31 +21,14 @@ void keep_freed_memory() {
 }
 
 using namespace isotouch;
-
-struct Command {
-  const char* name;  ///< none for several at once
-  void (*add)(CLI::App& app);
-};
-
-constexpr Command kCommands[] = {
-    {"build", commands::add_build},     {"info", commands::add_info},       {"export", commands::add_export},
-    {"sample", commands::add_sample},   {"shape", commands::add_shape},     {"scan", commands::add_scan},
-    {"trace", commands::add_trace},     {"compare", commands::add_compare}, {"evaluate", commands::add_evaluate},
-    {"bench", commands::add_bench},     {"render", commands::add_render},   {"plot", commands::add_plot},
-    {"demo", commands::add_demo},       {nullptr, commands::add_on_desk},   {"calibrate", commands::add_calibrate},
-    {"qualify", commands::add_qualify}, {"view", commands::add_view},       {"farm", commands::add_farm},
-    {"fleet", commands::add_fleet},     {"stream", commands::add_stream}};
-
-void add_all(CLI::App& app) {
-  for (const Command& command : kCommands) command.add(app);
-}
+using commands::Command, commands::kCommands;
 
 /// Of what was called for, or of all where that is no name: to make every command takes a third of a short call's time.
 void (*commands_for(int argc, char** argv))(CLI::App& app) {
   for (const Command& command : kCommands) {
     if (argc > 1 && command.name != nullptr && std::strcmp(command.name, argv[1]) == 0) return command.add;
   }
-  return add_all;
+  return commands::add_all;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// The sub-commands that only `isotouch` has, one file each; see `host/board_commands/commands.h`.
+/// The sub-commands that only `isotouch` has, one file each, and the list of all; see `host/board_commands/commands.h`.
 #pragma once
 
 #include "host/board_commands/commands.h"
@@ -27,5 +27,21 @@ void add_stream(CLI::App& app);
 
 /// Those of `add_on_board`, with the renderer that only `isotouch` has.
 void add_on_desk(CLI::App& app);
+
+struct Command {
+  const char* name;  ///< none for several at once
+  void (*add)(CLI::App& app);
+};
+
+/// All of `isotouch`.
+inline constexpr Command kCommands[] = {
+    {"build", add_build},     {"info", add_info},   {"export", add_export},   {"sample", add_sample},     {"shape", add_shape},
+    {"scan", add_scan},       {"trace", add_trace}, {"compare", add_compare}, {"evaluate", add_evaluate}, {"bench", add_bench},
+    {"render", add_render},   {"plot", add_plot},   {"demo", add_demo},       {nullptr, add_on_desk},     {"calibrate", add_calibrate},
+    {"qualify", add_qualify}, {"view", add_view},   {"farm", add_farm},       {"fleet", add_fleet},       {"stream", add_stream}};
+
+inline void add_all(CLI::App& app) {
+  for (const Command& command : kCommands) command.add(app);
+}
 
 }  // namespace isotouch::commands

@@ -27,14 +27,13 @@ Eigen::Matrix3d looking_along(const Vector3d& forward) {
   return axes;
 }
 
-/// Where in the picture a box may be seen, in pixels from its middle, whole ones outwards; all of the picture where a corner is not in front.
+/// Where in the picture a box may be seen, in pixels from its middle, and one more on each side; all of the picture where a corner is not in front.
 ///
 /// camera    the box's frame
 Eigen::AlignedBox2d seen_of(const field::TriangleTree::Box& box, const Vector3d& camera, const Eigen::Matrix3d& axes, double focal_pixels) {
   Eigen::AlignedBox2d seen;
   for (int n = 0; n < 8; ++n) {
-    const Vector3d corner((n & 1) != 0 ? box.high.x() : box.low.x(), (n & 2) != 0 ? box.high.y() : box.low.y(),
-                          (n & 4) != 0 ? box.high.z() : box.low.z());
+    const Vector3d corner = Eigen::AlignedBox3d(box.low, box.high).corner(static_cast<Eigen::AlignedBox3d::CornerType>(n));
     const Vector3d at = axes.transpose() * (corner - camera);
     if (!(at.z() > 0)) return Eigen::AlignedBox2d(Eigen::Vector2d::Constant(-1e9), Eigen::Vector2d::Constant(1e9));
     seen.extend(Eigen::Vector2d(focal_pixels * at.head<2>() / at.z()));

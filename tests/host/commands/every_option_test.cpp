@@ -27,11 +27,8 @@ void keep_from_work(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands(nullptr)) keep_from_work(*command);
 }
 
-void add_all(CLI::App& app) {
-  for (const auto add :
-       {add_build,  add_info, add_export, add_sample,  add_shape,     add_scan,    add_trace, add_compare, add_evaluate, add_bench,
-        add_render, add_plot, add_demo,   add_on_desk, add_calibrate, add_qualify, add_view,  add_farm,    add_fleet,    add_stream})
-    add(app);
+void add_checked(CLI::App& app) {
+  add_all(app);
   check_every_option(app);
   keep_from_work(app);
 }
@@ -53,7 +50,7 @@ void each_option(const CLI::App& app, const Words& words, const std::function<vo
 /// How the parser refuses these words.
 std::string refusal(Words words) {
   CLI::App app;
-  add_all(app);
+  add_checked(app);
   std::reverse(words.begin(), words.end());
   try {
     app.parse(words);
@@ -67,7 +64,7 @@ std::string refusal(Words words) {
 
 TEST(EveryOption, RefusesAnEmptyText) {
   CLI::App all;
-  add_all(all);
+  add_checked(all);
   int asked = 0;
   each_option(all, {}, [&](Words words, const CLI::Option& option) {
     if (option.get_items_expected_min() == 0) return;  // it may stand alone, and to the parser an empty text is no value then
@@ -91,7 +88,7 @@ TEST(EveryOption, RefusesAnEmptyText) {
 
 TEST(EveryOption, OfAWholeNumberRefusesASignAndMoreThan64Bits) {
   CLI::App all;
-  add_all(all);
+  add_checked(all);
   int asked = 0;
   each_option(all, {}, [&](Words words, const CLI::Option& option) {
     if (!option.get_type_name().starts_with("UINT")) return;
