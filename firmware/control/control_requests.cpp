@@ -21,7 +21,7 @@ constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
 
 constexpr std::size_t kMostSettings = protocol::kMaxBody - 64;
 
-constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
+constexpr std::string_view kMeasuringNow = "a calibration is being measured or stored; try again in a second";
 constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
 
 void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
@@ -76,7 +76,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
   if (!may(client, frame.kind, role_for(frame.kind))) return;
   // What may lead to a force waits until the hand has been measured, and until what was measured holds.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
-  if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
+  if ((measuring_ != nullptr || worker_.keeps_angles()) && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   const auto others = neighbours_.calibration != nullptr ? neighbours_.calibration->others() : protocol::OtherAngles::kNone;
   if (others != protocol::OtherAngles::kNone && may_lead_to_force) return client.refuse(frame.kind, files::angles_text(others));
   switch (frame.kind) {
