@@ -167,9 +167,7 @@ void Controller::mark_run() {
 
 /// What the next start must know of this run, and that a person has confirmed what was before it.
 void Controller::keep_mark() {
-  const Refusal unnamed = mark_ ? mark_->note(loop_->faults() & kServiceFaults) : Refusal();
-  if (unnamed && !said_unnamed_) say(unnamed.sentence());
-  said_unnamed_ = static_cast<bool>(unnamed);
+  if (const Refusal unnamed = mark_ ? mark_->note(loop_->faults() & kServiceFaults) : Refusal()) say(unnamed.sentence());
   const SupervisorState state = lines_.state.told();
   const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
   if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
