@@ -229,7 +229,8 @@ Controller::End Controller::supervise() {
   const timespec pause{0, 100'000'000}, soon{0, 1'000'000};
   bool serves = !control_;
   while (!ticks_ended_) {
-    if (!serves && stats_.ticks.value() > 1) control_->serve(), serves = true;  // of the first there is all to tell
+    // The first tick knows all there is to tell. In lockstep it comes when a device does, and nothing is told of before.
+    if (!serves && (options_.lockstep || stats_.ticks.value() > 1)) control_->serve(), serves = true;
     say_what_changed();
     know_device();
     keep_stiffness();
