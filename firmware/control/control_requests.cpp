@@ -285,6 +285,8 @@ void ControlRequests::measure(ControlClient& client) {
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
   if (neighbours_.calibration->report().serial.size == 0)
     return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
+  if (const auto others = neighbours_.calibration->others(); others != protocol::OtherAngles::kNone)
+    return client.refuse(Kind::kPosture, files::angles_text(others));  // it is not heard
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
   // The tick under way may not have heard of a stop yet.

@@ -41,11 +41,11 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   EXPECT_EQ(report.serial.view(), "A1");
   EXPECT_EQ(report.waits, static_cast<std::uint8_t>(protocol::OtherAngles::kKept));
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
     expect_sentence(ask(speaker, kind),
                     "other angles were measured for this device, so it gets no force until the controller has started again");
   rig.calibration.answers("A1");
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
     expect_sentence(ask(speaker, kind), "the angles in use are not those of the device that answers, so it gets no force");
 }
 
