@@ -263,7 +263,7 @@ enum class AnglesFrom : std::uint8_t { kGeometry, kSettings, kMeasured };
 /// Whether the device that answers has other angles than those in use, which hold from the controller's next start on.
 enum class OtherAngles : std::uint8_t {
   kNone,
-  kKept,      ///< they were measured meanwhile
+  kKept,      ///< they were measured meanwhile, so it is not heard any more and gets no force
   kUntrusted  ///< those in use are not its own, so it is not heard and gets no force
 };
 

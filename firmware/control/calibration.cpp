@@ -27,8 +27,9 @@ bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
 
 }  // namespace
 
-Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial)
-    : store_(store), mark_(mark), by_settings_(std::move(by_settings)), in_use_(choose(serial, trouble_)) {}
+Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
+                         std::function<void()> distrust)
+    : store_(store), mark_(mark), by_settings_(std::move(by_settings)), distrust_(std::move(distrust)), in_use_(choose(serial, trouble_)) {}
 
 void Calibration::answers(const std::optional<std::string>& serial) {
   Refusal ignored;
@@ -77,9 +78,10 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   if (serial != serial_) return {};  // another device may answer by now
   if (!has_others) {
     others_ = OtherAngles::kNone;
-  } else if (others_ == OtherAngles::kNone) {
-    others_ = OtherAngles::kKept;
+    return {};
   }
+  if (others_ == OtherAngles::kNone) others_ = OtherAngles::kKept;
+  if (distrust_) distrust_();
   return {};
 }
 

@@ -27,7 +27,9 @@ class Calibration {
   /// store     nullptr: nothing is kept; lives longer
   /// mark      is set before other angles are stored; nullptr: nobody could confirm them; lives longer
   /// serial    of the device that is expected; empty: not known
-  Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial);
+  /// distrust  is called as soon as other angles are kept for the device that answers, by the thread that keeps them
+  Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
+              std::function<void()> distrust = {});
 
   /// What holds from start to end.
   const Choice& in_use() const { return in_use_; }
@@ -55,6 +57,7 @@ class Calibration {
   store::CalibrationStore* store_;
   store::RunMark* mark_;
   BySettings by_settings_;
+  std::function<void()> distrust_;
   Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows

@@ -21,7 +21,7 @@ constexpr std::int64_t kMeasuringPatienceNs = 5'000'000'000;
 
 constexpr std::size_t kMostSettings = protocol::kMaxBody - 64;
 
-constexpr std::string_view kMeasuringNow = "a calibration is being measured; try again in a second";
+constexpr std::string_view kMeasuringNow = "a calibration is being measured or stored; try again in a second";
 constexpr std::string_view kNothingToCalibrate = "there is no device to calibrate; start the controller with a device";
 
 void done_or_refused(ControlClient& client, Kind kind, const Refusal& refusal) {
@@ -76,7 +76,7 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
   if (!may(client, frame.kind, role_for(frame.kind))) return;
   // What may lead to a force waits until the hand has been measured, and until what was measured holds.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
-  if (measuring_ != nullptr && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
+  if ((measuring_ != nullptr || worker_.keeps_angles()) && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   const auto others = neighbours_.calibration != nullptr ? neighbours_.calibration->others() : protocol::OtherAngles::kNone;
   if (others != protocol::OtherAngles::kNone && may_lead_to_force) return client.refuse(frame.kind, files::angles_text(others));
   switch (frame.kind) {
@@ -285,6 +285,8 @@ void ControlRequests::measure(ControlClient& client) {
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
   if (neighbours_.calibration->report().serial.size == 0)
     return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
+  if (const auto others = neighbours_.calibration->others(); others != protocol::OtherAngles::kNone)
+    return client.refuse(Kind::kPosture, files::angles_text(others));  // it is not heard
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
   // The tick under way may not have heard of a stop yet.

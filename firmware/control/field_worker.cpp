@@ -23,7 +23,7 @@ FieldWorker::~FieldWorker() {
 }
 
 void FieldWorker::begin(const FieldWork& work) {
-  idle_ = false;
+  under_way_ = work.kind;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     wanted_ = work;
@@ -36,7 +36,7 @@ std::optional<FieldDone> FieldWorker::take() {
   if (!done_) return std::nullopt;
   std::uint64_t rings = 0;
   (void)!::read(bell_, &rings, sizeof rings);
-  idle_ = true;
+  under_way_.reset();
   return std::exchange(done_, std::nullopt);
 }
 

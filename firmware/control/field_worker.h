@@ -40,7 +40,8 @@ class FieldWorker {
   FieldWorker(const FieldWorker&) = delete;
   FieldWorker& operator=(const FieldWorker&) = delete;
 
-  bool is_idle() const { return idle_; }
+  bool is_idle() const { return !under_way_; }
+  bool keeps_angles() const { return under_way_ == FieldWork::Kind::kCalibrate; }
   /// Only when idle.
   void begin(const FieldWork& work);
   /// What has become of it, once; idle again from here on.
@@ -55,7 +56,7 @@ class FieldWorker {
   store::FieldIntake& intake_;
   Calibration* calibration_;
   int bell_;
-  bool idle_ = true;
+  std::optional<FieldWork::Kind> under_way_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<FieldWork> wanted_;

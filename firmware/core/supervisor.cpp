@@ -48,7 +48,7 @@ bool presses_anew(const Observations& seen, const Supervision& limits, Superviso
     memory.knows_buttons = memory.buttons = memory.steady = 0;
   }
   if (!seen.heard || seen.stale_ticks > 0) return false;
-  const int steady = seen.buttons == memory.shown ? memory.steady + 1 : 1;
+  const int steady = ((seen.buttons ^ memory.shown) & limits.buttons) == 0 ? memory.steady + 1 : 1;
   memory.steady = static_cast<std::uint8_t>(std::min<int>(steady, kSteadyPackets));
   memory.shown = seen.buttons;
   if (memory.steady < kSteadyPackets) return false;

@@ -54,7 +54,7 @@ struct SupervisorMemory {
   std::uint8_t knows_buttons = 0;  ///< 1: so many packets have come since the first; before, no button is held, and none is pressed
   std::uint8_t buttons = 0;        ///< as the hand holds them, see kSteadyPackets
   std::uint8_t shown = 0;          ///< as the newest valid packet shows them
-  std::uint8_t steady = 0;         ///< valid packets in a row that show the same, at most kSteadyPackets
+  std::uint8_t steady = 0;         ///< valid packets in a row that show the same of the model's buttons, at most kSteadyPackets
   std::uint32_t ramp = 0;          ///< ticks of the ramp done
   std::uint32_t lateness = 0;      ///< see `supervise`
   std::uint32_t held_ticks = 0;    ///< in hold, in a row, with those that were left out, of each pause at most kMaxLate

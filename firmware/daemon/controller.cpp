@@ -91,7 +91,10 @@ void Controller::choose_calibration() {
                                         named ? protocol::AnglesFrom::kSettings : protocol::AnglesFrom::kGeometry};
   };
   const std::string serial = !before_.serial.empty() ? before_.serial : serial_of(options_, hardware_);
-  calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial);
+  const auto distrust = [this] {
+    if (hardware_.falcon) hardware_.falcon->distrust();
+  };
+  calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial, distrust);
   if (hardware_.falcon && !options_.lockstep) hardware_.falcon->expect(serial);
   if (calibration_->trouble()) say(calibration_->trouble().sentence());
   header_.device = calibration_->in_use().model;
@@ -164,9 +167,7 @@ void Controller::mark_run() {
 
 /// What the next start must know of this run, and that a person has confirmed what was before it.
 void Controller::keep_mark() {
-  const Refusal unnamed = mark_ ? mark_->note(loop_->faults() & kServiceFaults) : Refusal();
-  if (unnamed && !said_unnamed_) say(unnamed.sentence());
-  said_unnamed_ = static_cast<bool>(unnamed);
+  if (const Refusal unnamed = mark_ ? mark_->note(loop_->faults() & kServiceFaults) : Refusal()) say(unnamed.sentence());
   const SupervisorState state = lines_.state.told();
   const bool idle = state == SupervisorState::kIdle;  // a resume without a device is idle for one tick
   if (mark_ && is_homed_and_confirmed(state) && (!idle || was_idle_)) mark_->confirm();
@@ -228,7 +229,8 @@ Controller::End Controller::supervise() {
   const timespec pause{0, 100'000'000}, soon{0, 1'000'000};
   bool serves = !control_;
   while (!ticks_ended_) {
-    if (!serves && stats_.ticks.value() > 1) control_->serve(), serves = true;  // of the first there is all to tell
+    // The first tick knows all there is to tell. In lockstep it comes when a device does, and nothing is told of before.
+    if (!serves && (options_.lockstep || stats_.ticks.value() > 1)) control_->serve(), serves = true;
     say_what_changed();
     know_device();
     keep_stiffness();
@@ -274,7 +276,7 @@ void Controller::say_what_changed() {
   }
 }
 
-/// A device counts as soon as it is known that the angles in use are its own: where it has to be booted, before its first packet.
+/// A device counts as soon as it is known that the angles in use are its own, and as long as they are: where it has to be booted, before its first packet.
 void Controller::know_device() {
   if (!hardware_.falcon) return;
   const falcon::PortReport& report = hardware_.falcon->shown().get();
@@ -282,11 +284,15 @@ void Controller::know_device() {
   if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
     calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
-    if (const auto others = calibration_->others(); others != OtherAngles::kNone) say("device: " + std::string(files::angles_text(others)));
+    others_ = OtherAngles::kNone;
   }
-  if (!is_there || calibration_->others() != OtherAngles::kNone) return;
-  hardware_.falcon->trust(report.found);
-  had_device_ |= report.state == falcon::SessionState::kRunning;
+  const OtherAngles others = calibration_->others();
+  if (std::exchange(others_, others) != others && others != OtherAngles::kNone) say("device: " + std::string(files::angles_text(others)));
+  if (is_there && others == OtherAngles::kNone) {
+    hardware_.falcon->trust(report.found);
+    had_device_ |= report.state == falcon::SessionState::kRunning;
+  }
+  if (calibration_->others() != OtherAngles::kNone) hardware_.falcon->distrust();  // also if they were kept since the look above
 }
 
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.

@@ -152,10 +152,10 @@ class Controller {
 
   bool had_device_ = false;                                     ///< one was heard in this run
   bool was_idle_ = false;                                       ///< at the last look; the recorder's thread's
-  bool said_unnamed_ = false;                                   ///< that a fault's name cannot be kept; the recorder's thread's
   bool begins_again_ = false;                                   ///< a new run follows
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none
+  protocol::OtherAngles others_{};                              ///< those that wait for it, as they were told last
   std::string device_line_, supervisor_line_;                   ///< as said last
   int latency_error_ = 0;                                       ///< the same
   loop::Damage damage_ = loop::Damage::kNone;                   ///< the same

@@ -49,9 +49,15 @@ class FalconPort final : public loop::Port {
   void expect(std::string_view serial) {
     asks_ = true;
     expected_ = serial_array(serial);
+    expects_ = expected_[0] != 0;
   }
   /// found     of the report of the device that counts. Any thread
-  void trust(std::uint64_t found) { trusted_.store(found, std::memory_order_release); }
+  void trust(std::uint64_t found) { trusted_ = found; }
+  /// From now on no device counts before it is trusted, not even the expected one or the one in use. Any thread
+  void distrust() {
+    expects_ = false;
+    trusted_ = 0;
+  }
 
   /// Changes of the session's state; for one reader on another thread.
   loop::Latest<PortReport>& shown() { return shown_; }
@@ -66,10 +72,7 @@ class FalconPort final : public loop::Port {
     shown_.put(report_);
   }
 
-  bool is_known() const {
-    const bool expected = expected_[0] != 0 && report_.serial == expected_;
-    return !asks_ || expected || trusted_.load(std::memory_order_acquire) == report_.found;
-  }
+  bool is_known() const { return !asks_ || (expects_ && report_.serial == expected_) || trusted_ == report_.found; }
 
   static std::array<char, 24> serial_array(std::string_view serial) {
     std::array<char, 24> text{};
@@ -82,7 +85,8 @@ class FalconPort final : public loop::Port {
   PortReport report_;
   bool asks_ = false;
   std::array<char, 24> expected_{};
-  std::atomic<std::uint64_t> trusted_{0};
+  std::atomic<bool> expects_{false};
+  std::atomic<std::uint64_t> trusted_{0};  ///< 0: none
   loop::Latest<PortReport> shown_;
 };
 

@@ -20,8 +20,7 @@ constexpr std::uint64_t kTicksToNotice = 3;                      // beyond the t
 constexpr std::int64_t kQuietNs = 100'000'000;                   // without a command until the guard believes the tick again
 constexpr std::uint64_t kTicksToHear = 2;                        // after the one whose command was stopped: the first may have begun before
 constexpr std::uint32_t kSteadyPackets = 4;                      // half as many as the tick waits for, which may miss one
-constexpr std::uint32_t kReleasePackets = 16;                    // twice as many as the tick waits for
-constexpr std::int64_t kSilencePart = 2;                         // of the tick's silence; its clock and this one count from different times
+constexpr std::uint32_t kReleaseTicks = 16;                      // twice as many as the tick waits for; it takes one packet at most in each
 constexpr double kForceSlack = 0.1, kForcePart = 1.05;           // N; the arms a sample further
 constexpr double kWaySlack = 0.5, kWayPart = 1.5;                // mm; a proxy that slides round an edge
 constexpr double kStep = 0.2;                                    // mm: a hand that trembles less makes no way
@@ -230,19 +229,7 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   const std::int64_t ticks = std::min(passed, kLongestGap) + 1;  // that the hand had, at most
   const int change = largest_change(memory.counts, reply->counts);
   const bool jumped = first || change > device_.count_jump * ticks;
-  if (now_ns - memory.heard_ns > kSilencePart * device_.fault_age_ns) {  // what was held meanwhile, nobody knows
-    memory.knows_buttons = false;
-    memory.buttons = memory.may_hold = 0;
-    memory.steady = 0;
-  }
-  memory.steady = reply->buttons == memory.shown ? std::min(memory.steady + 1, kReleasePackets) : 1;
-  memory.shown = reply->buttons;
-  if (memory.steady >= kSteadyPackets) {
-    if (memory.knows_buttons && (memory.shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
-    memory.knows_buttons = true;
-    memory.buttons = memory.shown;
-    memory.may_hold = memory.steady == kReleasePackets ? memory.shown : memory.may_hold | memory.shown;
-  }
+  follow_buttons(reply->buttons, now_ns, memory);
   const bool all = reply->homed == 7;
   if (!all && (jumped || reply->counts == std::array<std::int16_t, 3>{} || change > device_.count_jump * ticks / 8)) {
     memory.referenced = false;
@@ -259,6 +246,27 @@ void Guard::hear(const FalconPacket& packet, std::int64_t now_ns, Memory& memory
   memory.heard_ns = now_ns;
   memory.heard_tick = memory.tick;
   find_hand(*reply, static_cast<double>(passed) * period_ns_ * 1e-9, change > device_.count_jump, memory);
+}
+
+/// Before the packet counts as heard.
+void Guard::follow_buttons(std::uint8_t shown, std::int64_t now_ns, Memory& memory) const {
+  const auto ticks = static_cast<std::int64_t>(memory.tick - memory.heard_tick);
+  const std::int64_t silent = std::min(now_ns - memory.heard_ns, ticks * period_ns_);  // a tick that stood still has forgotten nothing
+  const std::int64_t on_its_way = (device_.hold_ticks + static_cast<std::int64_t>(kTicksToNotice)) * period_ns_;
+  if (silent > device_.fault_age_ns + on_its_way) {  // what was held meanwhile, nobody knows, and neither does the tick
+    memory.knows_buttons = false;
+    memory.buttons = memory.may_hold = 0;
+    memory.steady = memory.steady_ticks = 0;
+  }
+  const bool same = ((shown ^ memory.shown) & device_.buttons) == 0;
+  memory.steady = same ? std::min(memory.steady + 1, kSteadyPackets) : 1;
+  memory.steady_ticks = same ? std::min(memory.steady_ticks + (ticks != 0 ? 1U : 0U), kReleaseTicks) : 1;
+  memory.shown = shown;
+  if (memory.steady < kSteadyPackets) return;
+  if (memory.knows_buttons && (shown & ~memory.buttons & device_.buttons) != 0) memory.stop_tick = 0;  // pressed anew: it resumes
+  memory.knows_buttons = true;
+  memory.buttons = shown;
+  memory.may_hold = memory.steady_ticks == kReleaseTicks ? shown : memory.may_hold | shown;
 }
 
 void Guard::find_hand(const FalconReply& reply, double took_s, bool leapt, Memory& memory) const {

@@ -74,15 +74,16 @@ struct Memory {
   std::int64_t sent_ns = 0;          ///< when
   std::uint64_t repeated_since = 0;  ///< the tick that made the first of those that were the same
   Grip repeated_at;
-  std::array<double, 3> heat{};  ///< mean squares
-  std::uint32_t stops = 0;       ///< that were asked for
-  std::uint64_t stop_tick = 0;   ///< of the first command after a stop that nobody has resumed from; 0 = there was none
-  bool knows_buttons = false;    ///< enough packets have come for it
-  std::uint8_t buttons = 0;      ///< as the hand holds them: what a few valid packets in a row showed
-  std::uint8_t may_hold = 0;     ///< those that the tick may take for held: it forgets them later
-  std::uint8_t shown = 0;        ///< by the newest valid packet
-  std::uint32_t steady = 0;      ///< valid packets in a row that show the same
-  std::uint64_t lines_tick = 0;  ///< of the first command beside lines that are not good; 0 = they are good
+  std::array<double, 3> heat{};    ///< mean squares
+  std::uint32_t stops = 0;         ///< that were asked for
+  std::uint64_t stop_tick = 0;     ///< of the first command after a stop that nobody has resumed from; 0 = there was none
+  bool knows_buttons = false;      ///< enough packets have come for it
+  std::uint8_t buttons = 0;        ///< as the hand holds them: what a few valid packets in a row showed
+  std::uint8_t may_hold = 0;       ///< those that the tick may take for held: it forgets them later
+  std::uint8_t shown = 0;          ///< by the newest valid packet
+  std::uint32_t steady = 0;        ///< valid packets in a row that show the same of the model's buttons
+  std::uint32_t steady_ticks = 0;  ///< ticks in which they came
+  std::uint64_t lines_tick = 0;    ///< of the first command beside lines that are not good; 0 = they are good
 
   // Of its own verdict.
   GuardVerdict verdict = GuardVerdict::kNone;
@@ -124,6 +125,7 @@ class Guard {
   GuardVerdict of_contact(const loop::Command& command, const Evidence& evidence, const Memory& memory) const;
   bool is_felt(const Point& force, const Evidence& evidence, const Memory& memory) const;
   void place(const loop::Command& command, const Evidence& evidence, Memory& memory) const;
+  void follow_buttons(std::uint8_t shown, std::int64_t now_ns, Memory& memory) const;
   void find_hand(const FalconReply& reply, double took_s, bool leapt, Memory& memory) const;
   void warm(std::int64_t now_ns, Memory& memory) const;
   bool is_too_hot(const Memory& memory) const;

@@ -35,7 +35,8 @@ Refusal PatchWriter::begin(const std::string& trace) {
   if (::lstat(part().c_str(), &there) != 0) return {};
   files::OpenPart left = files::open_part(part(), files::Leftover::kRefuse);  // an empty one may stay: whoever writes takes it
   if (left.file >= 0) ::close(left.file);
-  return std::move(left.refusal);
+  if (!left.refusal || left.refusal.sentence().starts_with(part())) return std::move(left.refusal);
+  return part() + ": cannot be opened: " + left.refusal.sentence() + "; rename or remove it";
 }
 
 Refusal PatchWriter::append(std::span<const std::uint8_t> patch) {

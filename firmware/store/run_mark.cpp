@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "firmware/store/whole_file.h"
 #include "shared/fault_names.h"
@@ -75,10 +76,11 @@ void RunMark::confirm() {
 Refusal RunMark::note(std::uint16_t faults) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto all = static_cast<std::uint16_t>(noted_ | faults);
-  if (all == noted_ || put_faults(all)) return {};
-  return "the state folder cannot be written, so after a restart nobody will know the fault's name, nor that the role service must resume; "
-         "check its "
-         "permissions and free space";
+  const bool told = std::exchange(told_, all != noted_ && !put_faults(all));
+  if (!told_ || told) return {};
+  std::string text = "the state folder cannot be written, so after a restart nobody will know the fault's name";
+  if ((faults & kServiceFaults) != 0) text += ", nor that the role service must resume";
+  return text + "; check its permissions and free space";
 }
 
 Refusal RunMark::end(std::uint16_t faults) {

@@ -41,7 +41,7 @@ class RunMark {
   /// This run is in faults that the next start must not forget, whatever ends this run. Any thread; waits for the disk where a fault is new.
   ///
   /// faults    bits of Faults; those noted before stay until `confirm`
-  /// returns   why their names are not kept; the mark stays all the same
+  /// returns   why their names are not kept, once until they are kept or there are none; the mark stays all the same
   Refusal note(std::uint16_t faults);
 
   /// The end of an orderly run. The next start finds the mark if that fails, if this run found it and nobody has confirmed it, or as it is asked here.
@@ -61,6 +61,7 @@ class RunMark {
   bool in_doubt_;               ///< nobody has confirmed the crash before this run
   bool confirms_;               ///< there are angles to confirm
   std::uint16_t noted_;         ///< the faults in the mark `running`
+  bool told_ = false;           ///< that others could not be kept there
 };
 
 }  // namespace isotouch::store

@@ -22,11 +22,11 @@ ControllerStatus whole_status(Controller& controller) {
 std::string sentence(const ControllerStatus& seen) {
   const protocol::StatusReport& status = seen.status;
   const auto others = static_cast<protocol::OtherAngles>(seen.device.waits);
-  const std::string state = files::state_text({status.state, status.faults, status.status, status.generation != 0});
-  if (others == protocol::OtherAngles::kNone) return state;
-  const bool is_unheard =
-      others == protocol::OtherAngles::kUntrusted && status.faults == 0;  // what the state says of the packets is not the cause
-  return (is_unheard ? files::state_name(status.state) + std::string(": ") : state + "; besides, ") +
+  const bool is_heard = others == protocol::OtherAngles::kNone;  // else what the state says of the packets is not the cause
+  const auto faults = static_cast<std::uint16_t>(is_heard ? status.faults : status.faults & ~kFaultSilent);
+  const std::string state = files::state_text({status.state, faults, status.status, status.generation != 0});
+  if (is_heard) return state;
+  return (faults == 0 ? files::state_name(status.state) + std::string(": ") : state + "; besides, ") +
          std::string(files::angles_text(others));
 }
 

@@ -65,9 +65,8 @@ std::string_view angles_text(protocol::OtherAngles others) {
   switch (others) {
     case protocol::OtherAngles::kNone: return "";
     case protocol::OtherAngles::kKept:
-      return "other angles were measured for this device; they hold once the controller has started again, which waits until nobody "
-             "records or "
-             "sends a field; where [files] record has begun, you must start it";
+      return "other angles were measured for this device, so it gets no force until the controller has started again with them; that waits "
+             "until nobody records or sends a field; where [files] record has begun, you must start it";
     case protocol::OtherAngles::kUntrusted: break;
   }
   return "the angles in use are not those of the device that answers, so it gets no force until the controller has started again with its "

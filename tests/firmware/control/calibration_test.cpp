@@ -55,6 +55,18 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
   EXPECT_EQ(next.others(), OtherAngles::kNone);
 }
 
+TEST_F(CalibrationTest, TheDeviceIsDistrustedAsSoonAsOtherAnglesAreKeptForIt) {
+  int distrusted = 0;
+  Calibration calibration(&store, nullptr, by_settings, "A1", [&] { ++distrusted; });
+  calibration.answers("A1");
+  EXPECT_EQ(calibration.keep({protocol::Text::of("A1"), {near(0), near(0), near(0)}}).sentence(), "");
+  EXPECT_EQ(distrusted, 0) << "they are those in use";
+  EXPECT_EQ(calibration.keep(measured("A1")).sentence(), "");
+  EXPECT_EQ(distrusted, 1);
+  EXPECT_THAT(calibration.keep(measured("B2")).sentence(), HasSubstr("another device"));
+  EXPECT_EQ(distrusted, 1);
+}
+
 TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   ASSERT_TRUE(store.put("B2", angles(7)));
   Calibration unknown(&store, nullptr, by_settings, "");

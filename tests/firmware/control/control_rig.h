@@ -110,7 +110,13 @@ struct ControlRig {
         intake(slots, &store, clock, {}),
         measured(folder),
         calibration(
-            &measured, nullptr, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
+            &measured, nullptr,
+            [this](const std::string&) {
+              ++looked_up;
+              disk_is_busy.wait(true);
+              return Calibration::Choice{libnifalcon_model()};
+            },
+            "A1"),
         tick(slots) {
     settings.path = (scratch.path() / "control").string();
     settings.program = "a test";
@@ -136,6 +142,8 @@ struct ControlRig {
   store::FieldStore store;
   store::FieldIntake intake;
   store::CalibrationStore measured;
+  std::atomic<bool> disk_is_busy{false};  ///< whoever keeps a calibration waits
+  std::atomic<int> looked_up{0};          ///< angles by the settings
   Calibration calibration;
   FakeTick tick;
   ControlSettings settings;

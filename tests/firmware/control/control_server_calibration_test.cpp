@@ -41,10 +41,11 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   EXPECT_EQ(report.serial.view(), "A1");
   EXPECT_EQ(report.waits, static_cast<std::uint8_t>(protocol::OtherAngles::kKept));
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
-    expect_sentence(ask(speaker, kind), "other angles were measured for this device; they hold once the controller has started again");
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
+    expect_sentence(ask(speaker, kind),
+                    "other angles were measured for this device, so it gets no force until the controller has started again");
   rig.calibration.answers("A1");
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit})
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
     expect_sentence(ask(speaker, kind), "the angles in use are not those of the device that answers, so it gets no force");
 }
 
@@ -81,6 +82,25 @@ TEST(ControlServerCalibration, NothingThatLeadsToForceIsTakenMeanwhile) {
   rig.tick.rests = false;
   EXPECT_EQ(measurer.hear().kind, Kind::kPostureReport);
   EXPECT_EQ(upload(other, store::packed_ball(1)).kind, Kind::kAccepted) << "and everything after it";
+}
+
+TEST(ControlServerCalibration, NobodyResumesWhileItIsStored) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  Speaker measurer(rig.settings.path), other(rig.settings.path);
+  rig.disk_is_busy = true;
+  const int before = rig.looked_up;
+  const std::uint32_t near = libnifalcon_model().legs[0].at_zero.raw();
+  measurer.greet();
+  measurer.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {near + 5, near + 6, near + 7}});
+  while (rig.looked_up == before) std::this_thread::yield();
+  other.greet();
+  expect_sentence(ask(other, Kind::kResume), "measured or stored");
+  EXPECT_EQ(ask(other, Kind::kStop).kind, Kind::kDone) << "but stop is always heard";
+  rig.disk_is_busy = false;
+  rig.disk_is_busy.notify_all();
+  EXPECT_EQ(measurer.hear().kind, Kind::kDone);
+  expect_sentence(ask(other, Kind::kResume), "other angles were measured");
 }
 
 /// A tick that is under way when somebody asks may not have heard of the stop before.

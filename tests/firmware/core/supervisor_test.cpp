@@ -42,7 +42,8 @@ struct Exhaustive {
     ++steps;
     const bool is_active = memory.state == S::kActive;
     active += is_active ? 1 : 0;
-    const bool fresh = seen.heard && seen.stale_ticks == 0 && seen.buttons == before.shown && before.steady + 1 >= kSteadyPackets;
+    const bool fresh =
+        seen.heard && seen.stale_ticks == 0 && ((seen.buttons ^ before.shown) & with.buttons) == 0 && before.steady + 1 >= kSteadyPackets;
     const bool pressed = fresh && before.knows_buttons != 0 && (seen.buttons & ~before.buttons & with.buttons) != 0;
     const bool asked = (seen.requests & kRequestResume) != 0 || pressed;
     const auto demand = [&](bool holds, const char* property) {
@@ -251,6 +252,26 @@ TEST(Supervisor, APacketWithAWrongBitResumesNothing) {
     }
     EXPECT_EQ(memory.state, S::kFault) << int{held};
   }
+}
+
+TEST(Supervisor, AButtonThatDoesNotCountHidesNone) {
+  Supervision with = limits(true);
+  with.buttons = 2;
+  SupervisorMemory memory;
+  const auto flicker = [&](int buttons) {
+    for (int n = 0; n < kSteadyPackets; ++n) show(static_cast<std::uint8_t>(buttons | n % 2), 1, memory, with);
+  };
+  flicker(2);
+  flicker(2);
+  EXPECT_EQ(memory.state, S::kActive) << "it is held";
+  flicker(0);
+  show(2, 1, memory, with);
+  EXPECT_EQ(memory.state, S::kReady) << "it was let go";
+  memory.state = S::kFault;
+  memory.faults = kFaultStopped;
+  flicker(0);
+  flicker(2);
+  EXPECT_EQ(memory.state, S::kIdle) << "it was pressed anew";
 }
 
 TEST(Supervisor, AButtonThatIsStuckWhenTheDeviceComesBackResumesNothing) {

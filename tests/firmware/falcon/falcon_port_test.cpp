@@ -72,6 +72,28 @@ TEST(FalconPort, AnotherDeviceThanTheExpectedOneGetsNoForceAndIsNotHeardUntilItI
   }
 }
 
+TEST(FalconPort, ADeviceThatIsDistrustedGetsNoForceAndIsNotHeardUntilItIsTrustedAgain) {
+  for (const bool was_trusted : {false, true}) {
+    Desk desk;
+    desk.port.expect("FAKE0001");
+    desk.falcon.reply = {{1, 2, 3}, 0, 7};
+    while (desk.session.state() != SessionState::kRunning) desk.exchange();
+    if (was_trusted) desk.port.trust(desk.port.shown().get().found);
+    ASSERT_EQ(desk.exchange(), Answer::kReply);
+    desk.port.distrust();
+    EXPECT_EQ(desk.exchange(), Answer::kSilent);
+    EXPECT_EQ(desk.falcon.commands.back().words, MotorCommands{});
+    desk.falcon.faults.present = false;
+    while (desk.session.state() == SessionState::kRunning) desk.exchange();
+    desk.falcon.faults.present = true;
+    while (desk.session.state() != SessionState::kRunning) desk.exchange();
+    EXPECT_EQ(desk.exchange(), Answer::kSilent) << "it was only plugged in anew";
+    desk.port.trust(desk.port.shown().get().found);
+    EXPECT_EQ(desk.exchange(), Answer::kReply);
+    EXPECT_EQ(desk.falcon.commands.back().words, (MotorCommands{7, 7, 7}));
+  }
+}
+
 TEST(FalconPort, RestsBySwitchingTheDeviceOff) {
   Desk desk;
   while (desk.session.state() != SessionState::kRunning) desk.exchange();

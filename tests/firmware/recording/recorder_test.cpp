@@ -117,6 +117,9 @@ TEST(Recorder, WhatAKillLeftOfARecordingStays) {
             patches + ": is left of a recording that was cut off; rename it to keep it, or remove it");
   EXPECT_FALSE(std::filesystem::exists(bench.path + ".part"));
   std::filesystem::remove(patches);
+  std::filesystem::create_directory(patches);
+  EXPECT_EQ(bench.recorder->start(bench.path).sentence(), patches + ": cannot be opened: Is a directory; rename or remove it");
+  std::filesystem::remove(patches);
   EXPECT_EQ(bench.recorder->start(bench.path).sentence(), "");
   std::ofstream(patches) << "of another program";
   const std::vector<std::uint8_t> patch = {1, 2, 3};

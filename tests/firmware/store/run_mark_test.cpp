@@ -98,9 +98,13 @@ TEST(RunMark, ANameThatCannotBeKeptIsTold) {
   RunMark first(folder);
   EXPECT_EQ(first.begin().sentence(), "");
   folder.full = true;
-  EXPECT_THAT(first.note(kFaultGuard).sentence(), testing::HasSubstr("nobody will know the fault's name"));
+  const char* nameless = "nobody will know the fault's name; check";
+  const char* roleless = "nobody will know the fault's name, nor that the role service must resume; check";
+  EXPECT_THAT(first.note(kFaultGuard).sentence(), testing::HasSubstr(roleless));
+  EXPECT_EQ(first.note(kFaultGuard).sentence(), "") << "it was told";
   EXPECT_EQ(first.note(0).sentence(), "");
-  EXPECT_THAT(first.end(kFaultGuard).sentence(), testing::HasSubstr("nobody will know the fault's name"));
+  EXPECT_THAT(first.note(kFaultStopped).sentence(), testing::HasSubstr(nameless)) << "whoever may operate may resume";
+  EXPECT_EQ(first.end(kFaultGuard).sentence(), "") << "it was told";
   EXPECT_TRUE(finds_a_crash(folder)) << "a person must resume all the same";
   folder.full = false;
   EXPECT_EQ(first.note(kFaultGuard).sentence(), "") << "it is tried again";

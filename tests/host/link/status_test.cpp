@@ -23,14 +23,17 @@ TEST(Status, ADeviceThatIsNotHeardIsTheCauseOfWhatIsMissing) {
   EXPECT_THAT(sentence_of(SupervisorState::kBoot, 0, OtherAngles::kNone), HasSubstr("plug it in"));
   EXPECT_THAT(sentence_of(SupervisorState::kBoot, 0, OtherAngles::kUntrusted),
               AllOf(StartsWith("boot: the angles in use are not those"), Not(HasSubstr("plug it in"))));
+  EXPECT_THAT(sentence_of(SupervisorState::kFault, kFaultSilent, OtherAngles::kNone), HasSubstr("check its cable"));
+  EXPECT_THAT(sentence_of(SupervisorState::kFault, kFaultSilent, OtherAngles::kKept),
+              AllOf(StartsWith("fault: other angles were measured"), Not(HasSubstr("cable"))));
 }
 
-TEST(Status, OtherAnglesDoNotHideAFaultOrAForce) {
+TEST(Status, OtherAnglesDoNotHideAFault) {
   const std::string fault = sentence_of(SupervisorState::kFault, kFaultGuard, OtherAngles::kNone);
-  for (const OtherAngles others : {OtherAngles::kKept, OtherAngles::kUntrusted})
-    EXPECT_THAT(sentence_of(SupervisorState::kFault, kFaultGuard, others), StartsWith(fault + "; besides, "));
-  EXPECT_THAT(sentence_of(SupervisorState::kActive, 0, OtherAngles::kKept),
-              AllOf(StartsWith("active: "), HasSubstr("they hold once the controller has started again"), Not(HasSubstr("no force"))));
+  for (const OtherAngles others : {OtherAngles::kKept, OtherAngles::kUntrusted}) {
+    for (const int faults : {int{kFaultGuard}, kFaultGuard | kFaultSilent})
+      EXPECT_THAT(sentence_of(SupervisorState::kFault, static_cast<std::uint16_t>(faults), others), StartsWith(fault + "; besides, "));
+  }
 }
 
 }  // namespace
