@@ -26,6 +26,7 @@ using Eigen::Vector3i;
 constexpr double kNoVolume = 6e-9;  // of the box's diagonal cubed: a piece of less encloses nothing
 constexpr double kReach = 1.25;     // voxels: a surface a voxel thick or more has a sample inside as near as this everywhere, by trial
 constexpr double kMinPlaces = 32, kMaxPlaces = 1024;  // of one piece that are asked
+constexpr int kClear = 16;                            // so many more of one kind than of the other settle it
 
 /// Has the field this sign at or beside a sample, half a voxel away along any axes?
 bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
@@ -94,7 +95,7 @@ std::vector<Piece> pieces_of(const cloud::TriangleMesh& mesh) {
   return pieces;
 }
 
-/// Asks a piece at places that are spread over its area, whether the field shows it there. Places inside the union of all pieces do not count.
+/// Asks at places that are spread over a piece's area whether the field shows it there. Places inside the union of all pieces do not count.
 class Search {
  public:
   Search(const field::TriangleTree& tree, const FieldView& view)
@@ -116,16 +117,18 @@ class Search {
     }
     if (std::abs(piece.six_volumes) <= kNoVolume * size_ * size_ * size_) return;
     const auto places = static_cast<std::size_t>(std::clamp(area / (edge_ * edge_), kMinPlaces, kMaxPlaces));
-    std::size_t shown = 0, missed = 0;
+    int missed = 0;  // more than shown
     double largest = 0;
-    for (std::size_t n = 0; n < places && 2 * shown <= places; ++n) {
-      const double here = (static_cast<double>(n) + 0.5) / static_cast<double>(places) * area;
+    for (std::size_t n = 0; n < places && std::abs(missed) < kClear; ++n) {
+      const double here = part(n, 0.8191725133961645) * area;
       const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, here);
       const std::uint32_t face = piece.faces[static_cast<std::size_t>(found - area_up_to.begin())];
-      const Vector3d place = place_on(face, n);
+      const auto [a, b, c] = tree_.corners(face);
+      const double spread = std::sqrt(part(n, 0.6710436067037893)), along = part(n, 0.5497004779019703);
+      const Vector3d place = a + spread * (1 - along) * (b - a) + spread * along * (c - a);
       if (field::is_inside(tree_, place + 1e-6 * size_ * cloud::face_normal(tree_.mesh(), face))) continue;
       if (shows(view_, (place - origin_) / edge_, piece.is_body())) {
-        ++shown;
+        --missed;
         continue;
       }
       ++missed;
@@ -134,7 +137,7 @@ class Search {
       piece.face = face;
       piece.place = place;
     }
-    piece.lost = missed > shown;
+    piece.lost = missed > 0;
   }
 
  private:
@@ -142,13 +145,8 @@ class Search {
     const auto [a, b, c] = tree_.corners(face);
     return (b - a).cross(c - a).norm() / 2;
   }
-  /// The places of successive numbers on one face are spread evenly: R2 sequence of Martin Roberts, 2018.
-  Vector3d place_on(std::uint32_t face, std::size_t number) const {
-    const auto part = [&](double step) { return std::fmod((static_cast<double>(number) + 0.5) * step, 1.0); };
-    const auto [a, b, c] = tree_.corners(face);
-    const double spread = std::sqrt(part(0.7548776662466927)), along = part(0.5698402909980532);
-    return a + spread * (1 - along) * (b - a) + spread * along * (c - a);
-  }
+  /// The numbers from 0 on with three such steps spread evenly in a cube, however many there are: R3 sequence of Martin Roberts, 2018.
+  static double part(std::size_t number, double step) { return std::fmod((static_cast<double>(number) + 0.5) * step, 1.0); }
 
   const field::TriangleTree& tree_;
   const FieldView& view_;

@@ -16,7 +16,7 @@ void join(Sets& sets, std::uint32_t a, std::uint32_t b) {
   if (root != other) sets.join(root, other);
 }
 
-/// Joins faces to sheets, and calls end(sheets) for every edge of more than two faces, with the sheets that end there: each runs the edge more often
+/// Joins faces to sheets, and calls end_at(sheets) for every edge of more than two faces at which sheets end: each of them runs the edge more often
 /// in one direction than in the other.
 template <class End>
 void each_end(const cloud::TriangleMesh& mesh, Sets& sheets, const End& end_at) {
