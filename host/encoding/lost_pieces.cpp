@@ -26,7 +26,7 @@ using Eigen::Vector3i;
 constexpr double kNoVolume = 6e-9;  // of the box's diagonal cubed: a piece of less encloses nothing
 constexpr double kReach = 1.25;     // voxels: a surface a voxel thick or more has a sample inside as near as this everywhere, by trial
 constexpr double kMinPlaces = 32, kMaxPlaces = 1024;  // of one piece that are asked
-constexpr int kClear = 16;                            // so many more of one kind than of the other settle it
+constexpr int kClear = 16;                            // with that many more shown places than missed ones, or the reverse, it is settled
 
 /// Has the field this sign at or beside a sample, half a voxel away along any axes?
 bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
