@@ -140,6 +140,15 @@ TEST(ClosedMesh, AnInvertedPieceIsAFlapIfNothingOfItCanBeSeen) {
   EXPECT_THAT(refusal(with_box_at_side(0.1)), HasSubstr(": a piece of "));
 }
 
+TEST(ClosedMesh, OfAHollowThatIsClosedOnlyWithAnotherMostCounts) {
+  const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
+  const auto up_to = [&](double high) {  // two hollows that share a side; the upper one sticks out of the body
+    return together(body, turned(joined(box_mesh({4, 4, 2}, {6, 6, 5}), box_mesh({4, 4, 5}, {6, 6, high}))));
+  };
+  EXPECT_EQ(refusal(up_to(11)), "no refusal");
+  EXPECT_THAT(refusal(up_to(40)), HasSubstr(": a piece of "));
+}
+
 TEST(ClosedMesh, WhereMostFacesPointInwardsThatIsTheBlame) {
   const auto right = box_mesh({0, 0, 0}, {4, 4, 4});
   EXPECT_THAT(refusal(together(right, turned(box_mesh({10, 0, 0}, {15, 5, 5})))),
