@@ -11,6 +11,7 @@
 
 #include "host/build_library/isotouch_build.h"
 #include "host/cloud/check.h"
+#include "host/cloud/computable.h"
 #include "host/cloud/model.h"
 #include "host/cloud/placement.h"
 #include "host/encoding/inside_samples.h"
@@ -44,6 +45,8 @@ void require_range(double value, double low, double high, const char* name) {
                                     "; choose another value, or leave the default");
 }
 
+Vector3d viewpoint_of(const isotouch_build_options& options) { return {options.viewpoint[0], options.viewpoint[1], options.viewpoint[2]}; }
+
 void require_valid(const isotouch_build_options& options) {
   require_finite(&options.voxel_mm, 1, "voxel_mm");
   if (options.voxel_mm != 0) require_range(options.voxel_mm, 1.0 / 64, 16, "voxel_mm");
@@ -57,9 +60,8 @@ void require_valid(const isotouch_build_options& options) {
   require_range(options.has_viewpoint, 0, 1, "has_viewpoint");
   require_range(options.accept_implausible, 0, 1, "accept_implausible");
   require_range(options.reserved, 0, 0, "reserved");
-  if (options.has_viewpoint != 0) {
-    for (const double number : options.viewpoint) require_range(number, -1e100, 1e100, "viewpoint");  // as cloud::is_computable
-  }
+  if (options.has_viewpoint != 0 && !cloud::is_computable(viewpoint_of(options)))
+    refuse(ISOTOUCH_BAD_ARGUMENT, "viewpoint: its three numbers must lie within ±1e100");
 }
 
 std::vector<Vector3d> vectors(const double* numbers, std::size_t count) {
@@ -117,7 +119,7 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::check(kName, std::move(model), read);
   field::ScanOptions how{estimate, {}};
-  if (options.has_viewpoint != 0) how.viewpoint = Vector3d(options.viewpoint[0], options.viewpoint[1], options.viewpoint[2]);
+  if (options.has_viewpoint != 0) how.viewpoint = viewpoint_of(options);
   field::SoundScan scan = field::sound_scan(std::move(points), how);
 
   Eigen::AlignedBox3d box;

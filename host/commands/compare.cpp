@@ -161,7 +161,7 @@ void run(const CompareOptions& options) {
   if (!options.worst.empty()) {
     const bool on_truth = measured.whole.from_mesh.distance > measured.whole.from_field.distance;
     const evaluate::Farthest& worst = measured.whole.worst();
-    view::write_picture(options.worst, view::worst_picture(field.view, measured.surface, mesh.outer,
+    view::write_picture(options.worst, view::worst_picture(field.view, measured.surface, mesh.outer, mesh.closed,
                                                            {worst.place, on_truth, worst.distance, measured.whole.voxel_mm},
                                                            {.title = options.field.stem().string()}));
   }
@@ -169,11 +169,13 @@ void run(const CompareOptions& options) {
 }
 
 /// Draws the touch whose direction is worst.
-void draw_felt(const CompareOptions& options, const FieldView& field, const cloud::TriangleMesh& truth, const evaluate::FeltPlace& worst) {
+void draw_felt(const CompareOptions& options, const FieldView& field, const evaluate::TrueSurface& truth,
+               const evaluate::FeltPlace& worst) {
   const cloud::TriangleMesh surface = evaluate::zero_surface(field);
   const double distance = field::TriangleTree(surface).nearest(worst.god).distance;
   const view::WorstTouch touch{worst.hip, worst.god, worst.proxy, words_of(worst)};
-  view::write_picture(options.worst, view::worst_picture(field, surface, truth, {worst.god, true, distance, to_double(field.edge), touch},
+  view::write_picture(options.worst, view::worst_picture(field, surface, truth.outer, truth.closed,
+                                                         {worst.god, true, distance, to_double(field.edge), touch},
                                                          {.title = options.field.stem().string()}));
 }
 
@@ -218,7 +220,7 @@ void run_felt(const CompareOptions& options) {
   }
   if (!options.worst.empty()) {
     bar.begin("picture");
-    draw_felt(options, field.view, mesh.outer, felt.worst_direction);
+    draw_felt(options, field.view, mesh, felt.worst_direction);
     bar.end();
   }
   if (options.json) std::printf("%s\n", json.dump(2).c_str());

@@ -25,6 +25,7 @@
 #include "host/evaluate/mesh_scan.h"
 #include "host/evaluate/touch_points.h"
 #include "host/evaluate/truth_comparison.h"
+#include "host/field/closed_mesh.h"
 #include "host/field/nearest.h"
 #include "host/field/triangle_tree.h"
 #include "host/files/whole_file.h"
@@ -117,8 +118,10 @@ void scan_mesh(const ScanOptions& options) {
   if (options.trace.empty()) {
     throw InputError(options.input.string() + ": to scan a mesh name the trace to record with --trace");
   }
-  const cloud::TriangleMesh in_file = cloud::read_mesh(options.input);
+  cloud::TriangleMesh in_file = cloud::read_mesh(options.input);
   cloud::require_closed(in_file, options.input.string());
+  field::MeshRepair none;  // of a closed mesh
+  in_file = field::closed_mesh(std::move(in_file), options.input.string(), none);
   const cloud::Placement placement = cloud::place(in_file.vertices);
   const cloud::TriangleMesh mesh = evaluate::true_surface(cloud::placed(in_file, placement)).outer;
   const field::TriangleTree tree(mesh);

@@ -3,17 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 
 #include "host/cloud/placement.h"
 #include "host/field/first_hit.h"
 #include "host/field/line_crossings.h"
-#include "host/field/on_triangle.h"
 #include "host/field/parallel.h"
+#include "host/field/sheets.h"
 #include "host/field/triangle_tree.h"
 #include "host/to_double.h"
 
@@ -25,12 +24,9 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 
 constexpr double kNoVolume = 6e-9;  // of the box's diagonal cubed: a piece of less encloses nothing
-
-struct Piece {
-  double six_volumes = 0, largest_area = 0;
-  std::uint32_t largest = 0;  ///< its largest face; of a hollow, of those in front of which nothing is
-  bool shown = false;
-};
+constexpr double kReach = 1.25;     // voxels: a surface a voxel thick or more has a sample inside as near as this everywhere, by trial
+constexpr double kMinPlaces = 32, kMaxPlaces = 1024;  // of one piece that are asked
+constexpr int kClear = 16;                            // with that many more shown places than missed ones, or the reverse, it is settled
 
 /// Has the field this sign at or beside a sample, half a voxel away along any axes?
 bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
@@ -55,94 +51,129 @@ bool shows_at(const FieldView& view, const Vector3i& sample, bool inside) {
   return std::any_of(values.begin(), values.end(), [&](double value) { return inside ? value < 0 : value > 0; });
 }
 
-/// A face beside a field, of which one sign is asked.
-struct Beside {
-  const FieldView& view;
-  const field::Corners& in_voxels;
-  bool inside;
-
-  double square_to(const Vector3d& place) const { return (field::nearest_on_triangle(place, in_voxels).point - place).squaredNorm(); }
-
-  /// Is there a sample whose coefficient has the sign within a voxel of the face, and the field beside it? In a cube of bricks from `first` to `last`,
-  /// `side` of them along an edge, a power of two. Cubes farther away are left out whole: the box round a tilted face is mostly empty.
-  bool shows(const Vector3i& first, int side, const Vector3i& last) const {
-    if ((first.array() > last.array()).any()) return false;
-    const double half = (4.0 * side - 1) / 2, reach = 1 + std::sqrt(3.0) * half;
-    if (square_to((4 * first).cast<double>() + Vector3d::Constant(half)) > reach * reach) return false;
-    if (side > 1) {
-      for (int n = 0; n < 8; ++n)
-        if (shows(first + side / 2 * Vector3i(n & 1, n >> 1 & 1, n >> 2), side / 2, last)) return true;
-      return false;
+/// Is there a sample whose coefficient has the sign near a place, and the field beside it?
+bool shows(const FieldView& view, const Vector3d& in_voxels, bool inside) {
+  const Vector3i last(view.size[0] - 1, view.size[1] - 1, view.size[2] - 1);
+  const Vector3i low = (in_voxels.array() - kReach).ceil().cast<int>().matrix().cwiseMax(0);
+  const Vector3i high = (in_voxels.array() + kReach).floor().cast<int>().matrix().cwiseMin(last);
+  for (int z = low.z(); z <= high.z(); ++z) {
+    for (int y = low.y(); y <= high.y(); ++y) {
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const Vector3i sample(x, y, z);
+        if ((sample.cast<double>() - in_voxels).squaredNorm() > kReach * kReach) continue;
+        const auto value = view.coefficient(x, y, z);
+        if ((inside ? value < 0 : value > 0) && shows_at(view, sample, inside)) return true;
+      }
     }
-    const std::int16_t* brick = view.brick(4 * first.x(), 4 * first.y(), 4 * first.z());
-    for (int n = 0; n < 64; ++n) {
-      if (inside ? brick[n] >= 0 : brick[n] <= 0) continue;
-      const Vector3i sample = 4 * first + Vector3i(n & 3, n >> 2 & 3, n >> 4);
-      if (square_to(sample.cast<double>()) <= 1 && shows_at(view, sample, inside)) return true;
-    }
-    return false;
   }
+  return false;
+}
+
+/// A closed piece of a mesh.
+struct Piece {
+  std::vector<std::uint32_t> faces;
+  double six_volumes = 0;
+  bool lost = false;
+  std::uint32_t face = 0;  ///< the largest of those on which a place is missed
+  Vector3d place;          ///< that place
+
+  bool is_body() const { return six_volumes > 0; }
 };
 
-bool shows(const FieldView& view, const field::Corners& in_voxels, bool inside) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3d& corner : in_voxels) box.extend(corner);
-  const Vector3i last(view.size[0] - 1, view.size[1] - 1, view.size[2] - 1);
-  const Vector3i low = (box.min().array() - 1).ceil().cast<int>().matrix().cwiseMax(0) / 4;
-  const Vector3i high = (box.max().array() + 1).floor().cast<int>().matrix().cwiseMin(last) / 4;
-  if ((low.array() > high.array()).any()) return false;
-  const auto bricks = static_cast<unsigned>((high - low).maxCoeff() + 1);
-  return Beside{view, in_voxels, inside}.shows(low, static_cast<int>(std::bit_ceil(bricks)), high);
+std::vector<Piece> pieces_of(const cloud::TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> of = field::pieces_of_faces(mesh);
+  std::vector<std::size_t> number(mesh.faces.size());
+  std::vector<Piece> pieces;
+  for (std::uint32_t face = 0; face < of.size(); ++face) {
+    std::size_t& own = number[of[face]];
+    if (own == 0) {
+      pieces.emplace_back();
+      own = pieces.size();
+    }
+    pieces[own - 1].faces.push_back(face);
+  }
+  return pieces;
 }
+
+/// Asks at places that are spread over a piece's area whether the field shows it there. Places inside the union of all pieces do not count.
+class Search {
+ public:
+  Search(const field::TriangleTree& tree, const FieldView& view)
+      : tree_(tree), view_(view), edge_(to_double(view.edge)), origin_(to_double(view.origin)) {
+    const auto& box = tree.box(field::TriangleTree::root());
+    size_ = (box.high - box.low).norm();
+  }
+
+  double size() const { return size_; }
+
+  void judge(Piece& piece) const {
+    double area = 0;
+    std::vector<double> area_up_to;
+    const Vector3d origin = tree_.corners(piece.faces[0])[0];
+    for (const std::uint32_t face : piece.faces) {
+      const auto [a, b, c] = tree_.corners(face);
+      piece.six_volumes += (a - origin).dot((b - origin).cross(c - origin));
+      area_up_to.push_back(area += area_of(face));
+    }
+    if (std::abs(piece.six_volumes) <= kNoVolume * size_ * size_ * size_) return;
+    const auto places = static_cast<std::size_t>(std::clamp(area / (edge_ * edge_), kMinPlaces, kMaxPlaces));
+    int missed = 0;  // more than shown
+    double largest = 0;
+    for (std::size_t n = 0; n < places && std::abs(missed) < kClear; ++n) {
+      const double here = part(n, 0.8191725133961645) * area;
+      const auto found = std::upper_bound(area_up_to.begin(), area_up_to.end() - 1, here);
+      const std::uint32_t face = piece.faces[static_cast<std::size_t>(found - area_up_to.begin())];
+      const auto [a, b, c] = tree_.corners(face);
+      const double spread = std::sqrt(part(n, 0.6710436067037893)), along = part(n, 0.5497004779019703);
+      const Vector3d place = a + spread * (1 - along) * (b - a) + spread * along * (c - a);
+      if (field::is_inside(tree_, place + 1e-6 * size_ * cloud::face_normal(tree_.mesh(), face))) continue;
+      if (shows(view_, (place - origin_) / edge_, piece.is_body())) {
+        --missed;
+        continue;
+      }
+      ++missed;
+      if (area_of(face) <= largest) continue;
+      largest = area_of(face);
+      piece.face = face;
+      piece.place = place;
+    }
+    piece.lost = missed > 0;
+  }
+
+ private:
+  double area_of(std::uint32_t face) const {
+    const auto [a, b, c] = tree_.corners(face);
+    return (b - a).cross(c - a).norm() / 2;
+  }
+  /// The numbers from 0 on with three such steps spread evenly in a cube, however many there are: R3 sequence of Martin Roberts, 2018.
+  static double part(std::size_t number, double step) { return std::fmod((static_cast<double>(number) + 0.5) * step, 1.0); }
+
+  const field::TriangleTree& tree_;
+  const FieldView& view_;
+  double edge_;
+  Vector3d origin_;
+  double size_ = 0;
+};
 
 }  // namespace
 
 LostPieces lost_pieces(const cloud::TriangleMesh& mesh, const FieldView& view) {
-  const std::vector<std::uint32_t> root = cloud::pieces_of_vertices(mesh);
-  std::vector<Piece> pieces(mesh.vertices.size());
+  std::vector<Piece> pieces = pieces_of(mesh);
   const field::TriangleTree tree(mesh);
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    const auto [a, b, c] = tree.corners(face);
-    Piece& piece = pieces[root[mesh.faces[face][0]]];
-    const Vector3d& origin = mesh.vertices[root[mesh.faces[face][0]]];
-    piece.six_volumes += (a - origin).dot((b - origin).cross(c - origin));
-  }
-  const double edge = to_double(view.edge);
-  const Vector3d grid = to_double(view.origin);
-  field::in_parallel(mesh.faces.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (auto face = static_cast<std::uint32_t>(begin); face < end; ++face) {
-      Piece& piece = pieces[root[mesh.faces[face][0]]];
-      const std::atomic_ref shown(piece.shown);
-      if (shown) continue;
-      field::Corners in_voxels = tree.corners(face);
-      for (Vector3d& corner : in_voxels) corner = (corner - grid) / edge;
-      if (shows(view, in_voxels, piece.six_volumes > 0)) shown = true;
-    }
+  const Search search(tree, view);
+  field::in_parallel(pieces.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) search.judge(pieces[n]);
   });
-  const auto& box = tree.box(field::TriangleTree::root());
-  const double size = (box.high - box.low).norm();
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    Piece& piece = pieces[root[mesh.faces[face][0]]];
-    if (piece.shown) continue;
-    const auto [a, b, c] = tree.corners(face);
-    const double area = (b - a).cross(c - a).norm();
-    if (area <= piece.largest_area) continue;
-    const Vector3d ahead = (a + b + c) / 3 + 1e-6 * size * cloud::face_normal(mesh, face);
-    if (piece.six_volumes < 0 && field::is_inside(tree, ahead)) continue;  // another piece fills the hollow there
-    piece.largest_area = area;
-    piece.largest = face;
-  }
   LostPieces lost;
   for (const Piece& piece : pieces) {
-    if (piece.shown || piece.largest_area == 0 || std::abs(piece.six_volumes) <= kNoVolume * size * size * size) continue;
+    if (!piece.lost) continue;
     if (lost.pieces + lost.cavities == 0) {
-      const auto [a, b, c] = tree.corners(piece.largest);
-      lost.place = (a + b + c) / 3;
-      const Vector3d into = (piece.six_volumes > 0 ? -1 : 1) * cloud::face_normal(mesh, piece.largest);
-      const auto hit = field::first_hit(tree, lost.place, into, 1e-9 * size);
-      lost.thickness_voxel = hit ? hit->t / edge : 0;
+      lost.place = piece.place;
+      const Vector3d into = (piece.is_body() ? -1 : 1) * cloud::face_normal(mesh, piece.face);
+      const auto hit = field::first_hit(tree, lost.place, into, 1e-9 * search.size());
+      lost.thickness_voxel = hit ? hit->t / to_double(view.edge) : 0;
     }
-    ++(piece.six_volumes > 0 ? lost.pieces : lost.cavities);
+    ++(piece.is_body() ? lost.pieces : lost.cavities);
   }
   return lost;
 }
@@ -156,6 +187,7 @@ std::vector<std::string> LostPieces::warnings(const cloud::Placement& placement)
   if (pieces > 0) text = count_of(pieces, "closed piece of the mesh is", "closed pieces of the mesh are") + " left out";
   if (cavities > 0)
     text += (pieces > 0 ? " and " : "") + count_of(cavities, "hollow of the mesh is", "hollows of the mesh are") + " filled";
+  text += pieces + cavities == 1 ? ", or most of it" : ", or most of each";
   const Vector3d at = placement.to_cloud(place);
   char where[160];
   std::snprintf(where, sizeof where,

@@ -56,7 +56,7 @@ class Planner {
       if (const Place place{drawn.positions[i], drawn.normals[i]}; is_free(place) && above(place)) places_.push_back(place);
     }
     if (places_.empty()) throw InputError("the mesh has no place that can be touched from outside");
-    for (const SharpEdge& edge : sharp_edges(tree_.mesh(), kSharpDeg)) (edge.turn_deg > 0 ? convex_ : concave_).push_back(edge);
+    for (const SharpEdge& edge : bounding_edges(trees, kSharpDeg)) (edge.turn_deg > 0 ? convex_ : concave_).push_back(edge);
     for (const RecordedHand& hand : recorded) motions_.push_back(plane_motion(hand.positions));
     for (std::size_t kind = 0; kind < kHands.size(); ++kind) {
       const double wanted = static_cast<double>(kHands[kind]) * options.share;
@@ -183,8 +183,7 @@ class Planner {
     const auto& [edge, on_edge] = *found;
     const Vector3d along = (edge.end - edge.begin).normalized();
     const std::size_t side = random.bits() & 1U;
-    Vector3d into_face = edge.normals[side].cross(along).normalized();
-    if (into_face.dot(edge.normals[1 - side]) > 0) into_face = -into_face;  // the other face's front lies beyond the edge
+    const Vector3d into_face = edge.into_face(side);
     const TriangleTree::Foot foot = tree_.nearest(on_edge + kBeside * into_face);
     const Place place{foot.point, cloud::face_normal(tree_.mesh(), foot.face)};
     if (!is_free(place)) return {};

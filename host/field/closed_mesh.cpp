@@ -13,7 +13,7 @@
 #include "host/field/face_edges.h"
 #include "host/field/line_crossings.h"
 #include "host/field/parallel.h"
-#include "host/field/sets.h"
+#include "host/field/sheets.h"
 
 namespace isotouch::field {
 
@@ -23,6 +23,7 @@ using Eigen::Vector3d;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // as a face runs it
 
 constexpr double kLeastVolume = 1e-9;  // of the box's diagonal cubed: below it is rounding
+constexpr double kLeastArea = 1e-5;    // of the box's diagonal squared: less of an open sheet refuses no mesh
 
 std::string text(double value) {
   std::ostringstream stream;
@@ -157,30 +158,8 @@ std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
   return dropped;
 }
 
-/// Faces that hang together by edges that have no third face.
-struct Sheets {
-  std::vector<std::uint32_t> of;   ///< of each face, one of its sheet
-  std::vector<std::uint8_t> open;  ///< of that one: does the sheet end where more than two faces meet?
-};
-
-Sheets sheets_of(const cloud::TriangleMesh& mesh) {
-  Sets sets(mesh.faces.size());
-  Sheets sheets{std::vector<std::uint32_t>(mesh.faces.size()), std::vector<std::uint8_t>(mesh.faces.size())};
-  std::vector<std::uint32_t> at_ends;
-  const std::vector<FaceEdge> edges = face_edges(mesh);
-  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-    while (end < edges.size() && edges[end].same_edge(edges[begin])) ++end;
-    const std::uint32_t a = sets.of(edges[begin].face), b = sets.of(edges[end - 1].face);
-    if (end - begin == 2 && a != b) sets.join(a, b);
-    for (std::size_t i = begin; i < end && end - begin != 2; ++i) at_ends.push_back(edges[i].face);
-  }
-  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) sheets.of[face] = sets.of(face);
-  for (const std::uint32_t face : at_ends) sheets.open[sheets.of[face]] = 1;
-  return sheets;
-}
-
-/// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place. A sheet that ends at
-/// others encloses nothing by itself: it faces inward if that is so in front of the larger part of it.
+/// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place. An open sheet
+/// encloses nothing by itself: it faces inward if that is so in front of the larger part of it.
 void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, bool turned) {
   const Sheets sheets = sheets_of(mesh);
   const std::vector<std::uint32_t>& sheet = sheets.of;
@@ -191,10 +170,11 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
     six_volumes[sheet[face]] += (mesh.vertices[a] - origin).dot((mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin));
   }
   const double noise = 6 * kLeastVolume * size * size * size;
-  const auto is_inward = [&](std::uint32_t face) { return six_volumes[sheet[face]] < -noise; };
+  const auto is_open = [&](std::uint32_t face) { return sheets.open[sheet[face]] != 0; };
+  const auto is_inward = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] < -noise; };
   std::vector<std::uint32_t> asked;
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
-    if (is_inward(face) || sheets.open[sheet[face]] != 0) asked.push_back(face);
+    if (is_inward(face) || is_open(face)) asked.push_back(face);
   }
   if (asked.empty()) return;
   const TriangleTree tree(mesh);
@@ -210,7 +190,7 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
                        }));
     }
   });
-  std::vector<double> surplus(mesh.faces.size());  // of a sheet's area: in front of it is nothing
+  std::vector<double> surplus(mesh.faces.size());  // of a sheet's area, twice: in front of it is nothing
   for (std::size_t n = 0; n < asked.size(); ++n) {
     const Corners corners = tree.corners(asked[n]);
     const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
@@ -218,9 +198,9 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   }
   for (std::size_t n = 0; n < asked.size(); ++n) {
     const std::uint32_t face = asked[n];
-    if (in_nothing[n] == 0 || (!is_inward(face) && surplus[sheet[face]] <= 0)) continue;
+    if (in_nothing[n] == 0 || (is_open(face) && surplus[sheet[face]] <= 2 * kLeastArea * size * size)) continue;
     const auto& [a, b, c] = mesh.faces[face];
-    const std::string piece = (sheets.open[sheet[face]] != 0 ? "a piece of " : "a closed piece of ") +
+    const std::string piece = (is_open(face) ? "a piece of " : "a closed piece of ") +
                               count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") +
                               " near " + text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
     throw InputError(turned

@@ -33,8 +33,8 @@ struct MeshRepair {
 /// holes       every rim gets a fan round the mean of its edges. Then each edge is run as often in one direction as in the other, and winding
 ///             numbers are whole
 /// inside out  a mesh of negative volume is turned round. Pieces are not turned one by one: a piece that faces inward is a hollow when all of
-///             it lies in others. Each of its faces is asked at its middle and at its corners. A piece that ends where more than two faces
-///             meet is asked whichever way it faces, and faces inward if most of its area does
+///             it lies in others. Each of its faces is asked at its middle and at its corners. A piece that is closed only together with others
+///             (sheets.h) is asked whichever way it faces, and faces inward if most of its area does; tiny ones may face as they will
 ///
 /// name        of the file, for the sentences
 /// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece, or a part of it, faces inward beside the others, or

@@ -75,7 +75,14 @@ MeshDistance::MeshDistance(cloud::TriangleMesh mesh) : mesh_(std::move(mesh)), t
   if (!outer_) return;
   tree_ = FaceTree(*outer_);
   const auto& box = turns_->box(TriangleTree::root());
-  size_ = (box.high - box.low).norm();
+  thinnest_ = kThinnest * (box.high - box.low).norm();
+  hidden_.resize(mesh_.faces.size());
+  const auto& stay = outer_->faces;
+  for (std::size_t face = 0, next = 0; face < hidden_.size(); ++face) {
+    while (next < stay.size() && stay[next][0] >= mesh_.vertices.size()) ++next;  // parts
+    hidden_[face] = next == stay.size() || stay[next] != mesh_.faces[face];
+    if (!hidden_[face]) ++next;
+  }
 }
 
 /// Fills both kinds of normals. Is the mesh one sheet?
@@ -110,23 +117,41 @@ bool MeshDistance::is_behind(const FaceTree::Place& place) const {
   return place.offset.dot(normal) < 0;
 }
 
-Vector3d MeshDistance::out_of_gaps(double distance) const {
-  const Vector3d aside = kThinnest * size_ * Vector3d(1.55, 2.15, 2.65);  // leaves every gap along the coordinates, and most others
-  return distance > aside.norm() ? aside : Vector3d::Zero();
+bool MeshDistance::any_hidden(const Vector3d& low, const Vector3d& high) const {
+  bool found = false;
+  turns_->visit(
+      [&](const TriangleTree::Box& box) {
+        return !found && (box.low.array() - thinnest_ <= high.array()).all() && (box.high.array() + thinnest_ >= low.array()).all();
+      },
+      [&](std::uint32_t face) { found = found || hidden_[face]; });
+  return found;
+}
+
+template <class Inside>
+bool MeshDistance::most_inside(const Vector3d& point, double distance, const Inside& is_inside_at) const {
+  const Vector3d aside = thinnest_ * Vector3d(1.55, 2.15, 2.65);  // leaves every gap along the coordinates, and most others
+  if (distance <= aside.norm()) return is_inside_at(point, 0);
+  const bool after = is_inside_at(point + aside, 1);
+  return is_inside_at(point - aside, 2) == after ? after : is_inside_at(point, 0);
+}
+
+bool MeshDistance::is_in(const Vector3d& point, const FaceTree::Place& nearest) const {
+  if (!turns_) return is_behind(nearest);
+  const auto is_inside_at = [&](const Vector3d& place, std::size_t) { return is_inside(*turns_, place); };
+  return outer_ && any_hidden(point, point) ? most_inside(point, std::sqrt(nearest.square), is_inside_at) : is_inside_at(point, 0);
 }
 
 double MeshDistance::operator()(const Vector3d& point) const {
   const FaceTree::Place place = tree_.nearest(point);
   const double distance = std::sqrt(place.square);
-  const bool inside = turns_ ? is_inside(*turns_, point + out_of_gaps(distance)) : is_behind(place);
-  return inside ? -distance : distance;
+  return is_in(point, place) ? -distance : distance;
 }
 
 MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, double reach) const {
   const Vector3d middle = first + Vector3d::Constant(1.5 * step);
   const FaceTree::Place place = tree_.nearest(middle);
   const double to_middle = std::sqrt(place.square);
-  const bool middle_inside = turns_ ? is_inside(*turns_, middle + out_of_gaps(to_middle)) : is_behind(place);
+  const bool middle_inside = is_in(middle, place);
   Block block{middle_inside ? -to_middle : to_middle, std::nullopt};
   if (to_middle / step > reach) return block;
   // The nearest place of a corner is at most a half diagonal farther from it than the middle's, and from the middle a whole one.
@@ -135,7 +160,8 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
   constexpr std::array<std::size_t, 3> kBack = {1, 4, 16};  // to the point before along each axis
   std::array<double, 64>& result = block.points.emplace();
   std::array<std::uint32_t, 64> faces{};
-  std::array<std::optional<TurnsAlong>, 2> turns;  // along the row, and beside it, once they are asked for
+  std::array<std::optional<TurnsAlong>, 3> turns;  // along the row, and on either side of it, once they are asked for
+  const bool beside_hidden = outer_ && any_hidden(first, first + Vector3d::Constant(3 * step));
   // Between two points of which one is farther from the mesh than they are from each other lies no face: they have one sign.
   const double faceless = step * (1 + 1e-9);
   for (std::size_t n = 0; n < result.size(); ++n) {
@@ -154,10 +180,11 @@ MeshDistance::Block MeshDistance::block(const Vector3d& first, double step, doub
     if (index[0] == 0) turns = {};
     bool inside = alike < 0;
     if (alike == 0 && turns_) {
-      const Vector3d aside = out_of_gaps(distance), at = point + aside;
-      std::optional<TurnsAlong>& row = turns[aside.x() > 0 ? 1 : 0];
-      if (!row) row.emplace(*turns_, at.y(), at.z());
-      inside = row->at(at.x()) > 0;
+      const auto is_inside_at = [&](const Vector3d& at, std::size_t line) {
+        if (!turns[line]) turns[line].emplace(*turns_, at.y(), at.z());
+        return turns[line]->at(at.x()) > 0;
+      };
+      inside = beside_hidden ? most_inside(point, distance, is_inside_at) : is_inside_at(point, 0);
     } else if (alike == 0) {
       inside = is_behind(found);
     }

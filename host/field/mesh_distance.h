@@ -50,8 +50,15 @@ class MeshDistance {
 
  private:
   bool is_behind(const FaceTree::Place& nearest) const;
-  /// By how much a question moves along each axis to leave gaps and walls that do not count, `distance` from the surface.
-  Eigen::Vector3d out_of_gaps(double distance) const;
+  bool is_in(const Eigen::Vector3d& point, const FaceTree::Place& nearest) const;
+  /// Is there a hidden face in a box, or so near to it that a gap or a wall between the two would not count? Or in the box round such a face.
+  bool any_hidden(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const;
+  /// Is a point inside that is `distance` from the surface, beside hidden faces? Most of three places decide: the point, and one on either side of it.
+  /// So a point in a gap or a wall that does not count leaves it, and one beside a gap does not get into it.
+  ///
+  /// is_inside_at    of a place, and which it is: 0 is the point, 1 and 2 are those beside it
+  template <class Inside>
+  bool most_inside(const Eigen::Vector3d& point, double distance, const Inside& is_inside_at) const;
   bool make_pseudonormals();
 
   cloud::TriangleMesh mesh_;
@@ -60,7 +67,8 @@ class MeshDistance {
   std::vector<Eigen::Vector3d> vertex_normals_;
   FaceCrossings crossings_;
   std::optional<cloud::TriangleMesh> outer_;  ///< if it is not the mesh itself
-  double size_ = 0;                           ///< of a mesh that has an outer surface of its own
+  double thinnest_ = 0;                       ///< with an outer surface: `kThinnest` of its size
+  std::vector<bool> hidden_;                  ///< then, of each face: does it not count, or only in part?
   std::optional<TriangleTree> turns_;         ///< of a mesh for which pseudonormals do not decide
 };
 

@@ -37,13 +37,14 @@ constexpr double kNarrowestScale = 0.5;  // voxels: surfaces may agree, also whe
 struct Body {
   const TriangleTree& own;
   const TriangleTree& other;
-  const FieldRays* field;  // nullptr: the truth
+  const TriangleTree& other_closed;  // what it turns round is inside the other
+  const FieldRays* field;            // nullptr: the truth
 
   bool is_truth() const { return field == nullptr; }
   /// Signed, mm: positive where the field stands out of the truth, on whichever of the two.
   double error(const Vector3d& point) const {
     const double distance = other.nearest(point).distance;
-    return field::is_inside(other, point) == is_truth() ? distance : -distance;
+    return field::is_inside(other_closed, point) == is_truth() ? distance : -distance;
   }
   Vector3d normal(const Vector3d& point, const field::FaceHit& hit) const {
     if (is_truth()) return hit.normal;
@@ -170,8 +171,8 @@ void draw_legend(Canvas& canvas, const Rect& bar, double full_voxels, double vox
 
 }  // namespace
 
-Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
-                      const WorstOptions& options) {
+Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth,
+                      const cloud::TriangleMesh& closed, const WorstPlace& worst, const WorstOptions& options) {
   Picture picture(options.width, options.height);
   Canvas canvas(picture);
   const float scale = drawing_scale(picture);
@@ -179,9 +180,9 @@ Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface
   for (int y = 0; y < options.height; ++y) {
     canvas.fill({0, static_cast<float>(y), width, static_cast<float>(y + 1)}, backdrop(static_cast<float>(y) / height));
   }
-  const TriangleTree ours(surface), theirs(truth);
+  const TriangleTree ours(surface), theirs(truth), all_theirs(closed);
   const FieldRays rays(field);
-  const Body felt{ours, theirs, &rays}, mesh{theirs, ours, nullptr};
+  const Body felt{ours, theirs, all_theirs, &rays}, mesh{theirs, ours, ours, nullptr};
   const Body& owner = worst.on_truth ? mesh : felt;
   const Vector3d foot = owner.other.nearest(worst.place).point;
   const Eye eye = eye_for(owner, worst.place, foot, worst.voxel_mm);

@@ -33,8 +33,9 @@ struct WorstOptions {
 /// The eye stands where the place can be seen, a little beside its normal; where no eye sees it, what hides it is cut away.
 ///
 /// field            lights its surface: normals are the gradient's as sampled
-/// surface, truth   the field's zero surface in triangles and the true one: closed, workspace, mm
-Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth, const WorstPlace& worst,
-                      const WorstOptions& options);
+/// surface          the field's zero surface in triangles: closed, workspace, mm
+/// truth, closed    the true surface: the faces that bound it, which need not be closed; and all of them, which are and say what is inside
+Picture worst_picture(const FieldView& field, const cloud::TriangleMesh& surface, const cloud::TriangleMesh& truth,
+                      const cloud::TriangleMesh& closed, const WorstPlace& worst, const WorstOptions& options);
 
 }  // namespace isotouch::view

@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
+#include "host/evaluate/truth_comparison.h"
 #include "tests/host/evaluate/ball_mesh.h"
 #include "tests/host/evaluate/box_mesh.h"
+#include "tests/host/field/box_mesh.h"
 
 namespace isotouch::evaluate {
 namespace {
@@ -55,6 +59,30 @@ TEST(SharpEdges, AnInnerEdgeIsConcave) {
     EXPECT_EQ((edge.end - edge.begin).cwiseAbs(), Vector3d(0, 3, 0));
   }
   EXPECT_EQ(concave, 1U);
+}
+
+TEST(SharpEdges, OfABodyOfPiecesAreThoseThatCanBeTouched) {
+  const auto foot = box({0, 0, 0}, {20, 20, 10});
+  const auto lengths = [](const cloud::TriangleMesh& mesh) {
+    const TrueSurface surface = true_surface(mesh);
+    const field::TriangleTree outer(surface.outer), closed(surface.closed);
+    std::pair<double, double> found;
+    for (const SharpEdge& edge : bounding_edges({outer, closed}, 30))
+      (edge.turn_deg > 0 ? found.first : found.second) += (edge.end - edge.begin).norm();
+    return found;
+  };
+  const auto one = lengths(foot);
+  EXPECT_NEAR(one.first, 4 * (20 + 20 + 10), 1e-9);
+  // Towers on the middle of it, and on an edge, where 4 of 20 mm are covered.
+  const auto on_top = lengths(field::together(foot, box({8, 8, 10}, {12, 12, 30})));
+  EXPECT_NEAR(on_top.first, 4 * (20 + 20 + 10) + 4 * 4 + 4 * 20, 1e-9);
+  const auto on_edge = lengths(field::together(foot, box({18, 8, 8}, {22, 12, 30})));
+  EXPECT_NEAR(on_edge.first, 4 * (20 + 20 + 10) - 4 + 4 * 4 + 2 * 22 + 2 * 20 + 4 + 2 * 2, 2.5);
+  // Three boxes that share vertices: an L, where six faces meet in the crease.
+  const auto lower = field::joined(box({0, 0, 0}, {20, 10, 10}), box({0, 10, 0}, {20, 20, 10}));
+  const auto corner = lengths(field::joined(lower, box({0, 10, 10}, {20, 20, 20})));
+  EXPECT_NEAR(corner.first, 5 * 20 + 2 * 80, 1e-9);
+  EXPECT_NEAR(corner.second, 20, 1e-9);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "host/cloud/mesh.h"
 
@@ -30,6 +31,18 @@ inline cloud::TriangleMesh together(cloud::TriangleMesh mesh, const cloud::Trian
   const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const auto& [a, b, c] : other.faces) mesh.faces.push_back({first + a, first + b, first + c});
+  return mesh;
+}
+
+/// Two meshes of which the second uses the first one's vertices where it has the same places.
+inline cloud::TriangleMesh joined(cloud::TriangleMesh mesh, const cloud::TriangleMesh& other) {
+  std::vector<std::uint32_t> number;
+  for (const Eigen::Vector3d& vertex : other.vertices) {
+    const auto found = std::find(mesh.vertices.begin(), mesh.vertices.end(), vertex);
+    number.push_back(static_cast<std::uint32_t>(found - mesh.vertices.begin()));
+    if (found == mesh.vertices.end()) mesh.vertices.push_back(vertex);
+  }
+  for (const auto& [a, b, c] : other.faces) mesh.faces.push_back({number[a], number[b], number[c]});
   return mesh;
 }
 

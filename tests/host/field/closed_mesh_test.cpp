@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -86,18 +87,6 @@ TEST(ClosedMesh, WhatBoundsNoBodyIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal(together(cube(), turned(box_mesh({5, 0, 0}, {5.5, 1, 1})))), StartsWith("a.stl: a closed piece of 12 faces near (5"));
 }
 
-/// Two boxes of which the second uses the first one's vertices where it has the same places.
-cloud::TriangleMesh joined(cloud::TriangleMesh mesh, const cloud::TriangleMesh& other) {
-  std::vector<std::uint32_t> number;
-  for (const Eigen::Vector3d& vertex : other.vertices) {
-    const auto found = std::find(mesh.vertices.begin(), mesh.vertices.end(), vertex);
-    number.push_back(static_cast<std::uint32_t>(found - mesh.vertices.begin()));
-    if (found == mesh.vertices.end()) mesh.vertices.push_back(vertex);
-  }
-  for (const auto& [a, b, c] : other.faces) mesh.faces.push_back({number[a], number[b], number[c]});
-  return mesh;
-}
-
 TEST(ClosedMesh, AnInvertedPieceThatIsNotAllInAnotherOneIsRefused) {
   const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
   const std::pair<const char*, cloud::TriangleMesh> others[] = {{"a corner in common", box_mesh({10, 10, 10}, {16, 16, 16})},
@@ -127,6 +116,37 @@ TEST(ClosedMesh, AnInvertedPieceIsRefusedThatSharesAllItsEdges) {
       EXPECT_THAT(refusal(cubes(counts, at)), HasSubstr("faces that point inwards")) << counts.transpose() << ": " << at.transpose();
     }
   }
+}
+
+TEST(ClosedMesh, AnInvertedPieceIsAFlapIfNothingOfItCanBeSeen) {
+  auto flapped = box_mesh({0, 0, 0}, {10, 10, 10});
+  const auto& [a, b] = std::pair(3U, 7U);  // the edge at (10, 10)
+  flapped.vertices.emplace_back(10.001, 10, 5);
+  flapped.vertices.emplace_back(10, 10.001, 5);
+  for (const std::array<std::uint32_t, 3>& face : {std::array{a, b, 8U}, {b, a, 9U}, {a, 8U, 9U}, {b, 9U, 8U}})
+    flapped.faces.push_back(face);
+  EXPECT_LT(cloud::signed_volume(flapped), 1000) << "the flap faces inwards";
+  EXPECT_EQ(refusal(flapped), "no refusal");
+
+  const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
+  const auto with_box_at_edge = [&](double side) { return joined(body, turned(box_mesh({10, 10, 0}, {10 + side, 10 + side, 10}))); };
+  EXPECT_THAT(refusal(with_box_at_edge(0.1)), HasSubstr("a closed piece of 12 faces"));
+
+  const auto with_box_at_side = [&](double side) {
+    const auto small = box_mesh({20, 0, 0}, {20 + side, side, side});
+    return together(body, joined(small, turned(box_mesh({20 + side, 0, 0}, {20 + 2 * side, side, side}))));
+  };
+  EXPECT_EQ(refusal(with_box_at_side(0.01)), "no refusal");
+  EXPECT_THAT(refusal(with_box_at_side(0.1)), HasSubstr(": a piece of "));
+}
+
+TEST(ClosedMesh, OfAHollowThatIsClosedOnlyWithAnotherMostCounts) {
+  const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
+  const auto up_to = [&](double high) {  // two hollows that share a side; the upper one sticks out of the body
+    return together(body, turned(joined(box_mesh({4, 4, 2}, {6, 6, 5}), box_mesh({4, 4, 5}, {6, 6, high}))));
+  };
+  EXPECT_EQ(refusal(up_to(11)), "no refusal");
+  EXPECT_THAT(refusal(up_to(40)), HasSubstr(": a piece of "));
 }
 
 TEST(ClosedMesh, WhereMostFacesPointInwardsThatIsTheBlame) {

@@ -303,8 +303,19 @@ TEST(MeshDistance, AGapThatFilesRoundToIsNone) {
         p.z() += 2;
         ask(p);
       }
-      for (int i = 0; i < 100; ++i) {  // in the gap, and on either side of it
-        for (const double z : {3.0, 3 + gap * size / 2, low}) ask({random.uniform(-0.9, 0.9), random.uniform(-1.4, 1.4), z});
+      for (int i = 0; i < 200; ++i) {  // in the gap, and on either side of it
+        const double beside = size * random.uniform(0, 12e-6);
+        for (const double z : {3.0, 3 + gap * size / 2, low, 3 - beside, low + beside})
+          ask({random.uniform(-0.9, 0.9), random.uniform(-1.4, 1.4), z});
+      }
+      for (int i = 0; i < 20; ++i) {  // layers of samples in the gap
+        const double step = random.uniform(0.05, 0.4);
+        Vector3d first(random.uniform(-2, 1), random.uniform(-2, 1), 3 + random.uniform() * gap * size - (i % 2) * step);
+        for (int turn = 0; turn < axis; ++turn) first = Vector3d(first.z(), first.x(), first.y());
+        const auto block = distance.block(first, step, 100);
+        ASSERT_TRUE(block.points);
+        for (int n = 0; n < 64; ++n)
+          ASSERT_EQ((*block.points)[static_cast<std::size_t>(n)], distance(first + step * Vector3d(n & 3, n >> 2 & 3, n >> 4))) << gap;
       }
     }
   }

@@ -107,6 +107,7 @@ class FieldTest(unittest.TestCase):
             "grid is -1": {"grid": -1},
             "interpolation": {"interpolation": "cubic"},
             "viewpoint has 2 numbers": {"viewpoint": [0, 0]},
+            "viewpoint: its three numbers must lie within ±1e100": {"viewpoint": [0, 0, 2e100]},
         }
         for words, change in wrong.items():
             with self.subTest(words), self.assertRaisesRegex(isotouch.ArgumentError, words):

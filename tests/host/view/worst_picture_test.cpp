@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "tests/host/view/sphere_field.h"
 #include "tests/support/sanitized.h"
@@ -60,10 +61,12 @@ Colours colours_of(const Image& image) {
   return found;
 }
 
-Image picture(const cloud::TriangleMesh& truth, const WorstPlace& worst) {
+Image picture(const cloud::TriangleMesh& truth, const cloud::TriangleMesh& closed, const WorstPlace& worst) {
   const SphereField field;
-  return worst_picture(field.view, ball(kTestRadius), truth, worst, {.width = 480, .height = 320, .title = "ball"}).pixels();
+  return worst_picture(field.view, ball(kTestRadius), truth, closed, worst, {.width = 480, .height = 320, .title = "ball"}).pixels();
 }
+
+Image picture(const cloud::TriangleMesh& truth, const WorstPlace& worst) { return picture(truth, truth, worst); }
 
 TEST(WorstPicture, WhatStandsOutIsBlueAndWhatIsMissingIsRedOnBothSurfaces) {
   const Eigen::Vector3d front(0, 0, 1);
@@ -85,6 +88,16 @@ TEST(WorstPicture, SurfacesThatAgreeHaveNoColour) {
       picture(ball(kTestRadius), {.place = Eigen::Vector3d(0, 0, kTestRadius), .on_truth = true, .distance_mm = 0, .voxel_mm = kTestEdge}));
   EXPECT_EQ(found.blue, 0);
   EXPECT_EQ(found.red, 0);
+}
+
+TEST(WorstPicture, WhereTheFacesThatBoundTheTruthAreNotClosedNoColourIsWrong) {
+  const cloud::TriangleMesh closed = ball(kTestRadius + 1);
+  cloud::TriangleMesh truth = closed;
+  std::erase_if(truth.faces, [&](const auto& face) { return truth.vertices[face[0]].x() < -0.9 * kTestRadius; });  // behind it
+  const Colours found =
+      colours_of(picture(truth, closed, {.place = Eigen::Vector3d(kTestRadius, 0, 0), .distance_mm = 1, .voxel_mm = kTestEdge}));
+  EXPECT_GT(found.red, 15000);
+  EXPECT_LT(found.blue, 200);
 }
 
 TEST(WorstPicture, APlaceThatNoEyeSeesIsCutOpen) {
