@@ -21,7 +21,8 @@ class Connection {
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
   /// patience_ms   longest time to wait until the controller lets in, and until it takes a frame; 0 = for ever
-  /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more
+  /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more. It alone decides that:
+  ///               Ctrl-C and the end of the terminal leave the ssh of a remote controller alone
   /// fails         InputError: what is not there and what to do
   explicit Connection(const Address& address, int patience_ms = 0, std::function<bool()> is_over = {});
   ~Connection();
