@@ -50,6 +50,7 @@ class Connection {
 
   /// What came does not fit what was asked: nobody knows what comes next. Nothing can be sent any more.
   void end_conversation() { has_ended_ = true; }
+  bool has_ended() const { return has_ended_; }
 
   /// Waits at most so long for anything to come, be it a part of a frame.
   bool has_input(int patience_ms = 0);
