@@ -175,7 +175,7 @@ TEST(GrowingField, EveryPointIsTakenOrCountedAmongThoseLeftOutOnce) {
     Clock::time_point at{};
     PointCounts all;
     std::size_t given = 0;
-    for (int frame = 0; frame < 40; ++frame) {
+    for (int frame = 0; frame < 44; ++frame) {
       at += frame % 10 == 9 ? 3s : 100ms;  // some wait until they are too old
       const auto first = static_cast<std::size_t>(frame % 4) * 1000;
       all += field.take(part(points, first, first + 1000), at);
