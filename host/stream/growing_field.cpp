@@ -60,7 +60,7 @@ void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
     const std::uint64_t key = live::bucket_key(gone);
     Place& place = places_[key];
     --place.held;
-    place.has_lost = true;
+    place.is_urgent = true;
     touch(key, place);
   }
 }
@@ -79,18 +79,32 @@ std::size_t GrowingField::fill(Place& place, Clock::time_point at, live::Batch& 
   return 0;
 }
 
-/// Fills the places that are new, those that are computed anyway because some points went, and of those whose block has its turn the ones whose points
-/// have doubled: a place that followed each point would be computed anew for an ever smaller part of its mean, and its neighbours with it. As many as
-/// kMaxWaiting are taken all the same, so that memory does not grow with the points that were seen.
+/// Does a place next to this one have points that count and look the same way? Then there is a surface already.
+bool GrowingField::is_beside(std::uint64_t key) const {
+  constexpr int kAround = 27;
+  for (int n = 0; n < kAround; ++n) {
+    const auto found = places_.find(live::bucket_beside(key, {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1}));
+    if (found != places_.end() && found->second.held > 0) return true;
+  }
+  return false;
+}
+
+/// Fills the places where no surface was, those that are computed anyway because some points went, and of those whose block has its turn the ones whose
+/// points have doubled: a place that followed each point would be computed anew for an ever smaller part of its mean, and its neighbours with it. As
+/// many as kMaxWaiting are taken all the same, so that memory does not grow with the points that were seen.
 ///
 /// returns   how many points are left out
 std::size_t GrowingField::settle(Clock::time_point at, live::Batch& batch) {
   std::size_t left_out = 0;
   for (const std::uint64_t key : touched_) {
+    Place& place = places_.find(key)->second;
+    place.is_urgent = place.is_urgent || (place.held == 0 && !is_beside(key));
+  }
+  for (const std::uint64_t key : touched_) {
     const auto found = places_.find(key);
     Place& place = found->second;
-    if (place.held == 0 || place.has_lost) left_out += fill(place, at, batch);
-    place.is_touched = place.has_lost = false;
+    if (place.is_urgent) left_out += fill(place, at, batch);
+    place.is_touched = place.is_urgent = false;
     if (place.held < enough_ && !place.waiting.empty()) unsettled_[turn_of(key)].insert(key);
     if (place.held == 0 && place.waiting.empty()) places_.erase(found);
   }
@@ -100,7 +114,9 @@ std::size_t GrowingField::settle(Clock::time_point at, live::Batch& batch) {
     if (found == places_.end()) return true;
     Place& place = found->second;
     if (place.waiting.size() >= std::min<std::size_t>({place.held, kMaxWaiting, enough_ - place.held})) left_out += fill(place, at, batch);
-    return place.held == enough_ || place.waiting.empty();
+    const bool is_settled = place.held == enough_ || place.waiting.empty();
+    if (place.held == 0 && is_settled) places_.erase(found);
+    return is_settled;
   });
   return left_out;
 }
@@ -111,7 +127,10 @@ std::size_t GrowingField::settle(Clock::time_point at, live::Batch& batch) {
 std::size_t GrowingField::fill_turn(std::size_t turn, Clock::time_point at, live::Batch& batch) {
   std::size_t left_out = 0;
   for (const std::uint64_t key : std::exchange(unsettled_[turn], {})) {
-    if (const auto found = places_.find(key); found != places_.end()) left_out += fill(found->second, at, batch);
+    const auto found = places_.find(key);
+    if (found == places_.end()) continue;
+    left_out += fill(found->second, at, batch);
+    if (found->second.held == 0) places_.erase(found);
   }
   return left_out;
 }

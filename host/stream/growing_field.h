@@ -45,7 +45,8 @@ class GrowingField {
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
   /// enough    that many points of a bucket count; 0: all. A bucket that has some takes further ones when its block has its turn, every `kTurns`
-  ///           frames, if they double it by then or are kMaxWaiting; or when some of its own go. Until then they wait. Those beyond enough are left
+  ///           frames, if they double it by then or are kMaxWaiting; or when some of its own go. Until then they wait, and so do the first ones of
+  ///           a bucket next to one that has some. Those beyond enough are left
   ///           out. With `keep`, the newest of them wait, too, and all only as long as they are no older than `keep` themselves
   /// fails     as LiveField
   GrowingField(const live::Space& space, double band, encoding::FieldInfo info, std::optional<Clock::duration> keep,
@@ -89,7 +90,7 @@ class GrowingField {
   struct Place {
     std::uint32_t held = 0;        ///< points that count
     bool is_touched = false;       ///< by the batch
-    bool has_lost = false;         ///< points, with the batch
+    bool is_urgent = false;        ///< takes what waits with the batch
     std::vector<Waiting> waiting;  ///< the newest last
   };
 
@@ -98,6 +99,7 @@ class GrowingField {
   void remove_old(Clock::time_point at, live::Batch& batch);
   std::size_t fill(Place& place, Clock::time_point at, live::Batch& batch);
   static std::size_t turn_of(std::uint64_t key);
+  bool is_beside(std::uint64_t key) const;
   std::size_t settle(Clock::time_point at, live::Batch& batch);
   std::size_t fill_turn(std::size_t turn, Clock::time_point at, live::Batch& batch);
   void apply(const live::Batch& batch);

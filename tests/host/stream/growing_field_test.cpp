@@ -128,6 +128,30 @@ TEST(GrowingField, APlaceThatHasPointsTakesFurtherOnesWhenItHasItsTurn) {
   EXPECT_EQ(field.take_waiting(begin).taken, 0U);
 }
 
+TEST(GrowingField, APlaceBesideOneThatHasPointsWaitsForItsTurn) {
+  const live::Space space = unit_space();
+  const double bucket = space.box.sizes().maxCoeff() / 16;
+  const auto at = [bucket](double buckets, double facing) {
+    cloud::Model model;
+    model.positions.emplace_back(buckets * bucket, 0.0, 0.0);
+    model.normals.emplace_back(0.0, 0.0, facing);
+    return model;
+  };
+  std::size_t at_once = 0;
+  for (std::size_t phase = 0; phase < GrowingField::kTurns; ++phase) {
+    GrowingField field(space, kBand, {}, {}, 16);
+    for (std::size_t n = 0; n < phase; ++n) field.take({}, {});
+    EXPECT_EQ(field.take(at(0.2, 1), {}).taken, 1U);
+    EXPECT_EQ(field.take(at(3.2, 1), {}).taken, 1U) << "no surface is beside it";
+    EXPECT_EQ(field.take(at(1.2, -1), {}).taken, 1U) << "another side of a wall";
+    std::size_t beside = field.take(at(1.2, 1), {}).taken;
+    at_once += beside;
+    for (std::size_t n = 1; n < GrowingField::kTurns; ++n) beside += field.take({}, {}).taken;
+    EXPECT_EQ(beside, 1U);
+  }
+  EXPECT_EQ(at_once, 1U) << "where its turn was just then";
+}
+
 TEST(GrowingField, WhatWaitsIsTakenTurnByTurnOrAllAtTheEnd) {
   constexpr int kGrid = 96;  // more blocks than one
   const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 4000, 1);
