@@ -11,6 +11,7 @@
 #include "firmware/settings/read_settings.h"
 #include "firmware/settings/table.h"
 #include "packaging/manual/command_tree.h"
+#include "shared/files/option_values.h"
 #include "shared/files/version_text.h"
 
 namespace isotouch::daemon {
@@ -37,11 +38,6 @@ bool read_device(const std::string& text, Options& options) {
   return (kind == "sim" || kind == "replay") && !options.name.empty();
 }
 
-/// What a variable of the shell leaves that is not set.
-std::string refusal_of_empty(const std::string& text) {
-  return text.empty() ? "its value is empty; name one, or check the variable of the shell that it comes from" : "";
-}
-
 }  // namespace
 
 bool read_options(int argc, char** argv, Options& options, int& exit_code) {
@@ -61,12 +57,15 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   app.add_flag("--lockstep", options.lockstep,
                "start one tick for every packet and use no clock, so that a run depends only on the device's answers");
   app.add_option("--ticks", options.ticks, "end after this many ticks")
-      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}));
-  for (CLI::Option* option : app.get_options({})) {
-    if (option->get_expected_max() > 0) option->transform(CLI::Validator(refusal_of_empty, ""));  // before its other checks
-  }
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1'000'000'000'000}))
+      ->transform(CLI::Validator(files::refusal_of_other_number, ""));  // before the other check, like all that transform
   CLI::App* relay = app.add_subcommand("relay", "copy standard input and output to and from the control socket of a running controller");
   relay->add_option("socket", relay_socket, "its path")->capture_default_str();
+  for (CLI::App* command : {&app, relay}) {
+    for (CLI::Option* option : command->get_options({})) {
+      if (option->get_expected_max() > 0) option->transform(CLI::Validator(files::refusal_of_empty, ""));
+    }
+  }
   if (manual::is_asked_for(argc, argv)) return manual::print_command(app, ""), exit_code = 0, false;
   try {
     app.parse(argc, argv);

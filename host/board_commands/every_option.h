@@ -5,8 +5,8 @@
 
 namespace isotouch::commands {
 
-/// Lets every option and argument of all commands below `app` refuse an empty text, which is what a variable of the shell leaves that is not set; and
-/// every option for a whole number without a sign one that has a sign or more than 64 bits, of which the parser would make another number. It is wrong usage.
+/// Lets every option and argument of all commands below `app` refuse what shared/files/option_values.h says: an empty text, and where it takes a whole number
+/// without a sign, one below zero or of more than 64 bits.
 void check_every_option(CLI::App& app);
 
 }  // namespace isotouch::commands

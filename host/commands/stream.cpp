@@ -187,7 +187,8 @@ void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const s
                of.points.outside);
   if (of.unoriented > 0) std::fprintf(stderr, ", %llu frames without normals", static_cast<unsigned long long>(of.unoriented));
   if (lost > 0) std::fprintf(stderr, ", %llu ticks of the hand lost", static_cast<unsigned long long>(lost));
-  if (delay.count > 0) std::fprintf(stderr, ", %zu patches, delay %.1f ms, at most %.1f ms", delay.count, delay.median, delay.max);
+  if (of.patches > 0) std::fprintf(stderr, ", %llu patches", static_cast<unsigned long long>(of.patches));
+  if (delay.count > 0) std::fprintf(stderr, ", delay %.1f ms, at most %.1f ms", delay.median, delay.max);
   if (!silent.empty()) std::fprintf(stderr, "; %s is silent", silent.c_str());
   if (of.unanswered) std::fprintf(stderr, "; still waiting for the controller");
   if (stream.status() && stream.status()->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*stream.status()).c_str());
@@ -253,23 +254,15 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
   const stream::Clock::time_point begin = stream::Clock::now();
   const auto seconds = [begin] { return std::chrono::duration<double>(stream::Clock::now() - begin).count(); };
   std::uint64_t thinned = 0, heard = 0, lost = 0;
-  std::optional<double> over;  // since then
-  const auto is_over = [&] {
-    if (!over && (interruption.has_come() || (options.seconds && seconds() >= *options.seconds))) over = seconds();
-    return over.has_value();
-  };
-  constexpr double kGrace = 2;  // seconds that a busy controller gets to take the last frame
+  const auto is_over = [&] { return interruption.has_come() || (options.seconds && seconds() >= *options.seconds); };
   try {
-    stream.connect({.is_over = is_over,
-                    .gives_up = [&] { return is_over() && seconds() - *over >= kGrace; },
-                    .second =
-                        [&](const stream::Tally& second) {
-                          print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "",
-                                       second, stream);
-                          thinned = inbox.thinned();
-                          heard = inbox.heard();
-                          lost = inbox.lost();
-                        }});
+    stream.connect({.is_over = is_over, .second = [&](const stream::Tally& second) {
+                      print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "", second,
+                                   stream);
+                      thinned = inbox.thinned();
+                      heard = inbox.heard();
+                      lost = inbox.lost();
+                    }});
     const std::jthread thread = stream::run(std::move(source), inbox);
     struct Closed {
       stream::Inbox& inbox;
@@ -278,8 +271,13 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
     stream.run(inbox);
     stream.finish();
   } catch (const link::LinkError& error) {
-    if (!is_over() || (!options.stream.to.empty() && !stream.is_connected())) throw;
-    if (stream.is_felt()) return {};  // Ctrl-C interrupts the ssh to the controller, too
+    if (!is_over()) throw;
+    if (!options.stream.to.empty() && !stream.is_connected()) {
+      throw InputError(options.stream.to + ": it had not answered when the " +
+                       (interruption.has_come() ? "stream was interrupted; check whether it runs"
+                                                : "time of --seconds was over; give more seconds, or check whether it runs"));
+    }
+    if (stream.is_felt()) return {};  // what ends this program may end the ssh to the controller, too
     const bool has_some = stream.report().upload_bytes > 0;
     return error.what() + std::string(has_some ? "; the last frame may not be felt" : "; the controller confirmed nothing of this field");
   }

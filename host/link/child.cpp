@@ -1,31 +1,51 @@
 #include "host/link/child.h"
 
-#include <spawn.h>
+#include <fcntl.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
 #include "host/error.h"
 
-extern char** environ;
-
 namespace isotouch::link {
 
-int run_child(std::vector<std::string> command, const std::string& text, pid_t& child) {
+namespace {
+
+/// Starts it with `end` as its input and output. Not by posix_spawn, which lets a program ignore a signal only if this one does, too.
+///
+/// returns   0, or errno of what failed
+int start(char* const* words, int end, bool is_deaf, pid_t& child) {
+  volatile int failed = 0;  // the new process lends this one's memory until it is the program
+  child = ::vfork();
+  if (child == 0) {
+    for (const int of_terminal : {SIGINT, SIGHUP}) {
+      if (is_deaf) ::signal(of_terminal, SIG_IGN);
+    }
+    const bool is_led = ::dup2(end, 0) == 0 && ::dup2(end, 1) == 1;
+    if (end < 2) (void)::fcntl(end, F_SETFD, 0);  // a process without an input of its own got the end there
+    if (is_led) ::execvp(words[0], words);
+    failed = errno;
+    ::_exit(1);
+  }
+  if (child < 0) return errno;
+  if (failed != 0) ::waitpid(child, nullptr, 0);
+  return failed;
+}
+
+}  // namespace
+
+int run_child(std::vector<std::string> command, const std::string& text, pid_t& child, bool is_deaf) {
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(text + ": " + std::strerror(errno));
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-  const int failed = ::posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  const int failed = start(words.data(), ends[1], is_deaf, child);
   ::close(ends[1]);
   if (failed == 0) return ends[0];
   child = -1;

@@ -13,9 +13,10 @@ namespace isotouch::link {
 /// command   the program, found on the PATH, and its arguments
 /// text      what it is run for, begins the sentence when it cannot be
 /// child     gets its process
+/// is_deaf   it ignores what a terminal sends to all of its programs: Ctrl-C, and that the terminal is gone
 /// returns   the other end
 /// fails     InputError
-int run_child(std::vector<std::string> command, const std::string& text, pid_t& child);
+int run_child(std::vector<std::string> command, const std::string& text, pid_t& child, bool is_deaf = false);
 
 /// The program that reaches remote machines: ISOTOUCH_SSH of the environment, or else ssh.
 std::string ssh_program();

@@ -71,8 +71,12 @@ Connection::Connection(const Address& address, int patience_ms, std::function<bo
       owner_(::getpid()),
       frame_(protocol::kMaxFrame),
       in_(2 * protocol::kMaxFrame) {
-  stream_ = address.is_remote() ? run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_)
-                                : connect_to(address, patience_ms, is_over_);
+  if (address.is_remote()) {
+    const bool is_deaf = static_cast<bool>(is_over_);
+    stream_ = run_child(ssh_command(address, ssh_program(), relay_command(address)), address.text, child_, is_deaf);
+  } else {
+    stream_ = connect_to(address, patience_ms, is_over_);
+  }
 }
 
 Connection::~Connection() {

@@ -21,7 +21,8 @@ class Connection {
   /// Connects; for a remote controller the program is that of `ssh_program`.
   ///
   /// patience_ms   longest time to wait until the controller lets in, and until it takes a frame; 0 = for ever
-  /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more
+  /// is_over       asked ten times a second while the controller is waited for; true: nobody waits for it any more. It alone decides that:
+  ///               Ctrl-C and the end of the terminal leave the ssh of a remote controller alone
   /// fails         InputError: what is not there and what to do
   explicit Connection(const Address& address, int patience_ms = 0, std::function<bool()> is_over = {});
   ~Connection();
@@ -49,6 +50,7 @@ class Connection {
 
   /// What came does not fit what was asked: nobody knows what comes next. Nothing can be sent any more.
   void end_conversation() { has_ended_ = true; }
+  bool has_ended() const { return has_ended_; }
 
   /// Waits at most so long for anything to come, be it a part of a frame.
   bool has_input(int patience_ms = 0);

@@ -79,12 +79,17 @@ protocol::Accepted Controller::patch(std::span<const std::uint8_t> patch) {
 protocol::Accepted Controller::send_upload(std::span<const std::uint8_t> packed) {
   (void)expect(Kind::kDone, kChecking);
   std::size_t unanswered = 0;
-  for (std::size_t at = 0; at < packed.size(); at += protocol::kMaxChunk) {
-    connection_.send(Kind::kChunk, protocol::Chunk{at, packed.subspan(at, std::min(protocol::kMaxChunk, packed.size() - at))});
-    for (++unanswered; unanswered == kSentAhead || (unanswered > 0 && connection_.has_input()); --unanswered)
-      (void)expect(Kind::kDone, kAnswer);
+  try {
+    for (std::size_t at = 0; at < packed.size(); at += protocol::kMaxChunk) {
+      connection_.send(Kind::kChunk, protocol::Chunk{at, packed.subspan(at, std::min(protocol::kMaxChunk, packed.size() - at))});
+      for (++unanswered; unanswered == kSentAhead || (unanswered > 0 && connection_.has_input()); --unanswered)
+        (void)expect(Kind::kDone, kAnswer);
+    }
+    for (; unanswered > 0; --unanswered) (void)expect(Kind::kDone, kAnswer);
+  } catch (const InputError&) {
+    if (unanswered > 0) pass_over(unanswered - 1);
+    throw;
   }
-  for (; unanswered > 0; --unanswered) (void)expect(Kind::kDone, kAnswer);
   connection_.send(Kind::kCommit);
   return read<protocol::Accepted>(expect(Kind::kAccepted, kChecking));
 }
@@ -98,13 +103,23 @@ Controller::Image Controller::image() {
     asked += protocol::kMaxChunk;
     ++unanswered;
   };
+  const auto next = [&] {
+    try {
+      return read<protocol::ImagePart>(expect(Kind::kImagePart, kChecking));
+    } catch (const InputError&) {
+      pass_over(unanswered - 1);
+      throw;
+    }
+  };
   for (ask(); unanswered > 0; --unanswered) {
-    const auto part = read<protocol::ImagePart>(expect(Kind::kImagePart, kChecking));
+    const auto part = next();
     if (part.offset == 0) image.hash = part.image_hash, bytes = part.image_bytes;
     const std::uint64_t wanted = std::min<std::uint64_t>(protocol::kMaxChunk, bytes - image.bytes.size());
     if (part.image_hash != image.hash || part.image_bytes != bytes || part.offset != image.bytes.size() || part.bytes.size() != wanted ||
-        wanted == 0)
+        wanted == 0) {
+      connection_.end_conversation();
       complain("a part of the field does not follow the one before; install the same release on both sides");
+    }
     image.bytes.insert(image.bytes.end(), part.bytes.begin(), part.bytes.end());
     while (unanswered < kSentAhead && asked < bytes) ask();
   }
@@ -234,6 +249,14 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
 
 /// The answer of that kind. Whatever else comes ends the conversation.
 protocol::Frame Controller::expect(Kind kind, int patience_ms) { return required(kind, connection_.receive(patient(patience_ms))); }
+
+/// The answers to what was sent behind a request that was refused: none of them passes for the answer to what is asked next.
+void Controller::pass_over(std::size_t answers) {
+  try {
+    for (; answers > 0 && !connection_.has_ended(); --answers) (void)connection_.receive(patient(kAnswer));
+  } catch (const InputError&) {  // nothing more can be asked, and why is known
+  }
+}
 
 protocol::Frame Controller::required(Kind kind, const protocol::Frame& frame) {
   if (frame.kind == kind) return frame;

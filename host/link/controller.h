@@ -109,6 +109,7 @@ class Controller {
  private:
   protocol::Accepted send_upload(std::span<const std::uint8_t> packed);
   protocol::Frame expect(protocol::Kind kind, int patience_ms);
+  void pass_over(std::size_t answers);
   protocol::Frame required(protocol::Kind kind, const protocol::Frame& frame);
   std::optional<protocol::Records> more_records(std::uint64_t taken, int patience_ms, const std::function<bool()>& enough,
                                                 std::string& ended);

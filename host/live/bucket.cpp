@@ -28,6 +28,11 @@ Eigen::Vector3i bucket_place(std::uint64_t key) {
   return {axis(0), axis(1), axis(2)};
 }
 
+std::uint64_t bucket_beside(std::uint64_t key, const Eigen::Vector3i& steps) {
+  for (int axis = 0; axis < 3; ++axis) key += static_cast<std::uint64_t>(steps[axis]) << (kSideBits + axis * kAxisBits);
+  return key;
+}
+
 void Bucket::add(const Point& point) {
   ++count_;
   for (std::size_t axis = 0; axis < 3; ++axis) position_[axis] += point.position[axis], normal_[axis] += point.normal[axis];

@@ -15,6 +15,10 @@ namespace isotouch::live {
 std::uint64_t bucket_key(const Point& point);
 /// Where the bucket of a key is, in widths of a bucket.
 Eigen::Vector3i bucket_place(std::uint64_t key);
+/// The bucket so many widths further whose normals look the same way.
+///
+/// steps     -1 to 1; no point lies in the grid's outermost buckets, so there is one
+std::uint64_t bucket_beside(std::uint64_t key, const Eigen::Vector3i& steps);
 
 /// Mean position and normal of a bucket. They are rounded, so that one more point among many mostly changes nothing.
 struct Mean {

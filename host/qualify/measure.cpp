@@ -194,7 +194,8 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     figures.cold_seconds = written;
     if (figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
   } catch (const InputError& e) {  // the ticks are measured, and stay so
-    figures.cold_unknown = e.what();
+    figures.cold_unknown = "cold ticks are unknown: the controller could not be asked about them";
+    figures.end_unknown = e.what();
   }
 }
 

@@ -120,6 +120,7 @@ void ControllerFeed::follow(const std::stop_token& stop) {
 
 /// fails     InputError: why it ended, always but when this object ends
 void ControllerFeed::follow_once(const std::stop_token& stop) {
+  standing_ = 0;
   link::Controller controller(address_, {}, [&] { return stop.stop_requested(); });
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(ticks_a_second / kRowsASecond)));
@@ -144,6 +145,7 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
     if (!batch.continues_with(tick)) flush();
     batch.add(tick, *record);
     const Output& out = record->output;
+    if (out.faults == 0) standing_ = 0;  // those of before are over
     const auto faults = static_cast<std::uint16_t>(out.faults != 0 ? out.faults | standing_ : 0);
     words = words_of({out.state, faults, out.status, record->input.field_generation != 0}, record->input.kind == InputKind::kPacket);
     last_tick = tick;

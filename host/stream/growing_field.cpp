@@ -37,16 +37,16 @@ void GrowingField::touch(std::uint64_t key, Place& place) {
 
 /// Lets a point wait for its place.
 ///
-/// returns   false: the place has enough without it
-bool GrowingField::wait(const live::Point& point, Clock::time_point at) {
+/// returns   how many points are left out for that: this one or an older one, or none
+std::size_t GrowingField::wait(const live::Point& point, Clock::time_point at) {
   const std::uint64_t key = live::bucket_key(point);
   Place& place = places_[key];
-  const bool is_wanted = place.held + place.waiting.size() < enough_;
-  if (!is_wanted && !keep_) return false;
-  if (place.waiting.size() == enough_) place.waiting.erase(place.waiting.begin());
+  if (!keep_ && place.held + place.waiting.size() >= enough_) return 1;
+  const bool is_full = place.waiting.size() == enough_;
+  if (is_full) place.waiting.erase(place.waiting.begin());
   place.waiting.push_back({at, point});
   touch(key, place);
-  return is_wanted;
+  return is_full ? 1 : 0;
 }
 
 void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
@@ -60,30 +60,51 @@ void GrowingField::remove_old(Clock::time_point at, live::Batch& batch) {
     const std::uint64_t key = live::bucket_key(gone);
     Place& place = places_[key];
     --place.held;
-    place.has_lost = true;
+    place.is_urgent = true;
     touch(key, place);
   }
 }
 
 /// Takes the newest of what waits. Nothing waits afterwards unless the place has enough.
-void GrowingField::fill(Place& place, Clock::time_point at, live::Batch& batch) {
+///
+/// returns   how many points are left out, because they have become too old
+std::size_t GrowingField::fill(Place& place, Clock::time_point at, live::Batch& batch) {
   for (; place.held < enough_ && !place.waiting.empty(); place.waiting.pop_back()) {
     const Waiting& next = place.waiting.back();
-    if (keep_ && at - next.at >= *keep_) return place.waiting.clear();
+    if (keep_ && at - next.at >= *keep_) return std::exchange(place.waiting, {}).size();
     batch.added.push_back(next.point);
     if (keep_) old_[next.at].push_back(next.point);
     ++place.held;
   }
+  return 0;
 }
 
-/// Fills the places that are new, those that are computed anyway because some points went, and of those whose block has its turn the ones whose points
-/// have doubled: a place that followed each point would be computed anew for an ever smaller part of its mean, and its neighbours with it.
-void GrowingField::settle(Clock::time_point at, live::Batch& batch) {
+/// Does a place next to this one have points that count and look the same way? Then there is a surface already.
+bool GrowingField::is_beside(std::uint64_t key) const {
+  constexpr int kAround = 27;
+  for (int n = 0; n < kAround; ++n) {
+    const auto found = places_.find(live::bucket_beside(key, {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1}));
+    if (found != places_.end() && found->second.held > 0) return true;
+  }
+  return false;
+}
+
+/// Fills the places where no surface was, those that are computed anyway because some points went, and of those whose block has its turn the ones whose
+/// points have doubled: a place that followed each point would be computed anew for an ever smaller part of its mean, and its neighbours with it. As
+/// many as kMaxWaiting are taken all the same, so that memory does not grow with the points that were seen.
+///
+/// returns   how many points are left out
+std::size_t GrowingField::settle(Clock::time_point at, live::Batch& batch) {
+  std::size_t left_out = 0;
+  for (const std::uint64_t key : touched_) {
+    Place& place = places_.find(key)->second;
+    place.is_urgent = place.is_urgent || (place.held == 0 && !is_beside(key));
+  }
   for (const std::uint64_t key : touched_) {
     const auto found = places_.find(key);
     Place& place = found->second;
-    if (place.held == 0 || place.has_lost) fill(place, at, batch);
-    place.is_touched = place.has_lost = false;
+    if (place.is_urgent) left_out += fill(place, at, batch);
+    place.is_touched = place.is_urgent = false;
     if (place.held < enough_ && !place.waiting.empty()) unsettled_[turn_of(key)].insert(key);
     if (place.held == 0 && place.waiting.empty()) places_.erase(found);
   }
@@ -92,9 +113,26 @@ void GrowingField::settle(Clock::time_point at, live::Batch& batch) {
     const auto found = places_.find(key);
     if (found == places_.end()) return true;
     Place& place = found->second;
-    if (place.held + place.waiting.size() >= std::min<std::size_t>(2 * std::size_t{place.held}, enough_)) fill(place, at, batch);
-    return place.held == enough_ || place.waiting.empty();
+    if (place.waiting.size() >= std::min<std::size_t>({place.held, kMaxWaiting, enough_ - place.held})) left_out += fill(place, at, batch);
+    const bool is_settled = place.held == enough_ || place.waiting.empty();
+    if (place.held == 0 && is_settled) places_.erase(found);
+    return is_settled;
   });
+  return left_out;
+}
+
+/// Fills the places of one turn that have not enough.
+///
+/// returns   as `settle`
+std::size_t GrowingField::fill_turn(std::size_t turn, Clock::time_point at, live::Batch& batch) {
+  std::size_t left_out = 0;
+  for (const std::uint64_t key : std::exchange(unsettled_[turn], {})) {
+    const auto found = places_.find(key);
+    if (found == places_.end()) continue;
+    left_out += fill(found->second, at, batch);
+    if (found->second.held == 0) places_.erase(found);
+  }
+  return left_out;
 }
 
 void GrowingField::apply(const live::Batch& batch) {
@@ -120,12 +158,12 @@ PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) 
       ++counts.useless;
     } else if (enough_ == 0) {
       batch.added.push_back(*point);
-    } else if (!wait(*point, at)) {
-      ++counts.surplus;
+    } else {
+      counts.surplus += wait(*point, at);
     }
   }
   if (enough_ > 0) {
-    settle(at, batch);
+    counts.surplus += settle(at, batch);
   } else if (keep_ && !batch.added.empty()) {
     std::vector<live::Point>& now = old_[at];
     now.insert(now.end(), batch.added.begin(), batch.added.end());
@@ -135,18 +173,26 @@ PointCounts GrowingField::take(const cloud::Model& model, Clock::time_point at) 
   return counts;
 }
 
+bool GrowingField::has_waiting() const {
+  return std::any_of(unsettled_.begin(), unsettled_.end(), [](const auto& keys) { return !keys.empty(); });
+}
+
 PointCounts GrowingField::take_waiting(Clock::time_point at) {
   PointCounts counts;
   live::Batch batch;
-  for (auto& keys : unsettled_) {
-    for (const std::uint64_t key : keys) {
-      if (const auto found = places_.find(key); found != places_.end()) fill(found->second, at, batch);
-    }
-    keys.clear();
-  }
-  if (batch.added.empty()) return counts;
+  for (std::size_t turn = 0; turn < kTurns && batch.added.empty(); ++turn) counts.surplus += fill_turn(turn, at, batch);
   counts.taken = batch.added.size();
-  apply(batch);
+  if (counts.taken > 0) apply(batch);
+  return counts;
+}
+
+PointCounts GrowingField::finish(Clock::time_point at) {
+  PointCounts counts;
+  live::Batch batch;
+  for (std::size_t turn = 0; turn < kTurns; ++turn) counts.surplus += fill_turn(turn, at, batch);
+  for (auto& [key, place] : places_) counts.surplus += std::exchange(place.waiting, {}).size();
+  counts.taken = batch.added.size();
+  if (counts.taken > 0) apply(batch);
   return counts;
 }
 

@@ -1,5 +1,6 @@
 #include "host/stream/stream.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -52,7 +53,10 @@ bool Stream::gives_up() {
     second_.unanswered = true;
     report_second();
   }
-  return watch_.gives_up();
+  if (!watch_.is_over()) return false;
+  const Clock::time_point now = Clock::now();
+  if (!over_) over_ = now;
+  return now - std::max(*over_, asked_) >= kGrace;
 }
 
 void Stream::report_second() {
@@ -64,43 +68,47 @@ void Stream::report_second() {
 void Stream::run(Inbox& inbox) {
   const Clock::time_point begin = Clock::now();
   reported_ = begin;
-  const auto count = [&](bool is_end) {
-    if (is_end) {
-      inbox.close();
-      take_waiting();
-    }
+  const auto report = [&] {
     report_.offered = inbox.offered();
     report_.thinned = inbox.thinned();
     report_.heard = inbox.heard();
     report_.lost = inbox.lost();
     report_.seconds = ms_since(begin) / 1e3;
   };
+  const auto finish_field = [&] {
+    inbox.close();
+    if (field_) count(field_->finish(Clock::now()));
+    report();
+  };
+  constexpr auto kIdle = 50ms;
+  auto patience = kIdle;
   const auto next = [&]() -> std::optional<Frame> {
     try {
-      return inbox.take(50ms);
+      return inbox.take(patience);
     } catch (const InputError&) {
       if (!watch_.is_over()) throw;
-      return {};  // Ctrl-C interrupts the ssh of a source, too
+      return {};  // what ends this program may end the ssh of a source, too
     }
   };
   try {
     while (!watch_.is_over() && !inbox.is_finished()) {
       if (const auto frame = next()) {
         work_on(*frame);
+        patience = kIdle;
       } else {
-        take_waiting();
-        if (controller_ && field_ && field_->has_changed()) send();
+        work_idly();
+        patience = field_ && field_->has_waiting() ? 0ms : kIdle;
       }
-      count(false);
+      report();
       if (!is_due()) continue;
       ask_status();  // it shows, too, whether the controller is still there
       report_second();
     }
   } catch (...) {
-    count(true);
+    finish_field();
     throw;
   }
-  count(true);
+  finish_field();
 }
 
 void Stream::work_on(const Frame& frame) {
@@ -119,8 +127,7 @@ void Stream::work_on(const Frame& frame) {
   if (!field_ && !this->begin(model)) return;
   const Clock::time_point grows = Clock::now();
   const PointCounts points = field_->take(model, *frame.at);
-  report_.all.points += points;
-  second_.points += points;
+  count(points);
   report_.grow_ms.add(ms_since(grows));
   if (!controller_ || !field_->has_changed()) return;
   const bool is_patch = felt_.has_value();
@@ -129,10 +136,14 @@ void Stream::work_on(const Frame& frame) {
   for (Tally* tally : {&report_.all, &second_}) tally->delay_ms.add(ms_since(*frame.at));
 }
 
-/// Takes in what waits for frames that may not come.
-void Stream::take_waiting() {
+/// Takes in some of what waits for frames that may not come; a frame that comes meanwhile waits for no more than that.
+void Stream::work_idly() {
   if (!field_) return;
-  const PointCounts points = field_->take_waiting(Clock::now());
+  count(field_->take_waiting(Clock::now()));
+  if (controller_ && field_->has_changed()) send();
+}
+
+void Stream::count(const PointCounts& points) {
   report_.all.points += points;
   second_.points += points;
 }

@@ -1,6 +1,8 @@
-/// The work of a stream: frames → a growing field → a controller, which gets the field once and then a patch for each frame that changes it.
+/// The work of a stream: frames → a growing field → a controller, which gets the field once, then a patch for each frame that changes it, and patches for
+/// the points that wait when no frame comes.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -58,10 +60,11 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
+  static constexpr std::chrono::seconds kGrace{2};
+
   /// What the stream asks and reports. All of it lives until after `finish`.
   struct Watch {
-    std::function<bool()> is_over;             ///< asked ten times a second and oftener, but not while a connected controller is waited for
-    std::function<bool()> gives_up;            ///< asked ten times a second while the controller is waited for; true: it fails
+    std::function<bool()> is_over;  ///< asked ten times a second and oftener, a busy controller then gets `kGrace` for what it is asked
     std::function<void(const Tally&)> second;  ///< called each second with what it brought
   };
   /// Connects to the controller, if one was named; once, before `run`.
@@ -94,7 +97,8 @@ class Stream {
 
  private:
   void work_on(const Frame& frame);
-  void take_waiting();
+  void work_idly();
+  void count(const PointCounts& points);
   bool begin(const cloud::Model& model);
   void send();
   void upload();
@@ -116,7 +120,8 @@ class Stream {
   StreamReport report_;
   Tally second_;
   Watch watch_;
-  Clock::time_point reported_, asked_;  ///< a second; the controller
+  Clock::time_point reported_, asked_;     ///< a second; the controller
+  std::optional<Clock::time_point> over_;  ///< since then, as far as was seen while the controller was waited for
 };
 
 }  // namespace isotouch::stream

@@ -36,12 +36,16 @@ TEST(Options, AnEmptyTextIsWrongUsage) {
     EXPECT_EQ(wrong.exit_code, 2) << option;
     EXPECT_THAT(wrong.said, HasSubstr(std::string(option) + ": its value is empty")) << option;
   }
+  const Parsed relay = parse({"relay", ""});
+  EXPECT_FALSE(relay.runs);
+  EXPECT_EQ(relay.exit_code, 2);
+  EXPECT_THAT(relay.said, HasSubstr("socket: its value is empty"));
 }
 
 TEST(Options, ACountOfTicksIsTakenAsItIsWritten) {
   EXPECT_EQ(parse({"--control", "here"}).options.ticks, UINT64_MAX);
   EXPECT_EQ(parse({"--control", "here", "--ticks", "3000"}).options.ticks, 3000U);
-  for (const char* ticks : {"-1", "1e3", "18446744073709551616", "1000000000001"}) {
+  for (const char* ticks : {"-1", "1e3", "-18446744073709551615", "18446744073709551616", "1000000000001", ""}) {
     const Parsed wrong = parse({"--control", "here", std::string("--ticks=") + ticks});
     EXPECT_FALSE(wrong.runs) << ticks;
     EXPECT_EQ(wrong.exit_code, 2) << ticks;

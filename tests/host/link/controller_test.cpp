@@ -208,6 +208,33 @@ TEST(Controller, ARefusalLeavesTheConversationAsItIs) {
   EXPECT_THAT(sentence_of([&] { controller.stop(); }), HasSubstr("an answer before")) << "whose Done is it?";
 }
 
+/// What was sent ahead of its answers is refused, too, and none of that answers what is asked then.
+TEST(Controller, ARefusalOfOnePartLeavesTheConversationAsItIs) {
+  protocol::StatusReport status;
+  status.ticks = 7;
+  const auto talk = [report = frame(Kind::kStatusReport, status)](const Bytes& first, std::size_t heard_then, const Bytes& behind) {
+    return Scripted({[=](int client) {
+      const Bytes begin = kWelcome + first;
+      (void)::send(client, begin.data(), begin.size(), MSG_NOSIGNAL);
+      Bytes heard(1 << 16);
+      ssize_t got = 1;
+      for (std::size_t all = 0; all < heard_then && got > 0; all += static_cast<std::size_t>(std::max<ssize_t>(got, 0)))
+        got = ::recv(client, heard.data(), heard.size(), 0);
+      Scripted::says(refusal("no") + behind + behind + report)(client);
+    }});
+  };
+  const Bytes field(3 * protocol::kMaxChunk), part(protocol::kMaxChunk);
+  const Scripted takes = talk(frame(Kind::kDone), field.size(), refusal("nothing was begun"));
+  Controller to(takes.address());
+  EXPECT_THAT(sentence_of([&] { (void)to.upload({field.size(), 1, 2, {}}, field); }), HasSubstr(": no"));
+  EXPECT_EQ(to.status().ticks, 7U);
+
+  const Scripted gives = talk(frame(Kind::kImagePart, protocol::ImagePart{7, 4 * protocol::kMaxChunk, 0, part}), 0, refusal("another one"));
+  Controller from(gives.address());
+  EXPECT_THAT(sentence_of([&] { (void)from.image(); }), HasSubstr(": no"));
+  EXPECT_EQ(from.status().ticks, 7U);
+}
+
 TEST(Controller, WhatTheControllerRefusesIsPassedOn) {
   const Bytes field(100'000);
   const auto upload = [&](Controller& c) { (void)c.upload({field.size(), 1, 2, {}}, field); };

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "host/cloud/shapes.h"
@@ -16,10 +18,10 @@ using namespace std::chrono_literals;
 
 constexpr double kBand = 3;
 
-live::Space unit_space() {
+live::Space unit_space(int grid = 32) {
   const cloud::Shape sphere = cloud::shape("sphere");
   live::SpaceOptions options;
-  options.grid = 32;
+  options.grid = grid;
   return live::space_for({sphere.low, sphere.high}, options);
 }
 
@@ -36,8 +38,8 @@ cloud::Model part(const cloud::OrientedPoints& points, std::size_t begin, std::s
 std::vector<std::uint8_t> bytes_of(const field_file::OpenField& field) { return {field.view.image.begin(), field.view.image.end()}; }
 
 /// The field of these points alone.
-std::vector<std::uint8_t> built(const cloud::Model& model) {
-  GrowingField field(unit_space(), kBand, {}, {});
+std::vector<std::uint8_t> built(const cloud::Model& model, int grid = 32) {
+  GrowingField field(unit_space(grid), kBand, {}, {});
   field.take(model, {});
   return bytes_of(field.keep_whole());
 }
@@ -124,18 +126,92 @@ TEST(GrowingField, APlaceThatHasPointsTakesFurtherOnesWhenItHasItsTurn) {
   for (std::size_t n = 2; n < when.size(); ++n) EXPECT_EQ(when[n] - when[n - 1], GrowingField::kTurns);
   EXPECT_EQ(sum, 16U);
   EXPECT_EQ(field.take_waiting(begin).taken, 0U);
+}
 
-  GrowingField growing(unit_space(), kBand, {}, {}, 1000);
-  std::size_t taken = 0, waited = 0;
-  for (std::size_t at = 0; at < 4000; at += 100) {
-    taken += growing.take(part(points, at, at + 100), begin).taken;
-    if (taken < at + 100) ++waited;
+TEST(GrowingField, APlaceBesideOneThatHasPointsWaitsForItsTurn) {
+  const live::Space space = unit_space();
+  const double bucket = space.box.sizes().maxCoeff() / 16;
+  const auto at = [bucket](double buckets, double facing) {
+    cloud::Model model;
+    model.positions.emplace_back(buckets * bucket, 0.0, 0.0);
+    model.normals.emplace_back(0.0, 0.0, facing);
+    return model;
+  };
+  std::size_t at_once = 0;
+  for (std::size_t phase = 0; phase < GrowingField::kTurns; ++phase) {
+    GrowingField field(space, kBand, {}, {}, 16);
+    for (std::size_t n = 0; n < phase; ++n) field.take({}, {});
+    EXPECT_EQ(field.take(at(0.2, 1), {}).taken, 1U);
+    EXPECT_EQ(field.take(at(3.2, 1), {}).taken, 1U) << "no surface is beside it";
+    EXPECT_EQ(field.take(at(1.2, -1), {}).taken, 1U) << "another side of a wall";
+    std::size_t beside = field.take(at(1.2, 1), {}).taken;
+    at_once += beside;
+    for (std::size_t n = 1; n < GrowingField::kTurns; ++n) beside += field.take({}, {}).taken;
+    EXPECT_EQ(beside, 1U);
   }
-  EXPECT_GT(waited, 20U);
-  EXPECT_LT(taken, 4000U);
-  EXPECT_EQ(growing.take_waiting(begin).taken, 4000 - taken);
-  EXPECT_EQ(growing.take_waiting(begin).taken, 0U);
-  EXPECT_EQ(bytes_of(growing.keep_whole()), built(part(points, 0, 4000)));
+  EXPECT_EQ(at_once, 1U) << "where its turn was just then";
+}
+
+TEST(GrowingField, WhatWaitsIsTakenTurnByTurnOrAllAtTheEnd) {
+  constexpr int kGrid = 96;  // more blocks than one
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 4000, 1);
+  for (const bool is_end : {false, true}) {
+    GrowingField field(unit_space(kGrid), kBand, {}, {}, 1000);
+    std::size_t taken = 0, waited = 0;
+    for (std::size_t at = 0; at < 4000; at += 100) {
+      taken += field.take(part(points, at, at + 100), {}).taken;
+      if (taken < at + 100) ++waited;
+    }
+    EXPECT_GT(waited, 20U);
+    EXPECT_LT(taken, 4000U);
+    std::size_t turns = 0;
+    for (; field.has_waiting(); ++turns) taken += is_end ? field.finish({}).taken : field.take_waiting({}).taken;
+    EXPECT_EQ(taken, 4000U);
+    if (is_end) {
+      EXPECT_EQ(turns, 1U);
+    } else {
+      EXPECT_GT(turns, 2U);
+      EXPECT_LE(turns, GrowingField::kTurns);
+    }
+    EXPECT_EQ(field.take_waiting({}).taken, 0U);
+    EXPECT_EQ(field.finish({}).taken, 0U);
+    EXPECT_EQ(bytes_of(field.keep_whole()), built(part(points, 0, 4000), kGrid));
+  }
+}
+
+/// A camera that stands still, for hours.
+TEST(GrowingField, HowManyPointsWaitDoesNotGrowWithThoseThatWereSeen) {
+  const cloud::Model one = part(cloud::scatter_on_shape(cloud::shape("sphere"), 1, 1), 0, 1);
+  GrowingField field(unit_space(), kBand, {}, {}, 1'000'000);
+  std::size_t taken = 0, most = 0;
+  for (std::size_t n = 1; n <= 1000; ++n) {
+    taken += field.take(one, {}).taken;
+    most = std::max(most, n - taken);
+  }
+  EXPECT_GE(most, GrowingField::kMaxWaiting / 2) << "places that grow are computed rarely";
+  EXPECT_LT(most, GrowingField::kMaxWaiting + GrowingField::kTurns);
+}
+
+TEST(GrowingField, EveryPointIsTakenOrCountedAmongThoseLeftOutOnce) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 4000, 1);
+  for (const std::optional<Clock::duration> keep : {std::optional<Clock::duration>(), std::optional<Clock::duration>(2s)}) {
+    GrowingField field(unit_space(), kBand, {}, keep, 4);
+    Clock::time_point at{};
+    PointCounts all;
+    std::size_t given = 0;
+    for (int frame = 0; frame < 44; ++frame) {
+      at += frame % 10 == 9 ? 3s : 100ms;  // some wait until they are too old
+      const auto first = static_cast<std::size_t>(frame % 4) * 1000;
+      all += field.take(part(points, first, first + 1000), at);
+      given += 1000;
+      EXPECT_LE(all.taken + all.surplus, given);
+    }
+    all += field.take_waiting(at);
+    all += field.finish(at);
+    EXPECT_GT(all.surplus, 1000U);
+    EXPECT_EQ(all.taken + all.surplus, given) << (keep ? "with keep" : "without");
+    EXPECT_EQ(all.taken - all.expired, field.verdict().points);
+  }
 }
 
 TEST(GrowingField, APointWaitsNoLongerThanItWouldCount) {

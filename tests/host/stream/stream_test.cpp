@@ -1,0 +1,159 @@
+/// A stream and a controller that takes all it is sent.
+#include "host/stream/stream.h"
+
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <thread>
+#include <utility>
+
+#include "host/cloud/shapes.h"
+#include "shared/field_patch.h"
+#include "tests/support/scripted_controller.h"
+
+namespace isotouch::stream {
+namespace {
+
+using namespace std::chrono_literals;
+using protocol::Kind, test::Bytes, test::frame;
+
+/// Serves one client.
+class Taker {
+ public:
+  /// on_patch  called with the number of each patch, from 1, before it is confirmed
+  explicit Taker(std::function<void(int)> on_patch) : on_patch_(std::move(on_patch)), scripted_({[this](int client) { serve(client); }}) {}
+
+  std::string address() const { return scripted_.address(); }
+  int patches() const { return patches_; }
+
+ private:
+  void serve(int client) {
+    Bytes in, piece(1 << 16);
+    for (ssize_t got = 0; (got = ::recv(client, piece.data(), piece.size(), 0)) > 0;) {
+      in.insert(in.end(), piece.begin(), piece.begin() + got);
+      for (auto next = protocol::read_frame(in); next && next->size > 0; next = protocol::read_frame(in)) {
+        const Bytes said = answer(*next);
+        (void)::send(client, said.data(), said.size(), MSG_NOSIGNAL);
+        in.erase(in.begin(), in.begin() + static_cast<std::ptrdiff_t>(next->size));
+      }
+    }
+  }
+
+  Bytes answer(const protocol::Frame& asked) {
+    switch (asked.kind) {
+      case Kind::kHello: return frame(Kind::kWelcome, protocol::Welcome{});
+      case Kind::kStatus: {
+        protocol::StatusReport status;
+        status.field_hash = hash_;
+        return frame(Kind::kStatusReport, status);
+      }
+      case Kind::kBegin: is_patch_ = false, hash_ = protocol::decode<protocol::Begin>(asked.body)->image_hash; break;
+      case Kind::kBeginPatch: is_patch_ = true; break;
+      case Kind::kChunk: {
+        const auto bytes = protocol::decode<protocol::Chunk>(asked.body)->bytes;
+        upload_.insert(upload_.end(), bytes.begin(), bytes.end());
+        break;
+      }
+      case Kind::kCommit:
+        if (is_patch_) {
+          hash_ = FieldPatch::parse(upload_)->hash_after;
+          on_patch_(++patches_);
+        }
+        upload_.clear();
+        return frame(Kind::kAccepted, protocol::Accepted{hash_, 1});
+      default: ADD_FAILURE() << "nobody asks that";
+    }
+    return frame(Kind::kDone);
+  }
+
+  std::function<void(int)> on_patch_;
+  std::atomic<int> patches_ = 0;
+  bool is_patch_ = false;
+  std::uint64_t hash_ = 0;
+  Bytes upload_;
+  test::Scripted scripted_;
+};
+
+StreamOptions options_to(const std::string& address) {
+  const cloud::Shape sphere = cloud::shape("sphere");
+  StreamOptions options;
+  options.to = address;
+  options.box = Eigen::AlignedBox3d(sphere.low, sphere.high);
+  options.space.grid = 96;  // more blocks than one
+  options.enough = 1000;
+  return options;
+}
+
+/// The same places, and each time a little farther out.
+cloud::Model sphere(int number) {
+  const cloud::OrientedPoints points = cloud::scatter_on_shape(cloud::shape("sphere"), 3000, 1);
+  cloud::Model model;
+  model.positions = points.positions;
+  model.normals = points.normals;
+  for (Eigen::Vector3d& position : model.positions) position *= 1 + 0.002 * number;
+  return model;
+}
+
+Frame frame_of(std::function<cloud::Model()> read) { return {0, std::move(read), {}}; }
+
+/// Two frames; further points wait when they are taken.
+std::jthread two_frames(Inbox& inbox) {
+  return std::jthread([&inbox] {
+    for (const int number : {0, 1}) inbox.hand_over(frame_of([number] { return sphere(number); }));
+  });
+}
+
+TEST(Stream, WhatWaitsIsFeltTurnByTurnOnceNoFrameComes) {
+  std::atomic<int> patches = 0, before_third = 0;
+  Inbox inbox;
+  const Taker taker([&](int number) {  // the first is of the second frame, the second of what waits
+    patches = number;
+    if (number == 2) {
+      inbox.offer(frame_of([&] {
+        before_third = patches.load();
+        return cloud::Model{};
+      }));
+    }
+  });
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  const std::jthread frames = two_frames(inbox);
+  const std::jthread end([&] {
+    for (int n = 0; n < 600 && patches < 4; ++n) std::this_thread::sleep_for(50ms);
+    inbox.finish();
+  });
+  stream.run(inbox);
+  EXPECT_GE(patches, 4) << "before the end, and several";
+  stream.finish();
+  EXPECT_EQ(before_third, 2) << "a frame waits for no more than one turn";
+  EXPECT_GT(stream.report().all.patches, stream.report().all.delay_ms.quantiles().count);
+  EXPECT_TRUE(stream.is_felt());
+}
+
+/// What waits at the end may take long to compute, which is no time of a busy controller.
+TEST(Stream, ABusyControllerGetsItsTimeFromWhenItIsAsked) {
+  std::atomic<bool> is_over = false;
+  const Taker taker([&](int) {
+    is_over = true;
+    std::this_thread::sleep_for(300ms);
+  });
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [&] { return is_over.load(); }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  const std::jthread frames = two_frames(inbox);
+  stream.run(inbox);
+  EXPECT_FALSE(stream.is_felt()) << "there is something to send";
+  std::this_thread::sleep_for(Stream::kGrace);
+  stream.finish();
+  EXPECT_TRUE(stream.is_felt());
+  EXPECT_EQ(taker.patches(), 2);
+}
+
+}  // namespace
+}  // namespace isotouch::stream
