@@ -16,24 +16,47 @@ namespace isotouch::link {
 
 namespace {
 
+/// What the new process does until it is the program. Nothing that a signal handler may not do, because other threads hold their locks for ever here.
+///
+/// mask      of signals, for the program
+/// told      where errno goes if it does not become the program
+[[noreturn]] void become(char* const* words, int end, bool is_deaf, const sigset_t& mask, int told) {
+  for (int number = 1; number < NSIG; ++number) {  // a handler of this process is none of that one
+    struct sigaction action {};
+    if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::signal(number, SIG_DFL);
+  }
+  for (const int of_terminal : {SIGINT, SIGHUP}) {
+    if (is_deaf) ::signal(of_terminal, SIG_IGN);
+  }
+  ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+  const bool is_led = ::dup2(end, 0) == 0 && ::dup2(end, 1) == 1;
+  if (end < 2) (void)::fcntl(end, F_SETFD, 0);  // a process without an input of its own got the end there
+  if (is_led) ::execvp(words[0], words);
+  const int failed = errno;
+  (void)!::write(told, &failed, sizeof failed);
+  ::_exit(1);
+}
+
 /// Starts it with `end` as its input and output. Not by posix_spawn, which lets a program ignore a signal only if this one does, too.
 ///
 /// returns   0, or errno of what failed
 int start(char* const* words, int end, bool is_deaf, pid_t& child) {
-  volatile int failed = 0;  // the new process lends this one's memory until it is the program
-  child = ::vfork();
-  if (child == 0) {
-    for (const int of_terminal : {SIGINT, SIGHUP}) {
-      if (is_deaf) ::signal(of_terminal, SIG_IGN);
-    }
-    const bool is_led = ::dup2(end, 0) == 0 && ::dup2(end, 1) == 1;
-    if (end < 2) (void)::fcntl(end, F_SETFD, 0);  // a process without an input of its own got the end there
-    if (is_led) ::execvp(words[0], words);
-    failed = errno;
-    ::_exit(1);
+  int answer[2];
+  if (::pipe2(answer, O_CLOEXEC) != 0) return errno;
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // none of our handlers runs in the new process
+  child = ::fork();
+  if (child == 0) become(words, end, is_deaf, before, answer[1]);
+  int failed = child < 0 ? errno : 0;
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  ::close(answer[1]);
+  if (child > 0) {
+    ssize_t got = -1;
+    for (errno = EINTR; got < 0 && errno == EINTR;) got = ::read(answer[0], &failed, sizeof failed);
+    if (got > 0) ::waitpid(child, nullptr, 0);  // otherwise it has become the program
   }
-  if (child < 0) return errno;
-  if (failed != 0) ::waitpid(child, nullptr, 0);
+  ::close(answer[0]);
   return failed;
 }
 

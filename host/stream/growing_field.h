@@ -40,7 +40,8 @@ struct PointCounts {
 class GrowingField {
  public:
   static constexpr std::size_t kTurns = 8;
-  static constexpr std::size_t kMaxWaiting = 64;  ///< points of a bucket that its turn leaves waiting are fewer
+  static constexpr std::size_t kMaxWaiting =
+      64;  ///< points of a bucket that wait for it to double; those that wait to take the place of others come on top
 
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good

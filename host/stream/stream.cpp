@@ -157,7 +157,6 @@ bool Stream::begin(const cloud::Model& model) {
 }
 
 void Stream::send() {
-  asked_ = Clock::now();
   try {
     felt_ ? patch() : upload();
   } catch (const InputError&) {
@@ -170,6 +169,7 @@ void Stream::upload() {
   const field_file::OpenField& field = field_->keep_whole();
   if (options_.on_first) options_.on_first(field.view);
   const std::vector<std::uint8_t> packed = field_file::pack(field.view);
+  asked_ = Clock::now();
   const protocol::Accepted accepted =
       controller_->upload({packed.size(), field.view.image.size(), field_->kept_hash(), protocol::Text::of(options_.name)}, packed);
   if (accepted.image_hash != field_->kept_hash()) throw InputError(options_.to + ": another field was taken over meanwhile; stream again");
@@ -182,9 +182,9 @@ void Stream::patch() {
   const std::vector<std::uint8_t> patch = field_->keep_patch();
   if (patch.empty()) return;
   report_.patch_ms.add(ms_since(begin));
-  const Clock::time_point sent = Clock::now();
+  asked_ = Clock::now();
   felt_ = controller_->patch(patch).image_hash;
-  report_.controller_ms.add(ms_since(sent));
+  report_.controller_ms.add(ms_since(asked_));
   report_.patch_bytes.add(static_cast<double>(patch.size()));
   for (Tally* tally : {&report_.all, &second_}) {
     ++tally->patches;
@@ -198,6 +198,7 @@ void Stream::patch() {
 void Stream::explain_refusal() {
   if (!felt_) return;
   try {
+    asked_ = Clock::now();
     status_ = controller_->status();
   } catch (const InputError&) {
     return;  // it is gone

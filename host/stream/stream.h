@@ -64,7 +64,7 @@ class Stream {
 
   /// What the stream asks and reports. All of it lives until after `finish`.
   struct Watch {
-    std::function<bool()> is_over;  ///< asked ten times a second and oftener, a busy controller then gets `kGrace` for what it is asked
+    std::function<bool()> is_over;  ///< asked ten times a second and oftener; once it is, the controller gets `kGrace` for each answer
     std::function<void(const Tally&)> second;  ///< called each second with what it brought
   };
   /// Connects to the controller, if one was named; once, before `run`.
