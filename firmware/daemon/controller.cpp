@@ -351,10 +351,11 @@ void Controller::stop() {
   crash_.reset();
 }
 
-/// At the end, that nobody has resumed after.
+/// At the end, that nobody has resumed after. The silence of a device that was not listened to, because it was calibrated, is no fault of its cable.
 std::uint16_t Controller::faults() const {
   const std::uint16_t of_ticks = loop_ ? loop_->faults() : before_.faults;
-  return static_cast<std::uint16_t>(of_ticks | (stopped_late_ ? kFaultStopped : 0));
+  const std::uint16_t not_real = calibration_->others() == OtherAngles::kKept ? kFaultSilent : 0;
+  return static_cast<std::uint16_t>((of_ticks & ~not_real) | (stopped_late_ ? kFaultStopped : 0));
 }
 
 Controller::Legacy Controller::legacy() const {
