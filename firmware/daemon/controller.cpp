@@ -229,7 +229,8 @@ Controller::End Controller::supervise() {
   const timespec pause{0, 100'000'000}, soon{0, 1'000'000};
   bool serves = !control_;
   while (!ticks_ended_) {
-    // The first tick knows all there is to tell. In lockstep it comes when a device does, and nothing is told of before.
+    // A client is let in after the first tick, because only from then on does the status show the faults of the run before. In lockstep no fault is
+    // handed over, and the first tick waits for a device, so clients are let in at once.
     if (!serves && (options_.lockstep || stats_.ticks.value() > 1)) control_->serve(), serves = true;
     say_what_changed();
     know_device();
