@@ -33,8 +33,15 @@ Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, B
 
 void Calibration::answers(const std::optional<std::string>& serial) {
   Refusal ignored;
-  const bool has_others = serial && choose(*serial, ignored).model != in_use_.model;
-  const std::lock_guard<std::mutex> lock(mutex_);
+  bool has_others = false;
+  std::uint64_t keeps = 0;
+  std::unique_lock<std::mutex> lock(mutex_);
+  do {
+    keeps = keeps_;
+    lock.unlock();
+    has_others = serial && choose(*serial, ignored).model != in_use_.model;
+    lock.lock();
+  } while (keeps != keeps_);  // what was read may be what was kept before
   serial_ = serial.value_or("");
   others_ = has_others ? OtherAngles::kUntrusted : OtherAngles::kNone;
 }
@@ -75,13 +82,12 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   Refusal ignored;
   const bool has_others = choose(serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (serial != serial_) return {};  // another device may answer by now
-  if (!has_others) {
-    others_ = OtherAngles::kNone;
-    return {};
+  ++keeps_;
+  if (serial == serial_) {  // another device may answer by now, or none
+    if (!has_others) others_ = OtherAngles::kNone;
+    if (has_others && others_ == OtherAngles::kNone) others_ = OtherAngles::kKept;
   }
-  if (others_ == OtherAngles::kNone) others_ = OtherAngles::kKept;
-  if (distrust_) distrust_();
+  if (has_others && distrust_) distrust_();  // also if it does not answer now: it is the expected one when it comes back
   return {};
 }
 

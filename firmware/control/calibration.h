@@ -2,6 +2,7 @@
 /// and kept. Any thread; not for the tick.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -27,7 +28,7 @@ class Calibration {
   /// store     nullptr: nothing is kept; lives longer
   /// mark      is set before other angles are stored; nullptr: nobody could confirm them; lives longer
   /// serial    of the device that is expected; empty: not known
-  /// distrust  is called as soon as other angles are kept for the device that answers, by the thread that keeps them
+  /// distrust  is called as soon as other angles are kept, even if their device has gone meanwhile; by the thread that keeps them
   Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
               std::function<void()> distrust = {});
 
@@ -61,6 +62,7 @@ class Calibration {
   Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows
+  std::uint64_t keeps_ = 0;   ///< how often angles were kept
   std::string serial_;
   protocol::OtherAngles others_ = protocol::OtherAngles::kNone;
 };

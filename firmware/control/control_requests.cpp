@@ -74,11 +74,12 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
     client.refuse(frame.kind, "the request is too short for its kind; install the same release on both sides");
   };
   if (!may(client, frame.kind, role_for(frame.kind))) return;
-  // What may lead to a force waits until the hand has been measured, and until what was measured holds.
+  // What may lead to a force waits until the hand has been measured, and until what was measured holds. So does another measurement.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
   if ((measuring_ != nullptr || worker_.keeps_angles()) && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   const auto others = neighbours_.calibration != nullptr ? neighbours_.calibration->others() : protocol::OtherAngles::kNone;
-  if (others != protocol::OtherAngles::kNone && may_lead_to_force) return client.refuse(frame.kind, files::angles_text(others));
+  const bool needs_the_angles = may_lead_to_force || frame.kind == Kind::kPosture || frame.kind == Kind::kCalibrate;
+  if (others != protocol::OtherAngles::kNone && needs_the_angles) return client.refuse(frame.kind, files::angles_text(others));
   switch (frame.kind) {
     case Kind::kBegin: {
       const auto promised = protocol::decode<protocol::Begin>(frame.body);
@@ -285,8 +286,6 @@ void ControlRequests::measure(ControlClient& client) {
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
   if (neighbours_.calibration->report().serial.size == 0)
     return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
-  if (const auto others = neighbours_.calibration->others(); others != protocol::OtherAngles::kNone)
-    return client.refuse(Kind::kPosture, files::angles_text(others));  // it is not heard
   if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
   // The tick under way may not have heard of a stop yet.

@@ -229,7 +229,8 @@ Controller::End Controller::supervise() {
   const timespec pause{0, 100'000'000}, soon{0, 1'000'000};
   bool serves = !control_;
   while (!ticks_ended_) {
-    // The first tick knows all there is to tell. In lockstep it comes when a device does, and nothing is told of before.
+    // A client is let in after the first tick, because only from then on does the status show the faults of the run before. In lockstep no fault is
+    // handed over, and the first tick waits for a device, so clients are let in at once.
     if (!serves && (options_.lockstep || stats_.ticks.value() > 1)) control_->serve(), serves = true;
     say_what_changed();
     know_device();
@@ -351,10 +352,11 @@ void Controller::stop() {
   crash_.reset();
 }
 
-/// At the end, that nobody has resumed after.
+/// At the end, that nobody has resumed after. The silence of a device that was not listened to, because it was calibrated, is no fault of its cable.
 std::uint16_t Controller::faults() const {
   const std::uint16_t of_ticks = loop_ ? loop_->faults() : before_.faults;
-  return static_cast<std::uint16_t>(of_ticks | (stopped_late_ ? kFaultStopped : 0));
+  const std::uint16_t not_real = calibration_->others() == OtherAngles::kKept ? kFaultSilent : 0;
+  return static_cast<std::uint16_t>((of_ticks & ~not_real) | (stopped_late_ ? kFaultStopped : 0));
 }
 
 Controller::Legacy Controller::legacy() const {

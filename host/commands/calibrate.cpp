@@ -16,6 +16,7 @@
 #include "host/evaluate/calibrate.h"
 #include "host/link/controller.h"
 #include "host/to_double.h"
+#include "shared/files/state_text.h"
 
 namespace isotouch::commands {
 
@@ -67,6 +68,9 @@ void print(const CalibrateOptions& options, const protocol::Calibrate& calibrati
 void require_ready(link::Controller& controller, const std::string& to) {
   if (static_cast<protocol::Role>(controller.welcome().role) < protocol::Role::kService)
     throw InputError(to + ": a calibration takes the role service; ask root, or somebody of [control] service_users or service_groups");
+  const protocol::DeviceReport device = controller.device();
+  if (const auto others = static_cast<protocol::OtherAngles>(device.waits); others != protocol::OtherAngles::kNone)
+    throw InputError(to + ": " + std::string(files::angles_text(others)));
   const protocol::StatusReport status = controller.status();
   const auto state = static_cast<SupervisorState>(status.state);
   if (state == SupervisorState::kBoot || state == SupervisorState::kHoming)
@@ -77,7 +81,6 @@ void require_ready(link::Controller& controller, const std::string& to) {
   } catch (const InputError& error) {
     throw InputError(std::string("angles could not be kept: ") + error.what());
   }
-  const protocol::DeviceReport device = controller.device();
   if (device.serial.size == 0) throw InputError(to + ": no device with a serial answers; plug it in, and see what isotouchd prints");
   if (static_cast<protocol::AnglesFrom>(device.from) == protocol::AnglesFrom::kSettings) {
     throw InputError(

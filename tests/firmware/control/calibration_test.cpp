@@ -100,6 +100,32 @@ TEST_F(CalibrationTest, WhatIsKeptOfADeviceThatHasGoneSaysNothingOfTheOneThatAns
   EXPECT_EQ(calibration->others(), OtherAngles::kUntrusted) << "B2 does not have the angles in use";
 }
 
+TEST_F(CalibrationTest, ADeviceThatGoesWhileItsAnglesAreStoredIsDistrusted) {
+  std::optional<Calibration> calibration;
+  bool goes = false;
+  int distrusted = 0;
+  const auto by_leaving = [&](const std::string& serial) {
+    if (std::exchange(goes, false)) calibration->answers(std::nullopt);
+    return by_settings(serial);
+  };
+  calibration.emplace(&store, nullptr, by_leaving, "A1", [&] { ++distrusted; });
+  calibration->answers("A1");
+  goes = true;
+  EXPECT_EQ(calibration->keep(measured("A1")).sentence(), "");
+  EXPECT_EQ(calibration->others(), OtherAngles::kNone) << "no device, nothing to wait for";
+  EXPECT_EQ(distrusted, 1) << "back again, it is the expected one until somebody looks";
+}
+
+TEST_F(CalibrationTest, ADeviceThatComesWhileItsAnglesAreStoredIsNotFeltWithTheOldOnes) {
+  ASSERT_TRUE(store.put("A1", angles(7)));
+  Calibration calibration(&store, nullptr, by_settings, "A1");
+  calibration.answers("A1");
+  EXPECT_EQ(calibration.others(), OtherAngles::kNone);
+  folder.after_read = [&] { EXPECT_EQ(calibration.keep(measured("A1")).sentence(), ""); };
+  calibration.answers("A1");
+  EXPECT_EQ(calibration.others(), OtherAngles::kUntrusted) << "what was read is not what is stored by now";
+}
+
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
   constexpr double kTurn = 4294967296.0;
   Calibration calibration(&store, nullptr, by_settings, "A1");

@@ -41,12 +41,28 @@ TEST(ControlServerCalibration, MeasuresKeepsAndTells) {
   EXPECT_EQ(report.serial.view(), "A1");
   EXPECT_EQ(report.waits, static_cast<std::uint8_t>(protocol::OtherAngles::kKept));
   EXPECT_EQ(report.at_zero[0], libnifalcon_model().legs[0].at_zero.raw()) << "in use is what was there at the start";
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture, Kind::kCalibrate})
     expect_sentence(ask(speaker, kind),
                     "other angles were measured for this device, so it gets no force until the controller has started again");
   rig.calibration.answers("A1");
-  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture})
+  for (const Kind kind : {Kind::kResume, Kind::kSelect, Kind::kCommit, Kind::kPosture, Kind::kCalibrate})
     expect_sentence(ask(speaker, kind), "the angles in use are not those of the device that answers, so it gets no force");
+}
+
+TEST(ControlServerCalibration, TheSecondOfTwoThatMeasuredReplacesNothing) {
+  ControlRig rig;
+  rig.calibration.answers("A1");
+  Speaker first(rig.settings.path), second(rig.settings.path);
+  for (Speaker* speaker : {&first, &second}) {
+    speaker->greet();
+    ASSERT_EQ(ask(*speaker, Kind::kPosture).kind, Kind::kPostureReport);
+  }
+  const std::uint32_t near = libnifalcon_model().legs[0].at_zero.raw();
+  first.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {near + 5, near + 6, near + 7}});
+  ASSERT_EQ(first.hear().kind, Kind::kDone);
+  second.say(Kind::kCalibrate, protocol::Calibrate{protocol::Text::of("A1"), {near + 8, near + 8, near + 8}});
+  expect_sentence(second.hear(), "other angles were measured for this device");
+  EXPECT_EQ((*rig.measured.read("A1"))[1].raw(), near + 6);
 }
 
 TEST(ControlServerCalibration, IsRefusedInOneSentenceWithWhatToDo) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/store/folder.h"
@@ -24,6 +25,8 @@ class CrashingFolder final : public Folder {
   int steps = 0;  ///< done since the beginning
   /// The storage is full from here on.
   bool full = false;
+  /// What another thread does after the next read, once.
+  std::function<void()> after_read;
   /// Changes of names that are not synced.
   std::size_t pending() const { return pending_.size(); }
 
@@ -61,7 +64,9 @@ class CrashingFolder final : public Folder {
     const FileBytes& bytes = names_.at(name)->bytes;
     if (bytes.size() > out.size()) return StoreError::kTooLarge;
     std::copy(bytes.begin(), bytes.end(), out.begin());
-    return bytes.size();
+    const std::size_t size = bytes.size();
+    if (const auto then = std::exchange(after_read, {})) then();
+    return size;
   }
   StoreResult<void> write(const std::string& name, std::span<const std::uint8_t> bytes) override {
     const bool first_without_power = steps_left == 0 && !failed_;  // it falls into this write: a part of the bytes may be there
