@@ -286,7 +286,7 @@ void ControlRequests::measure(ControlClient& client) {
   if (neighbours_.calibration == nullptr) return client.refuse(Kind::kPosture, kNothingToCalibrate);
   if (neighbours_.calibration->report().serial.size == 0)
     return client.refuse(Kind::kPosture, "no device with a serial answers; plug it in, and see what isotouchd prints");
-  if (measuring_ != nullptr) return client.refuse(Kind::kPosture, kMeasuringNow);
+  if (measuring_ != nullptr || worker_.keeps_angles()) return client.refuse(Kind::kPosture, kMeasuringNow);
   if (!worker_.is_idle()) return client.refuse(Kind::kPosture, kSomebodySends);
   // The tick under way may not have heard of a stop yet.
   posture_.begin(static_cast<std::uint32_t>(kMeasuringNs / std::max(recordings_.period_ns, 1U)), neighbours_.shown.get().number + 1);

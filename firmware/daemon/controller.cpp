@@ -267,7 +267,7 @@ void Controller::say_what_changed() {
     const falcon::PortReport& report = hardware_.falcon->shown().get();
     if (std::string line = device_line(report); line != device_line_) say(device_line_ = std::move(line));
   }
-  if (std::string line = supervisor_line(recorder_->condition()); line != supervisor_line_) {
+  if (std::string line = supervisor_line(recorder_->condition(), calibration_->others()); line != supervisor_line_) {
     say(supervisor_line_ = std::move(line));
     systemd_.status(supervisor_line_);
   }
@@ -285,11 +285,8 @@ void Controller::know_device() {
   if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
     calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
-    others_ = OtherAngles::kNone;
   }
-  const OtherAngles others = calibration_->others();
-  if (std::exchange(others_, others) != others && others != OtherAngles::kNone) say("device: " + std::string(files::angles_text(others)));
-  if (is_there && others == OtherAngles::kNone) {
+  if (is_there && calibration_->others() == OtherAngles::kNone) {
     hardware_.falcon->trust(report.found);
     had_device_ |= report.state == falcon::SessionState::kRunning;
   }
@@ -370,7 +367,8 @@ Controller::Legacy Controller::legacy() const {
 }
 
 std::string Controller::summary() {
-  std::string text = "at the end, " + supervisor_line(recording::Recorder::condition_of(shown_.get())) + "\n" + figures(stats_);
+  std::string text =
+      "at the end, " + supervisor_line(recording::Recorder::condition_of(shown_.get()), calibration_->others()) + "\n" + figures(stats_);
   text.pop_back();  // whoever prints it ends the line
   return text;
 }

@@ -155,7 +155,6 @@ class Controller {
   bool begins_again_ = false;                                   ///< a new run follows
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none
-  protocol::OtherAngles others_{};                              ///< those that wait for it, as they were told last
   std::string device_line_, supervisor_line_;                   ///< as said last
   int latency_error_ = 0;                                       ///< the same
   loop::Damage damage_ = loop::Damage::kNone;                   ///< the same

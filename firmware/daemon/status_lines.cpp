@@ -39,7 +39,9 @@ std::string device_line(const falcon::PortReport& report) {
   return {};
 }
 
-std::string supervisor_line(const files::Condition& condition) { return "state: " + files::state_text(condition); }
+std::string supervisor_line(const files::Condition& condition, protocol::OtherAngles others) {
+  return "state: " + files::state_text(condition, others);
+}
 
 std::string settings_line(std::uint64_t checksum) {
   Text text;

@@ -19,7 +19,9 @@ namespace isotouch::daemon {
 std::string device_line(const falcon::PortReport& report);
 
 /// What the supervisor allows and what a person can do.
-std::string supervisor_line(const files::Condition& condition);
+///
+/// others    as `files::state_text`
+std::string supervisor_line(const files::Condition& condition, protocol::OtherAngles others = protocol::OtherAngles::kNone);
 
 /// By what the controller was set up; recordings carry the same number.
 std::string settings_line(std::uint64_t checksum);

@@ -21,13 +21,8 @@ ControllerStatus whole_status(Controller& controller) {
 
 std::string sentence(const ControllerStatus& seen) {
   const protocol::StatusReport& status = seen.status;
-  const auto others = static_cast<protocol::OtherAngles>(seen.device.waits);
-  const bool is_heard = others == protocol::OtherAngles::kNone;  // else what the state says of the packets is not the cause
-  const auto faults = static_cast<std::uint16_t>(is_heard ? status.faults : status.faults & ~kFaultSilent);
-  const std::string state = files::state_text({status.state, faults, status.status, status.generation != 0});
-  if (is_heard) return state;
-  return (faults == 0 ? files::state_name(status.state) + std::string(": ") : state + "; besides, ") +
-         std::string(files::angles_text(others));
+  return files::state_text({status.state, status.faults, status.status, status.generation != 0},
+                           static_cast<protocol::OtherAngles>(seen.device.waits));
 }
 
 std::string angles_from(const protocol::DeviceReport& device) {

@@ -46,7 +46,7 @@ class GrowingField {
   /// info      its placement is that of the space
   /// keep      how long a point counts; not given: for good
   /// enough    that many points of a bucket count; 0: all. A bucket that has some takes further ones when its block has its turn, every `kTurns`
-  ///           frames, if they double it by then or are kMaxWaiting; or when some of its own go. Until then they wait, and so do the first ones of
+  ///           frames, if they double or fill it by then or are kMaxWaiting; or when some of its own go. Until then they wait, and so do the first ones of
   ///           a bucket next to one that has some. Those beyond enough are left
   ///           out. With `keep`, the newest of them wait, too, and all only as long as they are no older than `keep` themselves
   /// fails     as LiveField

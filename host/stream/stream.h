@@ -64,7 +64,8 @@ class Stream {
 
   /// What the stream asks and reports. All of it lives until after `finish`.
   struct Watch {
-    std::function<bool()> is_over;  ///< asked ten times a second and oftener; once it is, the controller gets `kGrace` for each answer
+    std::function<bool()>
+        is_over;  ///< asked ten times a second and oftener; once it is, the controller gets `kGrace` for each field, patch or question
     std::function<void(const Tally&)> second;  ///< called each second with what it brought
   };
   /// Connects to the controller, if one was named; once, before `run`.

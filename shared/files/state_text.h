@@ -30,6 +30,8 @@ std::string_view angles_text(protocol::OtherAngles others);
 const char* state_name(std::uint16_t state);
 
 /// Begins with that word.
-std::string state_text(const Condition& condition);
+///
+/// others    beside it. Unless there are none the device is not heard, and its silence is no cause
+std::string state_text(const Condition& condition, protocol::OtherAngles others = protocol::OtherAngles::kNone);
 
 }  // namespace isotouch::files
