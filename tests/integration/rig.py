@@ -19,8 +19,8 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
 from lib.desk import Failure, gives_rights, thread_of, within  # noqa: E402
 
-__all__ = ["PATIENCE", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "give_back_memory", "main",
-           "resident_kb", "thread_of", "within"]
+__all__ = ["PATIENCE", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "give_back_memory", "halt",
+           "main", "resident_kb", "thread_of", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
@@ -44,6 +44,12 @@ def check(condition: object, sentence: str) -> None:
 def code_of(process: Process) -> int:
     """How a process ended; one that a signal killed has the signal's number, negative."""
     return process.wait(timeout=120)
+
+
+def halt(process: Process) -> None:
+    """Returns once it stands still: until then it may still answer."""
+    process.send_signal(signal.SIGSTOP)
+    os.waitid(os.P_PID, process.pid, os.WSTOPPED | os.WNOWAIT)
 
 
 def give_back_memory() -> None:

@@ -17,11 +17,17 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+}
+
 /// Where the paths of this colour begin that lie in the page's histogram with this number: their x, in order.
 std::vector<double> path_begins(const std::string& page, int histogram, std::string_view colour) {
   std::size_t at = 0;
   for (int i = 0; i <= histogram; ++i) at = page.find("<img alt=\"Histogram:", at + 1);
-  const std::string figure = page.substr(at, page.find("\">\n", at) - at);
+  std::string figure = page.substr(at, page.find("\">\n", at) - at);
+  replace_all(figure, "=%22rgb(", ":rgb(");  // Cairo 1.16 writes colours as a style, 1.18 as attributes,
+  replace_all(figure, "%25, ", "%25,");      // and with spaces
   std::vector<double> begins;
   for (at = figure.find(colour); at != std::string::npos; at = figure.find(colour, at + 1)) {
     begins.push_back(std::strtod(figure.c_str() + figure.find("M ", at) + 2, nullptr));
