@@ -109,29 +109,25 @@ std::size_t GrowingField::settle(Clock::time_point at, live::Batch& batch) {
     if (place.held == 0 && place.waiting.empty()) places_.erase(found);
   }
   touched_.clear();
-  std::erase_if(unsettled_[frames_++ % kTurns], [&](std::uint64_t key) {
+  return left_out + fill_turn(frames_++ % kTurns, Wanted::kDoubled, at, batch);
+}
+
+/// Fills of the blocks of one turn the places that have not enough: all of them, or those that `settle` names.
+///
+/// returns   as `settle`
+std::size_t GrowingField::fill_turn(std::size_t turn, Wanted wanted, Clock::time_point at, live::Batch& batch) {
+  std::size_t left_out = 0;
+  std::erase_if(unsettled_[turn], [&](std::uint64_t key) {
     const auto found = places_.find(key);
     if (found == places_.end()) return true;
     Place& place = found->second;
-    if (place.waiting.size() >= std::min<std::size_t>({place.held, kMaxWaiting, enough_ - place.held})) left_out += fill(place, at, batch);
+    const bool is_wanted =
+        wanted == Wanted::kAll || place.waiting.size() >= std::min<std::size_t>({place.held, kMaxWaiting, enough_ - place.held});
+    if (is_wanted) left_out += fill(place, at, batch);
     const bool is_settled = place.held == enough_ || place.waiting.empty();
     if (place.held == 0 && is_settled) places_.erase(found);
     return is_settled;
   });
-  return left_out;
-}
-
-/// Fills the places of one turn that have not enough.
-///
-/// returns   as `settle`
-std::size_t GrowingField::fill_turn(std::size_t turn, Clock::time_point at, live::Batch& batch) {
-  std::size_t left_out = 0;
-  for (const std::uint64_t key : std::exchange(unsettled_[turn], {})) {
-    const auto found = places_.find(key);
-    if (found == places_.end()) continue;
-    left_out += fill(found->second, at, batch);
-    if (found->second.held == 0) places_.erase(found);
-  }
   return left_out;
 }
 
@@ -180,7 +176,7 @@ bool GrowingField::has_waiting() const {
 PointCounts GrowingField::take_waiting(Clock::time_point at) {
   PointCounts counts;
   live::Batch batch;
-  for (std::size_t turn = 0; turn < kTurns && batch.added.empty(); ++turn) counts.surplus += fill_turn(turn, at, batch);
+  for (std::size_t turn = 0; turn < kTurns && batch.added.empty(); ++turn) counts.surplus += fill_turn(turn, Wanted::kAll, at, batch);
   counts.taken = batch.added.size();
   if (counts.taken > 0) apply(batch);
   return counts;
@@ -189,7 +185,7 @@ PointCounts GrowingField::take_waiting(Clock::time_point at) {
 PointCounts GrowingField::finish(Clock::time_point at) {
   PointCounts counts;
   live::Batch batch;
-  for (std::size_t turn = 0; turn < kTurns; ++turn) counts.surplus += fill_turn(turn, at, batch);
+  for (std::size_t turn = 0; turn < kTurns; ++turn) counts.surplus += fill_turn(turn, Wanted::kAll, at, batch);
   for (auto& [key, place] : places_) counts.surplus += std::exchange(place.waiting, {}).size();
   counts.taken = batch.added.size();
   if (counts.taken > 0) apply(batch);

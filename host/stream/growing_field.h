@@ -95,6 +95,8 @@ class GrowingField {
     std::vector<Waiting> waiting;  ///< the newest last
   };
 
+  enum class Wanted { kAll, kDoubled };
+
   void touch(std::uint64_t key, Place& place);
   std::size_t wait(const live::Point& point, Clock::time_point at);
   void remove_old(Clock::time_point at, live::Batch& batch);
@@ -102,7 +104,7 @@ class GrowingField {
   static std::size_t turn_of(std::uint64_t key);
   bool is_beside(std::uint64_t key) const;
   std::size_t settle(Clock::time_point at, live::Batch& batch);
-  std::size_t fill_turn(std::size_t turn, Clock::time_point at, live::Batch& batch);
+  std::size_t fill_turn(std::size_t turn, Wanted wanted, Clock::time_point at, live::Batch& batch);
   void apply(const live::Batch& batch);
 
   live::Space space_;

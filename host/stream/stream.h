@@ -60,12 +60,12 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
+  /// What the controller gets for each field, patch or question once the stream is over.
   static constexpr std::chrono::seconds kGrace{2};
 
   /// What the stream asks and reports. All of it lives until after `finish`.
   struct Watch {
-    std::function<bool()>
-        is_over;  ///< asked ten times a second and oftener; once it is, the controller gets `kGrace` for each field, patch or question
+    std::function<bool()> is_over;             ///< asked ten times a second and oftener
     std::function<void(const Tally&)> second;  ///< called each second with what it brought
   };
   /// Connects to the controller, if one was named; once, before `run`.

@@ -59,20 +59,6 @@ std::string faults_text(std::uint16_t faults) {
          " 'isotouch resume'";
 }
 
-/// Without other angles.
-std::string own_text(const Condition& condition) {
-  std::string text = state_name(condition.state);
-  if (condition.state >= kStates.size()) return text;
-  text += kStates[condition.state].sentence;
-  switch (static_cast<SupervisorState>(condition.state)) {
-    case SupervisorState::kIdle:
-      return condition.has_field ? text.append(kNotYet).append(hold_cause(condition.status)) : text.append(kNoField);
-    case SupervisorState::kHold: return text.append(hold_cause(condition.status));
-    case SupervisorState::kFault: return text.append(faults_text(condition.faults));
-    default: return text;
-  }
-}
-
 }  // namespace
 
 std::string_view angles_text(protocol::OtherAngles others) {
@@ -91,11 +77,22 @@ std::string_view angles_text(protocol::OtherAngles others) {
 const char* state_name(std::uint16_t state) { return state < kStates.size() ? kStates[state].name : "unknown"; }
 
 std::string state_text(const Condition& condition, protocol::OtherAngles others) {
-  if (others == protocol::OtherAngles::kNone) return own_text(condition);
-  Condition heard = condition;
-  heard.faults = static_cast<std::uint16_t>(condition.faults & ~kFaultSilent);
-  const std::string own = heard.faults == 0 ? state_name(condition.state) + std::string(": ") : own_text(heard) + "; besides, ";
-  return own + std::string(angles_text(others));
+  if (others != protocol::OtherAngles::kNone) {
+    Condition heard = condition;
+    heard.faults = static_cast<std::uint16_t>(condition.faults & ~kFaultSilent);
+    const std::string own = heard.faults == 0 ? state_name(condition.state) + std::string(": ") : state_text(heard) + "; besides, ";
+    return own + std::string(angles_text(others));
+  }
+  std::string text = state_name(condition.state);
+  if (condition.state >= kStates.size()) return text;
+  text += kStates[condition.state].sentence;
+  switch (static_cast<SupervisorState>(condition.state)) {
+    case SupervisorState::kIdle:
+      return condition.has_field ? text.append(kNotYet).append(hold_cause(condition.status)) : text.append(kNoField);
+    case SupervisorState::kHold: return text.append(hold_cause(condition.status));
+    case SupervisorState::kFault: return text.append(faults_text(condition.faults));
+    default: return text;
+  }
 }
 
 }  // namespace isotouch::files
