@@ -61,7 +61,7 @@ LevelSet LevelSet::read(const std::filesystem::path& file, std::span<const std::
   const std::string name = file.string();
   std::error_code ignored;
   std::optional<MemoryFile> copy;
-  if (!std::filesystem::is_regular_file(file, ignored)) copy.emplace(name, bytes);
+  if (is_standard(file) || !std::filesystem::is_regular_file(file, ignored)) copy.emplace(name, bytes);
   const Source source{name, copy ? copy->path() : name};
   // A damaged count makes the library write beyond its buffers (3 of 250 mutated files, version 10.0.1, 2026-11), and where it throws it leaks.
   // The copy loads the library itself: its threads, started as it is loaded, could hold a lock at the moment of the fork.

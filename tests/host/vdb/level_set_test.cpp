@@ -85,6 +85,17 @@ TEST(LevelSet, SamplesAreTheSpheresOwnDistances) {
   EXPECT_GT(farthest, 0.0005);
 }
 
+TEST(LevelSet, StandardInputIsNoFileOfThatName) {
+  const ScratchFolder folder;
+  const auto bytes = read_file(save(folder, {sphere()}));
+  folder.write("-", "another file");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  std::string said = refusal([&] { EXPECT_GT(LevelSet::read("-", bytes, {}).active_voxels, 10'000U); });
+  EXPECT_EQ(said, "no refusal");
+  fs::current_path(before);
+}
+
 TEST(LevelSet, PermutedAndMirroredAxesKeepTheSamples) {
   const ScratchFolder folder;
   const auto grid = sphere();
