@@ -39,7 +39,7 @@ std::string text_of(double seconds) {
 struct Series {
   std::vector<std::int64_t> stamps_ns, recorded_ns;
   std::vector<Eigen::Vector3d> values;
-  std::set<std::string> frames;
+  std::string frame, body;  ///< of the first message, and so of all
 };
 
 class Collector {
@@ -62,9 +62,14 @@ class Collector {
       throw InputError(file_ + ": message " + std::to_string(series.values.size()) + " of " + topic + " cannot be read as " +
                        std::string(channel.schema) + "; record the topic again, or choose another one with --topic");
     }
-    if (series.frames.insert(measured->frame).second && series.frames.size() > 1) {
-      throw InputError(file_ + ": " + topic + " has positions of several bodies, '" + *series.frames.begin() + "' and '" +
-                       *series.frames.rbegin() + "'; record the hand's on a topic of its own, and name it with --topic");
+    if (series.values.empty()) series.frame = measured->frame, series.body = measured->body;
+    if (measured->body != series.body) {
+      throw InputError(file_ + ": " + topic + " has positions of several bodies, '" + series.body + "' and '" + measured->body +
+                       "'; record the hand's on a topic of its own, and name it with --topic");
+    }
+    if (measured->frame != series.frame) {
+      throw InputError(file_ + ": " + topic + " is in several coordinate frames, '" + series.frame + "' and '" + measured->frame +
+                       "'; transform its messages into one frame, and record them again");
     }
     if (measured->stamp_ns) series.stamps_ns.push_back(*measured->stamp_ns);
     series.recorded_ns.push_back(static_cast<std::int64_t>(time_ns));

@@ -24,8 +24,8 @@ bool is_bag(const std::filesystem::path& file);
 /// Positions become mm. A message's own time counts where each has one, and not all are zero; else the time of the recording.
 ///
 /// returns   at least two samples, by rising time
-/// fails     InputError naming the file and the topic: none or several can be meant, a message that cannot be read, time that does not rise, fewer than two,
-///           or a place of the motion that is more than 0.1 s away from every force
+/// fails     InputError naming the file and the topic: none or several can be meant, a message that cannot be read, several bodies or coordinate frames in
+///           one topic, time that does not rise, fewer than two positions, or a place of the motion that is more than 0.1 s away from every force
 std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& file, const BagTopics& topics);
 
 struct AttachedTrace {

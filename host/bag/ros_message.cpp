@@ -94,8 +94,8 @@ std::optional<Measured> from_cdr(const Type& type, Span data) {
     const auto seconds = static_cast<std::int32_t>(from.number<std::uint32_t>());
     const auto nanoseconds = from.number<std::uint32_t>();
     measured.stamp_ns = seconds * kNsPerS + nanoseconds;
-    (void)from.text();
-    if (type.has_child_frame) measured.frame = from.text();
+    measured.frame = from.text();
+    if (type.has_child_frame) measured.body = from.text();
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis) measured.value[axis] = from.real();
   if (!from.is_good()) return std::nullopt;
@@ -104,6 +104,10 @@ std::optional<Measured> from_cdr(const Type& type, Span data) {
 
 double number_in(const nlohmann::json& object, const char* name) {
   return object.is_object() && object.contains(name) && object[name].is_number() ? object[name].get<double>() : std::nan("");
+}
+
+std::string text_in(const nlohmann::json& object, const char* name) {
+  return object.is_object() && object.contains(name) && object[name].is_string() ? object[name].get<std::string>() : "";
 }
 
 /// Seconds and nanoseconds under the names that ROS 2 or Foxglove has for them.
@@ -129,8 +133,8 @@ std::optional<Measured> from_json(const Type& type, Span data) {
   }
   Measured measured;
   measured.stamp_ns = stamp_in(whole);
-  if (type.has_child_frame && whole.contains("child_frame_id") && whole["child_frame_id"].is_string())
-    measured.frame = whole["child_frame_id"].get<std::string>();
+  measured.frame = text_in(whole.is_object() && whole.contains("header") ? whole["header"] : whole, "frame_id");
+  if (type.has_child_frame) measured.body = text_in(whole, "child_frame_id");
   measured.value = {number_in(*place, "x"), number_in(*place, "y"), number_in(*place, "z")};
   return measured;
 }

@@ -15,7 +15,8 @@ namespace isotouch::bag {
 struct Measured {
   std::optional<std::int64_t> stamp_ns;  ///< of the message itself, ns since 1970; nothing: it has none, or it is 0
   Eigen::Vector3d value;                 ///< m, or N
-  std::string frame;                     ///< of a transform: the body that is moved
+  std::string frame;                     ///< whose coordinates these are; empty: it is not said
+  std::string body;                      ///< of a transform: what is moved
 };
 
 /// What messages of a channel say.

@@ -154,6 +154,30 @@ TEST(Bag, OtherVectorsAndOtherBodiesAreNoHand) {
               HasSubstr("/a has positions of several bodies, 'hand' and 'head'"));
 }
 
+/// Positions as JSON, one for each text that stands before them.
+Bytes in_frames(const char* type, const std::vector<std::string>& fronts, const std::string& place) {
+  McapWriter writer("test");
+  const auto channel = writer.channel(writer.schema(type, "jsonschema", "{}"), "/a", "json");
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    const std::string text = "{" + fronts[i] + place + "}";
+    writer.message(channel, 1'000'000 * i, Bytes(text.begin(), text.end()));
+  }
+  return writer.finish();
+}
+
+TEST(Bag, PositionsInSeveralCoordinateFramesAreNotJoined) {
+  const auto refused = [](const char* type, const std::vector<std::string>& fronts, const std::string& place) {
+    return refusal_of(written("frames.mcap", in_frames(type, fronts, place)));
+  };
+  const std::string point = R"("point":{"x":1,"y":2,"z":3})", pose = R"("pose":{"position":{"x":1,"y":2,"z":3}})";
+  const std::string map = R"("header":{"frame_id":"map"},)", odom = R"("header":{"frame_id":"odom"},)";
+  constexpr const char* kPoint = "geometry_msgs/PointStamped";
+  EXPECT_THAT(refused(kPoint, {map, odom}, point), HasSubstr("/a is in several coordinate frames, 'map' and 'odom'; transform"));
+  EXPECT_THAT(refused(kPoint, {map, ""}, point), HasSubstr("in several coordinate frames, 'map' and ''"));
+  EXPECT_THAT(refused("foxglove.PoseInFrame", {R"("frame_id":"map",)", R"("frame_id":"odom",)"}, pose), HasSubstr("'map' and 'odom'"));
+  EXPECT_EQ(read_bag_motion(written("frame.mcap", in_frames(kPoint, {map, map}, point)), {}).size(), 2U);
+}
+
 TEST(Bag, TimeMustRise) {
   McapWriter writer("test");
   const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
@@ -262,15 +286,16 @@ class Db3 {
 };
 
 /// source    the classic representation: numbers at multiples of their size behind the first four bytes
-Bytes point_in_cdr(std::uint32_t seconds, double x, bool little) {
+Bytes point_in_cdr(std::uint32_t seconds, double x, bool little, const std::string& frame = "mm") {
   Bytes bytes = {0, static_cast<std::uint8_t>(little ? 1 : 0), 0, 0};
   const auto add = [&](std::uint64_t value, std::size_t size) {
     while ((bytes.size() - 4) % size != 0) bytes.push_back(0);
     for (std::size_t i = 0; i < size; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> (8 * (little ? i : size - 1 - i))));
   };
   add(seconds, 4), add(0, 4);
-  add(3, 4);
-  for (const char c : {'m', 'm', '\0'}) bytes.push_back(static_cast<std::uint8_t>(c));
+  add(frame.size() + 1, 4);
+  bytes.insert(bytes.end(), frame.begin(), frame.end());
+  bytes.push_back(0);
   for (const double value : {x, 0.5, -0.25}) add(std::bit_cast<std::uint64_t>(value), 8);
   return bytes;
 }
@@ -291,6 +316,16 @@ TEST(Db3, PositionsAreReadInBothOrdersOfBytes) {
     EXPECT_EQ(points[i].position.z(), -250);
     EXPECT_NEAR(points[i].time, 1e-6 * static_cast<double>(i), 1e-15) << "without a stamp the recording's time counts";
   }
+}
+
+TEST(Db3, PositionsInSeveralCoordinateFramesAreNotJoined) {
+  const fs::path file = in_temp("frames.db3");
+  {
+    Db3 made(file);
+    made.add(1000, point_in_cdr(1, 0.001, true, "map"));
+    made.add(2000, point_in_cdr(2, 0.002, true, "odom"));
+  }
+  EXPECT_THAT(refusal_of(file), HasSubstr("/probe is in several coordinate frames, 'map' and 'odom'"));
 }
 
 TEST(Db3, ShortMessagesAndOtherDatabasesAreRefused) {
