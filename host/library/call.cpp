@@ -28,7 +28,7 @@ void copy_text(const std::string& text, char* to, std::size_t capacity, std::siz
 const char* isotouch_last_error(void) { return last_error.data(); }
 
 const char* isotouch_version(void) {
-  static const std::string text = isotouch::files::short_version_text("isotouch");
+  static const std::string& text = *new std::string(isotouch::files::short_version_text("isotouch"));  // stays until the process has ended
   return text.c_str();
 }
 
