@@ -94,10 +94,10 @@ isotouch_status isotouch_field_describe(isotouch_field field, isotouch_field_fac
 isotouch_status isotouch_field_sample(isotouch_field field, size_t count, const double* points_mm, double* distance_mm, double* gradient,
                                       double* stiffness, uint8_t* in_band) {
   return guarded(ISOTOUCH_BAD_DATA, [&] {
+    const Held held(field, Kind::kField, Use::kShared);
     if (count == 0) return;
     require_count(count, 3 * sizeof(double), "points");
     require_finite(required(points_mm, "points_mm"), 3 * count, "points_mm");
-    const Held held(field, Kind::kField, Use::kShared);
     const FieldView& view = held.as<FieldThing>().open->view;
     for (std::size_t i = 0; i < count; ++i) {
       const double* const at = points_mm + 3 * i;

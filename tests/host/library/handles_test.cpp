@@ -30,6 +30,9 @@ TEST(Handles, AFreedHandleIsAnErrorHoweverItIsUsed) {
   EXPECT_REFUSED(isotouch_free(field), ISOTOUCH_BAD_HANDLE, "was freed");
   isotouch_touch touch = 0;
   EXPECT_REFUSED(isotouch_touch_new(field, nullptr, 0, &touch), ISOTOUCH_BAD_HANDLE, "was freed");
+  EXPECT_REFUSED(isotouch_field_sample(field, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ISOTOUCH_BAD_HANDLE, "was freed");
+  EXPECT_REFUSED(isotouch_touch_path(field, 0, nullptr, nullptr, 0), ISOTOUCH_BAD_HANDLE, "was freed");
+  EXPECT_REFUSED(isotouch_trace_doubles(field, "tick", 0, 0, nullptr), ISOTOUCH_BAD_HANDLE, "was freed");
   Field next;  // takes the same place
   EXPECT_NE(next.handle, field);
   EXPECT_REFUSED(describe_field(field), ISOTOUCH_BAD_HANDLE, "was freed");

@@ -238,8 +238,10 @@ class HandleTest(unittest.TestCase):
         touch = field.begin()
         field.close()
         field.close()
-        with self.assertRaises(isotouch.ClosedError):
-            field.sample([[0, 0, 0]])
+        places: list[npt.ArrayLike] = [[[0, 0, 0]], []]
+        for points in places:
+            with self.assertRaises(isotouch.ClosedError):
+                field.sample(points)
         with self.assertRaises(isotouch.ClosedError):
             field.begin()
         self.assertEqual(touch.position([0, 60, 0])["tick"], 0)   # it keeps what it needs
