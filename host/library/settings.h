@@ -8,7 +8,7 @@ namespace isotouch::library {
 
 isotouch_settings default_settings();
 
-/// fails     CallError naming the setting and its range
+/// fails     CallError naming the member and its range
 TraceHeader header_of(const isotouch_settings& settings);
 
 }  // namespace isotouch::library

@@ -176,15 +176,40 @@ TEST(LibraryTouch, SettingsHaveTheRangesOfTheController) {
   refused([](auto& s) { s.friction = std::numeric_limits<double>::quiet_NaN(); }, "friction");
   refused([](auto& s) { s.stiffness = 101; }, "N/mm and must be from 0.001 to 100, or 0 for unset");
   refused([](auto& s) { s.ramp_ticks = 1.5; }, "a whole number");
-  refused([](auto& s) { s.period_ns = 5'000'000; }, "period");
   refused([](auto& s) { s.device = 2; }, "device");
-  refused([](auto& s) { s.play_mm = -1; }, "play_mm");
   refused([](auto& s) { s.record_ticks = 10'000'001; }, "record_ticks");
   const isotouch_settings settings = defaults();
   EXPECT_REFUSED(isotouch_touch_new(field.handle, &settings, sizeof settings - 8, &touch), ISOTOUCH_BAD_ARGUMENT, "isotouch_settings");
   EXPECT_REFUSED(isotouch_touch_new(field.handle, &settings, sizeof settings, nullptr), ISOTOUCH_BAD_ARGUMENT, "touch");
   EXPECT_REFUSED(isotouch_settings_default(nullptr, sizeof settings), ISOTOUCH_BAD_ARGUMENT, "settings");
   EXPECT_EQ(touch, 0U);
+}
+
+TEST(LibraryTouch, ARefusedSettingHasTheNameOfItsMember) {
+  const Field field;
+  const auto first_word = [&](auto change) {
+    isotouch_settings settings = defaults();
+    change(settings);
+    isotouch_touch touch = 0;
+    EXPECT_EQ(isotouch_touch_new(field.handle, &settings, sizeof settings, &touch), ISOTOUCH_BAD_ARGUMENT);
+    const std::string sentence = isotouch_last_error();
+    return sentence.substr(0, sentence.find(' '));
+  };
+#define EXPECT_NAMED(member) EXPECT_EQ(first_word([](auto& settings) { settings.member = 5'000'000; }), #member)
+  EXPECT_NAMED(period_ns);
+  EXPECT_NAMED(play_mm);
+  EXPECT_NAMED(stiffness);
+  EXPECT_NAMED(damping);
+  EXPECT_NAMED(force_limit_n);
+  EXPECT_NAMED(friction);
+  EXPECT_NAMED(friction_damping);
+  EXPECT_NAMED(hand_damping);
+  EXPECT_NAMED(passivity_damping);
+  EXPECT_NAMED(weight_n);
+  EXPECT_NAMED(ramp_ticks);
+  EXPECT_NAMED(device_damping);
+  EXPECT_NAMED(delay_ticks);
+#undef EXPECT_NAMED
 }
 
 TEST(LibraryTouch, AStiffnessThatADeviceCannotRenderIsRefused) {
