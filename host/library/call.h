@@ -70,7 +70,8 @@ inline std::string file_name(const char* path) {
   return name == "-" ? "./-" : name;
 }
 
-/// fails     CallError naming the structure, where it has another size here
+/// fails     CallError naming the structure, where it has another size here. Each still has its first size; whoever adds a member also takes the sizes
+///           before, of programs that do not know it
 inline void require_size(std::size_t passed, std::size_t wanted, const char* name) {
   if (passed == wanted) return;
   refuse(ISOTOUCH_BAD_ARGUMENT, std::string(name) + " has " + std::to_string(passed) + " bytes instead of " + std::to_string(wanted) +

@@ -14,7 +14,8 @@
  * **Threads.** Every function may be called from every thread. Fields and traces may be used by several threads at once. A touch or a controller that
  * another thread is using, and what is freed while it is used, gives #ISOTOUCH_BUSY; nothing waits.
  *
- * **Sizes.** Each structure is passed with its size, so that a later version may add members at its end.
+ * **Sizes.** Each structure is passed with its size, so that a later version may add members at its end and still take the sizes of earlier ones. A size
+ * that this library does not know is an error, such as that of a newer header.
  *
  * **Real time.** Functions marked "real time: yes" allocate nothing, lock nothing, make no system call and take constant time as long as they succeed. All
  * others may allocate and block.
