@@ -262,7 +262,7 @@ def real(value: float, name: str) -> float:
 def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
     """Values as C reads them.
 
-    columns   numbers of a row; None: a list of numbers
+    columns   numbers of a row, and a list of nothing has no rows; None: a list of numbers
     Raises ArgumentError: of another shape, or no real numbers. Whether they are finite the library looks at itself.
     """
     try:
@@ -274,11 +274,11 @@ def reals(values: npt.ArrayLike, name: str, columns: int | None) -> Reals:
     if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise ArgumentError(f"{name} has masked values; fill them or leave them out")
     wanted = "a list of numbers" if columns is None else f"an array of shape (n, {columns})"
-    if array.size == 0 and array.ndim <= 2:
-        array = array.reshape((0,) if columns is None else (0, columns))
+    if columns is not None and array.shape == (0,):
+        array = array.reshape(0, columns)
     if array.ndim != (1 if columns is None else 2) or (columns is not None and array.shape[1] != columns):
         raise ArgumentError(f"{name} has shape {array.shape} and must be {wanted}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
 class Handle:

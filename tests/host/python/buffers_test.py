@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 import isotouch
+from isotouch._library import reals
 
 CALLS, SEED = 3000, 1
 GOLDEN = Path()
@@ -129,6 +130,17 @@ class Buffers(unittest.TestCase):
             for part, same in zip(samples, again):
                 np.testing.assert_array_equal(part, same)
         self.saw("returned", "ArgumentError")
+
+    def test_numbers_at_odd_addresses_are_moved_for_c(self) -> None:
+        room = np.zeros(31 * 8, np.uint8)
+        shapes: list[tuple[tuple[int, ...], int | None]] = [((10, 3), 3), ((30,), None)]
+        for shape, columns in shapes:
+            for by in range(1, 8):
+                odd = room[by:by + 240].view(np.float64).reshape(shape)
+                odd[...] = np.arange(30.0).reshape(shape)
+                passed = reals(odd, "numbers", columns)
+                self.assertEqual(passed.ctypes.data % passed.itemsize, 0, f"moved by {by}")
+                np.testing.assert_array_equal(passed, odd)
 
     def test_paths(self) -> None:
         for values in self.each():

@@ -132,6 +132,15 @@ class FieldTest(unittest.TestCase):
         self.assertEqual(field.sample([]).distance_mm.shape, (0,))
         self.assertEqual(field.sample(np.zeros((0, 3))).gradient.shape, (0, 3))
 
+    def test_rows_of_nothing_are_no_points(self) -> None:
+        field = isotouch.Field.load(FIELD)
+        for shape in ((600, 0), (1, 0), (0, 0), (0, 2), (0, 3, 1)):
+            words = re.escape(f"points_mm has shape {shape} and must be an array of shape (n, 3)")
+            with self.subTest(shape), self.assertRaisesRegex(isotouch.ArgumentError, words):
+                field.sample(np.zeros(shape))
+        with self.assertRaisesRegex(isotouch.ArgumentError, "must be a list of numbers"):
+            isotouch.Field.build(ball(100), stiffness=np.zeros((100, 0)))
+
     def test_files_that_are_no_fields_are_refused(self) -> None:
         for path in ("/nowhere.itf", str(GOLDEN / "positions.trace"), ""):
             with self.assertRaises((isotouch.DataError, isotouch.ArgumentError)):
