@@ -68,10 +68,12 @@ def _three(values: Any) -> tuple[Any, Any, Any]:
 class Field(Handle):
     """A field in memory. It may be used by several threads at once."""
 
+    warnings: tuple[str, ...]
+    """what `build` has put right or found doubtful, one sentence each"""
+
     def __init__(self, handle: int, warnings: tuple[str, ...] = ()) -> None:
         super().__init__(handle)
         self.warnings = warnings
-        """what `build` has put right or found doubtful, one sentence each"""
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
