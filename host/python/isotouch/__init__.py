@@ -10,7 +10,7 @@ inside the object, gradients point out.
     felt = field.touch([[0, 60 - 0.05 * tick, 0] for tick in range(600)])
     felt["force_n"]
 
-Everything that fails raises an `IsotouchError` with one sentence: what is wrong, and what to do.
+What the library refuses raises an `IsotouchError` with one sentence: what is wrong, and what to do.
 """
 
 from isotouch._library import (
@@ -21,6 +21,7 @@ from isotouch._library import (
     DataError,
     IsotouchError,
     MissingError,
+    NoMemoryError,
     version,
 )
 from isotouch.controller import Controller
@@ -41,6 +42,7 @@ __all__ = [
     "FieldFacts",
     "IsotouchError",
     "MissingError",
+    "NoMemoryError",
     "Samples",
     "Settings",
     "Status",

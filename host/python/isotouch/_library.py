@@ -48,8 +48,14 @@ class ControllerError(IsotouchError, OSError):
     """The controller does not answer, or refuses."""
 
 
+class NoMemoryError(IsotouchError, MemoryError):
+    """There is not enough memory, or too much is open."""
+
+
 TOO_SMALL = 6
-_ERRORS: dict[int, type[Exception]] = {1: ArgumentError, 2: ClosedError, 3: BusyError, 4: DataError, 5: MissingError, 7: ControllerError, 8: MemoryError}
+_ERRORS: dict[int, type[IsotouchError]] = {
+    1: ArgumentError, 2: ClosedError, 3: BusyError, 4: DataError, 5: MissingError, 7: ControllerError, 8: NoMemoryError,
+}
 
 
 class CFieldFacts(ctypes.Structure):

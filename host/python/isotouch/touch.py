@@ -12,6 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from isotouch._library import ArgumentError, CSettings, Handle, call, core, path_bytes, real, reals, whole
+
+
 class Status(enum.IntFlag):
     """What is true in a tick: `Status(felt["status"])`. A limit at work is no fault."""
 
@@ -65,9 +67,9 @@ FELT = np.dtype([
     ("buttons", "u4"),
     ("commands", "i4", (3,)),
 ])
-"""What a tick answers. hip_mm: where the hand is; zeros while encoder counts do not tell. proxy_mm: the point on the surface that holds it. force_n: on the hand. penetration_mm: from the hand to the
-proxy, in contact. contact: 1 where the surface holds the proxy back. status, faults: bits of `Status` and `Fault`. state: see `state_name`. commands: of the motors. The last four are
-0 with positions."""
+"""What a tick answers. hip_mm: where the hand is; zeros while encoder counts do not tell. proxy_mm: the point on the surface that holds it. force_n: on the
+hand. penetration_mm: from the hand to the proxy, in contact. contact: 1 where the surface holds the proxy back. status, faults: bits of `Status` and `Fault`.
+state: see `state_name`. commands: of the motors. state, faults and commands are 0 with positions."""
 
 Felt = npt.NDArray[np.void]
 
@@ -127,7 +129,7 @@ class Settings:
 
 def state_name(state: int) -> str:
     """'boot' to 'fault', for the column `state` of a device."""
-    name: bytes = core().isotouch_state_name(whole(int(state), "state", 2**32 - 1))
+    name: bytes = core().isotouch_state_name(whole(state, "state", 2**32 - 1))
     return name.decode()
 
 

@@ -4,9 +4,12 @@
 from __future__ import annotations
 
 import copy
+import ctypes
 import gc
+import os
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,6 +23,7 @@ import numpy as np
 import numpy.typing as npt
 
 import isotouch
+from isotouch._library import build, check
 
 Numbers = npt.NDArray[np.float64]
 GOLDEN = Path(sys.argv.pop()) if len(sys.argv) > 1 else Path()
@@ -275,6 +279,30 @@ class HandleTest(unittest.TestCase):
         for prefix, bits in (("STATUS", isotouch.Status), ("FAULT", isotouch.Fault)):
             promised = {name: 1 << int(bit) for name, bit in re.findall(rf"ISOTOUCH_{prefix}_(\w+) = 1 << (\d+)", header)}
             self.assertEqual({bit.name: bit.value for bit in bits}, promised)
+
+    def test_the_options_of_the_first_version_are_taken(self) -> None:
+        size = 88   # of isotouch_build_options in 0.9.0
+        room = (ctypes.c_uint8 * (size + 256))(*[0xA5] * (size + 256))
+        points, handle = np.ascontiguousarray(ball(1000)), ctypes.c_uint64()
+        check(build().isotouch_build_default(room, size))
+        check(build().isotouch_build(len(points), points.ctypes.data, None, None, room, size, ctypes.byref(handle), None, 0))
+        isotouch.Field(handle.value).close()
+        self.assertEqual(bytes(room)[size:], b"\xa5" * 256)
+
+    def test_more_than_there_is_room_for_is_one_of_our_errors_and_a_memory_error(self) -> None:
+        field, touches = isotouch.Field.load(FIELD), []
+        with self.assertRaisesRegex(isotouch.NoMemoryError, "4096 handles") as refused:
+            while True:
+                touches.append(field.begin())
+        self.assertIsInstance(refused.exception, isotouch.IsotouchError)
+        self.assertIsInstance(refused.exception, MemoryError)
+        self.assertGreater(len(touches), 3000)
+
+    def test_what_is_no_number_of_a_state_is_an_error(self) -> None:
+        wrong: list[Any] = ["boot", None, -1, 2**32, 4.5]
+        for state in wrong:
+            with self.subTest(state), self.assertRaises(isotouch.ArgumentError):
+                isotouch.state_name(state)
 
     def test_forgotten_things_free_themselves(self) -> None:
         for _ in range(5000):   # more than there are handles
