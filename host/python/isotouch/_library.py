@@ -160,7 +160,10 @@ def _places(name: str) -> list[str]:
     """Where a library may be, the first that exists is taken: what ISOTOUCH_LIBRARY names, beside this package, below Python's prefix, where the system looks."""
     named = os.environ.get("ISOTOUCH_LIBRARY")
     if named:
-        return [str(Path(named) / name if Path(named).is_dir() else Path(named).with_name(name))]
+        place = Path(named).absolute()   # of a name without a folder the system would look elsewhere
+        if place.is_dir():
+            return [str(place / name)]
+        return [str(place if name == CORE else place.with_name(name))]
     near = [Path(__file__).parent / name, Path(sys.prefix) / "lib" / name]
     return [*(str(place) for place in near if place.is_file()), name]
 

@@ -331,6 +331,23 @@ class HandleTest(unittest.TestCase):
         self.assertEqual(said.returncode, 1)
         self.assertIn("set ISOTOUCH_LIBRARY", said.stderr.splitlines()[-1])
 
+    def test_the_library_that_is_named_is_the_one_that_is_loaded(self) -> None:
+        library = Path(os.environ["ISOTOUCH_LIBRARY"]).resolve()
+        show = ("from isotouch._library import build, core; core(), build()\n"
+                "for file in {line.split()[-1] for line in open('/proc/self/maps')}:\n"
+                "    if 'libisotouch' in file: print(file)")
+        paths = ":".join(map(os.path.abspath, sys.path))
+        with tempfile.TemporaryDirectory() as folder:
+            own = Path(folder).resolve() / "my_libisotouch.so"
+            shutil.copy(library, own)
+            shutil.copy(library.with_name("libisotouch_build.so.0"), folder)
+            for named, core in (("my_libisotouch.so", own), (str(own), own), (str(library), library)):
+                with self.subTest(named):
+                    loaded = subprocess.run([sys.executable, "-c", show], env={"ISOTOUCH_LIBRARY": named, "PYTHONPATH": paths}, cwd=folder,
+                                            capture_output=True, text=True, check=True).stdout.split()
+                    self.assertIn(str(core), loaded)
+                    self.assertEqual(len(loaded), 2)
+
     def test_wrong_addresses_are_sentences(self) -> None:
         with self.assertRaisesRegex(isotouch.ControllerError, "start isotouchd"):
             isotouch.Controller("unix:/nowhere/control")
