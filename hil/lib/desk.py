@@ -20,6 +20,7 @@ from lib import endings
 
 SOAK_HZ = 10_000       # ticks a second that a soak asks for, the most that a controller takes
 LAST_LINES = 100       # of its log that are shown when a script fails
+ASK_SECONDS = 120      # that a command of the host tool may take, unless the script says otherwise
 MAX_GROWTH_KB = 256   # of the heap of a controller that is flat
 
 
@@ -120,13 +121,13 @@ class Desk:
         if not within(10, lambda: (self.room / name).is_socket() or ended() is not None) or ended() is not None:
             raise Failure(f"{who} did not start")
 
-    def ask(self, *command: str | Path, **options: Any) -> subprocess.CompletedProcess[str]:
-        """The host tool's answer to a command, whatever its exit code."""
-        return subprocess.run([self.bin / "isotouch", *command], capture_output=True, text=True, check=False, **options)
+    def ask(self, *command: str | Path, timeout: float = 0) -> subprocess.CompletedProcess[str]:
+        """The host tool's answer to a command, whatever its exit code. A command that hangs ends the script."""
+        return subprocess.run([self.bin / "isotouch", *command], capture_output=True, text=True, check=False, timeout=timeout or ASK_SECONDS)
 
-    def tell(self, what: str, *command: str | Path) -> str:
+    def tell(self, what: str, *command: str | Path, timeout: float = 0) -> str:
         """What the host tool prints; a command that fails ends the script with `what` and the tool's own sentence."""
-        answer = self.ask(*command)
+        answer = self.ask(*command, timeout=timeout)
         if answer.returncode != 0:
             raise Failure(f"{what}: {answer.stderr.strip() or f'exit code {answer.returncode}'}")
         return answer.stdout
@@ -206,7 +207,7 @@ def at_desk(name: str, programs: str, work: Callable[[Desk], None]) -> int:
     with Desk(programs) as desk:
         try:
             work(desk)
-        except (Failure, OSError) as failure:   # OSError: a program is missing
+        except (Failure, OSError, subprocess.TimeoutExpired) as failure:   # OSError: a program is missing
             said = desk.controller_log().splitlines(keepends=True)[-LAST_LINES:]
             print(f"{name}: {failure}; the controller said:\n{''.join(said)}", end="", file=sys.stderr)
             return 1

@@ -1,11 +1,17 @@
 #!/usr/bin/env python3
 """What hil/soak promises."""
 
+import contextlib
+import io
 import json
 import subprocess
+import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 import fakes
+from lib import desk as desks
 
 
 def soak(*arguments: str, **environment: str) -> tuple[int, str]:
@@ -31,6 +37,13 @@ class SoakTest(unittest.TestCase):
                 self.assertIn("; the controller said:", said)
                 self.assertIn("did not start" if child in ("falcon-sim", "isotouchd") else "it is meant to fail", said)   # for this reason, and no later one
                 self.assertNotIn("LEFT BEHIND", said)
+
+    def test_a_command_that_hangs_fails_the_script(self) -> None:
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(desks, "ASK_SECONDS", 0.2), contextlib.redirect_stderr(io.StringIO()) as said:
+            Path(folder, "isotouch").write_text("#!/bin/sh\nexec sleep 30\n")
+            Path(folder, "isotouch").chmod(0o755)
+            self.assertEqual(desks.at_desk("soak", folder, lambda desk: print(desk.status())), 1)
+        self.assertIn("timed out after 0.2 seconds", said.getvalue())
 
     def test_a_program_that_crashes_at_its_end_fails_the_script(self) -> None:
         for program in ("falcon-sim", "isotouchd"):
@@ -68,7 +81,7 @@ class SoakTest(unittest.TestCase):
             with self.subTest(fault, simulated=simulated), desk:
                 desk.simulated, desk.resumed = simulated, 0
                 desk.status = lambda: {"state": "fault", "faults": [fault]}
-                desk.ask = lambda *_: subprocess.CompletedProcess([], 0)
+                desk.ask = lambda *_, **__: subprocess.CompletedProcess([], 0)
                 self.assertFalse(desk.is_felt())
                 self.assertEqual(desk.resumed, resumed)
 
@@ -77,7 +90,7 @@ class SoakTest(unittest.TestCase):
         for simulated, fault, resumed in ((True, "silent", 1), (True, "late", 1), (True, "penetration", 0), (False, "silent", 0)):
             with self.subTest(fault, simulated=simulated), desk:
                 desk.simulated, desk.resumed = simulated, 0
-                desk.ask = lambda *_: subprocess.CompletedProcess([], 0, json.dumps({"state": "fault", "faults": [fault]}))
+                desk.ask = lambda *_, **__: subprocess.CompletedProcess([], 0, json.dumps({"state": "fault", "faults": [fault]}))
                 self.assertFalse(desk.is_homed())
                 self.assertEqual(desk.resumed, resumed)
 
