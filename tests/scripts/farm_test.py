@@ -14,7 +14,9 @@ import fakes
 CMAKE = """echo "$*" >>"$FAKE_LOG"
 case $1 in
   --preset) mkdir -p build/$2/CMakeFiles/3 && printf 'set(CMAKE_CXX_COMPILER_ID "GNU")\nset(CMAKE_CXX_COMPILER_VERSION "12.2")\n' >build/$2/CMakeFiles/3/CMakeCXXCompiler.cmake ;;
-  --build) if [ -e broken ]; then echo "x.cpp:1: error: broken" >&2; exit 1; fi; mkdir -p "$2/bin" && cat number >"$2/bin/replay_plain" ;;
+  --build) [ -z "${FAKE_MOVES:-}" ] || git checkout -q --detach "$FAKE_MOVES"
+    while [ -e "${FAKE_HOLDS:-/nowhere}" ]; do touch "$FAKE_HOLDS.begun"; sleep 0.05; done
+    if [ -e broken ]; then echo "x.cpp:1: error: broken" >&2; exit 1; fi; mkdir -p "$2/bin" && cat number >"$2/bin/replay_plain" ;;
 esac
 """
 
@@ -39,8 +41,11 @@ class ProgramsTest(fakes.Tree):
         self.git("commit", "-qm", number)
         return self.git("rev-parse", "HEAD")[:12]
 
-    def programs(self, *words: str) -> tuple[int, str, str]:
-        return self.call("hil/farm/programs", *words, PATH=f"{self.root}/bin:{os.environ['PATH']}", FAKE_LOG=str(self.root / "log"))
+    def environment(self) -> dict[str, str]:
+        return {"PATH": f"{self.root}/bin:{os.environ['PATH']}", "FAKE_LOG": str(self.root / "log")}
+
+    def programs(self, *words: str, **environment: str) -> tuple[int, str, str]:
+        return self.call("hil/farm/programs", *words, **self.environment(), **environment)
 
     def test_the_table_has_the_oldest_commit_first_and_names_what_it_leaves_out(self) -> None:
         code, _, complaints = self.programs(str(self.root / "set"), "--commits", "HEAD", "release")
@@ -56,6 +61,28 @@ class ProgramsTest(fakes.Tree):
         (self.root / "log").write_text("")
         self.assertEqual(self.programs(str(self.root / "set"), "release")[0], 0)
         self.assertEqual((self.root / "log").read_text(), "")
+
+    def test_of_two_at_once_each_stores_its_own_commit(self) -> None:
+        held, folder = self.root / "held", self.root / "set"
+        held.touch()
+        with self.start("hil/farm/programs", str(folder), "--commits", "-1 HEAD~2", "release", **self.environment(), FAKE_HOLDS=str(held)) as first:
+            self.assertTrue(fakes.appears(self.root / "held.begun"))
+            with self.start("hil/farm/programs", str(folder), "release", **self.environment()) as second:
+                assert second.stderr
+                said = second.stderr.readline()
+                held.unlink()
+                first.communicate(timeout=60)
+                second.communicate(timeout=60)
+        self.assertEqual((first.returncode, second.returncode), (0, 0))
+        for commit, number in ((self.commits[0], "1"), (self.commits[2], "3")):
+            self.assertEqual((folder / commit / "release/replay_plain").read_text(), number)
+        self.assertIn("another one builds", said)
+
+    def test_a_tree_that_comes_to_another_commit_while_it_is_built_gives_no_program(self) -> None:
+        code, _, complaints = self.programs(str(self.root / "set"), "release", FAKE_MOVES=self.commits[0])
+        self.assertEqual(code, 1)
+        self.assertIn(f"came to {self.commits[0]} while it was built", complaints)
+        self.assertFalse((self.root / "set" / self.commits[2]).exists())
 
     def test_what_cannot_be_is_refused(self) -> None:
         self.assertEqual(self.programs(str(self.root / "set"), "amiga")[0], 2)
