@@ -81,7 +81,9 @@ void add_qualify(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--priority", options->wish.priority, "priority of cyclictest (without this, the tick's own); 0: do not run it")
       ->check(CLI::Range(0, 99));
-  command->add_flag("!--no-trace", options->wish.trace, "do not use the kernel's tracer; the report then names no causes of late ticks");
+  command->add_flag_callback(
+      "--no-trace", [options] { options->wish.trace = false; },
+      "do not use the kernel's tracer; the report then names no causes of late ticks");
   qualify::Limits& limits = options->limits;
   const auto limit = [command](const char* names, double& value, const std::string& about) {
     command->add_option(names, value, "limit: " + about)->check(number_in(0, 1e9))->capture_default_str();
