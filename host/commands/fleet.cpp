@@ -39,6 +39,7 @@ struct FleetOptions {
         std::fprintf(to, "%-24s   unlike the others: %s is %.6g\n", "", key.c_str(), *board.values[at]);
       }
     }
+    for (const std::string& sentence : qualify::unlike_limits(fleet)) std::fprintf(to, "The limits differ: %s\n", sentence.c_str());
     if (fleet.unjudged.empty()) return;
     std::fprintf(to, "It takes %zu boards to say which is unlike the others; fewer have measured", qualify::kMinFleet);
     for (const std::string& key : fleet.unjudged) std::fprintf(to, " %s", key.c_str());
@@ -52,7 +53,7 @@ void add_fleet(CLI::App& app) {
   auto options = std::make_shared<FleetOptions>();
   CLI::App* command = app.add_subcommand("fleet", "Put the reports of many boards into one table, and mark what is unlike the others");
   command->add_option("REPORT", options->reports, "what isotouch qualify --json wrote")->required();
-  add_output(*command, "-o,--out", options->out, {&forms::kTable}, "also write the values of all limits, a row for each board");
+  add_output(*command, "-o,--out", options->out, {&forms::kTable}, "also write the values and their limits, a row for each board");
   command->callback([options] { (*options)(); });
 }
 

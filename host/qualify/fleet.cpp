@@ -23,8 +23,15 @@ constexpr double kMaxDeviations = 5, kNormal = 1.4826, kLeastShare = 0.2, kLeast
 /// What a report says of one board, by the keys of its limits.
 struct Report {
   FleetBoard board;
-  std::vector<std::pair<std::string, std::optional<double>>> values;
+  std::vector<std::string> keys;
+  std::vector<std::optional<double>> values, limits;
 };
+
+std::string digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
 
 std::string text_in(const nlohmann::json& json) {
   std::string text = json;
@@ -48,8 +55,10 @@ Report read_report(const fs::path& file) {
     report.board.date = text_in(json.at("date"));
     report.board.verdict = text_in(json.at("verdict"));
     for (const auto& limit : json.at("limits")) {
-      const auto& [key, value] = report.values.emplace_back(text_in(limit.at("key")), value_in(limit.at("value")));
-      judgements.push_back(judged(key, "", "", limit.at("limit").get<double>(), value));
+      const std::string& key = report.keys.emplace_back(text_in(limit.at("key")));
+      report.values.push_back(value_in(limit.at("value")));
+      report.limits.emplace_back(limit.at("limit").get<double>());
+      judgements.push_back(judged(key, "", "", *report.limits.back(), report.values.back()));
       const std::string outcome = text_in(limit.at("outcome"));
       if (outcome != name_of(judgements.back().outcome))
         throw wrong("the outcome '" + outcome + "' of " + key + " does not follow from its value and limit");
@@ -61,6 +70,15 @@ Report read_report(const fs::path& file) {
   if (report.board.verdict != verdict(judgements))
     throw wrong("the verdict '" + report.board.verdict + "' does not follow from its limits");
   return report;
+}
+
+/// What stands beside the keys of one report, in the order of all keys.
+std::vector<std::optional<double>> by_keys(const std::vector<std::string>& all, const std::vector<std::string>& keys,
+                                           const std::vector<std::optional<double>>& numbers) {
+  std::vector<std::optional<double>> ordered(all.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    ordered[static_cast<std::size_t>(std::ranges::find(all, keys[i]) - all.begin())] = numbers[i];
+  return ordered;
 }
 
 void mark_outliers(Fleet& fleet, std::size_t key) {
@@ -84,38 +102,62 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
 
 Fleet read_fleet(const std::vector<fs::path>& files) {
   Fleet fleet;
+  std::vector<Report> reports;
   for (const fs::path& file : files) {
     Report report = read_report(file);
     const auto same = [&](const FleetBoard& board) { return board.name == report.board.name && board.date == report.board.date; };
     if (std::ranges::any_of(fleet.boards, same))
       throw InputError(file.string() + ": " + report.board.name + " is there with the same date; name each report once");
-    for (const auto& [key, value] : report.values) {
-      const auto at = static_cast<std::size_t>(std::ranges::find(fleet.keys, key) - fleet.keys.begin());
-      if (at == fleet.keys.size()) fleet.keys.push_back(key);
-      report.board.values.resize(std::max(report.board.values.size(), at + 1));
-      report.board.values[at] = value;
+    for (const std::string& key : report.keys) {
+      if (std::ranges::find(fleet.keys, key) == fleet.keys.end()) fleet.keys.push_back(key);
     }
-    fleet.boards.push_back(std::move(report.board));
+    reports.push_back(std::move(report));
+    fleet.boards.push_back(reports.back().board);
   }
-  for (FleetBoard& board : fleet.boards) board.values.resize(fleet.keys.size());
+  for (std::size_t board = 0; board < reports.size(); ++board) {
+    fleet.boards[board].values = by_keys(fleet.keys, reports[board].keys, reports[board].values);
+    fleet.boards[board].limits = by_keys(fleet.keys, reports[board].keys, reports[board].limits);
+  }
   for (std::size_t key = 0; key < fleet.keys.size(); ++key) mark_outliers(fleet, key);
   return fleet;
 }
 
+std::vector<std::string> unlike_limits(const Fleet& fleet) {
+  std::vector<std::string> sentences;
+  for (std::size_t key = 0; key < fleet.keys.size(); ++key) {
+    std::vector<std::pair<std::optional<double>, std::string>> limits;  // each with the boards that have it
+    for (const FleetBoard& board : fleet.boards) {
+      const auto found = std::ranges::find(limits, board.limits[key], [](const auto& limit) { return limit.first; });
+      if (found == limits.end()) {
+        limits.emplace_back(board.limits[key], board.name);
+      } else {
+        found->second += " and " + board.name;
+      }
+    }
+    if (limits.size() == 1) continue;
+    std::string sentence = fleet.keys[key];
+    for (const auto& [limit, boards] : limits)
+      sentence += (&boards == &limits.front().second ? ": " : ", ") + (limit ? "at most " + digits(*limit) : "missing") + " on " + boards;
+    sentences.push_back(sentence);
+  }
+  return sentences;
+}
+
 std::string to_csv(const Fleet& fleet) {
   std::string csv = "board,date,verdict";
+  const auto add = [&](const std::optional<double>& number) { csv += ',' + (number ? digits(*number) : ""); };
   for (const std::string& key : fleet.keys) csv += ',' + csv_cell(key);
-  csv += ",outliers\n";
+  csv += ",outliers";
+  for (const std::string& key : fleet.keys) csv += ',' + csv_cell(key + "_limit");
+  csv += '\n';
   for (const FleetBoard& board : fleet.boards) {
     csv += csv_cell(board.name) + ',' + csv_cell(board.date) + ',' + csv_cell(board.verdict);
-    for (const std::optional<double>& value : board.values) {
-      char digits[32] = "";
-      if (value) std::snprintf(digits, sizeof digits, "%.6g", *value);
-      csv += std::string(",") + digits;
-    }
+    std::ranges::for_each(board.values, add);
     std::string outliers;
     for (const std::string& key : board.outliers) outliers += (outliers.empty() ? "" : " ") + key;
-    csv += ',' + csv_cell(outliers) + '\n';
+    csv += ',' + csv_cell(outliers);
+    std::ranges::for_each(board.limits, add);
+    csv += '\n';
   }
   return csv;
 }

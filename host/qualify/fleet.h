@@ -16,6 +16,7 @@ struct FleetBoard {
   std::string date;                           ///< UTC, as in the report
   std::string verdict;                        ///< "fit" or "not fit"
   std::vector<std::optional<double>> values;  ///< one for each of the fleet's keys, in their order and units; none: not measured
+  std::vector<std::optional<double>> limits;  ///< the same of the limits; none: the report does not have this key
   std::vector<std::string> outliers;          ///< keys of the values that are unlike those of the other boards
 };
 
@@ -36,7 +37,12 @@ inline constexpr std::size_t kMinFleet = 5;
 ///           figures, or repeats the board and the date of another one
 Fleet read_fleet(const std::vector<std::filesystem::path>& files);
 
-/// A CSV table with one line a board: board, date, verdict, the values by their keys, outliers. A cell is empty if nothing was measured.
+/// A verdict holds for the limits of its own report. Where these differ from board to board, one sentence for each key: "inactive: at most 50 on red, at most
+/// 100 on blue, missing on green".
+std::vector<std::string> unlike_limits(const Fleet& fleet);
+
+/// A CSV table with one line a board: board, date, verdict, the values by their keys, outliers, the limits by their keys. A cell is empty if nothing was
+/// measured, or if the report has no such limit.
 std::string to_csv(const Fleet& fleet);
 
 }  // namespace isotouch::qualify

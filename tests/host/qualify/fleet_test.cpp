@@ -90,16 +90,34 @@ TEST_F(ReadFleet, AReportOfAnotherReleaseHasEmptyCells) {
       "newer.json",
       R"({"host": "x", "date": "", "verdict": "not fit", "limits": [{"key": "new", "limit": 0, "value": 1, "outcome": "missed"}]})");
   EXPECT_EQ(to_csv(read_fleet({report("red", 20), newer})),
-            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,new,outliers\n"
-            "red,2026-11-26,fit,20,,0.5,0,,\n"
-            "x,,not fit,,,,,1,\n");
+            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,new,outliers,"
+            "wakeup_p999_us_limit,celsius_limit,word_max_ticks_limit,faults_limit,new_limit\n"
+            "red,2026-11-26,fit,20,,0.5,0,,,1000,75,1,0,\n"
+            "x,,not fit,,,,,1,,,,,,0\n");
 }
 
 TEST_F(ReadFleet, TheTableHasARowForEachBoard) {
   EXPECT_EQ(to_csv(read_fleet({report("red", 20), report("blue, left", 21.5)})),
-            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,outliers\n"
-            "red,2026-11-26,fit,20,,0.5,0,\n"
-            "\"blue, left\",2026-11-26,fit,21.5,,0.5,0,\n");
+            "board,date,verdict,wakeup_p999_us,celsius,word_max_ticks,faults,outliers,"
+            "wakeup_p999_us_limit,celsius_limit,word_max_ticks_limit,faults_limit\n"
+            "red,2026-11-26,fit,20,,0.5,0,,1000,75,1,0\n"
+            "\"blue, left\",2026-11-26,fit,21.5,,0.5,0,,1000,75,1,0\n");
+}
+
+TEST_F(ReadFleet, LimitsThatDifferFromBoardToBoardAreNamedWithTheBoards) {
+  EXPECT_THAT(unlike_limits(read_fleet({report("red", 20), report("blue", 21)})), IsEmpty());
+  const auto lax = [&](const std::string& host, const std::string& faults) {
+    return folder_.write(host + ".json", R"({"host": ")" + host + R"(", "date": "", "verdict": "fit", "limits": [
+        {"key": "wakeup_p999_us", "limit": 1e9, "value": 5000, "outcome": "met"},
+        {"key": "celsius", "limit": 75, "value": null, "outcome": "not measured"},
+        {"key": "word_max_ticks", "limit": 1, "value": 1, "outcome": "met"}, )" +
+                                             faults + "]}");
+  };
+  const std::string faults = R"({"key": "faults", "limit": 0, "value": 0, "outcome": "met"})";
+  const auto more = lax("more", faults + R"(, {"key": "inactive", "limit": 50, "value": 3, "outcome": "met"})");
+  EXPECT_THAT(unlike_limits(read_fleet({report("red", 20), lax("lax", faults), report("blue", 20), more})),
+              ElementsAre("wakeup_p999_us: at most 1000 on red and blue, at most 1e+09 on lax and more",
+                          "inactive: missing on red and lax and blue, at most 50 on more"));
 }
 
 TEST_F(ReadFleet, TheOutcomeAndTheVerdictMustFollowFromTheFigures) {
