@@ -34,6 +34,7 @@ constexpr const char* kGodObject = "god-object";
 struct ReplayOptions {
   std::filesystem::path field;
   std::filesystem::path trace;
+  std::string patches;   ///< empty: beside the trace
   std::string renderer;  ///< empty: the core, and nothing is measured
   std::filesystem::path mesh;
   MakeGodObject make_god_object;
@@ -175,7 +176,8 @@ Replayed replayed(const ReplayOptions& options, const FieldView& field, const tr
 
 void run(const ReplayOptions& options) {
   const field_file::OpenField field = field_file::open_field(options.field);
-  const trace::Trace trace = trace::read_trace(options.trace);
+  trace::Trace trace = trace::read_trace(options.trace);
+  trace.set_patches(options.patches);
   check_renderer(options, field.view, trace);
   warn(options, field.view, trace.header());
   const Replayed done = replayed(options, field.view, trace);
@@ -205,6 +207,8 @@ void add_replay(CLI::App& app, const MakeGodObject& god_object) {
       app.add_subcommand("replay", "Compute a trace's outputs again; the same field and inputs give the same hash on every machine");
   command->add_option("FIELD", options->field, "the field (.itf)")->required();
   command->add_option("TRACE", options->trace, "the recorded hand or device (.trace)")->required();
+  command->add_option("PATCHES", options->patches,
+                      "the patches of a field that was patched meanwhile; by default TRACE's, in the file beside it");
   command
       ->add_option("--renderer", options->renderer,
                    god_object

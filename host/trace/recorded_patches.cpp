@@ -20,6 +20,10 @@ std::filesystem::path patches_of(const std::filesystem::path& trace) {
   return std::filesystem::path(trace).replace_extension(".patches");
 }
 
+std::filesystem::path patches_of(const Trace& trace) {
+  return trace.patches().empty() ? patches_of(trace.path()) : std::filesystem::path(trace.patches());
+}
+
 namespace {
 
 /// How many ticks take a patch over.
@@ -35,7 +39,7 @@ std::size_t moves_of(const Trace& trace) {
 
 std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
   if (moves_of(trace) == 0) return std::nullopt;
-  const std::filesystem::path file = patches_of(trace.path());
+  const std::filesystem::path file = patches_of(trace);
   if (!std::filesystem::exists(file)) {
     throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() +
                      " is not there; keep that file beside the trace");
@@ -73,7 +77,7 @@ std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView&
   std::optional<std::vector<std::uint8_t>> bytes = patch_bytes(trace);
   if (!bytes) return std::nullopt;
   const std::size_t moves = moves_of(trace);
-  const std::filesystem::path file = patches_of(trace.path());
+  const std::filesystem::path file = patches_of(trace);
   RecordedPatches patches{std::move(*bytes), 0};
   const Result<Patches> found = check_patches(patches.bytes, field);
   if (!found) throw InputError(file.string() + ": " + describe(found.error()) + "; give the file that was written beside the trace");

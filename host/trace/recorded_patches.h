@@ -26,6 +26,8 @@ struct RecordedPatches {
 
 /// Where they are: the trace's name with the extension `.patches`; of an unfinished `NAME.trace.part`, `NAME.patches.part`.
 std::filesystem::path patches_of(const std::filesystem::path& trace);
+/// The same of a trace that was read; it may name another file.
+std::filesystem::path patches_of(const Trace& trace);
 
 /// The bytes of that file, as they are. A trace without a tick that takes a patch over has none.
 ///

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shared/files/refusal.h"
@@ -24,6 +25,9 @@ class TraceFile {
 
   const TraceHeader& header() const { return header_; }
   const std::string& path() const { return path_; }
+  /// Where the patches of its field are; empty: beside it.
+  const std::string& patches() const { return patches_; }
+  void set_patches(std::string path) { patches_ = std::move(path); }
   /// One sentence where the file ends before it should: how much of it there is, and what is missing. Else empty.
   const std::string& cut_off() const { return cut_off_; }
   std::size_t size() const { return bytes_.size() / trace_layout::kRecordBytes; }
@@ -43,7 +47,7 @@ class TraceFile {
   friend Refusal read_trace(const std::string& path, TraceFile& trace);
   std::span<const std::uint8_t, trace_layout::kRecordBytes> at(std::size_t tick) const;
 
-  std::string path_, cut_off_;
+  std::string path_, patches_, cut_off_;
   TraceHeader header_;
   std::vector<std::uint8_t> bytes_;  ///< the records, without the header
 };
