@@ -31,7 +31,7 @@ struct Addition {
 
   void operator()() const {
     farm::Recording named = recording;
-    if (named.name.empty()) named.name = named.trace.stem().string();
+    if (named.name.empty()) named.name = named.trace.path.stem().string();
     farm::add_recording(table, named);
     std::fprintf(stderr, "%s: %s added\n", table.string().c_str(), named.name.c_str());
   }
@@ -91,7 +91,7 @@ struct Merge {
                  programs.size(), counts.equal, counts.differs, counts.failed, counts.missing);
     for (const farm::Change& change : farm::changes(rows))
       std::fprintf(to, "%s differs %s\n", change.recording->name.c_str(), farm::in_words(change).c_str());
-    print_failures(to, rows);
+    print_what_was_said(to, rows);
     if (counts.differs > 0) throw ComparisonFailed("answers that differ: " + std::to_string(counts.differs));
     if (counts.failed + counts.missing > 0)
       throw EndedEarly("answers that are not known: " + std::to_string(counts.failed + counts.missing) +
@@ -102,15 +102,16 @@ struct Merge {
   static void write(const fs::path& file, const std::string& text) {
     if (!file.empty()) write_file(file, text);
   }
-  static void print_failures(std::FILE* to, const std::vector<farm::Row>& rows) {
+  /// Why something failed, or which answers contradict.
+  static void print_what_was_said(std::FILE* to, const std::vector<farm::Row>& rows) {
     constexpr int kMaxLines = 10;
-    int failures = 0;
+    int lines = 0;
     for (const farm::Row& row : rows) {
-      if (!row.answer || row.answer->outcome != farm::Answer::Outcome::kFailed || ++failures > kMaxLines) continue;
-      std::fprintf(to, "%s failed on %s at %s: %s\n", row.recording->name.c_str(), row.program->processor.c_str(),
-                   row.program->commit.c_str(), row.answer->said.c_str());
+      if (!row.answer || row.answer->said.empty() || ++lines > kMaxLines) continue;
+      std::fprintf(to, "%s %s on %s at %s: %s\n", row.recording->name.c_str(), farm::name_of(row.answer->outcome),
+                   row.program->processor.c_str(), row.program->commit.c_str(), row.answer->said.c_str());
     }
-    if (failures > kMaxLines) std::fprintf(to, "and %d more; the page lists all\n", failures - kMaxLines);
+    if (lines > kMaxLines) std::fprintf(to, "and %d more; the page lists all\n", lines - kMaxLines);
   }
 };
 
@@ -132,11 +133,8 @@ struct Bisect {
  private:
   void judge() const {
     if (!build.empty() && std::system(("exec >&2; " + build).c_str()) != 0) throw CannotBeJudged("the build failed");
-    farm::Recording named = recording;
-    named.field_hash = farm::hash_of_file(named.field);
-    named.trace_hash = farm::hash_of_file(named.trace);
-    named.expected = farm::recorded_hash(named.trace);
-    const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}});
+    const farm::Recording named = farm::as_recorded(recording);
+    const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}, {}});
     if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
     if (answer.outcome == farm::Answer::Outcome::kDiffers) {
       throw ComparisonFailed(answer.first_different ? "tick " + std::to_string(*answer.first_different) + " differs"
@@ -157,8 +155,8 @@ void add_addition(CLI::App& farm) {
   auto options = std::make_shared<Addition>();
   CLI::App* command = add_command(farm, "add", "Add a recording, which must answer as recorded, to a table", options);
   command->add_option("RECORDINGS", options->table, "the table; made where there is none")->required();
-  command->add_option("FIELD", options->recording.field, "the field (.itfi where a program reads nothing else)")->required();
-  command->add_option("TRACE", options->recording.trace, "the recorded run (.trace)")->required();
+  command->add_option("FIELD", options->recording.field.path, "the field (.itfi where a program reads nothing else)")->required();
+  command->add_option("TRACE", options->recording.trace.path, "the recorded run (.trace)")->required();
   command->add_option("--name", options->recording.name, "its name in the table; by default the file's");
   command->add_option("--origin", options->recording.origin, "who or what moved the hand")->required();
 }
@@ -188,8 +186,8 @@ void add_bisect(CLI::App& farm) {
   auto options = std::make_shared<Bisect>();
   CLI::App* command =
       add_command(farm, "bisect", "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged", options);
-  command->add_option("FIELD", options->recording.field, "the field")->required();
-  command->add_option("TRACE", options->recording.trace, "the recorded run")->required();
+  command->add_option("FIELD", options->recording.field.path, "the field")->required();
+  command->add_option("TRACE", options->recording.trace.path, "the recorded run")->required();
   command->add_option("PROGRAM", options->command, "the program that replays, and words before the names of field and trace")->required();
   command->add_option("--build", options->build, "the shell's command that builds the program; before FIELD");
   command->prefix_command();  // what looks like an option behind PROGRAM is the program's

@@ -5,8 +5,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
@@ -18,20 +23,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Answer::Outcome kOutcomes[] = {Answer::Outcome::kEqual, Answer::Outcome::kDiffers, Answer::Outcome::kFailed};
+using Outcome = Answer::Outcome;
+
+constexpr Outcome kKept[] = {Outcome::kEqual, Outcome::kDiffers, Outcome::kFailed};
 constexpr int kDiffersCode = 3;  // as `isotouch replay --check` and replay_plain end
 
-fs::path file_of(const fs::path& answers, const std::string& address) {
-  return answers / address.substr(0, 2) / (address.substr(2) + ".json");
-}
+/// Where the answers of a task are.
+struct Place {
+  fs::path equal, differs, failed;  ///< a file, a folder, a file
 
-Answer failed(std::string why) {
+  Place(const fs::path& answers, const std::string& address) {
+    equal = answers / address.substr(0, 2) / (address.substr(2) + ".json");
+    differs = fs::path(equal).replace_extension(".differs");
+    failed = fs::path(equal).replace_extension(".failed.json");
+  }
+  fs::path of(const Answer& answer) const {
+    if (answer.outcome == Outcome::kEqual) return equal;
+    if (answer.outcome == Outcome::kFailed) return failed;
+    return differs / (answer.hash + (answer.first_different ? "-" + std::to_string(*answer.first_different) : "") + ".json");
+  }
+};
+
+Answer with_reason(Outcome outcome, std::string why) {
   constexpr std::size_t kMaxBytes = 300;
   make_printable(why, ' ');
   Answer answer;
+  answer.outcome = outcome;
   answer.said = why.substr(0, kMaxBytes);
   return answer;
 }
+
+Answer failed(const std::string& why) { return with_reason(Outcome::kFailed, why); }
 
 /// The last line that is not empty.
 std::string last_line(std::string_view text) {
@@ -41,8 +63,8 @@ std::string last_line(std::string_view text) {
   return std::string(text.substr(text.find_last_of('\n') + 1));
 }
 
-std::string change_of(const fs::path& file, const std::string& hash) {
-  return hash_of_file(file) == hash ? "" : file.string() + " is no longer the file of the table";
+void require_same(const NamedFile& file, const char* what) {
+  if (hash_of(file.path) != file.hash) throw InputError(file.path.string() + " is no longer the " + what + " of the table");
 }
 
 /// Of what a program printed: the object in it, or the last line that is one.
@@ -92,32 +114,99 @@ Answer judged(const EndedProgram& ended, const std::string& expected) {
     if (!trace::is_hash_text(answer.hash)) return failed("its hash has not 16 hexadecimal digits");
     if (answer.ticks == 0) return failed("it replayed no tick");
     const bool equal = ended.code == 0 && answer.hash == expected && !answer.first_different;
-    answer.outcome = equal ? Answer::Outcome::kEqual : Answer::Outcome::kDiffers;
+    answer.outcome = equal ? Outcome::kEqual : Outcome::kDiffers;
     return answer;
   } catch (const nlohmann::json::exception&) {
     return failed("hash, ticks, seconds or first_difference are missing or of another kind in what it printed");
   }
 }
 
+/// Is it what `judged` makes of a program's words?
+bool can_be(const Answer& answer, const std::string& expected) {
+  if (answer.outcome == Outcome::kFailed) return true;
+  if (!trace::is_hash_text(answer.hash) || answer.ticks == 0) return false;
+  return answer.outcome == Outcome::kDiffers || (answer.hash == expected && !answer.first_different);
+}
+
+InputError unreadable(const fs::path& file, const std::error_code& error) {
+  return InputError(file.string() + ": cannot be read: " + error.message());
+}
+
+bool is_missing(const std::error_code& error) {
+  return error == std::errc::no_such_file_or_directory || error == std::errc::not_a_directory;
+}
+
+/// The answers in a folder; none: there is no such folder.
+std::set<fs::path> files_in(const fs::path& folder) {
+  std::set<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
+    if (each->path().extension() == ".json") files.insert(each->path());
+  }
+  if (error && !is_missing(error)) throw unreadable(folder, error);
+  return files;
+}
+
+std::optional<Answer> answer_in(const fs::path& file, const std::string& expected) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) return std::nullopt;
+  if (error) throw unreadable(file, error);
+  const auto bytes = read_file(file);
+  const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  try {
+    Answer answer;
+    const std::string outcome = json.at("outcome");
+    const auto* found = std::ranges::find(kKept, outcome, [](Outcome o) { return std::string(name_of(o)); });
+    if (found == std::end(kKept)) return std::nullopt;
+    answer.outcome = *found;
+    answer.ticks = count_in(json.at("ticks"));
+    answer.seconds = seconds_in(json.at("seconds"));
+    answer.hash = json.at("hash");
+    answer.first_different = tick_in(json.at("first_different"));
+    if (answer.outcome == Outcome::kFailed) answer.said = failed(json.at("said")).said;
+    answer.host = json.value("host", "");
+    return can_be(answer, expected) ? std::optional(answer) : std::nullopt;
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// Of answers that do not all say the same.
+Answer contradiction(const std::vector<Answer>& all) {
+  std::string why;
+  for (const Answer& answer : all) {
+    why += (why.empty() ? "answers contradict: " : ", ") + std::string(name_of(answer.outcome));
+    if (answer.first_different) why += " in tick " + std::to_string(*answer.first_different);
+    if (answer.outcome == Outcome::kDiffers) why += " with hash " + answer.hash;
+    why += " on " + answer.host;
+  }
+  return with_reason(Outcome::kContradicts, why);
+}
+
 }  // namespace
 
-const char* name_of(Answer::Outcome outcome) {
+const char* name_of(Outcome outcome) {
   switch (outcome) {
-    case Answer::Outcome::kEqual: return "equal";
-    case Answer::Outcome::kDiffers: return "differs";
-    case Answer::Outcome::kFailed: break;
+    case Outcome::kEqual: return "equal";
+    case Outcome::kDiffers: return "differs";
+    case Outcome::kContradicts: return "contradicts";
+    case Outcome::kFailed: break;
   }
   return "failed";
 }
 
 Answer ask(const Recording& recording, const Program& program, const Patience& patience) {
   try {
-    for (const std::string& change : {change_of(recording.field, recording.field_hash), change_of(recording.trace, recording.trace_hash)})
-      if (!change.empty()) return failed(change);
     std::vector<std::string> words = program.command;
-    words.push_back(fs::absolute(recording.field).string());
-    words.push_back(fs::absolute(recording.trace).string());
-    return judged(run_program(words, patience), recording.expected);
+    for (const NamedFile& file : files_of(recording)) {
+      require_same(file, "file");
+      words.push_back(fs::absolute(file.path).string());
+    }
+    const EndedProgram ended = run_program(words, patience);
+    for (const NamedFile& file : program.files) require_same(file, "program");
+    return judged(ended, recording.expected);
   } catch (const InputError& error) {
     return failed(error.what());
   }
@@ -141,11 +230,7 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
       {"host", system.nodename},
       {"kernel", system.release}};
   const std::string address = address_of(recording, program);
-  if (answer.outcome == Answer::Outcome::kFailed) {  // somebody else may have the answer meanwhile
-    const std::optional<Answer> now = kept_answer(answers, address);
-    if (now && now->outcome != Answer::Outcome::kFailed) return;
-  }
-  const fs::path file = file_of(answers, address);
+  const fs::path file = Place(answers, address).of(answer);
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   if (error) throw InputError(file.parent_path().string() + ": the folder cannot be made: " + error.message());
@@ -158,29 +243,19 @@ void keep(const fs::path& answers, const Recording& recording, const Program& pr
   if (error) throw InputError(file.string() + ": cannot be written: " + error.message());
 }
 
-std::optional<Answer> kept_answer(const fs::path& answers, const std::string& address) {
-  const fs::path file = file_of(answers, address);
-  std::error_code none;
-  if (!fs::is_regular_file(file, none)) return std::nullopt;
-  const auto bytes = read_file(file);
-  const nlohmann::json json = nlohmann::json::parse(bytes.begin(), bytes.end(), nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  try {
-    Answer answer;
-    const std::string outcome = json.at("outcome");
-    const auto* found = std::ranges::find(kOutcomes, outcome, [](Answer::Outcome o) { return std::string(name_of(o)); });
-    if (found == std::end(kOutcomes)) return std::nullopt;
-    answer.outcome = *found;
-    answer.ticks = count_in(json.at("ticks"));
-    answer.seconds = seconds_in(json.at("seconds"));
-    answer.hash = json.at("hash");
-    answer.first_different = tick_in(json.at("first_different"));
-    answer.said = json.at("said");
-    if (answer.outcome != Answer::Outcome::kFailed && !trace::is_hash_text(answer.hash)) return std::nullopt;
-    return answer;
-  } catch (const nlohmann::json::exception&) {
-    return std::nullopt;
+std::optional<Answer> kept_answer(const fs::path& answers, const Recording& recording, const Program& program) {
+  const Place place(answers, address_of(recording, program));
+  std::set<fs::path> files = files_in(place.differs);  // in order, so that everybody says the same
+  files.insert({place.equal, place.failed});
+  std::vector<Answer> all;
+  for (const fs::path& file : files) {
+    if (std::optional<Answer> answer = answer_in(file, recording.expected)) all.push_back(std::move(*answer));
   }
+  const bool is_known = std::ranges::any_of(all, [](const Answer& answer) { return answer.outcome != Outcome::kFailed; });
+  if (is_known) std::erase_if(all, [](const Answer& answer) { return answer.outcome == Outcome::kFailed; });
+  if (all.empty()) return std::nullopt;
+  const auto says_the_same = [&](const Answer& answer) { return place.of(answer) == place.of(all.front()); };
+  return std::ranges::all_of(all, says_the_same) ? all.front() : contradiction(all);
 }
 
 }  // namespace isotouch::farm

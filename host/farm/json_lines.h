@@ -29,6 +29,7 @@ class Line {
   ///
   /// fails     InputError: as `text`, or no such hash
   std::string hash(const char* key) const;
+  bool has(const char* key) const { return object_.contains(key); }
   const std::string& place() const { return place_; }
 
  private:

@@ -12,6 +12,9 @@ using Outcome = Answer::Outcome;
 
 bool is(const Row& row, Outcome outcome) { return row.answer && row.answer->outcome == outcome; }
 
+/// Answers that contradict cannot all be equal.
+bool is_different(const Row& row) { return is(row, Outcome::kDiffers) || is(row, Outcome::kContradicts); }
+
 std::string tick_text(const std::optional<std::uint64_t>& tick) { return tick ? std::to_string(*tick) : ""; }
 
 }  // namespace
@@ -21,17 +24,14 @@ std::vector<Row> merge(const std::vector<Recording>& recordings, const std::vect
   std::vector<Row> rows;
   rows.reserve(recordings.size() * programs.size());
   for (const Recording& recording : recordings)
-    for (const Program& program : programs) rows.push_back({&recording, &program, kept_answer(answers, address_of(recording, program))});
+    for (const Program& program : programs) rows.push_back({&recording, &program, kept_answer(answers, recording, program)});
   return rows;
 }
 
 Counts count(const std::vector<Row>& rows) {
   Counts counts;
   for (const Row& row : rows) {
-    ++(!row.answer                  ? counts.missing
-       : is(row, Outcome::kEqual)   ? counts.equal
-       : is(row, Outcome::kDiffers) ? counts.differs
-                                    : counts.failed);
+    ++(!row.answer ? counts.missing : is(row, Outcome::kEqual) ? counts.equal : is_different(row) ? counts.differs : counts.failed);
   }
   return counts;
 }
@@ -49,7 +49,7 @@ std::vector<Change> changes(const std::vector<Row>& rows) {
     if (is(row, Outcome::kEqual)) {
       if (history.open) all[*history.open].again = row.program;
       history = {row.program, 0, std::nullopt};
-    } else if (!is(row, Outcome::kDiffers)) {
+    } else if (!is_different(row)) {
       ++history.unknown;
     } else if (!history.open) {
       history.open = all.size();

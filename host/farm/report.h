@@ -28,7 +28,7 @@ struct Row {
 std::vector<Row> merge(const std::vector<Recording>& recordings, const std::vector<Program>& programs,
                        const std::filesystem::path& answers);
 
-/// Numbers of rows.
+/// Numbers of rows. Answers that contradict count as different.
 struct Counts {
   std::size_t equal = 0, differs = 0, failed = 0, missing = 0;
   std::size_t all() const { return equal + differs + failed + missing; }

@@ -73,16 +73,17 @@ std::string table_of_commits(const std::vector<Row>& rows) {
   return html + "</table>\n";
 }
 
+/// What failed, and what has several answers.
 std::string table_of_failures(const std::vector<Row>& rows) {
   std::string html;
   for (const Row& row : rows) {
-    if (row.answer && row.answer->outcome == Answer::Outcome::kFailed) {
+    if (row.answer && !row.answer->said.empty()) {
       html += "<tr>" + cell(row.recording->name) + cell(row.program->processor) + cell(row.program->commit) +
-              cell(row.answer->said, "failed") + "</tr>\n";
+              cell(row.answer->said, row.answer->outcome == Answer::Outcome::kFailed ? "failed" : "differs") + "</tr>\n";
     }
   }
   return html.empty() ? html
-                      : "<h2>Without an answer</h2>\n" + head({"recording", "processor", "commit", "what it said"}) + html + "</table>\n";
+                      : "<h2>Without one answer</h2>\n" + head({"recording", "processor", "commit", "what it said"}) + html + "</table>\n";
 }
 
 std::string table_of_speeds(const std::vector<Row>& rows) {

@@ -32,7 +32,7 @@ ShareReport run_share(const std::vector<Recording>& recordings, const std::vecto
         if (task >= tasks) continue;  // the last run is shorter
         const Recording& recording = recordings[task / programs.size()];
         const Program& program = programs[task % programs.size()];
-        const std::optional<Answer> before = kept_answer(answers, address_of(recording, program));
+        const std::optional<Answer> before = kept_answer(answers, recording, program);
         const bool is_kept = before && before->outcome != Answer::Outcome::kFailed;
         const Answer answer = is_kept ? *before : ask(recording, program, share.patience);
         if (!is_kept) keep(answers, recording, program, answer);

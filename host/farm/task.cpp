@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/trace/hash_text.h"
+#include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "shared/files/scoped_file.h"
@@ -44,7 +46,7 @@ void require_rows(const fs::path& file, const std::vector<Row>& rows, const char
 /// A word that begins with ./ is a file or folder beside the table; other words name nothing.
 fs::path named_by(const std::string& word, const fs::path& folder) { return word.starts_with("./") ? folder / word.substr(2) : fs::path(); }
 
-/// The names and bytes of all files below a folder, in the order of their names. Of a link its target's name, which may be meant for another machine.
+/// In the order of their names. Of a link its target's name, which may be meant for another machine.
 void add_folder(const fs::path& folder, Digest& content) {
   std::set<fs::path> all;
   for (const fs::directory_entry& each : fs::recursive_directory_iterator(folder)) all.insert(each.path());
@@ -58,15 +60,23 @@ void add_folder(const fs::path& folder, Digest& content) {
   }
 }
 
-/// A word of a command as it is given to the system.
-std::string resolved(const std::string& word, const fs::path& folder, Digest& content, const std::string& place) {
+/// Adds a word to a program's command, as it is given to the system.
+void add_word(Program& program, const std::string& word, const fs::path& folder, Digest& content, const std::string& place) {
   content.add(word);
   const fs::path named = named_by(word, folder);
-  if (named.empty()) return word;
+  program.command.push_back(named.empty() ? word : fs::absolute(named).string());
+  if (named.empty()) return;
   if (!fs::exists(named)) throw InputError(place + ": " + named.string() + " is not there; build it, or correct the command");
-  if (fs::is_regular_file(named)) content.add(read_file(named));
-  if (fs::is_directory(named)) add_folder(named, content);
-  return fs::absolute(named).string();
+  if (!fs::is_regular_file(named) && !fs::is_directory(named)) return;
+  program.files.push_back({named, hash_of(named)});
+  content.add(program.files.back().hash);
+}
+
+/// Fills in the hashes of a recording's files, and its patches.
+void add_hashes(Recording& recording, const trace::Trace& trace) {
+  if (trace::patch_bytes(trace)) recording.patches.path = trace::patches_of(recording.trace.path);
+  for (NamedFile* file : {&recording.field, &recording.trace, &recording.patches})
+    if (!file->path.empty()) file->hash = hash_of(file->path);
 }
 
 /// Adds a line to a table that others may add to at the same time.
@@ -89,26 +99,45 @@ void append_line(const fs::path& table, std::string line, const std::function<vo
 
 }  // namespace
 
-std::string hash_of_file(const fs::path& file) {
+std::string hash_of(const fs::path& file) {
   Digest digest;
-  digest.add(read_file(file));
+  try {
+    if (fs::is_directory(file)) {
+      add_folder(file, digest);
+    } else {
+      digest.add(read_file(file));
+    }
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(error.path1().string() + ": cannot be read: " + error.code().message());
+  }
   return digest.text();
 }
 
-std::string recorded_hash(const fs::path& file) {
-  const trace::Trace trace = trace::read_trace(file);
-  if (!trace.header().has_outputs || trace.size() == 0)
-    throw InputError(file.string() + ": it has no outputs to compare with; record it anew, or make them with isotouch replay -o");
-  return trace::hash_text(trace.record(trace.size() - 1).chain);
+std::vector<NamedFile> files_of(const Recording& recording) {
+  std::vector<NamedFile> files = {recording.field, recording.trace};
+  if (!recording.patches.path.empty()) files.push_back(recording.patches);
+  return files;
+}
+
+Recording as_recorded(Recording recording) {
+  const trace::Trace trace = trace::read_trace(recording.trace.path);
+  if (!trace.header().has_outputs || trace.size() == 0) {
+    throw InputError(recording.trace.path.string() +
+                     ": it has no outputs to compare with; record it anew, or make them with isotouch replay -o");
+  }
+  add_hashes(recording, trace);
+  recording.expected = trace::hash_text(trace.record(trace.size() - 1).chain);
+  return recording;
 }
 
 std::vector<Recording> read_recordings(const fs::path& file) {
   std::vector<Recording> all;
   std::set<std::string> names;
   each_line(file, [&](const Line& line) {
-    const fs::path folder = file.parent_path();
-    all.push_back({line.text("name"), folder / line.text("field"), folder / line.text("trace"), line.hash("field_hash"),
-                   line.hash("trace_hash"), line.hash("expected"), line.text("device"), line.text("origin")});
+    const auto named = [&](const char* key, const char* hash) { return NamedFile{file.parent_path() / line.text(key), line.hash(hash)}; };
+    all.push_back({line.text("name"), named("field", "field_hash"), named("trace", "trace_hash"),
+                   line.has("patches") ? named("patches", "patches_hash") : NamedFile{}, line.hash("expected"), line.text("device"),
+                   line.text("origin")});
     if (!names.insert(all.back().name).second)
       throw InputError(line.place() + ": there are two recordings with the name '" + all.back().name + "'; rename one");
   });
@@ -120,16 +149,12 @@ std::vector<Program> read_programs(const fs::path& file) {
   std::vector<Program> all;
   std::set<std::vector<std::string>> names;
   each_line(file, [&](const Line& line) {
-    Program program{line.text("processor"), line.text("commit"), line.text("compiler"), line.text("rung"), {}, {}};
+    Program program{line.text("processor"), line.text("commit"), line.text("compiler"), line.text("rung"), {}, {}, {}};
     if (!names.insert({program.processor, program.commit, program.compiler, program.rung}).second)
       throw InputError(line.place() + ": processor, commit, compiler and rung are those of a line above; leave one of the two out");
     Digest content;
-    bool is_named = false;
-    for (const std::string& word : line.texts("command")) {
-      program.command.push_back(resolved(word, file.parent_path(), content, line.place()));
-      is_named = is_named || fs::is_regular_file(named_by(word, file.parent_path()));
-    }
-    if (!is_named)
+    for (const std::string& word : line.texts("command")) add_word(program, word, file.parent_path(), content, line.place());
+    if (std::ranges::all_of(program.files, [](const NamedFile& named) { return fs::is_directory(named.path); }))
       throw InputError(
           line.place() +
           ": no word of the command names a file by ./, so a new build would be taken for the old one; put the program beside the table");
@@ -142,25 +167,28 @@ std::vector<Program> read_programs(const fs::path& file) {
 
 void add_recording(const fs::path& table, const Recording& recording) {
   if (recording.name.empty() || recording.origin.empty()) throw InputError("a recording needs a name and an origin; give both a text");
-  const field_file::OpenField field = field_file::open_field(recording.field);
-  const trace::Trace trace = trace::read_trace(recording.trace);
+  const field_file::OpenField field = field_file::open_field(recording.field.path);
+  const trace::Trace trace = trace::read_trace(recording.trace.path);
   const trace::ReplayReport report = trace::replay(field.view, trace, true);
   if (report.first_difference) {
-    throw InputError(recording.trace.string() + ": tick " + std::to_string(report.first_difference->tick) +
+    throw InputError(recording.trace.path.string() + ": tick " + std::to_string(report.first_difference->tick) +
                      " does not answer as recorded; add a recording that `isotouch replay --check` accepts");
   }
   const auto beside = [&](const fs::path& file) { return fs::proximate(fs::absolute(file), fs::absolute(table).parent_path()).string(); };
-  const nlohmann::ordered_json line = {{"name", recording.name},
-                                       {"field", beside(recording.field)},
-                                       {"trace", beside(recording.trace)},
-                                       {"field_hash", hash_of_file(recording.field)},
-                                       {"trace_hash", hash_of_file(recording.trace)},
-                                       {"expected", trace::hash_text(report.hash)},
-                                       {"device", trace::hash_text(hash(trace.header().device))},
-                                       {"origin", recording.origin}};
+  Recording found = recording;
+  add_hashes(found, trace);
+  nlohmann::ordered_json line = {{"name", found.name},
+                                 {"field", beside(found.field.path)},
+                                 {"trace", beside(found.trace.path)},
+                                 {"field_hash", found.field.hash},
+                                 {"trace_hash", found.trace.hash},
+                                 {"expected", trace::hash_text(report.hash)},
+                                 {"device", trace::hash_text(hash(trace.header().device))},
+                                 {"origin", found.origin}};
+  if (!found.patches.path.empty()) line["patches"] = beside(found.patches.path), line["patches_hash"] = found.patches.hash;
   for (const auto& [key, value] : line.items()) {
     if (!is_printable(value.get_ref<const std::string&>()))
-      throw InputError(recording.trace.string() + ": " + key + " is no UTF-8 or holds a control character; rename it");
+      throw InputError(recording.trace.path.string() + ": " + key + " is no UTF-8 or holds a control character; rename it");
   }
   append_line(table, line.dump(), [&] {
     if (fs::file_size(table) == 0) return;
@@ -173,8 +201,9 @@ void add_recording(const fs::path& table, const Recording& recording) {
 
 std::string address_of(const Recording& recording, const Program& program) {
   Digest digest;
-  for (const std::string* text : {&recording.field_hash, &recording.trace_hash, &recording.expected, &program.content, &program.processor,
-                                  &program.commit, &program.compiler, &program.rung})
+  for (const NamedFile& file : files_of(recording)) digest.add(file.hash);
+  for (const std::string* text :
+       {&recording.expected, &program.content, &program.processor, &program.commit, &program.compiler, &program.rung})
     digest.add(*text);
   return digest.text();
 }

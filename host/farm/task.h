@@ -12,20 +12,29 @@
 
 namespace isotouch::farm {
 
-struct Recording {
-  std::string name;                    ///< unique in the table
-  std::filesystem::path field, trace;  ///< as seen from the current folder
-  std::string field_hash;              ///< XXH64 of the field's file, 16 hexadecimal digits
-  std::string trace_hash;              ///< the same for the trace's file
-  std::string expected;                ///< the replay hash, 16 hexadecimal digits
-  std::string device;                  ///< the hash of the device's model
-  std::string origin;                  ///< who or what moved the hand
+/// A file or a folder, as it was when the table was made or read.
+struct NamedFile {
+  std::filesystem::path path;
+  std::string hash;  ///< of hash_of
 };
+
+struct Recording {
+  std::string name;        ///< unique in the table
+  NamedFile field, trace;  ///< as seen from the current folder
+  NamedFile patches;       ///< of a field that was patched meanwhile; no path: it was not
+  std::string expected;    ///< the replay hash, 16 hexadecimal digits
+  std::string device;      ///< the hash of the device's model
+  std::string origin;      ///< who or what moved the hand
+};
+
+/// What a program is given: field, trace, and patches if there are any.
+std::vector<NamedFile> files_of(const Recording& recording);
 
 struct Program {
   std::string processor, commit, compiler, rung;
-  std::vector<std::string> command;  ///< words; the names of field and trace are added behind them
-  std::string content;               ///< XXH64 over its words and over the bytes of each file that a word beginning with ./ names
+  std::vector<std::string> command;  ///< words; the names of the recording's files are added behind them
+  std::string content;               ///< XXH64 over the words of the table and the hashes of `files`
+  std::vector<NamedFile> files;      ///< files and folders that a word beginning with ./ names
 };
 
 /// Reads a table of recordings.
@@ -41,24 +50,25 @@ std::vector<Program> read_programs(const std::filesystem::path& file);
 
 /// Replays a trace in this program, and adds it to a table, with the hash that it gives. The table is made if there is none.
 ///
-/// recording   name, field, trace and origin; hashes and device are computed here
+/// recording   name, origin and the paths of field and trace; the rest is found here, also the patches beside the trace
 /// fails       InputError, and the table stays as it was: name or origin is missing or no UTF-8; a file cannot be read or does not fit, as in
 ///             `isotouch replay --check`; the replay differs from the recorded outputs; the name is in the table already; the table cannot be written
 void add_recording(const std::filesystem::path& table, const Recording& recording);
 
-/// The address under which the answer of a task is kept: an XXH64, 16 hexadecimal digits, over the hashes of field, trace and program, the expected hash,
-/// and processor, commit, compiler and rung. So a new build gets a new address. Files that the program opens, and an emulator that is not beside the table,
+/// The address under which the answer of a task is kept: an XXH64, 16 hexadecimal digits, over the hashes of the recording's files and of the program, the
+/// expected hash, and processor, commit, compiler and rung. So a new build gets a new address. Files that the program opens, and an emulator that is not beside the table,
 /// do not change it.
 std::string address_of(const Recording& recording, const Program& program);
 
-/// The replay hash that a trace's own outputs have.
+/// A recording that is in no table, with its hashes, the patches beside its trace, and the replay hash that the trace's own outputs have.
 ///
-/// fails     InputError naming the file: it cannot be read, or has no outputs or no ticks
-std::string recorded_hash(const std::filesystem::path& file);
+/// recording   the paths of field and trace
+/// fails       InputError naming the file: it cannot be read, or the trace has no outputs or no ticks
+Recording as_recorded(Recording recording);
 
-/// XXH64 of a file's bytes, 16 hexadecimal digits.
+/// XXH64 of a file's bytes, or of the names and bytes of all files below a folder, 16 hexadecimal digits.
 ///
 /// fails     InputError naming the file: it cannot be read
-std::string hash_of_file(const std::filesystem::path& file);
+std::string hash_of(const std::filesystem::path& file);
 
 }  // namespace isotouch::farm

@@ -18,13 +18,29 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kAddress = "abcdef0123456789";
+constexpr const char* kHash = "abcdef0123456789";
+
+const farm::Recording& recording() {
+  static const farm::Recording one{"a", {"a.itf", kHash}, {"a.trace", kHash}, {}, kHash, "device", "origin"};
+  return one;
+}
+
+const farm::Program& program() {
+  static const farm::Program one{"x86-64", "1", "gcc", "0", {"./program"}, kHash, {}};
+  return one;
+}
+
+/// Where its answer is kept that is equal.
+fs::path answer_in(const fs::path& folder) {
+  const std::string address = farm::address_of(recording(), program());
+  return folder / "answers" / address.substr(0, 2) / (address.substr(2) + ".json");
+}
 
 /// A folder with a program, as tables name them.
 const fs::path& folder() {
   static const fs::path made = [] {
     const fs::path path = "/tmp/isotouch-fuzz-" + std::to_string(::getpid());
-    fs::create_directories(path / "answers" / "ab");
+    fs::create_directories(answer_in(path).parent_path());
     write_file(path / "program", "x");
     return path;
   }();
@@ -37,14 +53,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 1) return 0;
   const fs::path table = folder() / "table";
   const bool is_answer = data[0] % 4 == 2;
-  write_file(is_answer ? folder() / "answers" / "ab" / "cdef0123456789.json" : table, data + 1, size - 1);
+  write_file(is_answer ? answer_in(folder()) : table, data + 1, size - 1);
   try {
     if (is_answer) {
-      const std::optional<farm::Answer> answer = farm::kept_answer(folder() / "answers", kAddress);
+      const std::optional<farm::Answer> answer = farm::kept_answer(folder() / "answers", recording(), program());
       if (!answer) return 0;
-      const farm::Recording recording{"a", "a.itf", "a.trace", kAddress, kAddress, kAddress, "device", "origin"};
-      const farm::Program program{"x86-64", "1", "gcc", "0", {"./program"}, kAddress};
-      const std::vector<farm::Row> rows{{&recording, &program, answer}};
+      const std::vector<farm::Row> rows{{&recording(), &program(), answer}};
       fuzz::hold(farm::count(rows).all() == 1, "an answer counts once");
       static_cast<void>(farm::to_html(rows));
       static_cast<void>(farm::to_csv(rows));
@@ -53,14 +67,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const farm::Change& change : farm::changes(rows)) static_cast<void>(farm::in_words(change));
       fuzz::hold(answer->outcome == farm::Answer::Outcome::kFailed || trace::is_hash_text(answer->hash), "an answer has its hash");
     } else if (data[0] % 4 == 1) {
-      for (const farm::Program& program : farm::read_programs(table)) {
-        fuzz::hold(!program.command.empty(), "a program has a command");
-        static_cast<void>(farm::address_of({"a", "a.itf", "a.trace", kAddress, kAddress, kAddress, "device", "origin"}, program));
+      for (const farm::Program& each : farm::read_programs(table)) {
+        fuzz::hold(!each.command.empty(), "a program has a command");
+        static_cast<void>(farm::address_of(recording(), each));
       }
     } else {
       const auto recordings = farm::read_recordings(table);
       fuzz::hold(!recordings.empty(), "a table lists something");
-      for (const farm::Recording& recording : recordings) fuzz::hold(trace::is_hash_text(recording.expected), "a recording has its hash");
+      for (const farm::Recording& each : recordings) fuzz::hold(trace::is_hash_text(each.expected), "a recording has its hash");
     }
   } catch (const InputError& error) {
     fuzz::hold(std::string_view(error.what()).find('\n') == std::string_view::npos, "what is wrong is said in one line");

@@ -40,7 +40,7 @@ class Answers final : public Kind {
   using Kind::Kind;
   void write(Number first, const Reporter& report) override {
     for (Number number = first;; ++number) {
-      farm::Answer answer{farm::Answer::Outcome::kEqual, number, 1, "0123456789abcdef", {}, {}};
+      farm::Answer answer{farm::Answer::Outcome::kEqual, number, 1, recording_.expected, {}, {}, {}};
       report.begin(number);
       farm::keep(folder(), recording_, program_, answer);
       report.done(number);
@@ -49,14 +49,14 @@ class Answers final : public Kind {
   Number found(Verdict& wrong) override {
     const std::string address = farm::address_of(recording_, program_);
     const fs::path file = folder() / address.substr(0, 2) / (address.substr(2) + ".json");
-    const auto answer = farm::kept_answer(folder(), address);
+    const auto answer = farm::kept_answer(folder(), recording_, program_);
     if (!answer && fs::exists(file)) wrong = "a kept answer is none";
     return answer ? answer->ticks : 0;
   }
 
  private:
-  farm::Recording recording_{"a", "a.itf", "a.trace", "0", "0", "0", "device", "origin"};
-  farm::Program program_{"x86-64", "1", "gcc", "0", {"./program"}, "0"};
+  farm::Recording recording_{"a", {"a.itf", "0"}, {"a.trace", "0"}, {}, "0123456789abcdef", "device", "origin"};
+  farm::Program program_{"x86-64", "1", "gcc", "0", {"./program"}, "0", {}};
 };
 
 }  // namespace

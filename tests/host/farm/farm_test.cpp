@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -36,11 +38,11 @@ class Farm : public ::testing::Test {
     expected_ = read_recordings(recordings_file())[0].expected;
   }
 
-  void add(const std::string& name, const fs::path& trace) const {
+  void add(const std::string& name, const fs::path& trace, const fs::path& field = kField) const {
     Recording recording;
     recording.name = name;
-    recording.field = kField;
-    recording.trace = trace;
+    recording.field.path = field;
+    recording.trace.path = trace;
     recording.origin = "a test";
     add_recording(recordings_file(), recording);
   }
@@ -68,6 +70,12 @@ class Farm : public ::testing::Test {
     recordings_ = read_recordings(recordings_file());
     programs_ = read_programs(programs_file());
     return merge(recordings_, programs_, answers());
+  }
+  /// Where the equal answer to the first task is kept; the folder is there.
+  fs::path kept_file() const {
+    const std::string address = address_of(read_recordings(recordings_file())[0], read_programs(programs_file())[0]);
+    fs::create_directories(answers() / address.substr(0, 2));
+    return answers() / address.substr(0, 2) / (address.substr(2) + ".json");
   }
   std::string calls() const {
     std::ifstream file(folder_.path() / "calls.txt");
@@ -170,12 +178,84 @@ TEST_F(Farm, WordsAroundTheAnswerDoNotMatter) {
 }
 
 TEST_F(Farm, AFailureDoesNotTakeThePlaceOfAnAnswer) {
+  for (const std::string& body : {equal(), print("0123456789abcdef", "7", 3)}) {
+    fs::remove(programs_file());
+    list("a", "1", body);
+    run_all();
+    const auto before = rows()[0].answer->outcome;
+    keep(answers(), read_recordings(recordings_file())[0], read_programs(programs_file())[0], {});
+    EXPECT_EQ(rows()[0].answer->outcome, before) << body;
+  }
+}
+
+/// Each of two machines has answers of its own, and their folders are copied into one.
+TEST_F(Farm, AnswersThatContradictAreADifferenceInWhateverOrderTheyCome) {
   list("a", "1", equal());
-  run_all();
   const Recording recording = read_recordings(recordings_file())[0];
   const Program program = read_programs(programs_file())[0];
-  keep(answers(), recording, program, {});
-  EXPECT_EQ(kept_answer(answers(), address_of(recording, program))->outcome, Answer::Outcome::kEqual);
+  const auto answer = [&](Answer::Outcome outcome, const std::string& hash, std::optional<std::uint64_t> tick) {
+    Answer made;
+    made.outcome = outcome, made.ticks = 10, made.hash = hash, made.first_different = tick;
+    return made;
+  };
+  const Answer good = answer(Answer::Outcome::kEqual, expected_, {}), bad = answer(Answer::Outcome::kDiffers, "0123456789abcdef", 7),
+               worse = answer(Answer::Outcome::kDiffers, "0123456789abcdef", 3),
+               other = answer(Answer::Outcome::kDiffers, "fedcba9876543210", {});
+  for (const auto& pair : std::vector<std::pair<Answer, Answer>>{{good, bad}, {bad, good}, {bad, worse}, {bad, other}, {good, other}}) {
+    fs::remove_all(answers());
+    keep(answers(), recording, program, pair.first);
+    EXPECT_NE(rows()[0].answer->outcome, Answer::Outcome::kContradicts);
+    keep(folder_.path() / "blue", recording, program, pair.second);
+    fs::copy(folder_.path() / "blue", answers(), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    fs::remove_all(folder_.path() / "blue");
+    const auto all = rows();
+    EXPECT_EQ(count(all).differs, 1U);
+    EXPECT_EQ(all[0].answer->outcome, Answer::Outcome::kContradicts);
+    utsname system{};
+    ::uname(&system);
+    const auto where = [&](const Answer& each) {
+      return std::string(name_of(each.outcome)) + (each.first_different ? " in tick " + std::to_string(*each.first_different) : "") +
+             (each.outcome == Answer::Outcome::kDiffers ? " with hash " + each.hash : "") + " on " + system.nodename;
+    };
+    for (const Answer& each : {pair.first, pair.second}) EXPECT_THAT(all[0].answer->said, HasSubstr(where(each)));
+    EXPECT_THAT(all[0].answer->said, testing::StartsWith("answers contradict: "));
+    EXPECT_THAT(to_csv(all), HasSubstr("contradicts,,\n"));
+    EXPECT_THAT(to_html(all), HasSubstr("answers contradict"));
+    EXPECT_EQ(changes(all).size(), 1U);
+    EXPECT_EQ(run_all().asked, 0U) << "it stays until somebody looks";
+  }
+  fs::remove_all(answers());
+  for (int host = 0; host < 2; ++host) keep(answers(), recording, program, bad);
+  EXPECT_EQ(rows()[0].answer->outcome, Answer::Outcome::kDiffers) << "the same twice is no contradiction";
+}
+
+TEST_F(Farm, AProgramThatIsReplacedWhileItRunsHasNoAnswer) {
+  list("a", "1", R"(echo '# another' >>"$0"; )" + equal());
+  const Answer answer = ask(read_recordings(recordings_file())[0], read_programs(programs_file())[0]);
+  EXPECT_EQ(answer.outcome, Answer::Outcome::kFailed);
+  EXPECT_THAT(answer.said, HasSubstr("a-1 is no longer the program of the table"));
+}
+
+TEST_F(Farm, PatchesOfARecordingAreHashedAndHandedOn) {
+  const fs::path trace = folder_.path() / "grown.trace", patches = folder_.path() / "grown.patches";
+  fs::copy_file(fs::path(ISOTOUCH_GOLDEN) / "positions_patches.trace", trace);
+  fs::copy_file(fs::path(ISOTOUCH_GOLDEN) / "positions_patches.patches", patches);
+  fs::remove(recordings_file());
+  add("grown", trace, fs::path(ISOTOUCH_GOLDEN) / "field_1_3.itf");
+  const Recording recording = read_recordings(recordings_file())[0];
+  EXPECT_EQ(recording.patches.path, patches);
+  EXPECT_EQ(recording.patches.hash, hash_of(patches));
+  EXPECT_EQ(as_recorded(recording).expected, recording.expected);
+  EXPECT_EQ(as_recorded(recording).patches.hash, recording.patches.hash);
+  list("a", "1", R"sh([ $# = 3 ] && [ "$(basename "$3")" = grown.patches ] || exit 1; )sh" + print(recording.expected));
+  EXPECT_EQ(run_all().failed, 0U);
+  EXPECT_EQ(count(rows()).equal, 1U);
+  Recording other = recording;
+  other.patches.hash[0] ^= 1;
+  const Program program = read_programs(programs_file())[0];
+  EXPECT_NE(address_of(other, program), address_of(recording, program));
+  std::ofstream(patches, std::ios::app) << "x";
+  EXPECT_THAT(ask(recording, program).said, HasSubstr("grown.patches is no longer the file of the table"));
 }
 
 TEST_F(Farm, WhatIsNotEqualInEveryBitDiffers) {
@@ -226,11 +306,9 @@ TEST_F(Farm, AnAnswerIsNotTakenForThatOfAnotherProgramTraceOrField) {
   const std::string address = address_of(recording, program);
   std::ofstream(folder_.path() / "a-1", std::ios::app) << "# another\n";
   EXPECT_NE(address_of(recording, read_programs(programs_file())[0]), address);
-  for (const auto change : {&Recording::field_hash, &Recording::trace_hash, &Recording::expected}) {
-    Recording other = recording;
-    (other.*change)[0] ^= 1;
-    EXPECT_NE(address_of(other, program), address);
-  }
+  Recording other_field = recording, other_trace = recording, other_hash = recording;
+  other_field.field.hash[0] ^= 1, other_trace.trace.hash[0] ^= 1, other_hash.expected[0] ^= 1;
+  for (const Recording& other : {other_field, other_trace, other_hash}) EXPECT_NE(address_of(other, program), address);
   EXPECT_EQ(run_all().asked, 1U);
 }
 
@@ -255,13 +333,45 @@ TEST_F(Farm, AHalfAnswerIsNone) {
   EXPECT_EQ(run_all().asked, 1U);
 }
 
+TEST_F(Farm, AKeptAnswerThatContradictsItselfIsNone) {
+  list("a", "1", equal());
+  const fs::path file = kept_file();
+  const auto keeps = [&](const std::string& outcome, const std::string& ticks, const std::string& hash, const std::string& different) {
+    write_file(file, R"({"outcome": ")" + outcome + R"(", "ticks": )" + ticks + R"(, "seconds": 0.5, "hash": ")" + hash +
+                         R"(", "first_different": )" + different + R"(, "said": ""})");
+    return rows()[0].answer.has_value();
+  };
+  EXPECT_TRUE(keeps("equal", "10", expected_, "null"));
+  EXPECT_FALSE(keeps("equal", "10", "0000000000000000", "null")) << "another hash than that of the recording";
+  EXPECT_FALSE(keeps("equal", "10", expected_, "7"));
+  EXPECT_FALSE(keeps("equal", "0", expected_, "null"));
+  EXPECT_TRUE(keeps("differs", "10", "0000000000000000", "7"));
+  EXPECT_TRUE(keeps("differs", "10", expected_, "null")) << "its exit code said so";
+  EXPECT_FALSE(keeps("differs", "0", "0000000000000000", "7"));
+  EXPECT_EQ(run_all().asked, 1U) << "it is asked again";
+}
+
+TEST_F(Farm, AnAnswerThatCannotBeReadIsNotAMissingOne) {
+  list("a", "1", equal());
+  const fs::path file = kept_file(), differs = fs::path(file).replace_extension(".differs"), folder = file.parent_path();
+  EXPECT_FALSE(rows()[0].answer);
+  for (const fs::path& loop : {file, differs}) {
+    fs::create_symlink(loop.filename(), loop);  // a cause that root meets, too
+    EXPECT_THAT(complaint([this] { (void)rows(); }), HasSubstr(loop.filename().string() + ": cannot be read: "));
+    fs::remove(loop);
+  }
+  fs::remove_all(folder);
+  write_file(folder, "no folder");
+  EXPECT_FALSE(rows()[0].answer);
+}
+
 TEST_F(Farm, AKeptAnswerWithNumbersThatAreNoneIsNone) {
-  fs::create_directories(answers() / "ab");
+  list("a", "1", equal());
+  const fs::path file = kept_file();
   const auto keeps = [&](const std::string& ticks, const std::string& seconds, const std::string& different, const std::string& hash) {
-    write_file(answers() / "ab" / "cdef0123456789.json", R"({"outcome": "differs", "ticks": )" + ticks + R"(, "seconds": )" + seconds +
-                                                             R"(, "hash": ")" + hash + R"(", "first_different": )" + different +
-                                                             R"(, "said": ""})");
-    return kept_answer(answers(), "abcdef0123456789").has_value();
+    write_file(file, R"({"outcome": "differs", "ticks": )" + ticks + R"(, "seconds": )" + seconds + R"(, "hash": ")" + hash +
+                         R"(", "first_different": )" + different + R"(, "said": ""})");
+    return rows()[0].answer.has_value();
   };
   EXPECT_TRUE(keeps("9", "0.5", "3", expected_));
   EXPECT_TRUE(keeps("9", "0.5", "null", expected_));
@@ -275,7 +385,7 @@ TEST_F(Farm, AKeptAnswerWithNumbersThatAreNoneIsNone) {
 TEST_F(Farm, TheTableHasARowForEachTaskAnsweredOrNot) {
   Recording recording = read_recordings(recordings_file())[0];
   recording.name = "left, then \"right\"";
-  const Program program{"a", "1", "none", "0", {}, {}};
+  const Program program{"a", "1", "none", "0", {}, {}, {}};
   Answer answer;
   answer.outcome = Answer::Outcome::kDiffers;
   answer.hash = expected_;
