@@ -1,7 +1,8 @@
 /// The sub-commands that `isotouchctl` has, and `isotouch`, too, one file each. A command adds itself to the parser; its callback does the work.
 ///
 /// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
-/// as EndedEarly (exit 4), what nobody can judge as CannotBeJudged (exit 125); wrong usage is the parser's (exit 2).
+/// as EndedEarly (exit 4), what nobody can judge as CannotBeJudged (exit 125), what no other commit can mend as EndsBisection (exit 128); wrong usage is the
+/// parser's (exit 2).
 /// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
 #pragma once
 
@@ -28,6 +29,12 @@ class EndedEarly : public std::runtime_error {
 
 /// Of what `git bisect run` tries: skip this one.
 class CannotBeJudged : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `git bisect run` stops.
+class EndsBisection : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

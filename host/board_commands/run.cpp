@@ -89,6 +89,7 @@ std::string unknown_word(const CLI::App& app, int argc, char** argv) {
   std::string said;  // the commands so far
   for (int i = 1; i < argc; ++i) {
     const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("-") && command->get_positionals_at_end()) break;  // what follows may be another program's
     std::vector<std::string> names;
     if (word.starts_with("--")) {
       for (const CLI::Option* option : command->get_options()) {
@@ -137,6 +138,8 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
     return complain(program, kEndedEarly, e.what());
   } catch (const CannotBeJudged& e) {
     return complain(program, kCannotBeJudged, e.what());
+  } catch (const EndsBisection& e) {
+    return complain(program, kEndsBisection, e.what());
   } catch (const InputError& e) {
     return complain(program, kBadInput, e.what());
   } catch (const std::bad_alloc&) {

@@ -1,11 +1,15 @@
 /// isotouch farm: recordings replayed by many programs, in shards that any engine runs, and what differs since when.
+#include <sys/wait.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -119,11 +123,14 @@ struct Bisect {
   farm::Recording recording;
   std::string build;
   std::vector<std::string> command;
+  farm::Patience patience{};
 
   void operator()() const {
     try {
       judge();
     } catch (const ComparisonFailed&) {
+      throw;
+    } catch (const EndsBisection&) {
       throw;
     } catch (const std::exception& error) {
       throw CannotBeJudged(error.what());
@@ -132,9 +139,25 @@ struct Bisect {
 
  private:
   void judge() const {
-    if (!build.empty() && std::system(("exec >&2; " + build).c_str()) != 0) throw CannotBeJudged("the build failed");
+    for (const std::string& word : {recording.trace.path.string(), command.front()})
+      if (word.starts_with("-")) throw EndsBisection(word + " stands behind FIELD; put options before it");
+    const Interruption interruption;
+    const auto end_if_interrupted = [&](bool is_interrupted) {
+      if (is_interrupted) throw EndsBisection("interrupted; start git bisect run again to go on from here");
+    };
+    const int built = build.empty() ? 0 : std::system(("exec >&2; " + build).c_str());
+    end_if_interrupted(interruption.has_come() || is_by_ctrl_c(built));
+    if (built != 0) throw CannotBeJudged("the build failed");
+    for (const fs::path* file : {&recording.field.path, &recording.trace.path}) {
+      std::error_code none;
+      if (fs::status(*file, none).type() == fs::file_type::not_found)
+        throw EndsBisection(file->string() + ": it is not there; keep the recording where no commit takes it away");
+    }
+    farm::Patience own = patience;
+    own.may_go_on = [&] { return !interruption.has_come(); };
     const farm::Recording named = farm::as_recorded(recording);
-    const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}, {}});
+    const farm::Answer answer = farm::ask(named, {{}, {}, {}, {}, command, {}, {}}, own);
+    end_if_interrupted(interruption.has_come());
     if (answer.outcome == farm::Answer::Outcome::kFailed) throw CannotBeJudged(answer.said);
     if (answer.outcome == farm::Answer::Outcome::kDiffers) {
       throw ComparisonFailed(answer.first_different ? "tick " + std::to_string(*answer.first_different) + " differs"
@@ -142,7 +165,17 @@ struct Bisect {
     }
     std::printf("equal, hash %s\n", answer.hash.c_str());
   }
+  /// Of what std::system returned, which keeps Ctrl-C from this program as long as its shell runs.
+  static bool is_by_ctrl_c(int status) {
+    return (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) || (WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT);
+  }
 };
+
+void add_timeout(CLI::App& command, farm::Patience& patience) {
+  command.add_option("--timeout", patience.seconds, "seconds that a program may take; 0: as long as it wants")
+      ->check(number_in(0, 1e9))
+      ->capture_default_str();
+}
 
 template <class Options>
 CLI::App* add_command(CLI::App& farm, const char* name, const char* about, const std::shared_ptr<Options>& options) {
@@ -167,9 +200,7 @@ void add_run(CLI::App& farm) {
   options->farm.add_to(*command);
   command->add_option("--shard", options->share.shard, "only this share of the tasks, counted from 0")->capture_default_str();
   command->add_option("--of", options->share.shards, "number of shares")->check(CLI::Range(1U, 1000000000U))->capture_default_str();
-  command->add_option("--timeout", options->share.patience.seconds, "seconds that a program may take; 0: as long as it wants")
-      ->check(number_in(0, 1e9))
-      ->capture_default_str();
+  add_timeout(*command, options->share.patience);
   options->share.jobs = std::max(1U, std::thread::hardware_concurrency());
   command->add_option("--jobs", options->share.jobs, "programs at once; by default one for each processor")->check(CLI::Range(1U, 4096U));
 }
@@ -185,16 +216,14 @@ void add_merge(CLI::App& farm) {
 void add_bisect(CLI::App& farm) {
   auto options = std::make_shared<Bisect>();
   CLI::App* command =
-      add_command(farm, "bisect", "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged", options);
+      add_command(farm, "bisect",
+                  "Judge the commit at hand for `git bisect run`: 0 equal, 3 different, 125 cannot be judged, 128 no commit can", options);
   command->add_option("FIELD", options->recording.field.path, "the field")->required();
   command->add_option("TRACE", options->recording.trace.path, "the recorded run")->required();
   command->add_option("PROGRAM", options->command, "the program that replays, and words before the names of field and trace")->required();
   command->add_option("--build", options->build, "the shell's command that builds the program; before FIELD");
-  command->prefix_command();  // what looks like an option behind PROGRAM is the program's
-  command->callback([options, command] {
-    for (const std::string& word : command->remaining()) options->command.push_back(word);
-    (*options)();
-  });
+  add_timeout(*command, options->patience);
+  command->positionals_at_end();  // what looks like an option behind FIELD is the program's
 }
 
 }  // namespace
