@@ -56,8 +56,8 @@ std::vector<Program> read_programs(const std::filesystem::path& file);
 void add_recording(const std::filesystem::path& table, const Recording& recording);
 
 /// The address under which the answer of a task is kept: an XXH64, 16 hexadecimal digits, over the hashes of the recording's files and of the program, the
-/// expected hash, and processor, commit, compiler and rung. So a new build gets a new address. Files that the program opens, and an emulator that is not beside the table,
-/// do not change it.
+/// expected hash, and processor, commit, compiler and rung. So a new build gets a new address. Files that the program opens, and an emulator that is not
+/// beside the table, do not change it.
 std::string address_of(const Recording& recording, const Program& program);
 
 /// A recording that is in no table, with its hashes, the patches beside its trace, and the replay hash that the trace's own outputs have.
