@@ -259,7 +259,8 @@ class Client : public std::enable_shared_from_this<Client> {
       } catch (const std::exception&) {
         reply = sentence(500, "There is not enough memory for this.");
       }
-      asio::post(self->parts_.io, [self, reply = std::move(reply)] { self->write(reply); });
+      Parts& parts = self->parts_;
+      asio::post(parts.io, [self = std::move(self), reply = std::move(reply)] { self->write(reply); });  // it ends on the sockets' thread
     });
   }
 

@@ -1,0 +1,115 @@
+#include "host/server/http_server.h"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace isotouch::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A server with nothing behind it, until it is left.
+class Served : public Site {
+ public:
+  explicit Served(const Limits& limits = {}) : server_(*this, 0, limits) {
+    const std::string address = server_.address();  // http://127.0.0.1:PORT/TOKEN/
+    const std::size_t colon = address.rfind(':'), slash = address.find('/', colon);
+    port_ = address.substr(colon + 1, slash - colon - 1);
+    path_ = address.substr(slash);
+    sockets_ = std::jthread([this] {
+      here_ = std::this_thread::get_id();
+      server_.run();
+    });
+  }
+  ~Served() override { server_.end(); }
+  Served(const Served&) = delete;
+  Served& operator=(const Served&) = delete;
+
+  std::optional<Reply> refusal(const Request&) override {
+    ++sending;
+    return std::nullopt;
+  }
+  Reply reply(Request) override {
+    return {200, "text/plain", Bytes(new std::string("here"), [this](const std::string* body) {
+              if (std::this_thread::get_id() != here_) ++ended_elsewhere;
+              delete body;
+            })};
+  }
+  std::vector<Shared> greeting() override { return {}; }
+
+  std::uint16_t port() const { return static_cast<std::uint16_t>(std::stoi(port_)); }
+  std::string head(std::string_view method = "GET") const { return std::string(method) + " " + path_ + "x HTTP/1.1" + rest(); }
+  std::string stranger() const { return "GET /0/ HTTP/1.1" + rest(); }
+
+  std::atomic<int> sending = 0;          ///< connections that have begun to send something
+  std::atomic<int> ended_elsewhere = 0;  ///< connections that ended in another thread than that of the sockets
+
+ private:
+  std::string rest() const {
+    return "\r\nHost: 127.0.0.1:" + port_ + "\r\nOrigin: http://127.0.0.1:" + port_ + "\r\nConnection: close\r\n";
+  }
+
+  std::string port_, path_;
+  std::atomic<std::thread::id> here_;
+  HttpServer server_;
+  std::jthread sockets_;
+};
+
+/// One connection, which stays open on our side.
+class Asking {
+ public:
+  Asking(const Served& served, std::string_view text) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in there{};
+    there.sin_family = AF_INET;
+    there.sin_port = htons(served.port());
+    there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(socket_, reinterpret_cast<const sockaddr*>(&there), sizeof there), 0);
+    EXPECT_EQ(::send(socket_, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+  }
+  ~Asking() { ::close(socket_); }
+  Asking(const Asking&) = delete;
+  Asking& operator=(const Asking&) = delete;
+
+  void end() { ::shutdown(socket_, SHUT_WR); }
+  /// Of the answer; empty: there was none.
+  std::string status() {
+    std::string heard;
+    std::array<char, 4096> part{};
+    for (ssize_t got = 1; got > 0;) {
+      got = ::recv(socket_, part.data(), part.size(), 0);
+      if (got > 0) heard.append(part.data(), static_cast<std::size_t>(got));
+    }
+    return heard.substr(0, heard.find('\r')).substr(0, 12);
+  }
+
+ private:
+  int socket_;
+};
+
+/// What belongs to the sockets' thread is not locked.
+TEST(HttpServer, NoConnectionEndsInTheThreadThatComputes) {
+  Served served;
+  for (int i = 0; i < 1000; ++i) {
+    Asking asking(served, served.head() + "\r\n");
+    asking.end();
+    ASSERT_EQ(asking.status(), "HTTP/1.1 200");
+  }
+  EXPECT_EQ(served.ended_elsewhere, 0);
+}
+
+}  // namespace
+}  // namespace isotouch::server
