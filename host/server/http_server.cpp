@@ -52,7 +52,7 @@ struct HttpServer::Parts {
   Limits limits;
   std::optional<AccessCheck> access;
   std::set<Viewer*> viewers;
-  std::list<Client*> silent;  // that have not asked yet, or not again, for the longest time first
+  std::list<Client*> silent;  // who may go for another one: first those that were refused, then those that have asked nothing for longest
   std::size_t connections = 0;
   bool ends = false;
   asio::io_context io{1};  // whatever waits in it uses the members above
@@ -292,6 +292,7 @@ class Client : public std::enable_shared_from_this<Client> {
     Fault ignored;
     stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
     stream_.expires_after(std::chrono::seconds(1));
+    silent_ = parts_.silent.insert(parts_.silent.begin(), this);
     drain();
   }
   void drain() {
@@ -330,8 +331,11 @@ void HttpServer::Parts::accept() {
       pause.async_wait([this](Fault) { accept(); });
       return;
     }
-    const bool full = connections >= limits.connections && silent.empty();
-    if (connections >= limits.connections && !full) silent.front()->make_room();
+    const bool full = connections - silent.size() >= limits.connections;
+    if (connections >= (full ? 2 : 1) * limits.connections) {
+      if (silent.empty()) return accept();  // so many are being refused that one more is not even told
+      silent.front()->make_room();
+    }
     const auto client = std::make_shared<Client>(*this, std::move(socket));
     if (full) {
       client->refuse(503, "This server has too many connections; close other pages of it, or wait a moment.");

@@ -58,7 +58,7 @@ class Site {
 struct Limits {
   std::size_t viewers = 10;  ///< at a time; one more gets status 503
   std::size_t connections =
-      64;  ///< at a time, viewers among them; one more ends the one that has asked nothing for longest, or gets status 503
+      64;  ///< at a time, viewers among them; one more ends one that was refused or has asked nothing for longest, or gets status 503
   std::size_t message_bytes = 1024;         ///< that a viewer sends; a longer one ends it with code 1009
   std::size_t messages_a_second = 240;      ///< of one viewer; more end it with code 1008
   std::size_t request_bytes = 8 * 1024;     ///< of a request without what it sends; else status 431

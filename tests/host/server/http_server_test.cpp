@@ -100,6 +100,27 @@ class Asking {
   int socket_;
 };
 
+TEST(HttpServer, WhoIsRefusedAndStaysKeepsNobodyOut) {
+  const Served served({.connections = 4});
+  std::vector<std::unique_ptr<Asking>> refused;
+  for (int i = 0; i < 20; ++i) {
+    refused.push_back(std::make_unique<Asking>(served, served.stranger() + "\r\n"));
+    EXPECT_EQ(refused.back()->status(), "HTTP/1.1 403");
+  }
+  EXPECT_EQ(Asking(served, served.head() + "\r\n").status(), "HTTP/1.1 200");
+}
+
+TEST(HttpServer, WhoIsRefusedBecauseItIsFullMakesNoRoom) {
+  const Served served({.connections = 4});
+  std::vector<std::unique_ptr<Asking>> all;
+  for (int i = 0; i < 4; ++i) all.push_back(std::make_unique<Asking>(served, served.head("POST") + "Content-Length: 9\r\n\r\n1"));
+  for (int i = 0; i < 200 && served.sending < 4; ++i) std::this_thread::sleep_for(50ms);
+  for (int i = 0; i < 20; ++i) {
+    all.push_back(std::make_unique<Asking>(served, served.head() + "\r\n"));
+    EXPECT_EQ(all.back()->status(), "HTTP/1.1 503") << i;
+  }
+}
+
 /// What belongs to the sockets' thread is not locked.
 TEST(HttpServer, NoConnectionEndsInTheThreadThatComputes) {
   Served served;
