@@ -6,6 +6,7 @@ namespace isotouch::server {
 
 void Outbox::put(const Shared& message) {
   if (message->topic != Topic::kTicks) {
+    if (message->topic == Topic::kLink) forget_controller();
     newest_[static_cast<std::size_t>(message->topic)] = message;
     return;
   }
@@ -14,6 +15,12 @@ void Outbox::put(const Shared& message) {
     ++dropped_;
   }
   batches_.push_back(message);
+}
+
+/// What was said before a controller came or went would be read as if it were now.
+void Outbox::forget_controller() {
+  batches_.clear();
+  for (const Topic topic : {Topic::kState, Topic::kStatus}) newest_[static_cast<std::size_t>(topic)] = nullptr;
 }
 
 std::optional<Shared> Outbox::take() {

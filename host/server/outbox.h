@@ -35,7 +35,8 @@ class Outbox {
   static constexpr std::size_t kMaxBatches = 8;  ///< of ticks that wait
   static constexpr std::size_t kMaxUnseen = 2;   ///< batches that were sent and that the viewer has not shown yet
 
-  /// Of ticks the oldest batch is dropped when too many wait; anything else replaces what waits of its topic.
+  /// Of ticks the oldest batch is dropped when too many wait; anything else replaces what waits of its topic. Where a controller came or went, what waits
+  /// of the one before is dropped.
   void put(const Shared& message);
   /// The next to be sent; nothing while the viewer has yet to show what it got.
   std::optional<Shared> take();
@@ -47,6 +48,8 @@ class Outbox {
   std::uint64_t dropped() const { return dropped_; }
 
  private:
+  void forget_controller();
+
   std::array<Shared, kTopics> newest_;
   std::deque<Shared> batches_;
   std::size_t unseen_ = 0;

@@ -47,11 +47,29 @@ TEST(Outbox, AViewerThatShowsNothingGetsNoMoreTicksButAllElse) {
   EXPECT_EQ(next(outbox), "0");
   EXPECT_EQ(next(outbox), "1");
   EXPECT_EQ(next(outbox), "nothing");
-  outbox.put(message(Topic::kLink, "link"));
-  EXPECT_EQ(next(outbox), "link");
+  outbox.put(message(Topic::kState, "state"));
+  EXPECT_EQ(next(outbox), "state");
   outbox.seen();
   EXPECT_EQ(next(outbox), "2");
   EXPECT_EQ(next(outbox), "nothing");
+}
+
+TEST(Outbox, NothingOfAControllerThatIsGoneIsSentBehindThatItIsGone) {
+  Outbox outbox;
+  for (int i = 0; i < 5; ++i) outbox.put(message(Topic::kTicks, std::to_string(i)));
+  outbox.put(message(Topic::kState, "state"));
+  outbox.put(message(Topic::kStatus, "status"));
+  outbox.put(message(Topic::kBuild, "build"));
+  outbox.put(message(Topic::kLink, "gone"));
+  EXPECT_EQ(next(outbox), "gone");
+  EXPECT_EQ(next(outbox), "build");
+  EXPECT_EQ(next(outbox), "nothing");
+  outbox.put(message(Topic::kLink, "there"));
+  outbox.put(message(Topic::kState, "new state"));
+  outbox.put(message(Topic::kTicks, "6"));
+  EXPECT_EQ(next(outbox), "there");
+  EXPECT_EQ(next(outbox), "new state");
+  EXPECT_EQ(next(outbox), "6");
 }
 
 TEST(Outbox, MoreThanWasSentCannotHaveBeenSeen) {
