@@ -230,7 +230,7 @@ std::string Controller::record(std::uint64_t ticks, const std::function<void(std
 
 Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records,
                                       const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record,
-                                      const std::function<bool()>& enough) {
+                                      const std::function<bool()>& enough, const std::function<void()>& paused) {
   connection_.send(Kind::kSubscribe, protocol::Subscribe{every});
   (void)expect(Kind::kDone, kAnswer);
   const int patience_ms = patient(kAnswer) + static_cast<int>(std::min(1e8, every * (welcome_.period_ns / 1e6)));  // they may be far apart
@@ -243,6 +243,7 @@ Controller::Watched Controller::watch(std::uint32_t every, std::uint64_t records
     for (std::size_t at = 0; at < more->bytes.size() && taken < records; at += more->record_bytes, ++taken, tick += more->every) {
       record(tick, more->bytes.subspan(at, more->record_bytes));
     }
+    if (paused && !connection_.has_input()) paused();
   }
   return watched;
 }

@@ -101,10 +101,11 @@ class Controller {
   /// records   so many
   /// record    called with the tick's number and each record in turn
   /// enough    as above
+  /// paused    called where all that has come is taken, as after each burst
   ///
   /// fails     as `record`
   Watched watch(std::uint32_t every, std::uint64_t records, const std::function<void(std::uint64_t, std::span<const std::uint8_t>)>& record,
-                const std::function<bool()>& enough);
+                const std::function<bool()>& enough, const std::function<void()>& paused = {});
 
  private:
   protocol::Accepted send_upload(std::span<const std::uint8_t> packed);

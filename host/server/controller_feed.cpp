@@ -134,6 +134,7 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
   std::optional<TickWords> words, told;
   std::uint64_t last_tick = 0;
   const auto flush = [&] {
+    if (batch.empty()) return;
     send_(std::make_shared<const Message>(Message{Topic::kTicks, true, batch.take()}));
     if (told != words) tell(Topic::kState, to_json(*words, last_tick));
     told = words;
@@ -151,7 +152,8 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
     last_tick = tick;
     if (batch.is_old()) flush();
   };
-  const auto [lost, ended] = controller.watch(every, UINT64_MAX, take, [&] { return stop.stop_requested(); });
+  const auto [lost, ended] = controller.watch(
+      every, UINT64_MAX, take, [&] { return stop.stop_requested(); }, flush);
   if (!stop.stop_requested()) throw InputError(ended);
 }
 

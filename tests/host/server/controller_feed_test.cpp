@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cstdint>
 #include <mutex>
@@ -13,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "host/server/tick_rows.h"
+#include "shared/bytes.h"
 #include "shared/trace.h"
 #include "tests/support/scripted_controller.h"
 
@@ -20,21 +23,34 @@ namespace isotouch::server {
 namespace {
 
 using namespace std::chrono_literals;
-using protocol::Kind, test::Bytes, test::frame;
+using protocol::Kind, test::frame;
 using testing::HasSubstr, testing::Not;
 
-Bytes record(std::uint64_t tick, std::uint16_t faults) {
+test::Bytes record(std::uint64_t tick, const TraceRecord& of_tick) {
+  const TraceRecordBytes bytes = encode(of_tick);
+  return frame(Kind::kRecords, protocol::Records{tick, 1, static_cast<std::uint32_t>(bytes.size()), 0, bytes});
+}
+
+test::Bytes record(std::uint64_t tick, std::uint16_t faults) {
   TraceRecord of_tick;
   of_tick.input = position_input({{}, Mm::of(1), {}});
   of_tick.input.kind = InputKind::kPacket;
   of_tick.output.state = static_cast<std::uint16_t>(faults != 0 ? SupervisorState::kFault : SupervisorState::kActive);
   of_tick.output.faults = faults;
-  const TraceRecordBytes bytes = encode(of_tick);
-  return frame(Kind::kRecords, protocol::Records{tick, 1, static_cast<std::uint32_t>(bytes.size()), 0, bytes});
+  return record(tick, of_tick);
 }
 
-void say(int client, const std::vector<Bytes>& frames) {
-  for (const Bytes& bytes : frames) (void)::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+/// A hand there, which a newton pushes along x.
+test::Bytes pushed(std::uint64_t tick, Mm x) {
+  TraceRecord of_tick;
+  of_tick.input = position_input({x, {}, {}});
+  of_tick.output.hip.x = x;
+  of_tick.output.force.x = Newton::of(1);
+  return record(tick, of_tick);
+}
+
+void say(int client, const std::vector<test::Bytes>& frames) {
+  for (const test::Bytes& bytes : frames) (void)::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL);
 }
 
 /// The status has the faults before a restart, which no tick has. It is asked four times a second, and a new fault may come before.
@@ -76,6 +92,49 @@ TEST(ControllerFeed, AFaultThatIsOverIsNotShownBesideANewOne) {
   EXPECT_THAT(states, testing::Contains(HasSubstr("moved too fast"))) << "which no tick has";
   EXPECT_THAT(states.back(), HasSubstr("too late"));
   EXPECT_THAT(states.back(), Not(HasSubstr("moved too fast")));
+}
+
+/// The energies in the rows that came of what a controller says.
+///
+/// talk      says it, to the client that follows
+/// returns   as soon as there are that many, or after ten seconds
+std::vector<float> energies_of(const test::Scripted::Talk& talk, std::size_t rows) {
+  const test::Scripted scripted({talk});
+  std::mutex lock;
+  std::vector<float> energies;
+  const auto heard = [&](const Shared& message) {
+    const std::scoped_lock held(lock);
+    if (message->topic != Topic::kTicks) return;
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(message->bytes.data());
+    for (std::size_t at = 16; at < message->bytes.size(); at += kRowBytes)
+      energies.push_back(std::bit_cast<float>(load_le<std::uint32_t>(bytes + at + 4 * (kFloatColumns.size() - 1))));
+  };
+  const ControllerFeed feed(scripted.address(), heard, [](link::Controller&) { return nlohmann::ordered_json::object(); },
+                            {[](std::uint64_t) { return false; }, [](const std::string&, const link::Controller::Image&) {}});
+  for (int n = 0; n < 200; ++n) {
+    std::this_thread::sleep_for(50ms);
+    const std::scoped_lock held(lock);
+    if (energies.size() >= rows) break;
+  }
+  const std::scoped_lock held(lock);
+  return energies;
+}
+
+protocol::Welcome of_a_millisecond() {
+  protocol::Welcome welcome;
+  welcome.period_ns = 1'000'000;
+  return welcome;
+}
+
+/// The next burst of a controller, or the end of its ticks, may be a long time away.
+TEST(ControllerFeed, NoTickWaitsForTheNextBurst) {
+  const auto energies = energies_of(
+      [](int client) {
+        say(client, {frame(Kind::kWelcome, of_a_millisecond()), frame(Kind::kDone), pushed(1, Mm::of(0)), pushed(2, Mm::of(1))});
+        test::Scripted::says({}, false)(client);
+      },
+      2);
+  EXPECT_THAT(energies, testing::ElementsAre(0, 1));
 }
 
 }  // namespace
