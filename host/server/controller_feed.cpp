@@ -37,10 +37,12 @@ class Batch {
   explicit Batch(std::uint32_t every) : every_(every) {}
 
   bool empty() const { return rows_ == 0; }
-  bool continues_with(std::uint64_t tick) const { return empty() || tick == first_ + std::uint64_t{rows_} * every_; }
+  bool continues_with(std::uint64_t tick) const { return tick == next_; }
   bool is_old() const { return !empty() && std::chrono::steady_clock::now() - began_ >= kBatch; }
   void add(std::uint64_t tick, const TraceRecord& record) {
     if (empty()) first_ = tick, began_ = std::chrono::steady_clock::now();
+    if (!continues_with(tick)) writer_.gap();
+    next_ = tick + every_;
     writer_.append(record, bytes_);
     ++rows_;
   }
@@ -59,7 +61,7 @@ class Batch {
 
  private:
   std::uint32_t every_;
-  std::uint64_t first_ = 0;
+  std::uint64_t first_ = 0, next_ = 0;
   std::uint32_t rows_ = 0;
   std::chrono::steady_clock::time_point began_;
   std::string bytes_;

@@ -33,6 +33,8 @@ class RowWriter {
   /// energy_mj       work that the force has done on the hand since the first row: hand_work.h
   /// state_faults    SupervisorState in the lower half, Faults in the upper one
   void append(const TraceRecord& record, std::string& rows);
+  /// Ticks are missing before the next row: nobody knows what work was done in them, so none is added.
+  void gap() { work_.lift(); }
 
   double energy_mj() const { return work_.mj(); }
 

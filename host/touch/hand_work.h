@@ -24,7 +24,7 @@ class HandWork {
     force_ = counts ? force : std::array<double, 3>{};
     known_ = true;
   }
-  /// The hand leaves. Its way to the place where it comes back does not count as work.
+  /// The hand leaves, or is not seen for a while. Its way to the place where it comes back does not count as work.
   void lift() { known_ = false; }
 
   /// The work since the first tick, mJ = N·mm; positive: the object gave energy to the hand.

@@ -137,5 +137,20 @@ TEST(ControllerFeed, NoTickWaitsForTheNextBurst) {
   EXPECT_THAT(energies, testing::ElementsAre(0, 1));
 }
 
+/// What a hand did while no tick came is not known.
+TEST(ControllerFeed, NoWorkIsDoneWhereTicksAreMissing) {
+  const auto energies = energies_of(
+      [](int client) {
+        say(client, {frame(Kind::kWelcome, of_a_millisecond()), frame(Kind::kDone), pushed(1, Mm::of(0)), pushed(2, Mm::of(1))});
+        std::this_thread::sleep_for(100ms);
+        say(client, {pushed(1000, Mm::of(50)), pushed(1001, Mm::of(52)), pushed(2000, Mm::of(0)), pushed(2001, Mm::of(0)),
+                     pushed(3000, Mm::of(0))});
+        test::Scripted::says({}, false)(client);
+      },
+      6);
+  ASSERT_GE(energies.size(), 6U);
+  EXPECT_THAT(std::vector(energies.begin(), energies.begin() + 6), testing::ElementsAre(0, 1, 1, 3, 3, 3));
+}
+
 }  // namespace
 }  // namespace isotouch::server
