@@ -181,14 +181,22 @@ void ControllerFeed::tell_measures(link::Controller& controller) {
     for (const protocol::Bin& bin : controller.histogram(measure).bins) bins.push_back({bin.upper / 1000.0, bin.count});
     json["histograms_us"][key] = std::move(bins);
   }
+  if (unusable_ != 0 && field_.wanted(unusable_)) json["field_sentence"] = why_unusable_;
   tell(Topic::kStatus, json);
 }
 
 void ControllerFeed::take_field(link::Controller& controller) {
   const protocol::StatusReport status = controller.status();
   standing_ = status.faults;
-  if (status.field_hash == 0 || !field_.wanted(status.field_hash)) return;
-  field_.taken(std::string(status.field_name.view()), controller.image());
+  if (status.field_hash != unusable_) unusable_ = 0;
+  if (status.field_hash == 0 || unusable_ != 0 || !field_.wanted(status.field_hash)) return;
+  const link::Controller::Image image = controller.image();
+  try {
+    field_.taken(std::string(status.field_name.view()), image);
+  } catch (const InputError& error) {  // the same bytes would be refused again
+    unusable_ = image.hash;
+    why_unusable_ = error.what();
+  }
 }
 
 }  // namespace isotouch::server

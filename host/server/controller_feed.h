@@ -29,7 +29,9 @@ class ControllerFeed {
   /// What becomes of the field that the controller has.
   struct Field {
     std::function<bool(std::uint64_t hash)> wanted;  ///< false: it is known, or another object is to be seen
-    std::function<void(const std::string& name, const link::Controller::Image&)> taken;  ///< may take its time, and may throw InputError
+    /// May take its time. May throw InputError: its sentence stands beside the measures as long as the controller has this field. What else it throws
+    /// is over in a moment, and the field comes again.
+    std::function<void(const std::string& name, const link::Controller::Image&)> taken;
   };
 
   /// address   of the controller
@@ -56,6 +58,8 @@ class ControllerFeed {
   mutable std::mutex lock_;
   std::array<Shared, kTopics> newest_;
   bool was_there_ = false;
+  std::uint64_t unusable_ = 0;  ///< the hash of a field that could not be taken; 0: none
+  std::string why_unusable_;
   std::atomic<std::uint16_t> standing_{0};  ///< faults, those before a restart among them, which no tick has
   std::jthread measures_, follows_;
 };

@@ -163,16 +163,13 @@ bool ViewSite::wants_field(std::uint64_t hash) const {
 
 /// The surface of the controller's field becomes the object.
 void ViewSite::take_field(const std::string& name, const link::Controller::Image& image) {
-  {
-    const std::scoped_lock held(lock_);
-    field_read_ = image.hash;
-  }
   field_file::Image bytes(image.bytes.size());
   std::ranges::copy(image.bytes, bytes.data());
   auto scene = std::make_shared<const Scene>(name, field_file::open_field(std::move(bytes), name));
   nlohmann::ordered_json told{{"topic", "scene"}};
   {
     const std::scoped_lock held(lock_);
+    field_read_ = image.hash;
     if (!follows_) return;  // a scan was built meanwhile
     scene_before_ = std::exchange(scene_, std::move(scene));
     told["scene"] = scene_json();
