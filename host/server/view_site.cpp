@@ -57,15 +57,33 @@ Number number_of(std::string_view query, std::string_view name, Number low, Numb
   return value;
 }
 
-/// The name of a file that a page sent, as a name in our own folder: letters, digits, point, dash and underscore alone.
-std::string safe_name(std::string_view sent) {
+/// The name of a file as a page sent it, for people: %20 is a space again, and no folder stands before it.
+std::string sent_name(std::string_view sent) {
   std::string name;
-  for (const char c : sent.substr(0, 80)) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
-    name += plain ? c : '_';
+  for (std::size_t at = 0; at < sent.size(); ++at) {
+    std::uint8_t code = 0;
+    const char* const digits = sent.data() + at + 1;
+    const bool coded = sent[at] == '%' && sent.size() - at > 2 && std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2;
+    const char c = coded ? static_cast<char>(code) : sent[at];
+    if (coded) at += 2;
+    name += static_cast<unsigned char>(c) < ' ' ? '_' : c;
   }
-  if (name.empty() || name.front() == '.' || name.front() == '-') name.insert(0, "cloud");
-  return name;
+  name.erase(0, name.rfind('/') + 1);
+  return name.empty() ? "cloud" : name;
+}
+
+/// The same as a name in our own folder: letters, digits, point, dash and underscore alone. Its ending says what it holds, so it stays.
+std::string safe_name(std::string name) {
+  constexpr std::size_t kMaxLength = 80, kMaxEnding = 16;
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
+    if (!plain) c = '_';
+  }
+  if (name.front() == '.' || name.front() == '-') name.insert(0, "cloud");
+  if (name.size() <= kMaxLength) return name;
+  const std::size_t dot = std::min(name.rfind('.'), name.size());  // or the end, where there is none
+  const std::string ending = name.substr(std::max(dot, name.size() - kMaxEnding));
+  return name.substr(0, kMaxLength - ending.size()) + ending;
 }
 
 /// As style sheets write it.
@@ -85,10 +103,12 @@ nlohmann::ordered_json colours() {
           {"surface", coded(view::kPlainSurface)}, {"distance", std::move(distance)}};
 }
 
-/// The sentence without the name of a folder that nobody but us knows.
-std::string without(std::string text, const std::string& folder) {
-  if (folder.empty()) return text;
-  for (std::size_t at = text.find(folder + "/"); at != std::string::npos; at = text.find(folder + "/")) text.erase(at, folder.size() + 1);
+/// The sentence with the name that a file has for people, and not the one in a folder that nobody but us knows.
+std::string for_people(std::string text, const std::filesystem::path& file, const std::string& name) {
+  if (file.empty()) return text;
+  const std::string ours = file.string();
+  for (std::size_t at = text.find(ours); at != std::string::npos; at = text.find(ours, at + name.size()))
+    text.replace(at, ours.size(), name);
   return text;
 }
 
@@ -256,7 +276,8 @@ Reply ViewSite::start_build(Request request) {
     if (std::exchange(builds_, true)) return builds();  // two have come since they were let in
   }
   if (builder_.joinable()) builder_.join();  // it is done
-  std::filesystem::path folder;
+  std::filesystem::path folder, file;
+  std::string name;
   const auto give_up = [&] {
     std::error_code ignored;
     if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
@@ -264,17 +285,18 @@ Reply ViewSite::start_build(Request request) {
     builds_ = false;
   };
   try {
+    name = sent_name(text_of(request.query, "name").value_or(""));
     folder = make_temporary_folder();
-    const std::filesystem::path file = folder / safe_name(text_of(request.query, "name").value_or(""));
+    file = folder / safe_name(name);
     {
       const std::scoped_lock held(lock_);
       folder_ = folder;
     }
     write_file(file, request.body.data(), request.body.size());
-    builder_ = std::jthread([this, file, folder] { build_now(file, file.filename().string(), folder); });
+    builder_ = std::jthread([this, file, name, folder] { build_now(file, name, folder); });
   } catch (const InputError& error) {
     give_up();
-    throw InputError(without(error.what(), folder.string()));
+    throw InputError(for_people(error.what(), file, name));
   } catch (...) {
     give_up();
     throw;
@@ -299,7 +321,7 @@ void ViewSite::build_now(const std::filesystem::path& file, const std::string& n
     }
   } catch (const InputError& error) {
     end["result"] = "failed";
-    end["sentence"] = without(error.what(), folder.string());
+    end["sentence"] = folder.empty() ? error.what() : for_people(error.what(), file, name);
     if (folder.empty()) std::fprintf(stderr, "isotouch: %s\n", error.what());  // it was named on the command line
   } catch (const std::exception&) {
     end["result"] = "failed";
