@@ -74,11 +74,8 @@ std::string point_bytes(const cloud::OrientedPoints& points) {
 }  // namespace
 
 Scene::Scene(std::string name, field_file::OpenField field, const Scan& scan)
-    : name_(std::move(name)),
-      field_(std::move(field)),
-      hash_(trace::hash_text(field_.view.hash())),
-      all_points_(scan.points.size()),
-      invented_share_(field_file::share_of(field_.invented, field_.view)) {
+    : name_(std::move(name)), field_(std::move(field)), hash_(trace::hash_text(field_.view.hash())), all_points_(scan.points.size()) {
+  if (field_.invented.any()) invented_share_ = field_file::share_of(field_.invented, field_.view);
   const view::SurfaceMesh mesh = view::surface_mesh(field_.view, field_.invented, kMaxVertices);
   step_ = mesh.step;
   const std::vector<std::uint8_t> thin = thin_walls(mesh, view::FieldRays(field_.view));
@@ -106,7 +103,7 @@ nlohmann::ordered_json Scene::summary() const {
           {"points", all_points_},
           {"points_drawn", std::min(all_points_, kMaxPoints)},
           {"step_voxels", step_},
-          {"invented_share", invented_share_},
+          {"invented_share", invented_share_ ? nlohmann::ordered_json(*invented_share_) : nullptr},
           {"thin_share", thin_share_},
           {"thin_mm", kThin_voxels * edge}};
 }

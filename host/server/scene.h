@@ -34,7 +34,7 @@ class Scene {
   const FieldView& field() const { return field_.view; }
   /// That names the field: 16 hexadecimal digits.
   const std::string& hash() const { return hash_; }
-  /// Figures of the field, with their units in their names.
+  /// Figures of the field, with their units in their names. `invented_share` is null where the field came without marks, as from a controller.
   nlohmann::ordered_json summary() const;
   /// Whole numbers: vertices, faces. Per vertex 16 bytes: position as three floats (mm), normal as three signed bytes (127 = 1), a byte of marks: 1
   /// where the surface was invented, 2 where the wall behind it is thinner than kThin_voxels. Per face three whole numbers.
@@ -61,7 +61,8 @@ class Scene {
   field_file::OpenField field_;
   std::string hash_;  ///< kept: it takes time, and the thread of all sockets asks for it
   std::size_t all_points_ = 0;
-  double invented_share_ = 0, thin_share_ = 0;
+  std::optional<double> invented_share_;
+  double thin_share_ = 0;
   int step_ = 1;
   std::string surface_, points_, rim_, turned_;
 };
