@@ -11,7 +11,7 @@ import type { Colours, Hello, Message, SceneSummary, Words } from './messages';
 import { Numbers } from './numbers';
 import { Player } from './player';
 import { Plots, type Data } from './plots';
-import { Recording } from './recording';
+import { inPieces, Recording } from './recording';
 import { RowReader, type Tick } from './rows';
 import { SceneView } from './scene_view';
 import { Refused, Server } from './server';
@@ -266,7 +266,7 @@ class Page {
       const longest = all.reduce((a, b) => ((b.times.at(-1) ?? 0) > (a.times.at(-1) ?? 0) ? b : a));
       const column = (name: 'force' | 'penetration' | 'energy'): Data => [
         longest.times,
-        ...all.map((curves) => (curves === longest ? curves[name] : longest.times.map((time) => at(curves.times, curves[name], time)))),
+        ...all.map((curves) => inPieces(longest.times, curves, name)),
       ];
       this.plots.set([column('force'), column('penetration'), column('energy')]);
     } catch {
@@ -443,14 +443,6 @@ class Page {
       },
     );
   }
-}
-
-/** The value at a time of a curve that has other pieces; null behind its end. */
-function at(times: number[], values: number[], time: number): number | null {
-  const first = times[0] ?? 0;
-  const step = (times[1] ?? first + 1) - first;
-  const piece = Math.floor((time - first) / step + 1e-6); // equal times may differ in their last bit
-  return values[piece] ?? null;
 }
 
 new Page();

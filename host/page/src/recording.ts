@@ -6,6 +6,7 @@ const kBlock = 2048; // ticks
 const kKept = 24; // blocks
 const kTrailSeconds = 0.5;
 const kTrailPlaces = 100;
+const kRounding = 1e-6; // of a piece: equal times may differ in their last bit
 
 /** Where a recording comes from: the server, or the page's own trace. */
 export interface Source {
@@ -20,6 +21,23 @@ export interface Curves {
   force: number[];
   penetration: number[];
   energy: number[];
+}
+
+/**
+ * A curve in the pieces of another one: of its own pieces that lie in each the largest force or penetration, or the last energy. Null behind its end.
+ *
+ * @param times where the other one's pieces begin, s
+ */
+export function inPieces(times: number[], curves: Curves, name: 'force' | 'penetration' | 'energy'): (number | null)[] {
+  const stepOf = (of: number[]): number => (of[1] ?? 1) - (of[0] ?? 0);
+  const first = curves.times[0] ?? 0;
+  const step = stepOf(curves.times);
+  return times.map((time) => {
+    const from = Math.floor((time - first) / step + kRounding);
+    const to = Math.ceil((time + stepOf(times) - first) / step - kRounding);
+    const inside = curves[name].slice(from, Math.max(from + 1, to));
+    return (name === 'energy' ? inside.at(-1) : inside.length > 0 ? Math.max(...inside) : null) ?? null;
+  });
 }
 
 export class Recording {

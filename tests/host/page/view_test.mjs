@@ -267,6 +267,19 @@ const tests = {
     for (let now = 0; now < 100000; now += 1000) check(sharpness.next(now).share === 1, 'single pictures count as slow ones');
   },
 
+  async 'the curve of another recording keeps its largest force'() {
+    const { inPieces } = await module('recording.ts');
+    const curves = (step, values) => ({ times: values.map((_, at) => at * step), force: values, penetration: values, energy: values });
+    const short = curves(0.1, [0, 1, 0, 0, 0, 9, 2, 0, 0, 0, 0, 3]);
+    const times = Array.from({ length: 6 }, (_, at) => at * 0.3);
+    check(inPieces(times, short, 'force').join() === '1,9,2,3,,', `the largest forces are ${inPieces(times, short, 'force')}`);
+    check(inPieces(times, short, 'energy').join() === '0,9,0,3,,', `the last energies are ${inPieces(times, short, 'energy')}`);
+    const coarse = inPieces(Array.from({ length: 9 }, (_, at) => at * 0.05), short, 'penetration'); // a piece is longer than one of the longest
+    check(coarse.join() === '0,0,1,1,0,0,0,0,0', `in shorter pieces there is ${coarse}`);
+    const long = curves(0.3, [5, 6, 7]);
+    check(inPieces(long.times, long, 'force').join() === '5,6,7', `in its own pieces there is ${inPieces(long.times, long, 'force')}`);
+  },
+
   async 'object, orbit and slice'() {
     const opened = await open({}, 'owl.itf');
     const { page } = opened;
