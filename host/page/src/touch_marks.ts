@@ -23,6 +23,7 @@ import { length, type Tick, type Vector } from './rows';
 
 const kTrail = 400; // places
 export const kArrowMmPerN = 6;
+const kHead = 2.4; // the length of the arrow's head, in radii
 const kUp = new Vector3(0, 1, 0);
 const kReach = 2.6; // of a sign round its place, in radii: the arrow's head is the largest
 const place = new Vector3();
@@ -73,7 +74,7 @@ export class TouchMarks {
     this.proxy = new Sign(new SphereGeometry(1, 20, 14), colours.proxy);
     this.line = new Sign(bar(0.3, 0.3), colours.hip);
     this.shaft = new Sign(bar(0.35, 0.35), '#1b2026');
-    this.head = new Sign(new ConeGeometry(1, 2.4, 16).translate(0, 1.2, 0), '#1b2026');
+    this.head = new Sign(new ConeGeometry(1, kHead, 16).translate(0, kHead / 2, 0), '#1b2026');
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(this.places, 3));
     this.trail = new Line(geometry, new LineBasicMaterial({ color: colours.hip, transparent: true, opacity: 0.7 }));
@@ -102,7 +103,7 @@ export class TouchMarks {
   /** mm */
   size(radius: number): void {
     this.radius = radius;
-    for (const sign of [this.hip, this.proxy, this.head]) sign.group.scale.setScalar(radius);
+    for (const sign of [this.hip, this.proxy]) sign.group.scale.setScalar(radius);
   }
 
   ink(colour: string): void {
@@ -137,10 +138,12 @@ export class TouchMarks {
     const force = length(tick.force);
     const from = vector(tick.proxy);
     const along = vector(tick.force).multiplyScalar(kArrowMmPerN);
-    const tip = from.clone().add(along);
-    this.stretch(this.shaft, from, tip, force > 0.01);
+    const head = Math.min(kHead * this.radius, along.length()); // the whole arrow is as long as the legend says, and a short one is all head
+    const neck = from.clone().add(along.clone().setLength(along.length() - head));
+    this.stretch(this.shaft, from, neck, force > 0.01);
     this.head.group.visible = force > 0.01;
-    this.head.group.position.copy(force > 0.01 ? tip : from);
+    this.head.group.position.copy(neck);
+    this.head.group.scale.setScalar(head / kHead);
     if (force > 0) this.head.group.quaternion.setFromUnitVectors(kUp, along.normalize());
     const attribute = this.trail.geometry.getAttribute('position');
     attribute.needsUpdate = true;

@@ -193,6 +193,13 @@ function script(name, how) {
 /** Such a module, for Node. */
 const module = (name) => import(`data:text/javascript;base64,${Buffer.from(script(name, { format: 'esm' })).toString('base64')}`);
 
+/** A module of the page with all that it needs, for Node. */
+const bundled = (name) => {
+  const { buildSync } = createRequire(require.resolve('vite/package.json'))('esbuild');
+  const built = buildSync({ entryPoints: [join(root, 'host/page/src', name)], bundle: true, format: 'esm', write: false });
+  return import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+};
+
 /** Positions of the hand in a trace, mm: shared/SPEC.md. */
 function positionsOf(file) {
   const trace = readFileSync(join(folder, file));
@@ -278,6 +285,24 @@ const tests = {
     check(coarse.join() === '0,0,1,1,0,0,0,0,0', `in shorter pieces there is ${coarse}`);
     const long = curves(0.3, [5, 6, 7]);
     check(inPieces(long.times, long, 'force').join() === '5,6,7', `in its own pieces there is ${inPieces(long.times, long, 'force')}`);
+  },
+
+  async 'the arrow is as long as the force is large'() {
+    const { TouchMarks, kArrowMmPerN } = await bundled('touch_marks.ts');
+    const { Box3 } = await import(join(root, 'host/page/node_modules/three/build/three.module.js'));
+    const colours = { hip: '#ff8000', proxy: '#0000ff' };
+    const zero = { x: 0, y: 0, z: 0 };
+    for (const radius of [0.01, 1, 3]) {
+      for (const newton of [0.05, 0.5, 3]) {
+        const marks = new TouchMarks(colours);
+        marks.size(radius);
+        marks.show({ hip: zero, proxy: zero, force: { x: 0, y: newton, z: 0 }, contact: false });
+        marks.group.children.filter(({ visible }) => !visible).forEach((sign) => sign.removeFromParent());
+        const end = new Box3().setFromObject(marks.group).max.y;
+        const wanted = Math.max(radius, kArrowMmPerN * newton); // it begins in the ball
+        check(Math.abs(end - wanted) < 1e-6 * wanted, `with signs of ${radius} mm, ${newton} N end at ${end} mm instead of ${wanted} mm`);
+      }
+    }
   },
 
   async 'object, orbit and slice'() {
