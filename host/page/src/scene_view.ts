@@ -40,7 +40,7 @@ export class SceneView {
   private whole = true; // everything is to be drawn, not only where a hand is or was
   private stale: 'no' | 'moving' | 'at rest' = 'moving';
   private rest: ReturnType<typeof setTimeout> | undefined;
-  private cut: Vector4 = noCut();
+  private sliced: { axis: Axis; at: number } | null = null;
   private summary: SceneSummary | null = null;
 
   /** fails: throws where there is no WebGL */
@@ -91,14 +91,17 @@ export class SceneView {
   /** Cuts away what is on the eye's side of the slice. */
   setSlice(shown: boolean, axis: Axis, at: number): void {
     this.slice.mesh.visible = shown;
-    if (shown) {
-      const normal = new Vector3(Number(axis === 'x'), Number(axis === 'y'), Number(axis === 'z'));
-      const side = this.orbit.towardsEye().dot(normal) < 0 ? -1 : 1;
-      this.cut.set(side * normal.x, side * normal.y, side * normal.z, side * at + 1e-3);
-    } else {
-      this.cut = noCut();
-    }
+    this.sliced = shown ? { axis, at } : null;
     this.change();
+  }
+
+  /** The eye's side is another one where it has walked round the object. */
+  private cut(): Vector4 {
+    if (!this.sliced) return noCut();
+    const { axis, at } = this.sliced;
+    const normal = new Vector3(Number(axis === 'x'), Number(axis === 'y'), Number(axis === 'z'));
+    const side = this.orbit.towardsEye().dot(normal) < 0 ? -1 : 1;
+    return new Vector4(side * normal.x, side * normal.y, side * normal.z, side * at + 1e-3);
   }
 
   /** Where on an axis through the object's middle the pointer is, mm. */
@@ -195,7 +198,7 @@ export class SceneView {
     this.orbit.aspect(width / height);
     const dotMm = this.summary ? 0.9 * Math.max(this.summary.voxel_mm * 2.2, 0.4) : 1;
     const dot = (dotMm * height * share) / (2 * Math.tan((this.orbit.camera.fov * Math.PI) / 360));
-    this.object.update(this.orbit.camera.position, this.cut, ratio * share, dot);
+    this.object.update(this.orbit.camera.position, this.cut(), ratio * share, dot);
     this.backdrop.draw(this.renderer, this.behind, this.orbit.camera, width * share, height * share, smooth);
     if (this.stale === 'at rest') document.body.dataset['rests'] = 'yes';
     this.stale = 'no';

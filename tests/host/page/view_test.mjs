@@ -347,6 +347,16 @@ const tests = {
       await within(5, async () => (await drawn(page)) !== before, `the slice across ${axis} is that of another axis`);
       check((await page.locator('#slice-text').textContent()).startsWith(axis), `the key ${axis} chooses another axis`);
     }
+    await page.mouse.move(1, 1);
+    await page.keyboard.press('z');
+    await sleep(1000); // the slice has come
+    for (let step = 0; step < 30; ++step) await page.keyboard.press('ArrowLeft'); // half round it
+    const behind = await drawn(page);
+    await page.keyboard.press('[');
+    await sleep(1000);
+    await page.keyboard.press(']'); // the same slice again
+    await sleep(1000);
+    check((await drawn(page)) === behind, 'from behind the slice cuts away the other half');
     await close(opened);
   },
 
