@@ -6,6 +6,7 @@ import type { Data } from './plots';
 const kSeconds = 10; // that the curves show
 const kPiece = 0.01; // s; of each the largest force and penetration are kept
 const kTrailSeconds = 0.6;
+export const kSilentMs = 1000; // a tick that is older is not shown as if it were now
 const kDelay = 0.08; // s, longer than a burst of a controller
 
 interface Piece {
@@ -25,6 +26,7 @@ export class Live {
   private readonly playout = new Playout(kDelay);
   private pieces: Piece[] = [];
   private next = -1;
+  private cameAt = 0; // ms, the newest batch
 
   clear(): void {
     this.newest = null;
@@ -42,6 +44,7 @@ export class Live {
 
   take(first: number, every: number, rows: DataView, reader: RowReader): void {
     this.every = every;
+    this.cameAt = performance.now();
     const count = Math.floor(rows.byteLength / reader.bytes);
     for (let row = 0; row < count; ++row) this.add(reader.read(rows, row, first + row * every), every);
   }
@@ -76,8 +79,14 @@ export class Live {
     return this.places.filter(({ tick }) => tick > from && tick <= to).map(({ hip }) => hip);
   }
 
-  /** The tick of this moment, a little later than it was. */
+  /** Nothing has come for so long that nobody knows what is now. */
+  get isSilent(): boolean {
+    return performance.now() - this.cameAt >= kSilentMs;
+  }
+
+  /** The tick of this moment, a little later than it was; null where none is known. */
   shown(): Tick | null {
+    if (this.isSilent) return null;
     return this.playout.at(performance.now() / 1000, this.period);
   }
 

@@ -5,9 +5,9 @@ import { showFacts, showLegend } from './captions';
 import { Choice, element, make, say, toggle } from './dom';
 import { isExported } from './exported';
 import { bindKeys } from './keys';
-import { Live } from './live';
+import { kSilentMs, Live } from './live';
 import { localSlice } from './local_slice';
-import type { Colours, Hello, Message, SceneSummary, Words } from './messages';
+import type { Colours, Hello, Link, Message, SceneSummary, Words } from './messages';
 import { Numbers } from './numbers';
 import { Player } from './player';
 import { Plots, type Data } from './plots';
@@ -45,6 +45,8 @@ class Page {
   private touched: SceneSummary | null = null; // by the hand of this page, or soon
   private plottedAt = 0;
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
+  private link: Link | null = null;
+  private silence: ReturnType<typeof setTimeout> | undefined;
   private liveField: string | null = null;
   private liveWords: Words[] = []; // may come before the view is made
   private wanted: SceneSummary | null = null; // the newest object that came and is not shown yet
@@ -64,15 +66,20 @@ class Page {
     this.server.listen({
       message: (message) => this.message(message),
       ticks: (first, every, rows) => {
-        if (!this.reader) return;
+        if (!this.reader || !this.link?.there) return; // of a controller that is gone
         this.live.take(first, every, rows, this.reader);
+        this.awaitTicks();
         if (this.source === 'live') this.changed();
       },
       connection: (sentence) => {
-        if (sentence !== '') this.forgetLive();
+        if (sentence !== '') {
+          this.link = null;
+          this.forgetLive();
+        }
         this.notice(sentence);
       },
     });
+    document.addEventListener('visibilitychange', () => this.awaitTicks());
   }
 
   private message(message: Message): void {
@@ -88,10 +95,11 @@ class Page {
         break;
       case 'link':
         if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
+        this.link = message;
         if (message.there) this.live.clear();
         else this.forgetLive();
-        element('link').classList.toggle('bad', !message.there);
-        say(element('link'), message.sentence);
+        this.sayLink(message.sentence, !message.there);
+        this.awaitTicks();
         break;
       case 'state':
         this.sayLive([message]);
@@ -107,11 +115,29 @@ class Page {
   /** Nothing of a controller that is gone looks as if it were now. */
   private forgetLive(): void {
     this.live.clear();
+    clearTimeout(this.silence);
     this.liveField = null;
     this.plots.clearHistograms();
     this.sayLive([]);
     this.warnOfField();
     this.changed();
+  }
+
+  private sayLink(sentence: string, bad: boolean): void {
+    element('link').classList.toggle('bad', bad);
+    say(element('link'), sentence);
+  }
+
+  /** Says so when no tick has come for a second. A page that is not seen gets none, because it shows none. */
+  private awaitTicks(): void {
+    clearTimeout(this.silence);
+    const link = this.link;
+    if (!link?.there || document.hidden) return;
+    if (!this.live.isSilent) this.sayLink(link.sentence, false);
+    this.silence = setTimeout(() => {
+      this.sayLink(`${link.sentence}, but has sent no tick for a second; see with isotouch status whether its loop runs`, true);
+      if (this.source === 'live') this.changed();
+    }, kSilentMs);
   }
 
   /** Comes again after each lost connection; what could not be opened is tried anew then. */

@@ -114,6 +114,28 @@ const keepSockets = () => {
     }
   };
 };
+/** Lets a test say to the page what a controller would, through the socket that it has. */
+const speakForController = () => {
+  globalThis.WebSocket = class extends globalThis.WebSocket {
+    set onmessage(take) {
+      const give = (message) => take({ data: JSON.stringify(message) });
+      super.onmessage = ({ data }) => {
+        const hello = typeof data === 'string' ? JSON.parse(data) : {};
+        if (hello.topic !== 'hello') return take({ data });
+        Object.assign(globalThis, { give, scene: hello.scene });
+        /** So many ticks, all of them with a hand that touches nothing. */
+        globalThis.giveTicks = (first, count) => {
+          const batch = new DataView(new ArrayBuffer(16 + count * hello.columns.row_bytes));
+          batch.setBigUint64(0, BigInt(first), true);
+          batch.setUint32(8, 1, true);
+          batch.setUint32(12, count, true);
+          take({ data: batch.buffer });
+        };
+        give({ ...hello, live: true });
+      };
+    }
+  };
+};
 /** Loses the connection, and waits until it has come back. */
 async function loseConnection(page) {
   const before = await page.evaluate(() => (globalThis.sockets.at(-1).close(), globalThis.sockets.length));
@@ -357,6 +379,44 @@ const tests = {
     await page.keyboard.press(']'); // the same slice again
     await sleep(1000);
     check((await drawn(page)) === behind, 'from behind the slice cuts away the other half');
+    await close(opened);
+  },
+
+  async 'nothing of a controller is shown that is not of now'() {
+    const opened = await open({ before: speakForController }, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    await page.waitForFunction(() => document.body.dataset.ready);
+    const link = (there, sentence) => page.evaluate((told) => globalThis.give({ topic: 'link', period_ns: 1e6, every: 1, ...told }), { there, sentence });
+    const run = () =>
+      page.evaluate(() => {
+        const since = performance.now();
+        let come = 0;
+        globalThis.running = setInterval(() => {
+          const due = Math.floor(performance.now() - since);
+          globalThis.giveTicks((globalThis.tick ??= 1000) + come, due - come);
+          come = due;
+        }, 50);
+      });
+    const pause = () => page.evaluate(() => (clearInterval(globalThis.running), (globalThis.tick += 100_000)));
+    const shows = (force, said) => within(5, async () => (await number(page, 'Force')) === force && said.test(await page.locator('#link').textContent()),
+      async () => `the force is ${await number(page, 'Force')} instead of ${force}, and the page says: ${await page.locator('#link').textContent()}`);
+    await link(true, 'it answers');
+    await run();
+    await shows('0.00 N', /^it answers$/);
+    await pause();
+    await shows('–', /^it answers, but has sent no tick for a second/);
+    await accessible(page, 'no ticks');
+    await run();
+    await shows('0.00 N', /^it answers$/);
+    await pause();
+    await link(false, 'it is gone');
+    await shows('–', /^it is gone$/);
+    await page.evaluate(() => globalThis.giveTicks(globalThis.tick, 100)); // on its way when the controller went
+    await sleep(500);
+    check((await number(page, 'Force')) === '–', `of a controller that is gone the page shows ${await number(page, 'Force')}`);
+    await sleep(1500);
+    await shows('–', /^it is gone$/);
     await close(opened);
   },
 
