@@ -11,7 +11,7 @@ export function showFacts(summary: SceneSummary): void {
     ['Voxel', `${summary.voxel_mm.toFixed(3)} mm`],
     ['Stiffness', `${summary.stiffness_n_per_mm.toFixed(2)} N/mm`],
     ['Memory', `${(summary.bytes / 1024).toFixed(0)} KiB`],
-    ['Surface invented', `${(100 * summary.invented_share).toFixed(1)} %`],
+    ...(summary.invented_share === null ? [] : [['Surface invented', `${(100 * summary.invented_share).toFixed(1)} %`] as [string, string]]),
     [`Walls thinner than ${summary.thin_mm.toFixed(1)} mm`, `${(100 * summary.thin_share).toFixed(1)} % of the surface`],
     ['Drawn with a step of', `${summary.step_voxels} ${summary.step_voxels === 1 ? 'voxel' : 'voxels'}`],
     ...(summary.points > 0 ? [['Points', summary.points_drawn < summary.points ? `${summary.points}, ${summary.points_drawn} drawn` : `${summary.points}`] as [string, string]] : []),

@@ -19,6 +19,7 @@ import { SliceControl } from './slice_control';
 import { TouchPanel } from './touch_panel';
 
 const kMinShare = 5e-4; // of the surface: less is shown as 0.0 %
+const kFollowsMs = 5000; // within which the controller's field is drawn when it has another one
 const kGone = 410; // of the server: there is another object by now
 const kPieces = 1500; // of the curves of a recording
 const kWordsMs = 200; // between two sentences while a recording plays
@@ -47,7 +48,9 @@ class Page {
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
   private link: Link | null = null;
   private silence: ReturnType<typeof setTimeout> | undefined;
-  private liveField: string | null = null;
+  private liveField: string | null | undefined; // null: the controller has none; undefined: not known
+  private liveFieldSentence = ''; // why it cannot be drawn
+  private agreedAt = 0; // ms; what was drawn was what the controller had, or the newest that had come of it
   private liveWords: Words[] = []; // may come before the view is made
   private wanted: SceneSummary | null = null; // the newest object that came and is not shown yet
   private opens = false;
@@ -106,6 +109,7 @@ class Page {
         break;
       case 'status':
         this.liveField = message.status.field_hash;
+        this.liveFieldSentence = message.field_sentence ?? '';
         this.warnOfField();
         this.plots.setHistograms(message.histograms_us.wakeup, message.histograms_us.tick);
         break;
@@ -116,7 +120,8 @@ class Page {
   private forgetLive(): void {
     this.live.clear();
     clearTimeout(this.silence);
-    this.liveField = null;
+    this.liveField = undefined;
+    this.liveFieldSentence = '';
     this.plots.clearHistograms();
     this.sayLive([]);
     this.warnOfField();
@@ -231,7 +236,8 @@ class Page {
     try {
       const [surface, points, rim, turned] = await Promise.all(['surface', 'points', 'rim', 'turned'].map((name) => this.server.part(name, summary)));
       // Only now: where a part is refused, the object of before stays, with its own name and facts.
-      const invented = summary.invented_share > 0 ? `, ${(100 * summary.invented_share).toFixed(1)} % of its surface invented` : '';
+      const share = summary.invented_share ?? 0;
+      const invented = share > 0 ? `, ${(100 * share).toFixed(1)} % of its surface invented` : '';
       say(element('object'), `${summary.name}, voxel ${summary.voxel_mm.toFixed(3)} mm${invented}`);
       showFacts(summary);
       if (!this.view) return;
@@ -240,10 +246,11 @@ class Page {
       if (rim) this.view.object.setRim(rim);
       if (turned) this.view.object.setTurned(turned);
       const has = (lines: DataView | undefined): boolean => (lines?.getUint32(0, true) ?? 0) > 0;
-      if (this.colours) showLegend(this.colours, { invented: summary.invented_share > 0, thin: summary.thin_share >= kMinShare, rim: has(rim), turned: has(turned) });
+      if (this.colours) showLegend(this.colours, { invented: share > 0, thin: summary.thin_share >= kMinShare, rim: has(rim), turned: has(turned) });
       this.view.setScene(summary);
       this.slice?.setScene(summary);
       this.summary = summary;
+      this.agreedAt = performance.now();
       this.warnOfField();
       this.sources.add('touch', 'Touch');
       if (this.source === 'touch') this.sources.choose('touch');
@@ -257,11 +264,20 @@ class Page {
 
   /** Whether what is drawn is what was, or is, felt. */
   private warnOfField(): void {
-    const drawn = this.summary?.hash;
-    const felt = this.source === 'live' ? [this.liveField ?? ''] : this.source === 'recording' ? this.recordings.map((recording) => recording.summary.field) : [];
-    const follows = this.source === 'live' && this.summary?.follows === true; // a moment later
-    const other = drawn !== undefined && !follows && felt.some((hash) => hash !== '' && hash !== drawn);
-    say(element('field-warning'), other ? `The hand ${this.source === 'live' ? 'feels' : 'felt'} another field than the one that is drawn.` : '');
+    if (this.liveField === undefined || this.liveField === this.summary?.hash) this.agreedAt = performance.now();
+    const isOther = (hash: string): boolean => hash !== '' && this.summary !== null && hash !== this.summary.hash;
+    const felt = this.source === 'recording' && this.recordings.some((recording) => isOther(recording.summary.field));
+    const sentence = felt ? 'The hand felt another field than the one that is drawn.' : this.source === 'live' ? this.liveWarning() : '';
+    say(element('field-warning'), sentence);
+  }
+
+  private liveWarning(): string {
+    if (this.liveFieldSentence !== '') return this.liveFieldSentence;
+    if (!this.summary || this.liveField === undefined || this.liveField === this.summary.hash) return '';
+    const comes = this.wanted !== null || performance.now() - this.agreedAt < kFollowsMs;
+    if (this.summary.follows && comes) return '';
+    if (this.liveField !== null) return 'The hand feels another field than the one that is drawn.';
+    return this.summary.follows ? 'The controller has no field any more; the one that is drawn was its last.' : '';
   }
 
   /** Live, or recording. */

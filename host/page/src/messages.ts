@@ -55,6 +55,7 @@ export interface Status {
   topic: 'status';
   status: { [key: string]: unknown; field_hash: string | null; wakeup_us: Measure; tick_us: Measure };
   histograms_us: Record<'wakeup' | 'tick', [number, number][]>; // upper bound, count
+  field_sentence?: string; // why its field cannot be drawn
 }
 
 export interface Build {
@@ -94,7 +95,7 @@ export interface SceneSummary {
   points: number;
   points_drawn: number;
   step_voxels: number;
-  invented_share: number;
+  invented_share: number | null; // null: it came without marks, so nobody knows
   thin_share: number;
   thin_mm: number;
   follows: boolean; // it is the field that the controller has, as it changes

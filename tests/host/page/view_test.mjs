@@ -420,6 +420,44 @@ const tests = {
     await close(opened);
   },
 
+  async 'what is not known of the controller\'s field is not said, and what is wrong with it is'() {
+    const opened = await open({ before: speakForController }, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    await page.waitForFunction(() => document.body.dataset.ready);
+    const draw = async (changed) => {
+      await page.evaluate((what) => globalThis.give({ topic: 'scene', scene: { ...globalThis.scene, follows: true, ...what } }), changed);
+      await sleep(1000);
+    };
+    const facts = () => page.locator('#facts').textContent();
+    await draw({ invented_share: 0.25 });
+    check(/Surface invented25\.0 %/.test(await facts()), `it says: ${await facts()}`);
+    await draw({ invented_share: null });
+    check(!/invented/.test(await facts()), `what nobody knows is said: ${await facts()}`);
+    const hash = await page.evaluate(() => globalThis.scene.hash);
+    const warning = async (seconds, field_hash, more = {}) => {
+      for (const end = Date.now() + 1000 * seconds; Date.now() < end; await sleep(250)) {
+        const histograms_us = { wakeup: [[1, 5], [2, 9]], tick: [[1, 5], [2, 9]] };
+        await page.evaluate((message) => globalThis.give(message), { topic: 'status', status: { field_hash }, histograms_us, ...more });
+      }
+      return page.locator('#field-warning').textContent();
+    };
+    for (const [seconds, field, words, more] of [
+      [1, hash, /^$/],
+      [2, '0123456789abcdef', /^$/], // the page soon gets the new one
+      [6, '0123456789abcdef', /feels another field/],
+      [1, hash, /^$/],
+      [2, null, /^$/],
+      [6, null, /has no field any more/],
+      [1, '0123456789abcdef', /^it cannot be read$/, { field_sentence: 'it cannot be read' }],
+      [1, hash, /^$/],
+    ]) {
+      const said = await warning(seconds, field, more);
+      check(words.test(said), `with the field ${field} for ${seconds} s the page says '${said}' instead of ${words}`);
+    }
+    await close(opened);
+  },
+
   async 'a doubtful scan'() {
     fin();
     const opened = await open({}, 'fin.ply');
