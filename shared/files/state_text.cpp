@@ -49,13 +49,17 @@ std::string_view hold_cause(std::uint32_t status) {
   return kLateTicks;
 }
 
-std::string faults_text(std::uint16_t faults) {
+std::string fault_causes(std::uint16_t faults) {
   std::string text;
   for (const FaultName& fault : kFaultNames) {
     if ((faults & fault.fault) != 0) text.append(text.empty() ? "" : "; ").append(fault.sentence);
   }
+  return text;
+}
+
+std::string way_out(std::uint16_t faults) {
   const bool of_service = (faults & kServiceFaults) != 0;
-  return text + "; then press a button of the grip, or " + (of_service ? "let somebody with the role service run" : "run") +
+  return std::string("; then press a button of the grip, or ") + (of_service ? "let somebody with the role service run" : "run") +
          " 'isotouch resume'";
 }
 
@@ -77,20 +81,21 @@ std::string_view angles_text(protocol::OtherAngles others) {
 const char* state_name(std::uint16_t state) { return state < kStates.size() ? kStates[state].name : "unknown"; }
 
 std::string state_text(const Condition& condition, protocol::OtherAngles others) {
-  if (others != protocol::OtherAngles::kNone) {
-    Condition heard = condition;
-    heard.faults = static_cast<std::uint16_t>(condition.faults & ~kFaultSilent);
-    const std::string own = heard.faults == 0 ? state_name(condition.state) + std::string(": ") : state_text(heard) + "; besides, ";
-    return own + std::string(angles_text(others));
-  }
   std::string text = state_name(condition.state);
+  const auto state = static_cast<SupervisorState>(condition.state);
+  if (others != protocol::OtherAngles::kNone) {  // neither a button nor a resume is heard now
+    const auto heard = static_cast<std::uint16_t>(condition.faults & ~kFaultSilent);
+    const bool has_causes = state == SupervisorState::kFault && heard != 0;
+    text += has_causes ? std::string(kStates[condition.state].sentence) + fault_causes(heard) + "; besides, " : ": ";
+    return text.append(angles_text(others));
+  }
   if (condition.state >= kStates.size()) return text;
   text += kStates[condition.state].sentence;
-  switch (static_cast<SupervisorState>(condition.state)) {
+  switch (state) {
     case SupervisorState::kIdle:
       return condition.has_field ? text.append(kNotYet).append(hold_cause(condition.status)) : text.append(kNoField);
     case SupervisorState::kHold: return text.append(hold_cause(condition.status));
-    case SupervisorState::kFault: return text.append(faults_text(condition.faults));
+    case SupervisorState::kFault: return text.append(fault_causes(condition.faults)).append(way_out(condition.faults));
     default: return text;
   }
 }

@@ -31,7 +31,7 @@ const char* state_name(std::uint16_t state);
 
 /// Begins with that word.
 ///
-/// others    beside it. Unless there are none the device is not heard, and its silence is no cause
+/// others    beside it. Unless there are none the device is not heard: its silence is no cause, and nothing resumes it
 std::string state_text(const Condition& condition, protocol::OtherAngles others = protocol::OtherAngles::kNone);
 
 }  // namespace isotouch::files

@@ -39,6 +39,21 @@ TEST(StateText, AFaultIsExplainedWithTheNextStep) {
   EXPECT_EQ(sentences.size(), kFaultNames.size());
 }
 
+TEST(StateText, WhileOtherAnglesWaitNothingIsAdvisedThatIsRefused) {
+  for (const auto others : {protocol::OtherAngles::kKept, protocol::OtherAngles::kUntrusted}) {
+    for (const FaultName& fault : kFaultNames) {
+      for (std::uint16_t state = 0; state <= 6; ++state) {
+        const std::string sentence = state_text({state, fault.fault, 0, true}, others);
+        EXPECT_THAT(sentence, StartsWith(std::string(state_name(state)) + ": "));
+        EXPECT_THAT(sentence, testing::EndsWith(std::string(angles_text(others))));
+        EXPECT_THAT(sentence, testing::Not(testing::ContainsRegex("button|resume"))) << sentence;
+      }
+    }
+  }
+  EXPECT_EQ(state_text({static_cast<std::uint16_t>(SupervisorState::kHoming), 0, 0, true}, protocol::OtherAngles::kKept),
+            "homing: " + std::string(angles_text(protocol::OtherAngles::kKept)));
+}
+
 TEST(StateText, AHoldNamesTheOneCauseThatItWaitsFor) {
   const auto hold = [](std::uint32_t status) { return text(SupervisorState::kHold, 0, status); };
   EXPECT_THAT(hold(kPoseUncertain | kStale), HasSubstr("the position of the grip is uncertain"));
