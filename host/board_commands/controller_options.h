@@ -38,9 +38,4 @@ using link::in_unit;
 using link::kMeasureNames;
 using link::MeasureName;
 
-/// What is true for the hand, and the next step: see `files::state_text`.
-inline std::string state_text(const protocol::StatusReport& status) {
-  return files::state_text({status.state, status.faults, status.status, status.generation != 0});
-}
-
 }  // namespace isotouch::commands

@@ -16,6 +16,7 @@
 #include "host/board_commands/output.h"
 #include "host/error.h"
 #include "host/link/controller.h"
+#include "host/link/status.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/trace_file.h"
 #include "shared/trace.h"
@@ -39,7 +40,7 @@ void run(const RecordOptions& options) {
   const auto refuse = [&](const char* what) { return InputError(options.to + ": " + what + "; install the same release on both sides"); };
   if (const protocol::StatusReport status = controller.status(); status.faults != 0)
     std::fprintf(stderr, "isotouch: %s: the recording will hold no force; the state is %s\n", options.to.c_str(),
-                 state_text(status).c_str());
+                 link::sentence(status, controller.device()).c_str());
   std::optional<trace::TraceWriter> writer;
   std::uint64_t taken = 0;
   const Interruption interruption;

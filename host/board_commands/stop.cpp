@@ -9,6 +9,7 @@
 #include "host/board_commands/controller_options.h"
 #include "host/error.h"
 #include "host/link/controller.h"
+#include "host/link/status.h"
 
 namespace isotouch::commands {
 
@@ -36,10 +37,15 @@ void stop(const std::string& to) {
   const std::uint64_t ticks = controller.status().ticks;
   const protocol::StatusReport status = wait_for(controller, has_stopped);
   if (!has_stopped(status) && status.ticks > ticks)
-    throw InputError(to + ": the stop was taken back at once, by a button or another client; the state is " + state_text(status));
+    throw InputError(to + ": the stop was taken back at once, by a button or another client; the state is " +
+                     link::sentence(status, controller.device()));
   if (!has_stopped(status))
     throw InputError(to + ": the controller does not stop: its loop does not run; press the emergency stop, or switch the device off");
-  std::printf("stopped: no force until a button of the grip is pressed or 'isotouch resume --to %s'\n", to.c_str());
+  if (const protocol::DeviceReport device = controller.device(); device.waits != 0) {
+    std::printf("stopped; the state is %s\n", link::sentence(status, device).c_str());
+  } else {
+    std::printf("stopped: no force until a button of the grip is pressed or 'isotouch resume --to %s'\n", to.c_str());
+  }
 }
 
 void resume(const std::string& to) {
@@ -47,8 +53,9 @@ void resume(const std::string& to) {
   const bool is_needed = !is_out_of_fault(controller.status());
   controller.resume();
   const protocol::StatusReport status = wait_for(controller, is_out_of_fault);
-  if (!is_out_of_fault(status)) throw InputError(to + ": still in " + state_text(status));
-  std::printf(is_needed ? "resumed; the state is now %s\n" : "there was no fault to leave; the state is %s\n", state_text(status).c_str());
+  const std::string sentence = link::sentence(status, controller.device());
+  if (!is_out_of_fault(status)) throw InputError(to + ": still in " + sentence);
+  std::printf(is_needed ? "resumed; the state is now %s\n" : "there was no fault to leave; the state is %s\n", sentence.c_str());
 }
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "host/field_file/packed.h"
 #include "host/files/whole_file.h"
 #include "host/link/controller.h"
+#include "host/link/status.h"
 #include "host/trace/hash_text.h"
 #include "shared/patch_chain.h"
 
@@ -134,17 +135,18 @@ void run(const UploadOptions& options) {
     sent = send_field(*controller, options, field);
   }
   const protocol::StatusReport status = controller->status();
+  const std::string sentence = link::sentence(status, controller->device());
   if (options.json) {
     const nlohmann::ordered_json json{{"field_hash", trace::hash_text(sent.hash)},
                                       {"bytes", sent.bytes},
                                       {"patches", sent.patches},
                                       {"generation", sent.generation},
                                       {"state", state_name(status.state)},
-                                      {"sentence", state_text(status)},
+                                      {"sentence", sentence},
                                       {"faults", fault_names(status.faults)}};
     std::printf("%s\n", json.dump(2).c_str());
   } else {
-    std::printf("the state is %s\n", state_text(status).c_str());
+    std::printf("the state is %s\n", sentence.c_str());
   }
 }
 

@@ -15,6 +15,7 @@
 #include "host/error.h"
 #include "host/evaluate/calibrate.h"
 #include "host/link/controller.h"
+#include "host/link/status.h"
 #include "host/to_double.h"
 #include "shared/files/state_text.h"
 
@@ -59,9 +60,8 @@ void print(const CalibrateOptions& options, const protocol::Calibrate& calibrati
   std::printf("%s: arms at count 0 at %.3f, %.3f, %.3f degrees (top, right, left), %+.3f, %+.3f, %+.3f from before\n", serial.c_str(),
               degrees[0], degrees[1], degrees[2], found.turned_deg[0], found.turned_deg[1], found.turned_deg[2]);
   if (options.at.size() > 1) std::printf("the places contradict each other by at most %.3f degrees\n", found.apart_deg);
-  std::printf(
-      "stored, but not in use yet: the controller begins again with these angles as soon as its state is idle, homing or fault; a "
-      "controller that was started with a recording must be started again; only then home the device and run isotouch resume\n");
+  std::printf("stored, but not in use yet: %s; only then home the device and run isotouch resume\n",
+              std::string(files::angles_text(protocol::OtherAngles::kKept)).c_str());
 }
 
 /// Before a hand holds anything.
@@ -74,7 +74,7 @@ void require_ready(link::Controller& controller, const std::string& to) {
   const protocol::StatusReport status = controller.status();
   const auto state = static_cast<SupervisorState>(status.state);
   if (state == SupervisorState::kBoot || state == SupervisorState::kHoming)
-    throw InputError(to + ": the device must be homed before it is measured; the state is " + state_text(status));
+    throw InputError(to + ": the device must be homed before it is measured; the state is " + link::sentence(status, device));
   if (state == SupervisorState::kActive) throw InputError(to + ": force is active; run isotouch stop first");
   try {
     (void)controller.fields();  // refused where there is no state folder, which keeps the angles, too

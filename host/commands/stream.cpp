@@ -174,7 +174,7 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
   try {
     stream.connect({.is_over = is_over, .second = [&](const stream::Tally& second) {
                       print_second(seconds(), inbox.thinned() - thinned, inbox.lost() - lost, inbox.heard() == heard ? hand : "", second,
-                                   stream.status());
+                                   stream.fault());
                       thinned = inbox.thinned();
                       heard = inbox.heard();
                       lost = inbox.lost();

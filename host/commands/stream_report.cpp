@@ -7,7 +7,7 @@
 namespace isotouch::commands {
 
 void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const std::string& silent, const stream::Tally& of,
-                  const std::optional<protocol::StatusReport>& status) {
+                  const std::string& fault) {
   const Quantiles delay = of.delay_ms.quantiles();
   std::fprintf(stderr, "%.0f s: %llu frames, %llu left out, %zu points, %zu not needed, %zu outside", now,
                static_cast<unsigned long long>(of.frames), static_cast<unsigned long long>(thinned), of.points.taken, of.points.surplus,
@@ -18,7 +18,7 @@ void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const s
   if (delay.count > 0) std::fprintf(stderr, ", delay %.1f ms, at most %.1f ms", delay.median, delay.max);
   if (!silent.empty()) std::fprintf(stderr, "; %s is silent", silent.c_str());
   if (of.unanswered) std::fprintf(stderr, "; still waiting for the controller");
-  if (status && status->faults != 0) std::fprintf(stderr, "; the state is %s", state_text(*status).c_str());
+  if (!fault.empty()) std::fprintf(stderr, "; the state is %s", fault.c_str());
   std::fprintf(stderr, "\n");
 }
 

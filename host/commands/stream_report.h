@@ -4,11 +4,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "host/stream/stream.h"
-#include "shared/protocol_messages.h"
 
 namespace isotouch::commands {
 
@@ -19,9 +17,9 @@ namespace isotouch::commands {
 /// lost      ticks of the hand
 /// silent    the controller whose hand did not tick meanwhile; empty: none
 /// of        what the second brought
-/// status    what the controller said last, if anything
+/// fault     in which the controller is; empty: none
 void print_second(double now, std::uint64_t thinned, std::uint64_t lost, const std::string& silent, const stream::Tally& of,
-                  const std::optional<protocol::StatusReport>& status);
+                  const std::string& fault);
 
 /// docs/json/stream.json. Here and below: of a stream that has a field.
 nlohmann::ordered_json summary_json(const stream::Stream& of, const std::string& field_hash);

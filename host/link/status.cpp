@@ -19,10 +19,9 @@ ControllerStatus whole_status(Controller& controller) {
   return {controller.welcome(), controller.status(), controller.device(), controller.settings()};
 }
 
-std::string sentence(const ControllerStatus& seen) {
-  const protocol::StatusReport& status = seen.status;
+std::string sentence(const protocol::StatusReport& status, const protocol::DeviceReport& device) {
   return files::state_text({status.state, status.faults, status.status, status.generation != 0},
-                           static_cast<protocol::OtherAngles>(seen.device.waits));
+                           static_cast<protocol::OtherAngles>(device.waits));
 }
 
 std::string angles_from(const protocol::DeviceReport& device) {

@@ -28,8 +28,9 @@ ControllerStatus whole_status(Controller& controller);
 /// Where the angles in use come from: "geometry", "settings", "measured", or "unknown".
 std::string angles_from(const protocol::DeviceReport& device);
 
-/// What is true for the hand, and the next step.
-std::string sentence(const ControllerStatus& seen);
+/// What is true for the hand, and the next step: see `files::state_text`.
+std::string sentence(const protocol::StatusReport& status, const protocol::DeviceReport& device);
+inline std::string sentence(const ControllerStatus& seen) { return sentence(seen.status, seen.device); }
 
 /// The object that `isotouch status --json` prints. Times are in the unit that ends their key, such as `tick_us`.
 nlohmann::ordered_json to_json(const ControllerStatus& seen);

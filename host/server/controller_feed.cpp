@@ -123,6 +123,7 @@ void ControllerFeed::follow(const std::stop_token& stop) {
 /// fails     InputError: why it ended, always but when this object ends
 void ControllerFeed::follow_once(const std::stop_token& stop) {
   standing_ = 0;
+  others_ = protocol::OtherAngles::kNone;
   link::Controller controller(address_, {}, [&] { return stop.stop_requested(); });
   const double ticks_a_second = 1e9 / std::max(controller.welcome().period_ns, 1U);
   const auto every = static_cast<std::uint32_t>(std::max(1.0, std::round(ticks_a_second / kRowsASecond)));
@@ -150,7 +151,8 @@ void ControllerFeed::follow_once(const std::stop_token& stop) {
     const Output& out = record->output;
     if (out.faults == 0) standing_ = 0;  // those of before are over
     const auto faults = static_cast<std::uint16_t>(out.faults != 0 ? out.faults | standing_ : 0);
-    words = words_of({out.state, faults, out.status, record->input.field_generation != 0}, record->input.kind == InputKind::kPacket);
+    words =
+        words_of({out.state, faults, out.status, record->input.field_generation != 0}, record->input.kind == InputKind::kPacket, others_);
     last_tick = tick;
     if (batch.is_old()) flush();
   };
@@ -188,6 +190,7 @@ void ControllerFeed::tell_measures(link::Controller& controller) {
 void ControllerFeed::take_field(link::Controller& controller) {
   const protocol::StatusReport status = controller.status();
   standing_ = status.faults;
+  others_ = static_cast<protocol::OtherAngles>(controller.device().waits);
   if (status.field_hash != unusable_) unusable_ = 0;
   if (status.field_hash == 0 || unusable_ != 0 || !field_.wanted(status.field_hash)) return;
   const link::Controller::Image image = controller.image();

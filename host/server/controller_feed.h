@@ -61,6 +61,7 @@ class ControllerFeed {
   std::uint64_t unusable_ = 0;  ///< the hash of a field that could not be taken; 0: none
   std::string why_unusable_;
   std::atomic<std::uint16_t> standing_{0};  ///< faults, those before a restart among them, which no tick has
+  std::atomic<protocol::OtherAngles> others_{protocol::OtherAngles::kNone};
   std::jthread measures_, follows_;
 };
 

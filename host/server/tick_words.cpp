@@ -35,10 +35,10 @@ constexpr std::uint32_t limits() {
 
 }  // namespace
 
-TickWords words_of(const files::Condition& condition, bool of_device) {
+TickWords words_of(const files::Condition& condition, bool of_device, protocol::OtherAngles others) {
   const auto state = static_cast<SupervisorState>(condition.state);
   const bool waits = state == SupervisorState::kIdle || state == SupervisorState::kHold;
-  TickWords words{condition, of_device};
+  TickWords words{condition, of_device, others};
   words.condition.status &= limits() | (waits ? kWaited : 0U);
   return words;
 }
@@ -52,7 +52,7 @@ nlohmann::ordered_json to_json(const TickWords& words, std::uint64_t tick) {
   return {{"topic", "state"},
           {"tick", tick},
           {"state", words.of_device ? files::state_name(condition.state) : "none"},
-          {"sentence", words.of_device ? files::state_text(condition) : "a hand without a device"},
+          {"sentence", words.of_device ? files::state_text(condition, words.others) : "a hand without a device"},
           {"fault", condition.faults != 0},
           {"limits", std::move(sentences)}};
 }

@@ -12,10 +12,12 @@ namespace isotouch::server {
 struct TickWords {
   files::Condition condition;  ///< with the status bits that change a sentence alone
   bool of_device = true;       ///< else a hand without one, which has no state
+  protocol::OtherAngles others = protocol::OtherAngles::kNone;
   bool operator==(const TickWords&) const = default;
 };
 
-TickWords words_of(const files::Condition& condition, bool of_device);
+/// others    as `files::state_text`
+TickWords words_of(const files::Condition& condition, bool of_device, protocol::OtherAngles others = protocol::OtherAngles::kNone);
 
 /// topic, tick, state, sentence, whether it is a fault, and a sentence for each limit.
 nlohmann::ordered_json to_json(const TickWords& words, std::uint64_t tick);

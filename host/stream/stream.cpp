@@ -7,6 +7,7 @@
 
 #include "host/error.h"
 #include "host/field_file/packed.h"
+#include "host/link/status.h"
 #include "host/live/face_sensor.h"
 
 namespace isotouch::stream {
@@ -210,6 +211,7 @@ void Stream::ask_status() {
   if (!controller_) return;
   asked_ = Clock::now();
   status_ = controller_->status();
+  fault_ = status_->faults != 0 ? link::sentence(*status_, controller_->device()) : "";
   require_own_field();
 }
 

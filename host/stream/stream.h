@@ -93,8 +93,8 @@ class Stream {
   /// The field as it is now.
   const field_file::OpenField& whole() { return field_->keep_whole(); }
   const StreamReport& report() const { return report_; }
-  /// What the controller said last.
-  const std::optional<protocol::StatusReport>& status() const { return status_; }
+  /// In what fault the controller was when it was asked last, and the next step; empty: in none.
+  const std::string& fault() const { return fault_; }
 
  private:
   void work_on(const Frame& frame);
@@ -114,6 +114,7 @@ class Stream {
   StreamOptions options_;
   std::optional<link::Controller> controller_;
   std::optional<protocol::StatusReport> status_;
+  std::string fault_;
   std::optional<live::Space> space_;
   std::optional<GrowingField> field_;
   std::optional<std::uint64_t> felt_;  ///< hash of the field that the controller has from here

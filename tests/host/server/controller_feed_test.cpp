@@ -69,7 +69,8 @@ TEST(ControllerFeed, AFaultThatIsOverIsNotShownBesideANewOne) {
     protocol::StatusReport status;
     status.faults = kFaultSilent | kFaultSpeed;
     say(client, {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
-                 frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status)});
+                 frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status),
+                 frame(Kind::kDeviceReport, protocol::DeviceReport{})});
     is_asked = true;
     test::Scripted::says({}, false)(client);
   };
@@ -150,6 +151,54 @@ TEST(ControllerFeed, NoWorkIsDoneWhereTicksAreMissing) {
       6);
   ASSERT_GE(energies.size(), 6U);
   EXPECT_THAT(std::vector(energies.begin(), energies.begin() + 6), testing::ElementsAre(0, 1, 1, 3, 3, 3));
+}
+
+/// Which only the controller knows: it is in no tick.
+TEST(ControllerFeed, OtherAnglesThatWaitAreTheCauseOfASilence) {
+  protocol::Welcome welcome;
+  welcome.period_ns = 1'000'000;
+  std::atomic<bool> is_told = false, is_over = false;
+  const auto follows = [&](int client) {
+    say(client, {frame(Kind::kWelcome, welcome), frame(Kind::kDone)});
+    for (std::uint64_t tick = 1; !is_over; tick += 1000) {  // a gap ends a batch
+      say(client, {record(tick, kFaultSilent)});
+      std::this_thread::sleep_for(20ms);
+    }
+  };
+  const auto measures = [&](int client) {
+    protocol::StatusReport status;
+    status.faults = kFaultSilent;
+    protocol::DeviceReport device;
+    device.waits = static_cast<std::uint8_t>(protocol::OtherAngles::kKept);
+    say(client, {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
+                 frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status)});
+    for (int n = 0; n < 400 && !is_told; ++n) std::this_thread::sleep_for(50ms);
+    say(client, {frame(Kind::kDeviceReport, device)});
+    test::Scripted::says({}, false)(client);
+  };
+  const test::Scripted scripted({follows, measures});
+  std::mutex lock;
+  std::vector<std::string> states;
+  const auto heard = [&](const Shared& message) {
+    const std::scoped_lock held(lock);
+    if (message->topic != Topic::kState) return;
+    states.push_back(message->bytes);
+    is_told = true;
+  };
+  {
+    const ControllerFeed feed(scripted.address(), heard, [](link::Controller&) { return nlohmann::ordered_json::object(); },
+                              {[](std::uint64_t) { return false; }, [](const std::string&, const link::Controller::Image&) {}});
+    const auto has_come = [&] {
+      const std::scoped_lock held(lock);
+      return states.size() == 2;
+    };
+    for (int n = 0; n < 400 && !has_come(); ++n) std::this_thread::sleep_for(50ms);
+    is_over = true;
+  }
+  ASSERT_EQ(states.size(), 2U);
+  EXPECT_THAT(states[0], HasSubstr("check its cable"));
+  EXPECT_THAT(states[1], HasSubstr("fault: other angles were measured for this device"));
+  EXPECT_THAT(states[1], Not(HasSubstr("resume")));
 }
 
 }  // namespace

@@ -93,9 +93,10 @@ TEST(ViewSite, WhyAControllersFieldCannotBeDrawnIsSaid) {
   status.field_hash = 7;
   const std::array<std::uint8_t, 8> broken{1, 2, 3};
   const auto hello = frame(Kind::kWelcome, welcome), bins = frame(Kind::kHistogramReport, protocol::HistogramReport{}),
-             report = frame(Kind::kStatusReport, status), image = frame(Kind::kImagePart, protocol::ImagePart{7, 8, 0, broken});
-  const test::Scripted scripted(
-      {says({hello, frame(Kind::kDone)}), says({hello, bins, bins, report, image, report, report, report, bins, bins, report})});
+             report = frame(Kind::kStatusReport, status), device = frame(Kind::kDeviceReport, protocol::DeviceReport{}),
+             image = frame(Kind::kImagePart, protocol::ImagePart{7, 8, 0, broken});
+  const test::Scripted scripted({says({hello, frame(Kind::kDone)}), says({hello, bins, bins, report, device, image, report, device, report,
+                                                                          device, report, device, bins, bins, report, device})});
   ViewSite site(Build{});
   HttpServer server(site, 0);
   site.begin(server, scripted.address(), [](link::Controller&) { return nlohmann::ordered_json::object(); }, {});

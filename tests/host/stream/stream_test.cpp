@@ -15,6 +15,7 @@
 
 #include "host/cloud/shapes.h"
 #include "shared/field_patch.h"
+#include "shared/tick_io.h"
 #include "tests/support/scripted_controller.h"
 
 namespace isotouch::stream {
@@ -31,6 +32,8 @@ class Taker {
 
   std::string address() const { return scripted_.address(); }
   int patches() const { return patches_; }
+
+  std::atomic<std::uint16_t> faults = 0;  ///< in its status
 
  private:
   void serve(int client) {
@@ -51,7 +54,14 @@ class Taker {
       case Kind::kStatus: {
         protocol::StatusReport status;
         status.field_hash = hash_;
+        status.faults = faults;
+        if (faults != 0) status.state = static_cast<std::uint16_t>(SupervisorState::kFault);
         return frame(Kind::kStatusReport, status);
+      }
+      case Kind::kDevice: {
+        protocol::DeviceReport device;
+        device.waits = static_cast<std::uint8_t>(protocol::OtherAngles::kKept);
+        return frame(Kind::kDeviceReport, device);
       }
       case Kind::kBegin: is_patch_ = false, hash_ = protocol::decode<protocol::Begin>(asked.body)->image_hash; break;
       case Kind::kBeginPatch: is_patch_ = true; break;
@@ -153,6 +163,17 @@ TEST(Stream, ABusyControllerGetsItsTimeFromWhenItIsAsked) {
   stream.finish();
   EXPECT_TRUE(stream.is_felt());
   EXPECT_EQ(taker.patches(), 2);
+}
+
+TEST(Stream, AFaultOfTheControllerIsToldWithItsNextStep) {
+  Taker taker([](int) {});
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  stream.finish();
+  EXPECT_EQ(stream.fault(), "");
+  taker.faults = kFaultSilent;
+  stream.finish();
+  EXPECT_NE(stream.fault().find("fault: other angles were measured"), std::string::npos) << stream.fault();
 }
 
 }  // namespace
