@@ -28,7 +28,7 @@ bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
 }  // namespace
 
 Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
-                         std::function<void()> distrust)
+                         std::function<void(bool)> distrust)
     : store_(store), mark_(mark), by_settings_(std::move(by_settings)), distrust_(std::move(distrust)), in_use_(choose(serial, trouble_)) {}
 
 void Calibration::answers(const std::optional<std::string>& serial) {
@@ -39,7 +39,7 @@ void Calibration::answers(const std::optional<std::string>& serial) {
   do {
     keeps = keeps_;
     lock.unlock();
-    has_others = serial && choose(*serial, ignored).model != in_use_.model;
+    has_others = serial && distrust_ && choose(*serial, ignored).model != in_use_.model;
     lock.lock();
   } while (keeps != keeps_);  // what was read may be what was kept before
   serial_ = serial.value_or("");
@@ -67,6 +67,7 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (serial_.empty() || serial != serial_) return "another device than the measured one is plugged in; calibrate again";
   }
+  if (!distrust_) return "a controller in lockstep keeps the angles that it began with; start it without --lockstep";
   if (store_ == nullptr) return "this controller has no state folder to store it in; set [files] state and start it again";
   const Choice expected = by_settings_(serial);
   if (expected.source == protocol::AnglesFrom::kSettings) {
@@ -83,11 +84,10 @@ Refusal Calibration::keep(const protocol::Calibrate& measured) {
   const bool has_others = choose(serial, ignored).model != in_use_.model;
   const std::lock_guard<std::mutex> lock(mutex_);
   ++keeps_;
-  if (serial == serial_) {  // another device may answer by now, or none
-    if (!has_others) others_ = OtherAngles::kNone;
-    if (has_others && others_ == OtherAngles::kNone) others_ = OtherAngles::kKept;
-  }
-  if (has_others && distrust_) distrust_();  // also if it does not answer now: it is the expected one when it comes back
+  const bool answers = serial == serial_;  // another device may do so by now, or none
+  if (answers && !has_others) others_ = OtherAngles::kNone;
+  if (answers && has_others && others_ == OtherAngles::kNone) others_ = OtherAngles::kKept;
+  if (has_others) distrust_(answers);  // also if it does not answer now: it is the expected one when it comes back
   return {};
 }
 

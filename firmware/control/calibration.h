@@ -28,9 +28,10 @@ class Calibration {
   /// store     nullptr: nothing is kept; lives longer
   /// mark      is set before other angles are stored; nullptr: nobody could confirm them; lives longer
   /// serial    of the device that is expected; empty: not known
-  /// distrust  is called as soon as other angles are kept, even if their device has gone meanwhile; by the thread that keeps them
+  /// distrust  is called as soon as other angles are kept, also for a device that has gone meanwhile, by the thread that keeps them. answers: theirs is
+  ///           the device that answers. Empty: every device is heard with the angles in use, so no others are kept, and none wait
   Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
-              std::function<void()> distrust = {});
+              std::function<void(bool answers)> distrust = {});
 
   /// What holds from start to end.
   const Choice& in_use() const { return in_use_; }
@@ -40,7 +41,7 @@ class Calibration {
   /// The device of this serial answers, which may be empty; nullopt: none does.
   void answers(const std::optional<std::string>& serial);
 
-  /// Are there other angles for the device that answers than those in use?
+  /// Are there other angles for the device that answers than those in use, so that it is not heard?
   protocol::OtherAngles others() const;
 
   protocol::DeviceReport report() const;
@@ -58,7 +59,7 @@ class Calibration {
   store::CalibrationStore* store_;
   store::RunMark* mark_;
   BySettings by_settings_;
-  std::function<void()> distrust_;
+  std::function<void(bool)> distrust_;
   Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows

@@ -91,9 +91,12 @@ void Controller::choose_calibration() {
                                         named ? protocol::AnglesFrom::kSettings : protocol::AnglesFrom::kGeometry};
   };
   const std::string serial = !before_.serial.empty() ? before_.serial : serial_of(options_, hardware_);
-  const auto distrust = [this] {
-    if (hardware_.falcon) hardware_.falcon->distrust();
-  };
+  std::function<void(bool)> distrust;
+  if (!options_.lockstep) {
+    distrust = [this](bool in_use) {
+      if (hardware_.falcon) hardware_.falcon->distrust(in_use);
+    };
+  }
   calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial, distrust);
   if (hardware_.falcon && !options_.lockstep) hardware_.falcon->expect(serial);
   if (calibration_->trouble()) say(calibration_->trouble().sentence());
@@ -295,7 +298,7 @@ void Controller::know_device() {
 
 /// Other angles wait to be used, and nothing that a person began would be cut off. What was begun before there was a device begins again whole.
 bool Controller::may_begin_again() const {
-  if (calibration_->others() == OtherAngles::kNone || options_.lockstep || (control_ && control_->is_in_use())) return false;
+  if (calibration_->others() == OtherAngles::kNone || (control_ && control_->is_in_use())) return false;
   const SupervisorState state = lines_.state.told();
   const bool gives_force = state == SupervisorState::kReady || state == SupervisorState::kActive || state == SupervisorState::kHold;
   return !had_device_ || (settings_.record.empty() && !gives_force);

@@ -53,10 +53,12 @@ class FalconPort final : public loop::Port {
   }
   /// found     of the report of the device that counts. Any thread
   void trust(std::uint64_t found) { trusted_ = found; }
-  /// From now on no device counts before it is trusted, not even the expected one or the one in use. Any thread
-  void distrust() {
+  /// From now on no device counts before it is trusted, not even the expected one. Any thread
+  ///
+  /// in_use    nor the one in use
+  void distrust(bool in_use = true) {
     expects_ = false;
-    trusted_ = 0;
+    if (in_use) trusted_ = 0;
   }
 
   /// Changes of the session's state; for one reader on another thread.

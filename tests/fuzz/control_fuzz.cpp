@@ -96,7 +96,7 @@ class World {
         intake_(slots_, &store_, clock_, [](const FieldView& field) { return check(field); }),
         measured_(folder_),
         calibration_(
-            &measured_, nullptr, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1"),
+            &measured_, nullptr, [](const std::string&) { return Calibration::Choice{libnifalcon_model()}; }, "A1", [](bool) {}),
         ring_(kRing) {
     calibration_.answers("A1");
     clock_.tick = [this] {

@@ -104,7 +104,7 @@ class Calibrations final : public Kind {
     store::CalibrationStore store(folder_now);
     store::RunMark mark(folder_now);
     control::Calibration calibration(
-        &store, &mark, [](const std::string&) { return control::Calibration::Choice{libnifalcon_model()}; }, "A1");
+        &store, &mark, [](const std::string&) { return control::Calibration::Choice{libnifalcon_model()}; }, "A1", [](bool) {});
     calibration.answers("A1");
     for (Number number = first;; ++number) {
       protocol::Calibrate measured{protocol::Text::of("A1"), angles_of(number)};

@@ -35,7 +35,7 @@ struct CalibrationTest : testing::Test {
 };
 
 TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
-  Calibration first(&store, nullptr, by_settings, "A1");
+  Calibration first(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_EQ(from(first), AnglesFrom::kGeometry);
   first.answers("A1");
   EXPECT_EQ(first.others(), OtherAngles::kNone);
@@ -48,7 +48,7 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
   EXPECT_EQ(first.keep(measured("A1")).sentence(), "");
   EXPECT_EQ(first.others(), OtherAngles::kUntrusted) << "it is still not heard";
 
-  Calibration next(&store, nullptr, by_settings, "A1");
+  Calibration next(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_EQ(from(next), AnglesFrom::kMeasured);
   EXPECT_EQ(next.report().at_zero, (std::array<std::uint32_t, 3>{near(1), near(2), near(3)}));
   next.answers("A1");
@@ -57,7 +57,7 @@ TEST_F(CalibrationTest, WhatIsKeptHoldsFromTheNextStartOn) {
 
 TEST_F(CalibrationTest, TheDeviceIsDistrustedAsSoonAsOtherAnglesAreKeptForIt) {
   int distrusted = 0;
-  Calibration calibration(&store, nullptr, by_settings, "A1", [&] { ++distrusted; });
+  Calibration calibration(&store, nullptr, by_settings, "A1", [&](bool answers) { distrusted += answers ? 1 : 100; });
   calibration.answers("A1");
   EXPECT_EQ(calibration.keep({protocol::Text::of("A1"), {near(0), near(0), near(0)}}).sentence(), "");
   EXPECT_EQ(distrusted, 0) << "they are those in use";
@@ -69,7 +69,7 @@ TEST_F(CalibrationTest, TheDeviceIsDistrustedAsSoonAsOtherAnglesAreKeptForIt) {
 
 TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   ASSERT_TRUE(store.put("B2", angles(7)));
-  Calibration unknown(&store, nullptr, by_settings, "");
+  Calibration unknown(&store, nullptr, by_settings, "", [](bool) {});
   EXPECT_EQ(unknown.others(), OtherAngles::kNone);
   unknown.answers("A1");
   EXPECT_EQ(unknown.others(), OtherAngles::kNone) << "nothing is kept for it";
@@ -78,7 +78,7 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
   unknown.answers(std::nullopt);
   EXPECT_EQ(unknown.others(), OtherAngles::kNone) << "no device, nothing to wait for";
 
-  Calibration b(&store, nullptr, by_settings, "B2");
+  Calibration b(&store, nullptr, by_settings, "B2", [](bool) {});
   b.answers("A1");
   EXPECT_EQ(b.others(), OtherAngles::kUntrusted) << "the angles of another device are in use";
   b.answers("");
@@ -88,16 +88,24 @@ TEST_F(CalibrationTest, ADeviceThatComesLateOrInPlaceOfAnotherHasItsOwn) {
 TEST_F(CalibrationTest, WhatIsKeptOfADeviceThatHasGoneSaysNothingOfTheOneThatAnswers) {
   ASSERT_TRUE(store.put("B2", angles(7)));
   std::optional<Calibration> calibration;
-  bool comes = false;
+  std::string comes;
   const auto swaps = [&](const std::string& serial) {
-    if (std::exchange(comes, false)) calibration->answers("B2");
+    if (!comes.empty()) calibration->answers(std::exchange(comes, ""));
     return by_settings(serial);
   };
-  calibration.emplace(&store, nullptr, swaps, "A1");
+  std::string distrusted;
+  calibration.emplace(&store, nullptr, swaps, "A1",
+                      [&](bool answers) { distrusted += answers ? "the one in use" : "the one that has gone"; });
   calibration->answers("A1");
-  comes = true;
+  comes = "B2";
   EXPECT_EQ(calibration->keep({protocol::Text::of("A1"), {near(0), near(0), near(0)}}).sentence(), "");
   EXPECT_EQ(calibration->others(), OtherAngles::kUntrusted) << "B2 does not have the angles in use";
+  EXPECT_EQ(distrusted, "");
+  calibration->answers("A1");
+  comes = "C3";
+  EXPECT_EQ(calibration->keep(measured("A1")).sentence(), "");
+  EXPECT_EQ(calibration->others(), OtherAngles::kNone) << "C3 has the angles in use";
+  EXPECT_EQ(distrusted, "the one that has gone") << "A1 would come back as the expected one";
 }
 
 TEST_F(CalibrationTest, ADeviceThatGoesWhileItsAnglesAreStoredIsDistrusted) {
@@ -108,7 +116,7 @@ TEST_F(CalibrationTest, ADeviceThatGoesWhileItsAnglesAreStoredIsDistrusted) {
     if (std::exchange(goes, false)) calibration->answers(std::nullopt);
     return by_settings(serial);
   };
-  calibration.emplace(&store, nullptr, by_leaving, "A1", [&] { ++distrusted; });
+  calibration.emplace(&store, nullptr, by_leaving, "A1", [&](bool) { ++distrusted; });
   calibration->answers("A1");
   goes = true;
   EXPECT_EQ(calibration->keep(measured("A1")).sentence(), "");
@@ -118,7 +126,7 @@ TEST_F(CalibrationTest, ADeviceThatGoesWhileItsAnglesAreStoredIsDistrusted) {
 
 TEST_F(CalibrationTest, ADeviceThatComesWhileItsAnglesAreStoredIsNotFeltWithTheOldOnes) {
   ASSERT_TRUE(store.put("A1", angles(7)));
-  Calibration calibration(&store, nullptr, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   calibration.answers("A1");
   EXPECT_EQ(calibration.others(), OtherAngles::kNone);
   folder.after_read = [&] { EXPECT_EQ(calibration.keep(measured("A1")).sentence(), ""); };
@@ -126,9 +134,20 @@ TEST_F(CalibrationTest, ADeviceThatComesWhileItsAnglesAreStoredIsNotFeltWithTheO
   EXPECT_EQ(calibration.others(), OtherAngles::kUntrusted) << "what was read is not what is stored by now";
 }
 
+/// In lockstep: who would trust one again is no part of it.
+TEST_F(CalibrationTest, WhereNoDeviceIsDistrustedNoOtherAnglesWait) {
+  ASSERT_TRUE(store.put("B2", angles(7)));
+  Calibration calibration(&store, nullptr, by_settings, "A1");
+  calibration.answers("A1");
+  EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("start it without --lockstep"));
+  EXPECT_FALSE(store.read("A1"));
+  calibration.answers("B2");
+  EXPECT_EQ(calibration.others(), OtherAngles::kNone) << "it is heard with the angles in use";
+}
+
 TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
   constexpr double kTurn = 4294967296.0;
-  Calibration calibration(&store, nullptr, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   calibration.answers("A1");
   for (const double degrees : {-26.0, -25.0, -20.1, 20.1, 90.0, 180.0}) {
     const std::uint32_t at = near(static_cast<std::uint32_t>(static_cast<std::int64_t>(degrees / 360 * kTurn)));
@@ -136,7 +155,7 @@ TEST_F(CalibrationTest, AnglesFarFromTheGeometrysAreNeitherKeptNorUsed) {
         << degrees;
     EXPECT_EQ(calibration.others(), OtherAngles::kNone) << degrees;
     ASSERT_TRUE(store.put("A1", {Angle::from_raw(at), Angle::from_raw(near(2)), Angle::from_raw(near(3))}));
-    Calibration next(&store, nullptr, by_settings, "A1");
+    Calibration next(&store, nullptr, by_settings, "A1", [](bool) {});
     EXPECT_EQ(from(next), AnglesFrom::kGeometry) << degrees;
     EXPECT_THAT(next.trouble().sentence(), HasSubstr("more than 20 degrees away")) << degrees;
     ASSERT_TRUE(folder.remove("calibration-A1"));
@@ -155,7 +174,7 @@ TEST_F(CalibrationTest, NoAnglesAreStoredThatThePersonIsNotAskedToConfirm) {
       store::CalibrationStore kept(cut);
       store::RunMark mark(cut);
       ASSERT_EQ(mark.begin().sentence(), "");
-      Calibration calibration(&kept, &mark, by_settings, "A1");
+      Calibration calibration(&kept, &mark, by_settings, "A1", [](bool) {});
       calibration.answers("A1");
       cut.steps_left = steps;
       (void)calibration.keep(measured("A1"));
@@ -169,7 +188,7 @@ TEST_F(CalibrationTest, NoAnglesAreStoredThatThePersonIsNotAskedToConfirm) {
 
 TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
   ASSERT_TRUE(store.put("SET", angles(7)));
-  Calibration calibration(&store, nullptr, by_settings, "SET");
+  Calibration calibration(&store, nullptr, by_settings, "SET", [](bool) {});
   EXPECT_EQ(from(calibration), AnglesFrom::kSettings);
   calibration.answers("SET");
   EXPECT_EQ(calibration.others(), OtherAngles::kNone);
@@ -177,14 +196,14 @@ TEST_F(CalibrationTest, TheSettingsOutweighWhatIsKept) {
 }
 
 TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
-  Calibration calibration(&store, nullptr, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("; calibrate again")) << "it does not answer yet";
   calibration.answers("A1");
   EXPECT_THAT(calibration.keep(measured("B2")).sentence(), HasSubstr("another device"));
   folder.full = true;
   EXPECT_THAT(calibration.keep(measured("A1")).sentence(), HasSubstr("cannot be stored"));
   EXPECT_EQ(calibration.others(), OtherAngles::kNone);
-  Calibration without(nullptr, nullptr, by_settings, "A1");
+  Calibration without(nullptr, nullptr, by_settings, "A1", [](bool) {});
   without.answers("A1");
   EXPECT_THAT(without.keep(measured("A1")).sentence(), HasSubstr("state folder"));
 }
@@ -192,7 +211,7 @@ TEST_F(CalibrationTest, WhatCannotBeKeptIsToldInASentence) {
 TEST_F(CalibrationTest, AFileThatWentBadIsToldAndNotUsed) {
   ASSERT_TRUE(store.put("A1", {}));
   ASSERT_TRUE(folder.write("calibration-A1", store::FileBytes(36, 'x')));
-  Calibration calibration(&store, nullptr, by_settings, "A1");
+  Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("calibration of A1 cannot be used"));
   EXPECT_EQ(from(calibration), AnglesFrom::kGeometry);
 }

@@ -116,7 +116,7 @@ struct ControlRig {
               disk_is_busy.wait(true);
               return Calibration::Choice{libnifalcon_model()};
             },
-            "A1"),
+            "A1", [](bool) {}),
         tick(slots) {
     settings.path = (scratch.path() / "control").string();
     settings.program = "a test";

@@ -94,6 +94,18 @@ TEST(FalconPort, ADeviceThatIsDistrustedGetsNoForceAndIsNotHeardUntilItIsTrusted
   }
 }
 
+TEST(FalconPort, ADeviceInPlaceOfTheExpectedOneStaysTrustedWhenThatOneIsDistrusted) {
+  for (const bool is_expected : {false, true}) {
+    Desk desk;
+    desk.port.expect(is_expected ? "FAKE0001" : "FAKE0002");
+    while (desk.session.state() != SessionState::kRunning) desk.exchange();
+    if (!is_expected) desk.port.trust(desk.port.shown().get().found);
+    ASSERT_EQ(desk.exchange(), Answer::kReply);
+    desk.port.distrust(false);
+    EXPECT_EQ(desk.exchange(), is_expected ? Answer::kSilent : Answer::kReply);
+  }
+}
+
 TEST(FalconPort, RestsBySwitchingTheDeviceOff) {
   Desk desk;
   while (desk.session.state() != SessionState::kRunning) desk.exchange();
