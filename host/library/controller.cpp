@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -25,17 +27,26 @@ namespace {
 
 constexpr std::uint32_t kMaxPatience = 3'600'000;  // ms
 
+/// Every wait has an end, so the ssh to a far controller need not end with Ctrl-C, which a program such as Python catches before it goes on.
+bool is_never_over() { return false; }
+
 struct ControllerThing final : Thing {
   ControllerThing(std::string to, int patience_ms)
-      : Thing(Kind::kController), address(std::move(to)), timeout_ms(patience_ms), connected(std::in_place, address, timeout_ms) {}
+      : Thing(Kind::kController),
+        address(std::move(to)),
+        timeout_ms(patience_ms),
+        owner(::getpid()),
+        connected(std::in_place, address, timeout_ms, is_never_over) {}
 
   const std::string address;
   const int timeout_ms;
+  pid_t owner;                                ///< the process that connected
   std::optional<link::Controller> connected;  ///< none after something failed: an answer may still be on its way
 
   template <class Request>
   void ask(const Request& request) {
-    if (!connected) connected.emplace(address, timeout_ms);
+    if (std::exchange(owner, ::getpid()) != ::getpid()) connected.reset();  // a fork's copy would take the answers of the original
+    if (!connected) connected.emplace(address, timeout_ms, is_never_over);
     try {
       request(*connected);
     } catch (...) {
@@ -52,7 +63,7 @@ link::Controller another(isotouch_controller controller) {
     const auto& known = held.as<ControllerThing>();
     return std::pair(known.address, known.timeout_ms);
   }();
-  return link::Controller(address, timeout_ms);
+  return link::Controller(address, timeout_ms, is_never_over);
 }
 
 /// A request and its answer.
@@ -82,6 +93,16 @@ std::string text_of(const char* text, const char* name) {
                                       std::to_string(protocol::kMaxName) + "; choose another one");
   if (!is_printable(whole)) refuse(ISOTOUCH_BAD_ARGUMENT, std::string(name) + " has control characters or is no UTF-8; choose another one");
   return whole;
+}
+
+/// What the file of a recording is refused with is not the controller's fault.
+template <class Write>
+auto written(const Write& write) {
+  try {
+    return write();
+  } catch (const InputError& error) {
+    refuse(ISOTOUCH_BAD_DATA, error.what());
+  }
 }
 
 TraceRecord record_of(std::span<const std::uint8_t> bytes) {
@@ -180,14 +201,10 @@ isotouch_status isotouch_controller_record(isotouch_controller controller, uint6
         [&](std::span<const std::uint8_t> bytes) {
           const Result<TraceHeader> header = decode_header(bytes, bytes.size());
           if (!header) throw InputError("the recording's header cannot be read; install the same release on both sides");
-          try {
-            writer.emplace(name, *header, files::Leftover::kRefuse);
-          } catch (const InputError& error) {
-            refuse(ISOTOUCH_BAD_DATA, error.what());
-          }
+          written([&] { writer.emplace(name, *header, files::Leftover::kRefuse); });
         },
         keep, [&] { return enough || (writer && writer->is_full()); });
-    const std::uint64_t kept = writer->finish_with_what_fits().records;
+    const std::uint64_t kept = written([&] { return writer->finish_with_what_fits().records; });
     if (recorded != nullptr) *recorded = kept;
     if (!ended.empty()) throw InputError(ended + "; " + name + " holds the " + std::to_string(kept) + " ticks before");
     if (kept < ticks && !enough) refuse(ISOTOUCH_BAD_DATA, name + ": the disk is full; free space on it, and record again");

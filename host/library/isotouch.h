@@ -14,6 +14,9 @@
  * **Threads.** Every function may be called from every thread. Fields and traces may be used by several threads at once. A touch or a controller that
  * another thread is using, and what is freed while it is used, gives #ISOTOUCH_BUSY; nothing waits.
  *
+ * **Processes.** After fork() both processes may go on with their handles, if no other thread was in a call at that moment. In the new process a controller
+ * is connected to anew.
+ *
  * **Sizes.** Each structure is passed with its size, so that a later version may add members at its end and still take the sizes of earlier ones. A size
  * that this library does not know is an error, such as that of a newer header.
  *
@@ -368,7 +371,7 @@ ISOTOUCH_API isotouch_status isotouch_trace_integers(isotouch_trace trace, const
 /* ---- a running controller -------------------------------------------------------------------------------------------------------------- */
 
 /**
- * Connects to a controller. After a call that failed, the next one connects again.
+ * Connects to a controller. After a call that failed, the next one connects again. The ssh to a far controller ignores the terminal's Ctrl-C.
  *
  * @param address     `unix:PATH` of its socket, or `ssh://user@host[:port][/path of the socket]`
  * @param timeout_ms  longest time to wait for an answer, 1 to 3,600,000
