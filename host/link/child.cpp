@@ -1,11 +1,14 @@
 #include "host/link/child.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +18,25 @@
 namespace isotouch::link {
 
 namespace {
+
+constexpr std::chrono::milliseconds kPatience{2000};
+
+/// Why it does not become the program, if it says so in time. Silence does not count: what another thread has forked may hold the other end, too.
+///
+/// answer    of the pipe that closes when it becomes the program
+/// returns   errno; 0: it has become the program, as far as is known
+int failure(int answer) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  pollfd one{answer, POLLIN, 0};
+  int ready = -1;
+  do {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now()).count();
+    ready = ::poll(&one, 1, static_cast<int>(std::max<std::int64_t>(left, 0)));
+  } while (ready < 0 && errno == EINTR);
+  int failed = 0;
+  const bool says = ready > 0 && ::read(answer, &failed, sizeof failed) == sizeof failed;
+  return says ? failed : 0;
+}
 
 /// What the new process does until it is the program. Nothing that a signal handler may not do, because other threads hold their locks for ever here.
 ///
@@ -51,13 +73,18 @@ int start(char* const* words, int end, bool is_deaf, pid_t& child) {
   int failed = child < 0 ? errno : 0;
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   ::close(answer[1]);
-  if (child > 0) {
-    ssize_t got = -1;
-    for (errno = EINTR; got < 0 && errno == EINTR;) got = ::read(answer[0], &failed, sizeof failed);
-    if (got > 0) ::waitpid(child, nullptr, 0);  // otherwise it has become the program
-  }
+  if (child > 0 && (failed = failure(answer[0])) != 0) ::waitpid(child, nullptr, 0);
   ::close(answer[0]);
   return failed;
+}
+
+/// fails     InputError, always
+[[noreturn]] void complain(const std::string& text, const std::string& program, int error) {
+  const std::string why = std::strerror(error);
+  for (const int lack : {EMFILE, ENFILE, EAGAIN, ENOMEM, ENOBUFS}) {
+    if (error == lack) throw InputError(text + ": no program can be started (" + why + "); close files or programs, or free memory");
+  }
+  throw InputError(text + ": " + program + " cannot be run (" + why + "); install it, or correct the PATH");
 }
 
 }  // namespace
@@ -67,13 +94,13 @@ int run_child(std::vector<std::string> command, const std::string& text, pid_t& 
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   int ends[2];
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) throw InputError(text + ": " + std::strerror(errno));
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) complain(text, command[0], errno);
   const int failed = start(words.data(), ends[1], is_deaf, child);
   ::close(ends[1]);
   if (failed == 0) return ends[0];
   child = -1;
   ::close(ends[0]);
-  throw InputError(text + ": " + command[0] + " cannot be run (" + std::strerror(failed) + "); install an ssh client");
+  complain(text, command[0], failed);
 }
 
 std::string ssh_program() {

@@ -274,7 +274,8 @@ TEST_F(Ssh, TheOneInThePathIsTakenByDefault) {
 TEST_F(Ssh, WhenItFailsTheSentenceSaysWhatToDo) {
   {
     const Variable ssh("ISOTOUCH_SSH", (rig_.scratch.path() / "none").string());
-    EXPECT_THAT(refusal([&] { Controller controller("ssh://board"); }), HasSubstr("install an ssh client"));
+    EXPECT_THAT(refusal([&] { Controller controller("ssh://board"); }),
+                HasSubstr("none cannot be run (No such file or directory); install it"));
   }
   const Variable ssh("ISOTOUCH_SSH", (rig_.scratch.path() / "fake-ssh").string());
   EXPECT_THAT(refusal([&] { Controller controller("ssh://board" + rig_.settings.path + ".none"); }), HasSubstr("ssh ended with status 1"));
