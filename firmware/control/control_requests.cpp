@@ -74,7 +74,8 @@ void ControlRequests::answer(ControlClient& client, const protocol::Frame& frame
     client.refuse(frame.kind, "the request is too short for its kind; install the same release on both sides");
   };
   if (!may(client, frame.kind, role_for(frame.kind))) return;
-  // What may lead to a force waits until the hand has been measured, and until what was measured holds. So does another measurement.
+  // What may lead to a force is refused until the hand has been measured, and until what was measured holds. So is another measurement, and posture itself
+  // looks whether one is under way. While angles are stored only a resume comes to here: commit and select wait for the worker before.
   const bool may_lead_to_force = frame.kind == Kind::kCommit || frame.kind == Kind::kSelect || frame.kind == Kind::kResume;
   if ((measuring_ != nullptr || worker_.keeps_angles()) && may_lead_to_force) return client.refuse(frame.kind, kMeasuringNow);
   const auto others = neighbours_.calibration != nullptr ? neighbours_.calibration->others() : protocol::OtherAngles::kNone;
