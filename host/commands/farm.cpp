@@ -132,6 +132,8 @@ struct Bisect {
       throw;
     } catch (const EndsBisection&) {
       throw;
+    } catch (const trace::NoPatches& error) {
+      throw EndsBisection(error.what());
     } catch (const std::exception& error) {
       throw CannotBeJudged(error.what());
     }
@@ -141,18 +143,19 @@ struct Bisect {
   void judge() const {
     for (const std::string& word : {recording.trace.path.string(), command.front()})
       if (word.starts_with("-")) throw EndsBisection(word + " stands behind FIELD; put options before it");
-    const Interruption interruption;
     const auto end_if_interrupted = [&](bool is_interrupted) {
       if (is_interrupted) throw EndsBisection("interrupted; start git bisect run again to go on from here");
     };
     const int built = build.empty() ? 0 : std::system(("exec >&2; " + build).c_str());
-    end_if_interrupted(interruption.has_come() || is_by_ctrl_c(built));
+    end_if_interrupted(is_by_ctrl_c(built));
     if (built != 0) throw CannotBeJudged("the build failed");
-    for (const fs::path* file : {&recording.field.path, &recording.trace.path}) {
+    const auto end_if_missing = [](const fs::path& file) {
       std::error_code none;
-      if (fs::status(*file, none).type() == fs::file_type::not_found)
-        throw EndsBisection(file->string() + ": it is not there; keep the recording where no commit takes it away");
-    }
+      if (fs::status(file, none).type() == fs::file_type::not_found)
+        throw EndsBisection(file.string() + ": it is not there; keep the recording where no commit takes it away");
+    };
+    end_if_missing(recording.field.path);
+    end_if_missing(recording.trace.path);
     farm::Patience own = patience;
     own.may_go_on = [&] { return !interruption.has_come(); };
     const farm::Recording named = farm::as_recorded(recording);

@@ -64,7 +64,8 @@ std::string last_line(std::string_view text) {
 }
 
 void require_same(const NamedFile& file, const char* what) {
-  if (hash_of(file.path) != file.hash) throw InputError(file.path.string() + " is no longer the " + what + " of the table");
+  if (hash_of(file.path) != file.hash)
+    throw InputError(file.path.string() + " is no longer the " + what + " of the table; run the farm again with the new one");
 }
 
 /// Of what a program printed: the object in it, or the last line that is one.

@@ -46,7 +46,7 @@ const char* name_of(Answer::Outcome outcome);
 Answer ask(const Recording& recording, const Program& program, const Patience& patience = {});
 
 /// Writes an answer to its file below `answers`, with the names of host and kernel. The file is written whole or not at all, also if other machines keep
-/// the same answer at the same time. It replaces only an answer that says the same.
+/// the same answer at the same time. It replaces only an answer with the same outcome, hash and tick.
 ///
 /// fails     InputError naming the file or folder that cannot be written
 void keep(const std::filesystem::path& answers, const Recording& recording, const Program& program, const Answer& answer);

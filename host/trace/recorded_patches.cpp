@@ -38,11 +38,16 @@ std::size_t moves_of(const Trace& trace) {
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
-  if (moves_of(trace) == 0) return std::nullopt;
+  const bool is_named = !trace.patches().empty();
+  if (moves_of(trace) == 0) {
+    if (is_named)
+      throw InputError(trace.path() + ": the field was not patched while it was recorded; leave out " + std::string(trace.patches()));
+    return std::nullopt;
+  }
   const std::filesystem::path file = patches_of(trace);
   if (!std::filesystem::exists(file)) {
-    throw InputError(trace.path() + ": the field was patched while it was recorded, and " + file.string() +
-                     " is not there; keep that file beside the trace");
+    throw NoPatches(trace.path() + ": the field was patched while it was recorded, and " + file.string() + " is not there; " +
+                    (is_named ? "give the file that was written beside the trace" : "keep that file beside the trace"));
   }
   return read_file(file);
 }
