@@ -292,7 +292,9 @@ class Client : public std::enable_shared_from_this<Client> {
     Fault ignored;
     stream_.socket().shutdown(Tcp::socket::shutdown_send, ignored);
     stream_.expires_after(std::chrono::seconds(1));
-    silent_ = parts_.silent.insert(parts_.silent.begin(), this);
+    hangs_up_ = true;
+    const auto behind = std::find_if(parts_.silent.begin(), parts_.silent.end(), [](const Client* client) { return !client->hangs_up_; });
+    silent_ = parts_.silent.insert(behind, this);
     drain();
   }
   void drain() {
@@ -311,7 +313,7 @@ class Client : public std::enable_shared_from_this<Client> {
   Bytes sent_;
   std::vector<char> rest_;
   std::optional<std::list<Client*>::iterator> silent_;  // its place among them
-  bool keep_ = false, handed_on_ = false;
+  bool keep_ = false, handed_on_ = false, hangs_up_ = false;
 };
 
 }  // namespace

@@ -57,8 +57,9 @@ class Site {
 /// What one client, and all together, may take.
 struct Limits {
   std::size_t viewers = 10;  ///< at a time; one more gets status 503
-  std::size_t connections =
-      64;  ///< at a time, viewers among them; one more ends one that was refused or has asked nothing for longest, or gets status 503
+  /// At a time, viewers among them. One more ends the one that was refused, or has asked nothing, for longest; else it gets status 503. As many again may be
+  /// open for the second in which they are refused; what comes then is closed.
+  std::size_t connections = 64;
   std::size_t message_bytes = 1024;         ///< that a viewer sends; a longer one ends it with code 1009
   std::size_t messages_a_second = 240;      ///< of one viewer; more end it with code 1008
   std::size_t request_bytes = 8 * 1024;     ///< of a request without what it sends; else status 431

@@ -34,7 +34,8 @@ class Scene {
   const FieldView& field() const { return field_.view; }
   /// That names the field: 16 hexadecimal digits.
   const std::string& hash() const { return hash_; }
-  /// Figures of the field, with their units in their names. `invented_share` is null where the field came without marks, as from a controller.
+  /// Figures of the field, with their units in their names. `invented_share` is null where the field has no marks: nothing was invented, or nobody knows, as of
+  /// a controller's field.
   nlohmann::ordered_json summary() const;
   /// Whole numbers: vertices, faces. Per vertex 16 bytes: position as three floats (mm), normal as three signed bytes (127 = 1), a byte of marks: 1
   /// where the surface was invented, 2 where the wall behind it is thinner than kThin_voxels. Per face three whole numbers.

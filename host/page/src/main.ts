@@ -48,6 +48,7 @@ class Page {
   private plotsLater: ReturnType<typeof setTimeout> | undefined;
   private link: Link | null = null;
   private silence: ReturnType<typeof setTimeout> | undefined;
+  private saysSilence = false; // no tick has come for a second
   private liveField: string | null | undefined; // null: the controller has none; undefined: not known
   private liveFieldSentence = ''; // why it cannot be drawn
   private agreedAt = 0; // ms; what was drawn was what the controller had, or the newest that had come of it
@@ -99,15 +100,15 @@ class Page {
       case 'link':
         if (message.period_ns !== undefined) this.live.period = message.period_ns * 1e-9;
         this.link = message;
-        if (message.there) this.live.clear();
-        else this.forgetLive();
+        this.forgetLive();
         this.sayLink(message.sentence, !message.there);
         this.awaitTicks();
         break;
       case 'state':
-        this.sayLive([message]);
+        if (this.link?.there) this.sayLive([message]);
         break;
       case 'status':
+        if (!this.link?.there) break; // of a controller that is gone
         this.liveField = message.status.field_hash;
         this.liveFieldSentence = message.field_sentence ?? '';
         this.warnOfField();
@@ -120,6 +121,7 @@ class Page {
   private forgetLive(): void {
     this.live.clear();
     clearTimeout(this.silence);
+    this.saysSilence = false;
     this.liveField = undefined;
     this.liveFieldSentence = '';
     this.plots.clearHistograms();
@@ -138,8 +140,14 @@ class Page {
     clearTimeout(this.silence);
     const link = this.link;
     if (!link?.there || document.hidden) return;
-    if (!this.live.isSilent) this.sayLink(link.sentence, false);
+    if (this.saysSilence && !this.live.isSilent) {
+      this.saysSilence = false;
+      this.sayLink(link.sentence, false);
+      this.sayLive(this.liveWords);
+    }
     this.silence = setTimeout(() => {
+      this.saysSilence = true;
+      if (this.source === 'live') this.words([]);
       this.sayLink(`${link.sentence}, but has sent no tick for a second; see with isotouch status whether its loop runs`, true);
       if (this.source === 'live') this.changed();
     }, kSilentMs);
@@ -251,6 +259,7 @@ class Page {
       this.slice?.setScene(summary);
       this.summary = summary;
       this.agreedAt = performance.now();
+      if (summary.follows) this.liveFieldSentence = '';
       this.warnOfField();
       this.sources.add('touch', 'Touch');
       if (this.source === 'touch') this.sources.choose('touch');
@@ -274,7 +283,7 @@ class Page {
   private liveWarning(): string {
     if (this.liveFieldSentence !== '') return this.liveFieldSentence;
     if (!this.summary || this.liveField === undefined || this.liveField === this.summary.hash) return '';
-    const comes = this.wanted !== null || performance.now() - this.agreedAt < kFollowsMs;
+    const comes = this.wanted !== null || this.opens || performance.now() - this.agreedAt < kFollowsMs;
     if (this.summary.follows && comes) return '';
     if (this.liveField !== null) return 'The hand feels another field than the one that is drawn.';
     return this.summary.follows ? 'The controller has no field any more; the one that is drawn was its last.' : '';
@@ -295,7 +304,7 @@ class Page {
     this.plots.make(names);
     this.plots.now = null;
     this.plots.marks = source === 'recording' ? this.player.marks() : [];
-    this.words(source === 'live' ? this.liveWords : []);
+    this.words(source === 'live' && !this.saysSilence ? this.liveWords : []);
     this.warnOfField();
     if (this.wanted) void this.openScene(this.wanted);
     if (source === 'recording') void this.plotRecordings();
@@ -425,7 +434,7 @@ class Page {
 
   private sayLive(words: Words[]): void {
     this.liveWords = words;
-    if (this.source === 'live') this.words(words);
+    if (this.source === 'live' && !this.saysSilence) this.words(words);
   }
 
   private notice(sentence: string): void {

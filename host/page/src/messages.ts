@@ -95,7 +95,7 @@ export interface SceneSummary {
   points: number;
   points_drawn: number;
   step_voxels: number;
-  invented_share: number | null; // null: it came without marks, so nobody knows
+  invented_share: number | null; // null: it has no marks, because nothing was invented, or because nobody knows, as of a controller's field
   thin_share: number;
   thin_mm: number;
   follows: boolean; // it is the field that the controller has, as it changes

@@ -100,7 +100,7 @@ export class SceneView {
     if (!this.sliced) return noCut();
     const { axis, at } = this.sliced;
     const normal = new Vector3(Number(axis === 'x'), Number(axis === 'y'), Number(axis === 'z'));
-    const side = this.orbit.towardsEye().dot(normal) < 0 ? -1 : 1;
+    const side = this.orbit.camera.position[axis] < at ? -1 : 1;
     return new Vector4(side * normal.x, side * normal.y, side * normal.z, side * at + 1e-3);
   }
 
