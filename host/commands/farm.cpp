@@ -156,6 +156,7 @@ struct Bisect {
     };
     end_if_missing(recording.field.path);
     end_if_missing(recording.trace.path);
+    const Interruption interruption;
     farm::Patience own = patience;
     own.may_go_on = [&] { return !interruption.has_come(); };
     const farm::Recording named = farm::as_recorded(recording);
