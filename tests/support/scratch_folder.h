@@ -1,5 +1,7 @@
-/// A folder of its own for one test, gone with it.
+/// A folder of its own for one test, gone with it. Others may run the same test at the same time.
 #pragma once
+
+#include <unistd.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -14,10 +16,7 @@ namespace isotouch {
 class ScratchFolder {
  public:
   ScratchFolder() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("isotouch-") + test->test_suite_name() + "-" + test->name();
-    for (char& c : name) c = c == '/' ? '-' : c;
-    path_ = std::filesystem::path(::testing::TempDir()) / name;
+    path_ = std::filesystem::path(::testing::TempDir()) / ("isotouch-" + std::to_string(::getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
