@@ -171,6 +171,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.points_read = model.positions.size();
   report.edges = model.edges;
   report.viewpoint = model.viewpoint;
+  report.is_viewpoint_assumed = model.is_viewpoint_assumed;
   report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();

@@ -22,6 +22,7 @@ struct CloudReport {
   bool has_normals = true;                        ///< if not, the points' normals are zero, and to be estimated
   std::optional<std::size_t> edges = {};          ///< the normals come from the scan's grid; points at its edges that were left out
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, where it is known
+  bool is_viewpoint_assumed = false;              ///< the file does not state it
   std::size_t incomplete = 0;                     ///< points whose coordinates or normal are not finite, left out
   std::size_t renormalised = 0;                   ///< normals whose length was more than 1 % off
   std::size_t merged = 0;                         ///< points at a place that another one already had

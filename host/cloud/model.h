@@ -30,6 +30,7 @@ struct Model {
   std::optional<ScanGrid> grid = {};              ///< of an organised scan without normals
   std::optional<std::size_t> edges = {};          ///< the normals come from the grid; points at edges that were left out for that
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, where the file states one
+  bool is_viewpoint_assumed = false;              ///< it does not, but its grid is that of a camera there
   std::size_t incomplete = 0;                     ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.

@@ -133,7 +133,10 @@ void read_points(Rows rows, const PcdHeader& header, Model& model) {
   if (header.has_normals) model.normals.reserve(header.points);
   const bool has_grid = header.is_organised() && !header.has_normals;
   if (has_grid)
-    model.grid = ScanGrid{header.width, std::vector(header.points, ScanGrid::kNoReturn), header.viewpoint.value_or(Vector3d::Zero())};
+    model.grid = ScanGrid{.columns = header.width,
+                          .cells = std::vector(header.points, ScanGrid::kNoReturn),
+                          .sensor = header.viewpoint.value_or(Vector3d::Zero()),
+                          .is_assumed = !header.viewpoint};
   for (std::size_t i = 0; i < header.points; ++i) {
     const Row row = rows.row(i);
     if (!std::all_of(row.begin(), row.begin() + 3, [](double value) { return std::isfinite(value); })) {

@@ -219,7 +219,9 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
     }
   }
   rows.end();
-  if (model.grid) model.grid->sensor = sensor(header.range, model.positions);
+  if (!model.grid) return;
+  model.grid->sensor = sensor(header.range, model.positions);
+  model.grid->is_assumed = !header.range.cyberware;
 }
 
 }  // namespace

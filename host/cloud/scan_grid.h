@@ -17,6 +17,7 @@ struct ScanGrid {
   std::size_t columns = 0;
   std::vector<std::uint32_t> cells = {};             ///< row by row, whole rows: an index of a position, or kNoReturn
   Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< the camera's or scanner's place, in the positions' frame
+  bool is_assumed = false;                           ///< nobody states that place: a camera's own frame has it in the origin
 };
 
 /// Gives a model the normals of its grid.
@@ -29,7 +30,8 @@ struct ScanGrid {
 /// model     without normals; all its other lists stay in step
 /// returns   how many points were left out: beside a jump, with fewer than four joined cells around them, or in no cell. Nothing, and the model stays
 ///           as it was, when fewer than half of the returns would get a normal, or a fifth of the normals would face away from the sensor: then the grid
-///           is not that of an image
+///           is not that of an image. Nor where the sensor's place is assumed, the image would be mirrored as seen from there, and its columns do not
+///           lie in planes through that place: then the sensor stood on the other side
 std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid);
 
 }  // namespace isotouch::cloud

@@ -41,9 +41,15 @@ bool SourceFile::is_mesh() const {
 Model SourceFile::points() const {
   Model model = read_points();
   if (model.grid && model.normals.empty()) {
-    if (sensor_.viewpoint) model.grid->sensor = *sensor_.viewpoint;
+    if (sensor_.viewpoint) {
+      model.grid->sensor = *sensor_.viewpoint;
+      model.grid->is_assumed = false;
+    }
     model.edges = orient_by_grid(model, *model.grid);
-    if (model.edges) model.viewpoint = model.grid->sensor;
+    if (model.edges) {
+      model.viewpoint = model.grid->sensor;
+      model.is_viewpoint_assumed = model.grid->is_assumed;
+    }
   }
   model.grid.reset();
   return model;

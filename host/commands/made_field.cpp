@@ -81,10 +81,12 @@ void require_no_normals(const BuildOptions& options, const char* what) {
 }
 
 /// Says where the file, and not the person, puts the sensor.
-std::string sensor_sentence(const Eigen::Vector3d& place) {
+std::string sensor_sentence(const Eigen::Vector3d& place, bool is_assumed) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
-  return "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
+  return is_assumed ? "the file does not say where the sensor stood, so its camera is taken to stand at " + std::string(text.data()) +
+                          "; --viewpoint names another place"
+                    : "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
 }
 
 /// Leaves the points outside out. Stiffness of points is not kept in step: a live field has none.
@@ -160,7 +162,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.points = read.points;
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
-  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint));
+  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint, read.is_viewpoint_assumed));
   const Eigen::Vector3d sides = box_of(measured).sizes();
   const int usual = options.method == BuildMethod::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
   const auto [edge, too_fine] = field::scan_voxel(sound, sides, report.placement.scale, {options.voxel_mm, options.grid}, usual);

@@ -93,6 +93,40 @@ TEST(ScanGrid, AMirroredGridFacesTheCameraToo) {
   EXPECT_EQ(ball.facing(), ball.model.normals.size());
 }
 
+/// A relief that was moved into its own frame: the camera looked down from far above, and the origin lies below.
+TEST(ScanGrid, AnAssumedSensorBehindTheImageIsNotBelieved) {
+  Scan relief(test::RangeImage{});
+  relief.model.positions.clear();
+  relief.grid.columns = 60;
+  relief.grid.cells.clear();
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 60; ++column) {
+      const double x = column - 29.5, y = 29.5 - row;
+      relief.grid.cells.push_back(static_cast<std::uint32_t>(relief.model.positions.size()));
+      relief.model.positions.emplace_back(x, y, 8 + 6 * std::exp(-(x * x + y * y) / 300));
+    }
+  }
+  relief.grid.is_assumed = true;
+  ASSERT_FALSE(orient_by_grid(relief.model, relief.grid));
+  relief.grid.sensor = Vector3d(0, 0, 500);
+  ASSERT_TRUE(orient_by_grid(relief.model, relief.grid));
+  EXPECT_EQ(relief.facing(), relief.model.normals.size());
+}
+
+/// Some cameras deliver mirrored images, and stand in the origin all the same.
+TEST(ScanGrid, AnAssumedSensorThatTheColumnsLeadToIsBelieved) {
+  for (const bool mirrored : {false, true}) {
+    Scan ball(test::ball_image(0.05, 0.5));
+    for (auto row = ball.grid.cells.begin(); mirrored && row != ball.grid.cells.end();
+         row += static_cast<std::ptrdiff_t>(ball.grid.columns))
+      std::reverse(row, row + static_cast<std::ptrdiff_t>(ball.grid.columns));
+    for (Vector3d& p : ball.model.positions) p = 0.0001 * (10000 * p).array().round();  // tenths of a millimetre
+    ball.grid.is_assumed = true;
+    ASSERT_TRUE(orient_by_grid(ball.model, ball.grid)) << mirrored;
+    EXPECT_EQ(ball.facing(), ball.model.normals.size()) << mirrored;
+  }
+}
+
 TEST(ScanGrid, NoNormalReachesOverAJump) {
   Scan scan(test::ball_image(0.05, 0.5, 0.6));
   std::size_t rim = 0, ball = 0;
