@@ -107,6 +107,7 @@ struct Table {
   std::vector<Eigen::Vector3d> first, second;  ///< columns 1 to 3, columns 4 to 6
   std::vector<std::size_t> lines;
   std::optional<std::size_t> count;
+  bool is_named = false;  ///< a line of names says what the columns hold
 };
 
 Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
@@ -143,6 +144,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
                                                      : "x y z nx ny nz like the lines before";
       throw lines.refusal((row.size() > 6 ? "more than 6" : std::to_string(row.size())) + " numbers; a line must hold " + wanted);
     }
+    table.is_named = names.has_value();
     table.first.emplace_back(row[0], row[1], row[2]);
     if (columns == 6) table.second.emplace_back(row[3], row[4], row[5]);
     table.lines.push_back(lines.line());
@@ -150,11 +152,25 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
   return table;
 }
 
+/// Numbers that are never negative and mostly not of length 1 are no normals, but colours, say.
+bool are_colours(const std::vector<Eigen::Vector3d>& columns) {
+  constexpr double kOff = 0.05;  // of a length: more than a file's few digits
+  const auto positive = [](const Eigen::Vector3d& c) { return c.minCoeff() >= 0.0; };
+  const auto off = [](const Eigen::Vector3d& c) { return std::abs(c.norm() - 1.0) > kOff; };
+  return std::all_of(columns.begin(), columns.end(), positive) &&
+         2 * static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(), off)) > columns.size();
+}
+
 }  // namespace
 
 Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
   if (is_utf16(bytes)) throw InputError(name + ": the text is encoded as UTF-16; save it as UTF-8");
   Table table = read_table(name, bytes);
+  if (!table.is_named && are_colours(table.second)) {
+    throw InputError(name +
+                     ": the numbers in columns 4 to 6 are never negative and not of length 1, as colours are and normals are not; "
+                     "remove these columns, or name all in a first line: x,y,z,nx,ny,nz");
+  }
   if (table.count && table.second.empty() && table.first.size() % 2 == 0 &&
       table.first.size() / 2 == *table.count) {  // a block of positions, a block of normals
     const auto half = static_cast<std::ptrdiff_t>(*table.count);

@@ -37,6 +37,13 @@ TEST(Xyz, ColumnsWithOtherNamesAreNoNormals) {
   EXPECT_TRUE(model.normals.empty());
 }
 
+TEST(Xyz, ColoursWithoutNamesAreRefused) {
+  EXPECT_THROW(read("1 2 3 0.8 0.81 0.79\n4 5 6 0.5 0.9 0.7\n7 8 9 0.6 0.5 0.6\n"), InputError);
+  EXPECT_EQ(read("x y z nx ny nz\n1 2 3 0.8 0.81 0.79\n").normals.size(), 1U) << "somebody says so";
+  EXPECT_EQ(read("1 2 3 0.8 0.81 0.79\n4 5 6 -0.5 0.9 0.7\n").normals.size(), 2U);
+  EXPECT_EQ(read("1 2 3 0.6 0.6 0.55\n4 5 6 0 0 1\n").normals.size(), 2U) << "a corner, with few digits";
+}
+
 TEST(Xyz, ALineMustHoldWhatTheNamesSay) {
   try {
     read("x,y,z,nx,ny,nz\n1,2,3,0,0,1\n4,5,6\n");
