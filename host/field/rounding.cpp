@@ -1,9 +1,9 @@
 #include "host/field/rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace isotouch::field {
 
@@ -12,23 +12,44 @@ namespace {
 constexpr std::size_t kAsked = 2000;    // points, at most
 constexpr double kUneven = 0.02;        // of a step: what the sums of decimals leave
 constexpr double kAlike = 0.95;         // of the points: rounding leaves half
-constexpr std::size_t kOfEachStep = 4;  // points at least: fewer, and the least difference says nothing
+constexpr std::size_t kOfEachStep = 4;  // points at least: fewer, and the differences say nothing
+constexpr double kMostUneven = 0.02;    // of the points: a few that were added to a rounded scan
+
+/// The commonest of the differences between neighbouring values, and a value where one of these begins. Of equally common ones the least.
+struct Step {
+  double length = 0, from = 0;
+};
+Step commonest_step(const std::vector<double>& values) {
+  std::vector<std::array<double, 2>> steps;  // and where they begin
+  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back({values[i] - values[i - 1], values[i - 1]});
+  std::sort(steps.begin(), steps.end());
+  Step best;
+  std::size_t most = 0;
+  for (std::size_t first = 0, end = 0; first < steps.size(); ++first) {
+    while (end < steps.size() && steps[end][0] <= (1.0 + kUneven) * steps[first][0]) ++end;
+    if (end - first <= most) continue;
+    most = end - first;
+    best = {steps[first + most / 2][0], steps[first + most / 2][1]};
+  }
+  return best;
+}
 
 double step_along(const std::vector<Eigen::Vector3d>& positions, int axis) {
   std::vector<double> values;
   const std::size_t every = 1 + positions.size() / kAsked;
   for (std::size_t i = 0; i < positions.size(); i += every) values.push_back(positions[i][axis]);
   const std::size_t asked = values.size();
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-  if (values.size() < 2 || kOfEachStep * values.size() > asked) return 0.0;
-  double step = std::numeric_limits<double>::max();
-  for (std::size_t i = 1; i < values.size(); ++i) step = std::min(step, values[i] - values[i - 1]);
+  std::vector<double> different = values;
+  std::sort(different.begin(), different.end());
+  different.erase(std::unique(different.begin(), different.end()), different.end());
+  if (different.size() < 2 || kOfEachStep * different.size() > asked) return 0.0;
+  const Step step = commonest_step(different);
   const auto uneven = [&](double value) {
-    const double steps = (value - values.front()) / step;
+    const double steps = (value - step.from) / step.length;
     return std::abs(steps - std::round(steps)) > kUneven;
   };
-  return std::any_of(values.begin(), values.end(), uneven) ? 0.0 : step;
+  const auto count = static_cast<double>(std::count_if(values.begin(), values.end(), uneven));
+  return count > kMostUneven * static_cast<double>(asked) ? 0.0 : step.length;
 }
 
 /// Do the points lie in the middle of a lattice's edges, or of its faces? There as many coordinates of each are odd; rounding leaves every number of them.

@@ -6,8 +6,9 @@
 
 namespace isotouch::field {
 
-/// positions   any length unit, in the file's frame: a rotation hides the steps
-/// returns     the step of which all coordinates differ by whole multiples, the least of the three axes; 0 where an axis has none. Where the points lie in the
+/// positions   any length unit, in the file's frame: a rotation hides the steps, and so do two lattices that do not fit
+/// returns     the step of which the coordinates of all points but one in fifty differ by whole multiples, the least of the three axes; 0 where an axis has
+///             none. Where the points lie in the
 ///             middle of a lattice's edges or faces, such as the border of a volume of voxels, the lattice's own step, two of these
 double rounding_step(const std::vector<Eigen::Vector3d>& positions);
 

@@ -37,6 +37,13 @@ TEST(Rounding, TheMiddlesOfALatticesEdgesOrFacesHaveItsStep) {
   EXPECT_NEAR(rounding_step(faces), 2.0, 1e-9);
 }
 
+TEST(Rounding, AFewUnevenPointsHideNoStep) {
+  std::vector<Vector3d> positions = owl(2.0);
+  for (std::size_t i = 0; i < positions.size(); i += 100)
+    positions[i] += Vector3d(0.31, 0.57, 0.83) * (1.0 + 1e-3 * static_cast<double>(i));
+  EXPECT_NEAR(rounding_step(positions), 2.0, 1e-9);
+}
+
 TEST(Rounding, OneFreeAxisIsEnough) {
   std::vector<Vector3d> positions = owl(2.0);
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y() += 0.01 * static_cast<double>(i % 1000);
