@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numbers>
 #include <vector>
 
@@ -73,13 +75,23 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
 
   double length = 0.0, within = 0.0, along_axis = 0.0;
   std::vector<double> heights;
+  std::map<std::uint32_t, int> balance;  // of each rim: how many more of its samples lie on the plane than off it
   for (const RimPlace& place : rim.along) {
     const double off = height(scan.positions()[place.sample]);
     length += place.length;
+    --balance[place.rim];
     if (std::abs(off) > std::max(kNear * bent, scan.median_spacing())) continue;
+    balance[place.rim] += 2;
     within += place.length;
     along_axis += place.length * scan.normals()[place.sample].dot(plane.axis);
     heights.push_back(off);
+  }
+  for (const RimPlace& place : rim.along) {
+    if (balance[place.rim] > 0) {
+      plane.on_plane.push_back(place);
+    } else {
+      plane.least_surrounded = std::min(plane.least_surrounded, place.surrounded);
+    }
   }
   plane.is_only_end = within >= kMostOfRim * length;
   plane.along_axis = along_axis / within;
@@ -89,7 +101,7 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
   return plane;
 }
 
-cloud::OrientedPoints plane_cap(const Scan& scan, const OpenRim& rim, const CutPlane& plane) {
+cloud::OrientedPoints plane_cap(const Scan& scan, const CutPlane& plane) {
   int least = 0;
   plane.axis.cwiseAbs().minCoeff(&least);
   const Vector3d u = plane.axis.cross(Vector3d::Unit(least)).normalized();
@@ -97,7 +109,7 @@ cloud::OrientedPoints plane_cap(const Scan& scan, const OpenRim& rim, const CutP
   const auto flat = [&](const Vector3d& step) { return Vector2d(step.dot(u), step.dot(v)); };
   std::vector<Edge> edges;
   Eigen::AlignedBox2d box;
-  for (const RimPlace& place : rim.along) {
+  for (const RimPlace& place : plane.on_plane) {
     const Vector2d outward = flat(scan.normals()[place.sample]);
     if (!(outward.norm() > 0.0)) continue;
     edges.push_back({flat(scan.positions()[place.sample] - plane.place), outward.normalized(), place.length,

@@ -89,6 +89,7 @@ struct Chain {
   Vector3d sum = Vector3d::Zero(), normals = Vector3d::Zero();
 
   Vector3d middle() const { return sum / static_cast<double>(samples); }
+  double surrounded() const { return normals.norm() / static_cast<double>(samples); }
 };
 
 /// Unit, in the sample's tangent plane: away from its neighbours on the same surface.
@@ -203,7 +204,7 @@ OpenRim open_rim(const Scan& scan) {
     if (chain.samples < kFewest) continue;
     rim.samples += chain.samples;
     rim.length += chain.length + chain.last;
-    rim.least_surrounded = std::min(rim.least_surrounded, chain.normals.norm() / static_cast<double>(chain.samples));
+    rim.least_surrounded = std::min(rim.least_surrounded, chain.surrounded());
     if (chain.length + chain.last <= rim.longest) continue;
     longest = c;
     rim.longest = chain.length + chain.last;
@@ -234,7 +235,9 @@ OpenRim open_rim(const Scan& scan) {
     for (const std::uint32_t end : {link.a, link.b}) lengths[end] += 0.5 * std::sqrt(link.squared_length);
   }
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
-    if (on_rim[i] != 0 && chains[rims.of(i)].samples >= kFewest) rim.along.push_back({i, lengths[i], rims.of(i) == longest});
+    if (on_rim[i] == 0) continue;
+    const std::uint32_t own = rims.of(i);
+    if (chains[own].samples >= kFewest) rim.along.push_back({i, lengths[i], own == longest, own, chains[own].surrounded()});
   }
   return rim;
 }

@@ -14,8 +14,10 @@ namespace isotouch::field {
 /// A sample on a rim.
 struct RimPlace {
   std::uint32_t sample;
-  double length;    ///< of the rim beside it: half of each link to the next ones, the scan's unit
-  bool on_longest;  ///< on the longest rim
+  double length;      ///< of the rim beside it: half of each link to the next ones, the scan's unit
+  bool on_longest;    ///< on the longest rim
+  std::uint32_t rim;  ///< the sample that stands for its rim
+  double surrounded;  ///< length of its rim's mean normal: near 1 round a hole in a face, near 0 round the end of a tube
 };
 
 struct OpenRim {
@@ -23,7 +25,7 @@ struct OpenRim {
   double length = 0;                                ///< of all rims together, the scan's unit; within a fifth or so
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< the middle of the longest rim's samples
   double longest = 0;                               ///< length of the longest rim, the scan's unit
-  double least_surrounded = 1;  ///< of all rims, length of the mean normal: near 1 round a hole in a face, near 0 round the end of a tube
+  double least_surrounded = 1;                      ///< of all rims, the least `surrounded`
   std::size_t patches = 0;  ///< samples of all patches: parts, of a scan that has others, that end outward all round and hang on nothing
   std::vector<RimPlace> along = {};                        ///< all samples on rims
   std::vector<std::array<Eigen::Vector3d, 2>> links = {};  ///< from sample to sample along all rims, the scan's unit

@@ -250,11 +250,12 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.is_on_table = cut && cut->is_table();
   if (cut && cut->is_cut()) {
     OrientedPoints with_cap = result.points;
-    with_cap.append(plane_cap(*scan, result.rim, *cut));
+    with_cap.append(plane_cap(*scan, *cut));
     const Facing open = field::facing(*scan), closed = field::facing(Scan(with_cap));
     result.is_capped = open.area > (1.0 - kMostCapped) * closed.area;
     if (result.is_capped) {
       result.points = std::move(with_cap);
+      result.rim.least_surrounded = cut->least_surrounded;
       result.enclosed = closed.enclosed;
     }
   }

@@ -225,7 +225,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   limit(verdict.gap_share, most_gaps,
         per_cent(verdict.gap_share) +
             " of the surface closes gaps that nobody scanned; scan the missing parts, or remove points within the body");
-  refuse(closed && !sound.is_capped && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
+  refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
          "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
          "off in one plane");
   refuse(

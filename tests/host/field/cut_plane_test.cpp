@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -87,12 +88,39 @@ TEST(CutPlane, AScanThatGoesOnBehindItIsNone) {
   EXPECT_FALSE(cut_plane(closed, open_rim(closed)));
 }
 
+TEST(CutPlane, RimsElsewhereHaveNoPartInItsCap) {
+  const Scan whole = below("torus", Vector3d::UnitZ(), 0, 8000);
+  OrientedPoints part{whole.positions(), whole.normals(), whole.stiffness()};
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if ((part.positions[i] - Vector3d(70, 0, -25)).norm() < 16) continue;  // a hole at its bottom
+    part.positions[kept] = part.positions[i];
+    part.normals[kept] = part.normals[i];
+    part.stiffness[kept++] = part.stiffness[i];
+  }
+  part.positions.resize(kept);
+  part.normals.resize(kept);
+  part.stiffness.resize(kept);
+  const Scan scan(part);
+  const OpenRim rim = open_rim(scan);
+  const auto plane = cut_plane(scan, rim);
+  ASSERT_TRUE(plane);
+  EXPECT_LT(plane->on_plane.size(), rim.along.size());
+  EXPECT_GT(plane->least_surrounded, 0.5);
+  const auto over_hole = [](const OrientedPoints& cap) {
+    const auto is_near = [](const Vector3d& p) { return std::hypot(p.x() - 70, p.y()) < 20; };
+    return static_cast<double>(std::count_if(cap.positions.begin(), cap.positions.end(), is_near));
+  };
+  const double usual = over_hole(plane_cap(whole, *cut_plane(whole, open_rim(whole))));
+  EXPECT_NEAR(over_hole(plane_cap(scan, *plane)), usual, 0.06 * usual);
+}
+
 TEST(CutPlane, ItsCapFillsARingAndLeavesItsHole) {
   const Scan scan = below("torus", Vector3d::UnitZ(), 0, 8000);
   const OpenRim rim = open_rim(scan);
   const auto plane = cut_plane(scan, rim);
   ASSERT_TRUE(plane);
-  const OrientedPoints cap = plane_cap(scan, rim, *plane);
+  const OrientedPoints cap = plane_cap(scan, *plane);
   ASSERT_GT(cap.size(), 400U);
   for (std::size_t i = 0; i < cap.size(); ++i) {
     const double radius = cap.positions[i].head<2>().norm();
