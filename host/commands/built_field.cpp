@@ -89,6 +89,10 @@ BuiltField built_field(const BuildOptions& options) {
     const std::vector<std::string> reasons = report.live_verdict->reasons();
     if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
   }
+  if (options.method == BuildMethod::kPublished && made.scan) {
+    const std::vector<std::string> reasons = field::reasons_of_scan(*made.scan);
+    if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
+  }
   // A scan is judged while its image is written; the verdict is the first to be heard.
   const field::BuiltScan built{made.repair ? made.field : field::BandField{}, made.repair.value_or(field::Repair{})};
   const auto policy = options.threads == 1 ? std::launch::deferred : std::launch::async;

@@ -12,6 +12,7 @@
 #include "host/error.h"
 #include "host/field/cut_plane.h"
 #include "host/field/filtered_normals.h"
+#include "host/field/hidden_share.h"
 #include "host/field/line_of_sight.h"
 #include "host/field/normal_voting.h"
 #include "host/field/open_rim.h"
@@ -202,6 +203,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   }
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
+  if (options.viewpoint) result.hidden = hidden_share(*scan, *options.viewpoint);
   result.one_sided = facing.one_sided;
   bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
   // What a person said about the sensor, or what nobody knows, is left as it is.

@@ -24,6 +24,7 @@ constexpr double kMostOpposed = 0.02;
 constexpr double kMostTurned = 0.25;
 constexpr double kMostContradicted =
     0.01;  // thin and narrow parts contradict themselves in a sound scan too: there neighbours do not know the side
+constexpr double kMostHidden = 0.08;  // of ten views of one side at most 0.03; two faces of a plate, two spacings apart, 0.15 and more
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
@@ -136,6 +137,24 @@ std::string tenths(double value) {
 
 }  // namespace
 
+std::vector<std::string> reasons_of_scan(const SoundScan& sound) {
+  std::vector<std::string> reasons;
+  if (sound.is_on_table) {
+    reasons.emplace_back(
+        "the scan ends at the edge of a flat part, such as a table on which the object stands; remove the table, or scan what is missing");
+  } else if (sound.outside == Outside::kDoubtful) {
+    reasons.emplace_back(sound.is_estimated
+                             ? "nobody knows which side of the points is outside; save the scan with outward normals, or try --viewpoint"
+                             : "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals "
+                               "estimate or --viewpoint");
+  }
+  if (sound.hidden > kMostHidden) {
+    reasons.push_back(per_cent(sound.hidden) +
+                      " of the points lie behind others as seen from the sensor's place; leave out what was not seen from there");
+  }
+  return reasons;
+}
+
 Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repair, const Spacings& spacings) {
   const double volume = static_cast<double>(inside_samples(field)) * field.grid.edge * field.grid.edge * field.grid.edge;
   Verdict verdict;
@@ -199,12 +218,7 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double most_gaps = closed ? kMostGaps : kMostGapsOfSheet;
   const std::string again = sound.is_estimated ? "save the scan with outward normals, or scan more densely"
                                                : "estimate the normals again, or try --normals estimate";
-  refuse(sound.is_on_table,
-         "the scan ends at the edge of a flat part, such as a table on which the object stands; remove the table, or scan what is missing");
-  refuse(sound.outside == Outside::kDoubtful && !sound.is_on_table,
-         sound.is_estimated ? "nobody knows which side of the points is outside; save the scan with outward normals, or try --viewpoint"
-                            : "the normals do not agree on which side is outside; save the scan with outward normals, or try --normals "
-                              "estimate or --viewpoint");
+  for (const std::string& reason : reasons_of_scan(sound)) refuse(true, reason);
   limit(verdict.off_surface_share, kMostOffSurface,
         per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
   limit(verdict.opposed_share, kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);

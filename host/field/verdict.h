@@ -1,4 +1,4 @@
-/// Is the field that was built a plausible body of its scan? The last check of every build from points.
+/// Is the field that was built a plausible body of its scan? The last check of a build from points by the default method.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +38,9 @@ struct Verdict {
 
   bool plausible() const { return reasons.empty(); }
 };
+
+/// Why no method should be trusted with this scan, whatever field it makes: one sentence each.
+std::vector<std::string> reasons_of_scan(const SoundScan& sound);
 
 /// sound     workspace, mm; what `field` was built from
 /// spacings  of all its points

@@ -155,6 +155,45 @@ TEST_F(BuildScan, PointsWithoutNormalsGetThemAndThatIsSaid) {
   EXPECT_THROW(run("build " + file("bare.xyz") + " -o " + file("x.itf") + " --normals file"), InputError);
 }
 
+/// A relief in its own frame, row by row, as PCL saves an organised cloud whose sensor nobody set.
+std::string relief_pcd() {
+  std::string rows;
+  for (int row = 0; row < 60; ++row) {
+    for (int column = 0; column < 60; ++column) {
+      const double x = column - 29.5, y = 29.5 - row;
+      rows += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(8 + 6 * std::exp(-(x * x + y * y) / 300)) + '\n';
+    }
+  }
+  return "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 60\nHEIGHT 60\nVIEWPOINT 0 0 0 1 0 0 0\nDATA ascii\n" + rows;
+}
+
+TEST_F(BuildScan, AnImageThatNobodySawFromTheOriginNeedsAViewpoint) {
+  std::ofstream(file("relief.pcd")) << relief_pcd();
+  const std::string build = "build " + file("relief.pcd") + " -o " + file("r.itf") + " --grid 40 --json";
+  try {
+    run(build);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("give the sensor's place with --viewpoint X Y Z"));
+  }
+  EXPECT_NO_THROW(run(build + " --viewpoint 0 0 500"));
+}
+
+TEST_F(BuildScan, AScanWithoutASideIsRefusedWhateverTheMethod) {
+  cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 1000);
+  for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
+  cloud::write_ply(file("bad.ply"), points);
+  const std::string build = "build " + file("bad.ply") + " -o " + file("b.itf") + " --method published --grid 30";
+  try {
+    run(build);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the normals do not agree on which side is outside"));
+  }
+  EXPECT_FALSE(fs::exists(file("b.itf")));
+  EXPECT_NO_THROW(run(build + " --accept-implausible"));
+}
+
 TEST_F(BuildScan, ADepthImageBecomesAOneSidedBodyOfItsTrueSize) {
   std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
   const std::string camera = " --intrinsics 500,480,80.25,58.5 --depth-scale 10000";
