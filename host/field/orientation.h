@@ -43,6 +43,11 @@ std::vector<Eigen::Vector3d> half_directions();
 
 /// What a scan as a whole says about its outside.
 struct Facing {
+  static constexpr double kClosed = 0.2;        ///< of `one_sided`
+  static constexpr double kOutward = 0.2;       ///< of `outward`, to believe it
+  static constexpr double kClearVote = 0.6;     ///< of the same, to turn all normals
+  static constexpr double kClearVolume = 0.04;  ///< of `volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
+
   double outward = 0;  ///< 1: the outermost points' normals all point out, -1: all in, near 0: nobody can tell
   double volume =
       0;  ///< that the surface encloses, by the divergence theorem, over that of the ball with its area; negative when it is inside out
@@ -50,6 +55,10 @@ struct Facing {
   double enclosed = 0;   ///< that volume itself, the points' unit cubed
   double one_sided = 0;  ///< length of the mean normal, weighted by area: 0 for a closed surface, 1 for a flat sheet
   Eigen::Vector3d front = Eigen::Vector3d::Zero();  ///< unit, the mean normal's direction; zero where there is none
+
+  bool is_closed() const { return one_sided < kClosed; }
+  bool is_outward() const { return outward > kOutward && volume > kClearVolume; }
+  bool is_inward() const { return outward < -kClearVote && volume < -kClearVolume; }
 };
 Facing facing(const Scan& scan);
 

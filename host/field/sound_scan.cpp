@@ -14,6 +14,7 @@
 #include "host/field/filtered_normals.h"
 #include "host/field/hidden_share.h"
 #include "host/field/line_of_sight.h"
+#include "host/field/lone_parts.h"
 #include "host/field/normal_voting.h"
 #include "host/field/open_rim.h"
 #include "host/field/orientation.h"
@@ -37,15 +38,13 @@ using Eigen::Vector3d;
 constexpr double kMostCapped =
     0.06;  // of the surface: a hand cut at the wrist has 0.043, a ball cut in the middle 0.13 and more; nobody knows its other half
 constexpr std::size_t kFewestPoints = 8;
-constexpr double kSheet = 0.4;  // of `Facing::one_sided`: a half sphere has 0.5, a box without its bottom at most 0.2
-constexpr double kClosed = 0.2;
-constexpr double kClearVote = 0.6;       // of `Facing::outward`, to turn a whole scan
-constexpr double kSureVote = 0.9;        // of the same, whatever the volume is
-constexpr double kOutward = 0.2;         // of the same, to believe one
-constexpr double kClearVolume = 0.04;    // of `Facing::volume`; signs by chance give a fiftieth, a plate of a fortieth of its length 0.1
+constexpr double kBeside = 0.15;         // of the box's longest side: strays farther away have none like them at the surface
+constexpr double kSheet = 0.4;           // of `Facing::one_sided`: a half sphere has 0.5, a box without its bottom at most 0.2
+constexpr double kSureVote = 0.9;        // of `Facing::outward`, whatever the volume is
 constexpr double kTilted = 0.12;         // 7 degrees
 constexpr double kContradicted = 2.0;    // pairs are rougher than positions: the normals are to blame
 constexpr double kNoisyNormals = 0.2;    // radians: sound clouds have 0.14 at most, normals tilted by 15 degrees 0.37
+constexpr double kManyTurned = 0.02;     // of the normals, for another look at what is a sheet
 constexpr double kRough = 0.05;          // spacings
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
@@ -61,6 +60,16 @@ std::unique_ptr<Scan> kept(const Scan& all, const std::vector<std::uint32_t>& sa
   return std::make_unique<Scan>(std::move(points));
 }
 
+/// How many of the points lie in the scan's box, or just beside it?
+std::size_t in_box_of(const Scan& scan, const std::vector<Vector3d>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& p : scan.positions()) box.extend(p);
+  const Vector3d margin = Vector3d::Constant(kBeside * box.sizes().maxCoeff());
+  box.extend(box.max() + margin);
+  box.extend(box.min() - margin);
+  return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const Vector3d& p) { return box.contains(p); }));
+}
+
 void turn_all(Scan& scan) {
   for (std::size_t i = 0; i < scan.size(); ++i) scan.turn_normal(i);
 }
@@ -71,15 +80,12 @@ double median(std::vector<double> values) {
   return *place;
 }
 
-bool inside_out(const Facing& facing) { return facing.outward < -kClearVote && facing.volume < -kClearVolume; }
-bool clear(const Facing& facing) { return facing.outward > kOutward && facing.volume > kClearVolume; }
-
 /// Would it be a closed surface if neighbours agreed? Then it only looks like a sheet, because a half of its normals point inward.
 bool closed_by_neighbours(const Scan& scan) {
   Scan trial({scan.positions(), scan.normals(), {}});
   orient_by_neighbours(trial, false);
   const Facing facing = field::facing(trial);
-  return facing.one_sided < kClosed && (clear(facing) || inside_out(facing));
+  return facing.is_closed() && (facing.is_outward() || facing.is_inward());
 }
 
 /// Gives the whole scan one outside.
@@ -97,7 +103,7 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   if (contradicts && !options.estimate) {
     // Two sides of a thin wall contradict each other rightly: the file knows more than neighbours do.
     const double behind = behind_each_other(scan);
-    if (contradicted - std::abs(behind) < kContradictory && behind * found.outward > kClearVote * std::abs(behind)) {
+    if (contradicted - std::abs(behind) < kContradictory && behind * found.outward > Facing::kClearVote * std::abs(behind)) {
       if (behind > 0.0) return Outside::kAsGiven;
       turn_all(scan);
       found = facing(scan);
@@ -105,9 +111,9 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     }
   }
   const bool sheet = found.one_sided > kSheet && !closed_by_neighbours(scan);
-  const bool sure = found.outward > kSureVote && found.volume > -kClearVolume;  // an open thin wall encloses hardly anything
-  if (!contradicts && (sheet || clear(found) || sure)) return Outside::kAsGiven;
-  if (!contradicts && inside_out(found)) {
+  const bool sure = found.outward > kSureVote && found.volume > -Facing::kClearVolume;  // an open thin wall encloses hardly anything
+  if (!contradicts && (sheet || found.is_outward() || sure)) return Outside::kAsGiven;
+  if (!contradicts && found.is_inward()) {
     turn_all(scan);
     found = facing(scan);
     return Outside::kTurned;
@@ -120,10 +126,11 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
     }
   };
   orient_by_neighbours(scan, contradicts && !options.estimate);  // whole sides that are turned outvote their few contradictions
+  if (options.estimate) turn_lone_parts(scan, false);
   std::size_t turned = 0;
   for (std::size_t i = 0; i < scan.size(); ++i) turned += scan.normals()[i].dot(before.normals[i]) < 0.0 ? 1U : 0U;
   Facing after = facing(scan);
-  if (inside_out(after) && after.one_sided < kSheet) {
+  if (after.is_inward() && after.one_sided < kSheet) {
     turn_all(scan);
     after = facing(scan);
   }
@@ -131,7 +138,7 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   const bool agreed = contradictions(scan) < kContradictory;
   if (sheet_now && options.estimate)
     throw InputError("the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z");
-  if (agreed && (clear(after) || (sheet_now && 20 * turned < 9 * scan.size()))) {
+  if (agreed && (after.is_outward() || (sheet_now && 20 * turned < 9 * scan.size()))) {
     found = after;
     return turned == 0 ? Outside::kAsGiven : Outside::kNeighbours;
   }
@@ -196,6 +203,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.strays = scan->size() - samples.size();
   if (result.strays > 0) {
     scan = kept(*scan, samples);
+    result.strays_among = in_box_of(*scan, given.positions) - scan->size();
     if (options.estimate) {
       OrientedPoints again{scan->positions(), estimated_normals(scan->positions()), scan->stiffness()};
       scan = std::make_unique<Scan>(std::move(again));
@@ -204,16 +212,26 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
   if (options.viewpoint) result.hidden = hidden_share(*scan, *options.viewpoint);
-  result.one_sided = facing.one_sided;
-  bool as_faced = options.estimate || turn_outvoted(*scan) == 0;
+  std::size_t turned = options.estimate ? 0 : turn_outvoted(*scan);
   // What a person said about the sensor, or what nobody knows, is left as it is.
   const bool knows_side = result.outside != Outside::kViewpoint && result.outside != Outside::kDoubtful;
-  if (!options.estimate && knows_side && turn_patches(*scan) > 0) as_faced = false;
+  if (!options.estimate && knows_side) {
+    turned += turn_patches(*scan);
+    result.inside_out = turn_lone_parts(*scan, true);
+    turned += result.inside_out;
+  }
+  bool as_faced = turned == 0;
+  // As they were, they may have made a sheet of what is none. A few strays do so, too, or the reverse: each stands for a large area.
+  if (knows_side && facing.one_sided > kSheet && static_cast<double>(turned) > kManyTurned * static_cast<double>(scan->size()) &&
+      field::facing(*scan).one_sided <= kSheet) {
+    result.outside = find_outside(*scan, options, facing);
+  }
   if (!options.estimate) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);
     }
   }
+  result.one_sided = facing.one_sided;
   result.contradicted = contradictions(*scan);
   result.rounding = rounding_step(scan->positions());
   std::vector<double> nearest;
@@ -288,10 +306,14 @@ std::vector<std::string> SoundScan::warnings() const {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
   };
   std::vector<std::string> list;
-  if (strays > 0) list.push_back(times(strays, "point", "points") + " far from all others left out");
+  if (strays > 0)
+    list.push_back(times(strays, "point", "points") + " far from the others, or beside a surface without belonging to it, left out");
+  if (inside_out > 0)
+    list.push_back(times(inside_out, "normal", "normals") + " of closed parts that hang on nothing pointed inwards and were turned");
   switch (outside) {
     case Outside::kAsGiven:
-      if (!turned.empty()) list.push_back(times(turned.size(), "normal was", "normals were") + " turned because the neighbours contradict");
+      if (turned.size() > inside_out)
+        list.push_back(times(turned.size() - inside_out, "normal was", "normals were") + " turned because the neighbours contradict");
       break;
     case Outside::kViewpoint: break;
     case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inwards; all were turned"); break;

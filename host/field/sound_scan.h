@@ -29,8 +29,10 @@ struct SoundScan {
   bool is_sheet = false;              ///< of one side: what was invented are walls and a back
   bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
   bool is_on_table = false;           ///< the scan ends in a plane that looks back at it
-  std::size_t strays = 0;             ///< points far from all others, left out
+  std::size_t strays = 0;             ///< points left out: far from the others, or not confirmed by those beside them (outliers.h)
+  std::size_t strays_among = 0;       ///< of these those in the box round the points that stay, or just beside it
   std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
+  std::size_t inside_out = 0;         ///< of these those of closed parts that hang on nothing (lone_parts.h)
   double contradicted = 0;            ///< of the clear pairs of neighbours: their normals contradict each other still
   double noise = 0;                   ///< standard deviation of the points across the surface, their unit
   bool smoothed = false;              ///< the noise was taken back as far as neighbours tell

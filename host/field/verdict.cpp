@@ -24,7 +24,8 @@ constexpr double kMostOpposed = 0.02;
 constexpr double kMostTurned = 0.25;
 constexpr double kMostContradicted =
     0.01;  // thin and narrow parts contradict themselves in a sound scan too: there neighbours do not know the side
-constexpr double kMostHidden = 0.08;  // of ten views of one side at most 0.03; two faces of a plate, two spacings apart, 0.15 and more
+constexpr double kMostHidden =
+    0.08;  // ten views of one side have 0.03 at most, whole bodies 0.2 and more, the two faces of plates 0.38 and more
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
@@ -34,8 +35,9 @@ constexpr double kMostSurprising = 0.02;
 constexpr double kLayered = 0.86;      // of `Roughness::layered`, between noise and walls
 constexpr double kLayersApart = 0.03;  // of the noise in spacings: less is the rounding of a file
 constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
-constexpr double kPerStray = 0.33;     // a stray that was not found lies beside the surface; it surprises, and harms little
-constexpr double kMostTwice = 0.03;    // 19 real scans and most bodies have 0, an edge with estimated normals 0.009; see entry 174
+constexpr double kPerStray =
+    0.33;  // of strays among the points: one that was not found lies beside the surface; it surprises, and harms little
+constexpr double kMostTwice = 0.03;  // 19 real scans and most bodies have 0, an edge with estimated normals 0.009; see entry 174
 constexpr double kMostVolume =
     0.08;  // more than the points enclose: areas of samples at edges overlap, so that thin boxes enclose too much: no bound below
 constexpr double kLeastOfHull = 0.01;  // a sheet metal part has more
@@ -265,7 +267,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
         "no smooth surface explains " + per_cent(verdict.unexplained_share) +
             " of the points; estimate the normals again, or scan again with less noise");
   const double in_noise = std::max(0.0, 1.0 - kPerNoise * verdict.noise_spacing * verdict.noise_spacing);
-  limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * verdict.stray_share,
+  const double strays_among = static_cast<double>(sound.strays_among + repair.isolated) / (count + static_cast<double>(sound.strays_among));
+  limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * strays_among,
         per_cent(verdict.surprising_share) +
             " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
   limit(repair.twice_enclosed, kMostTwice,

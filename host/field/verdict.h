@@ -26,8 +26,8 @@ struct Verdict {
   double gap_share = 0;              ///< of the surface: as far from every point that shows it, invented ones too (unseen_share.h)
   double surprising_share = 0;       ///< of the surface: its samples lie more than a voxel off where their neighbours expect it
   double rim_mm = 0;                 ///< length of all open rims together
-  double volume_of_hull = 0;         ///< the body's volume over that of the measured points' convex hull (cut by 196 planes)
-  double volume_of_enclosed = 1;     ///< the body's volume over what the points' areas and normals enclose; 1 for a scan of one side
+  double volume_of_hull = 0;      ///< the body's volume over that of the convex hull of all points, invented ones too (cut by 196 planes)
+  double volume_of_enclosed = 1;  ///< the body's volume over what the points' areas and normals enclose; 1 for a scan of one side
   double off_surface_share = 0;   ///< of the measured points: more than a voxel, and more than the noise explains, off the field's surface
   double thin_share = 0;          ///< of the measured points: on walls of about 1.5 voxels and less, or as near to an edge
   double unexplained_share = 0;   ///< of the samples: no local surface explains their neighbours

@@ -168,6 +168,46 @@ TEST(SoundScan, ASphereWithHalfOfItsNormalsInvertedIsNoSheet) {
   EXPECT_EQ(unlike(scan, points), 0U);
 }
 
+/// An open ball looks like a sheet as long as a patch of its normals is turned.
+TEST(SoundScan, WhatIsASheetIsAskedAfterPatchesWereTurned) {
+  OrientedPoints truth = of("sphere"), scanned;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (truth.normals[i].z() > std::cos(1.22)) continue;  // 70 degrees
+    truth.positions[kept] = truth.positions[i];
+    truth.normals[kept++] = truth.normals[i];
+  }
+  truth.positions.resize(kept);
+  truth.normals.resize(kept);
+  scanned = truth;
+  for (Vector3d& n : scanned.normals) n = n.x() < -std::cos(0.9) ? Vector3d(-n) : n;
+  EXPECT_GT(facing(Scan({scanned.positions, scanned.normals, {}})).one_sided, 0.4);
+  const SoundScan scan = sound_scan(scanned);
+  EXPECT_EQ(unlike(scan, truth), 0U);
+  EXPECT_LT(scan.one_sided, 0.4);
+  EXPECT_FALSE(scan.is_sheet);
+}
+
+/// A small ball beside a large one, too far away for neighbours to reach.
+TEST(SoundScan, APartThatHangsOnNothingFacesOutward) {
+  OrientedPoints truth = of("sphere");
+  const std::size_t large = truth.size();
+  const OrientedPoints small = of("sphere", 200);
+  for (std::size_t i = 0; i < small.size(); ++i) {
+    truth.positions.emplace_back(0.2 * small.positions[i] + Vector3d(150, 0, 0));
+    truth.normals.push_back(small.normals[i]);
+  }
+  OrientedPoints turned_part = truth;
+  for (std::size_t i = large; i < truth.size(); ++i) turned_part.normals[i] = -truth.normals[i];
+  const SoundScan scan = sound_scan(turned_part);
+  ASSERT_EQ(scan.strays, 0U);
+  EXPECT_EQ(unlike(scan, truth), 0U);
+  EXPECT_THAT(scan.warnings(), Contains("200 normals of closed parts that hang on nothing pointed inwards and were turned"));
+  OrientedPoints bare = truth;
+  bare.normals.assign(bare.size(), Vector3d::Zero());
+  EXPECT_EQ(unlike(sound_scan(bare, {.estimate = true}), truth), 0U);
+}
+
 TEST(SoundScan, SignsByChanceAreMendedWhereNeighboursTell) {
   const OrientedPoints points = of("capsules");
   OrientedPoints random_signs = points;

@@ -193,6 +193,19 @@ TEST(Verdict, AViewpointTurnsAWholeViewButNotTheHiddenSide) {
   EXPECT_THAT(reasons(whole).front(), HasSubstr("leave out --viewpoint"));
 }
 
+/// Both faces of a plate that is thicker than neighbours reach: nothing but the sensor's place says which side is out, and says it wrong of one face.
+TEST(Verdict, AViewpointThatSawHalfOfThePointsIsRefused) {
+  OrientedPoints plate;
+  Random random(1);
+  for (int i = 0; i < 5000; ++i) plate.positions.emplace_back(random.uniform(-70, 70), random.uniform(-70, 70), i % 2 == 0 ? 5 : -5);
+  plate.normals.assign(plate.size(), Vector3d::Zero());
+  Progress progress;
+  const SoundScan sound = sound_scan(plate, {.estimate = true, .viewpoint = Vector3d(0, 0, 1000)});
+  const auto reasons = scan_field(sound, 1.6, kBand, progress).verdict.reasons;
+  ASSERT_THAT(reasons, Contains(HasSubstr("lie behind others as seen from the sensor's place")));
+  EXPECT_THAT(reasons.front(), HasSubstr("leave out --viewpoint"));
+}
+
 TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
   const SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
@@ -246,9 +259,9 @@ TEST(Verdict, AHoleOfHalfTheObjectIsRefused) {
   EXPECT_GT(verdict.rim_mm, 100);
 }
 
-/// A finger of radius 20 along x that ends in half a ball at 0 and is cut off at `length`; points about 1.2 apart.
-OrientedPoints finger(double length) {
-  const double golden = M_PI * (3 - std::sqrt(5.0)), radius = 20, area = 1.44;
+/// A finger along x that ends in half a ball at 0 and is cut off at `length`; points about 1.2 apart.
+OrientedPoints finger(double length, double radius = 20) {
+  const double golden = M_PI * (3 - std::sqrt(5.0)), area = 1.44;
   OrientedPoints points;
   double x = -radius;  // of a ball and of a tube round it, slices have the same area
   for (int i = 0; x < length; ++i, x += area / (2 * M_PI * radius)) {
@@ -272,6 +285,48 @@ TEST(VerdictHeavy, ASmallEndThatWasCutOffIsFlat) {
   ball.normals.clear();
   for (const Vector3d& p : ball.positions) ball.normals.push_back(p.normalized());
   EXPECT_THAT(verdict_of(ball).reasons, Contains(HasSubstr("closes gaps")));
+}
+
+/// A limb that ends in the air is no better because the body ends in a plane.
+TEST(VerdictHeavy, ACleanCutExcusesNoOtherEnd) {
+  constexpr double kBody = 30, kLimb = 3;
+  OrientedPoints body = finger(270, kBody), points;
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const Vector3d& p = body.positions[i];
+    if (p.z() > 0 && std::hypot(p.x() - 80, p.y()) < kLimb) continue;
+    points.positions.push_back(p);
+    points.normals.push_back(body.normals[i]);
+  }
+  const double golden = M_PI * (3 - std::sqrt(5.0));
+  for (int i = 0; i < 470; ++i) {
+    const Vector3d normal(std::cos(golden * i), std::sin(golden * i), 0);
+    const Vector3d p = kLimb * normal + Vector3d(80, 0, kBody - 0.3 + 0.053 * i);
+    if (std::hypot(p.y(), p.z()) < kBody) continue;
+    points.positions.push_back(p);
+    points.normals.push_back(normal);
+  }
+  ASSERT_TRUE(sound_scan(points).is_capped);
+  EXPECT_THAT(verdict_of(points).reasons, ElementsAre(HasSubstr("a limb or a wall is cut off")));
+}
+
+/// Strays far away have none like them at the surface, so they excuse no surprises there.
+TEST(Verdict, StraysExcuseSurprisesWhereTheyAre) {
+  const auto reasons_with_strays = [](double half) {
+    OrientedPoints points = of("sphere");
+    Random random(5);
+    for (int n = 0; n < 300; ++n) {
+      points.positions.emplace_back(random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half));
+      points.normals.emplace_back(Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) + 1e-3).normalized());
+    }
+    const SoundScan sound = sound_scan(points);
+    EXPECT_GT(sound.strays, 180U);
+    Progress progress;
+    ScanField built = scan_field(sound, 1.6, kBand, progress);
+    built.repair.surprising = 0.03;
+    return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons_with_strays(85), Each(Not(HasSubstr("do not expect"))));
+  EXPECT_THAT(reasons_with_strays(2000), Contains(HasSubstr("do not expect")));
 }
 
 TEST(Verdict, StraysAreCountedAndDoNotSpoilIt) {
