@@ -156,7 +156,7 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
 bool are_colours(const std::vector<Eigen::Vector3d>& columns) {
   constexpr double kOff = 0.05;  // of a length: more than a file's few digits
   const auto positive = [](const Eigen::Vector3d& c) { return c.minCoeff() >= 0.0; };
-  const auto off = [](const Eigen::Vector3d& c) { return std::abs(c.norm() - 1.0) > kOff; };
+  const auto off = [](const Eigen::Vector3d& c) { return !c.isZero(0.0) && std::abs(c.norm() - 1.0) > kOff; };
   return std::all_of(columns.begin(), columns.end(), positive) &&
          2 * static_cast<std::size_t>(std::count_if(columns.begin(), columns.end(), off)) > columns.size();
 }

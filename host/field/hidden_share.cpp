@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kAsked = 17;  // in the nearest directions, itself among them
-constexpr std::size_t kHiding = 6;  // of them; beside the edge of a shadow half of them may lie in front
+constexpr std::size_t kHiding = 7;  // of them; beside narrow shadows six of them may lie in front
 constexpr double kInFront = 1.0;    // spacings before the tangent plane
 
 }  // namespace

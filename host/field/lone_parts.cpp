@@ -1,9 +1,8 @@
 #include "host/field/lone_parts.h"
 
-#include <Eigen/Geometry>
-#include <cstdint>
-#include <memory>
-#include <vector>
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "host/field/orientation.h"
 #include "host/field/sets.h"
@@ -13,18 +12,14 @@ namespace isotouch::field {
 
 namespace {
 
-using Eigen::Vector3d;
-
 constexpr std::size_t kAsked = 11;       // a sample's list as far as it joins, itself among them
 constexpr double kContradictory = 0.15;  // share of pairs of neighbours: such a part may be a group of strays
+constexpr std::size_t kWitnesses = 16;   // samples of a part, spread over the file's order
+constexpr double kClear = 0.25;          // off a whole number: beside an open part, nobody can say what is within it
 
 struct Part {
   std::vector<std::uint32_t> members;
-  std::unique_ptr<Scan> scan = {};
-  Eigen::AlignedBox3d box = {};
   double side = 0;  ///< 1: closed, its normals point out of it; -1: into it; 0: nobody can tell
-
-  bool encloses(const Vector3d& place) const { return side != 0 && box.contains(place) && side * WindingSign(*scan)(place) > 0.5; }
 };
 
 /// In the order of their first samples.
@@ -49,33 +44,55 @@ std::vector<Part> parts_of(const Scan& scan) {
   return parts;
 }
 
+double side_of(const Scan& scan, const Part& part) {
+  cloud::OrientedPoints points;
+  for (const std::uint32_t i : part.members) {
+    points.positions.push_back(scan.positions()[i]);
+    points.normals.push_back(scan.normals()[i]);
+  }
+  const Scan alone(std::move(points));
+  if (contradictions(alone) > kContradictory) return 0;
+  const Facing facing = field::facing(alone);
+  if (!facing.is_closed()) return 0;
+  return facing.is_outward() ? 1 : facing.is_inward() ? -1 : 0;
+}
+
+/// What samples of a part say of the others: how many clearly have it outside all of them, in a hollow or outside, and in a body.
+struct Witnesses {
+  std::size_t asked = 0, outside = 0, even = 0, odd = 0;
+};
+
+/// They look from just outside the part, where it does not count itself. Whether the others face rightly does not matter.
+Witnesses witnesses_of(const Part& part, const Scan& scan, const WindingSign& winding) {
+  Witnesses found;
+  found.asked = std::min(kWitnesses, part.members.size());
+  for (std::size_t n = 0; n < found.asked; ++n) {
+    const std::uint32_t i = part.members[n * part.members.size() / found.asked];
+    const double number = winding(scan.positions()[i] + part.side * scan.spacing(i) * scan.normals()[i]);
+    if (std::abs(number - std::round(number)) > kClear) continue;
+    ++(std::lround(number) % 2 == 0 ? found.even : found.odd);
+    if (std::lround(number) == 0) ++found.outside;
+  }
+  return found;
+}
+
 }  // namespace
 
-std::size_t turn_lone_parts(Scan& scan, bool heard) {
+std::vector<std::uint32_t> turn_lone_parts(Scan& scan, bool heard) {
   std::vector<Part> parts = parts_of(scan);
-  if (parts.size() == 1) return 0;
+  if (parts.size() == 1) return {};
+  const WindingSign winding(scan);
+  std::vector<std::uint32_t> turned;
   for (Part& part : parts) {
-    cloud::OrientedPoints points;
-    for (const std::uint32_t i : part.members) {
-      points.positions.push_back(scan.positions()[i]);
-      points.normals.push_back(scan.normals()[i]);
-      part.box.extend(scan.positions()[i]);
-    }
-    part.scan = std::make_unique<Scan>(std::move(points));
-    if (contradictions(*part.scan) > kContradictory) continue;
-    const Facing facing = field::facing(*part.scan);
-    if (facing.is_closed()) part.side = facing.is_outward() ? 1 : facing.is_inward() ? -1 : 0;
-  }
-  std::size_t turned = 0;
-  for (const Part& part : parts) {
+    part.side = side_of(scan, part);
     if (part.side == 0) continue;
-    std::size_t round = 0;
-    for (const Part& other : parts) round += &other != &part && other.encloses(part.scan->positions()[0]) ? 1U : 0U;
-    const double right = round % 2 == 0 ? 1 : -1;
-    if (part.side == right || (heard && round > 0)) continue;
-    for (const std::uint32_t i : part.members) scan.turn_normal(i);
-    turned += part.members.size();
+    const Witnesses found = witnesses_of(part, scan, winding);
+    const bool is_outside = heard ? found.outside == found.asked : 2 * found.even > found.asked;
+    const bool is_within = !heard && 2 * found.odd > found.asked;
+    const double right = is_outside ? 1 : is_within ? -1 : part.side;
+    if (part.side != right) turned.insert(turned.end(), part.members.begin(), part.members.end());
   }
+  for (const std::uint32_t i : turned) scan.turn_normal(i);
   return turned;
 }
 

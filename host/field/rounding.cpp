@@ -14,42 +14,42 @@ constexpr double kUneven = 0.02;        // of a step: what the sums of decimals 
 constexpr double kAlike = 0.95;         // of the points: rounding leaves half
 constexpr std::size_t kOfEachStep = 4;  // points at least: fewer, and the differences say nothing
 constexpr double kMostUneven = 0.02;    // of the points: a few that were added to a rounded scan
+constexpr double kFrequent = 0.05;      // of the differences between neighbouring values
 
-/// The commonest of the differences between neighbouring values, and a value where one of these begins. Of equally common ones the least.
-struct Step {
-  double length = 0, from = 0;
-};
-Step commonest_step(const std::vector<double>& values) {
-  std::vector<std::array<double, 2>> steps;  // and where they begin
-  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back({values[i] - values[i - 1], values[i - 1]});
-  std::sort(steps.begin(), steps.end());
-  Step best;
-  std::size_t most = 0;
-  for (std::size_t first = 0, end = 0; first < steps.size(); ++first) {
-    while (end < steps.size() && steps[end][0] <= (1.0 + kUneven) * steps[first][0]) ++end;
-    if (end - first <= most) continue;
-    most = end - first;
-    best = {steps[first + most / 2][0], steps[first + most / 2][1]};
-  }
-  return best;
+/// Are all but a few of the values whole steps from one of them?
+bool are_even(const std::vector<double>& values, double from, double step) {
+  const auto is_uneven = [&](double value) {
+    const double steps = (value - from) / step;
+    return std::abs(steps - std::round(steps)) > kUneven;
+  };
+  return static_cast<double>(std::count_if(values.begin(), values.end(), is_uneven)) <= kMostUneven * static_cast<double>(values.size());
 }
 
 double step_along(const std::vector<Eigen::Vector3d>& positions, int axis) {
   std::vector<double> values;
   const std::size_t every = 1 + positions.size() / kAsked;
   for (std::size_t i = 0; i < positions.size(); i += every) values.push_back(positions[i][axis]);
-  const std::size_t asked = values.size();
-  std::vector<double> different = values;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
-  if (different.size() < 2 || kOfEachStep * different.size() > asked) return 0.0;
-  const Step step = commonest_step(different);
-  const auto uneven = [&](double value) {
-    const double steps = (value - step.from) / step.length;
-    return std::abs(steps - std::round(steps)) > kUneven;
-  };
-  const auto count = static_cast<double>(std::count_if(values.begin(), values.end(), uneven));
-  return count > kMostUneven * static_cast<double>(asked) ? 0.0 : step.length;
+  std::sort(values.begin(), values.end());
+  std::size_t different = 0;
+  std::vector<double> repeated;  // the others may be those of a few points that were added to a rounded scan
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0 && values[i] == values[i - 1]) continue;
+    ++different;
+    if (i + 1 < values.size() && values[i] == values[i + 1]) repeated.push_back(values[i]);
+  }
+  if (repeated.size() < 2 || kOfEachStep * different > values.size()) return 0.0;
+
+  // The least of the frequent differences that fits: where steps are left out, a larger one may be the commonest.
+  std::vector<std::array<double, 2>> steps;  // and where they begin
+  for (std::size_t i = 1; i < repeated.size(); ++i) steps.push_back({repeated[i] - repeated[i - 1], repeated[i - 1]});
+  std::sort(steps.begin(), steps.end());
+  for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
+    while (end < steps.size() && steps[end][0] <= (1.0 + kUneven) * steps[first][0]) ++end;
+    if (static_cast<double>(end - first) < kFrequent * static_cast<double>(steps.size())) continue;
+    const auto& [length, from] = steps[first + (end - first) / 2];
+    if (are_even(values, from, length)) return length;
+  }
+  return 0.0;
 }
 
 /// Do the points lie in the middle of a lattice's edges, or of its faces? There as many coordinates of each are odd; rounding leaves every number of them.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -213,12 +214,13 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.outside = find_outside(*scan, options, facing);
   if (options.viewpoint) result.hidden = hidden_share(*scan, *options.viewpoint);
   std::size_t turned = options.estimate ? 0 : turn_outvoted(*scan);
+  std::vector<std::uint32_t> alone;
   // What a person said about the sensor, or what nobody knows, is left as it is.
   const bool knows_side = result.outside != Outside::kViewpoint && result.outside != Outside::kDoubtful;
   if (!options.estimate && knows_side) {
     turned += turn_patches(*scan);
-    result.inside_out = turn_lone_parts(*scan, true);
-    turned += result.inside_out;
+    alone = turn_lone_parts(*scan, true);
+    turned += alone.size();
   }
   bool as_faced = turned == 0;
   // As they were, they may have made a sheet of what is none. A few strays do so, too, or the reverse: each stands for a large area.
@@ -230,6 +232,10 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
       if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);
     }
+    std::sort(alone.begin(), alone.end());
+    std::vector<std::uint32_t> both;
+    std::set_intersection(alone.begin(), alone.end(), result.turned.begin(), result.turned.end(), std::back_inserter(both));
+    result.inside_out = both.size();
   }
   result.one_sided = facing.one_sided;
   result.contradicted = contradictions(*scan);
@@ -310,19 +316,23 @@ std::vector<std::string> SoundScan::warnings() const {
     list.push_back(times(strays, "point", "points") + " far from the others, or beside a surface without belonging to it, left out");
   if (inside_out > 0)
     list.push_back(times(inside_out, "normal", "normals") + " of closed parts that hang on nothing pointed inwards and were turned");
+  const std::size_t others = turned.size() - inside_out;
   switch (outside) {
     case Outside::kAsGiven:
-      if (turned.size() > inside_out)
-        list.push_back(times(turned.size() - inside_out, "normal was", "normals were") + " turned because the neighbours contradict");
+      if (others > 0) list.push_back(times(others, "normal was", "normals were") + " turned because the neighbours contradict");
       break;
     case Outside::kViewpoint: break;
-    case Outside::kTurned: list.emplace_back("the normals of a closed surface pointed inwards; all were turned"); break;
+    case Outside::kTurned:
+      list.push_back(std::string("the normals of a closed surface pointed inwards; ") + (turned.size() == measured ? "all" : "most") +
+                     " were turned");
+      break;
     case Outside::kNeighbours:
-      if (!turned.empty())  // estimated normals had no side before
-        list.push_back("the normals contradicted each other: " + times(turned.size(), "was", "were") + " turned so that neighbours agree");
+      if (others > 0)  // estimated normals had no side before
+        list.push_back("the normals contradicted each other: " + times(others, "was", "were") + " turned so that neighbours agree");
       break;
     case Outside::kDoubtful:
-      list.emplace_back("the normals do not agree on which side is outside, and neighbours do not decide it; they are used as they are");
+      list.push_back(std::string("the normals do not agree on which side is outside, and neighbours do not decide it; ") +
+                     (turned.empty() ? "they" : "all but " + std::to_string(turned.size())) + " are used as they are");
       break;
   }
   if (is_sheet) list.emplace_back("only one side was scanned: the field closes it with walls and a back that nobody scanned");

@@ -33,7 +33,7 @@ TEST(HiddenShare, IsHalfOfTwoLayers) {
     plate.positions.emplace_back(x, y, 2 * side);
     plate.normals.emplace_back(0, 0, side);
   }
-  EXPECT_NEAR(hidden_share(Scan(plate), Vector3d(0, 0, kFar)), 0.45, 0.05);
+  EXPECT_NEAR(hidden_share(Scan(plate), Vector3d(0, 0, kFar)), 0.39, 0.05);
 }
 
 /// A ball before a wall, and no point of the wall in its shadow.
@@ -55,6 +55,18 @@ TEST(HiddenShare, IsSmallWhereShadowsAreEmpty) {
     }
   }
   EXPECT_LT(hidden_share(Scan(seen), Vector3d(0, 0, kFar)), 0.05);
+}
+
+/// Slats before a wall.
+TEST(HiddenShare, IsSmallBesideManyShadows) {
+  OrientedPoints seen;
+  for (int x = 0; x < 160; ++x) {
+    for (int y = 0; y < 60; ++y) {
+      seen.positions.emplace_back(x, y, x / 8 % 2 == 0 ? 40 : 0);
+      seen.normals.emplace_back(0, 0, 1);
+    }
+  }
+  EXPECT_LT(hidden_share(Scan(seen), Vector3d(80, 30, kFar)), 0.06);
 }
 
 }  // namespace

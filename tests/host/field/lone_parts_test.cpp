@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "host/cloud/shapes.h"
 
 namespace isotouch::field {
@@ -54,13 +58,65 @@ TEST(LoneParts, ShellsInEachOtherFaceAlternately) {
 
 TEST(LoneParts, TheFilesNormalsStayWithinAnotherPart) {
   Scan scan = shells({-1, 1});
-  EXPECT_EQ(turn_lone_parts(scan, true), 4000U);
+  EXPECT_EQ(turn_lone_parts(scan, true).size(), 4000U);
   EXPECT_EQ(signs(scan, 2), (std::vector<double>{1, 1}));
 }
 
 TEST(LoneParts, WhatIsOnePartStays) {
   Scan scan = shells({-1});
-  EXPECT_EQ(turn_lone_parts(scan, false), 0U);
+  EXPECT_TRUE(turn_lone_parts(scan, false).empty());
+}
+
+/// The wall of a tube along z, and its bottom where it has one; as if its rim had not been scanned.
+void add_tube(OrientedPoints& points, double radius, double low, double high, double sign, bool bottom) {
+  for (double z = low; z <= high; z += 1) {
+    const int around = static_cast<int>(2 * M_PI * radius);
+    for (int n = 0; n < around; ++n) {
+      const double turn = 2 * M_PI * (n + 0.5 * std::fmod(z, 2.0)) / around;
+      const Vector3d out(std::cos(turn), std::sin(turn), 0);
+      points.positions.emplace_back(radius * out + Vector3d(0, 0, z));
+      points.normals.emplace_back(sign * out);
+    }
+  }
+  for (double x = -radius; bottom && x <= radius; x += 1) {
+    for (double y = -radius; y <= radius; y += 1) {
+      if (std::hypot(x, y) > radius - 0.5) continue;
+      points.positions.emplace_back(x, y, low);
+      points.normals.emplace_back(0, 0, -sign);
+    }
+  }
+}
+
+/// None of them, in this order of the points and in the reverse one.
+void expect_stay(OrientedPoints points) {
+  Scan scan(points);
+  EXPECT_TRUE(turn_lone_parts(scan, true).empty());
+  std::reverse(points.positions.begin(), points.positions.end());
+  std::reverse(points.normals.begin(), points.normals.end());
+  Scan reversed(points);
+  EXPECT_TRUE(turn_lone_parts(reversed, true).empty());
+}
+
+TEST(LoneParts, TheWallOfAHoleStays) {
+  OrientedPoints panel;
+  for (double x = -50; x <= 50; x += 1) {
+    for (double y = -50; y <= 50; y += 1) {
+      if (std::hypot(x, y) < 11) continue;
+      panel.positions.emplace_back(x, y, 0);
+      panel.normals.emplace_back(0, 0, 1);
+    }
+  }
+  add_tube(panel, 8, -40, -3, -1, false);
+  expect_stay(panel);
+}
+
+TEST(LoneParts, TheInsideOfACupStays) {
+  for (const double inner_top : {97.0, 100.0, 103.0}) {
+    OrientedPoints cup;
+    add_tube(cup, 40, 0, 100, 1, true);
+    add_tube(cup, 34, 6, inner_top, -1, true);
+    expect_stay(cup);
+  }
 }
 
 }  // namespace

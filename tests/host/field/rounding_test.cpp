@@ -44,6 +44,16 @@ TEST(Rounding, AFewUnevenPointsHideNoStep) {
   EXPECT_NEAR(rounding_step(positions), 2.0, 1e-9);
 }
 
+/// As scan lines give them that are 1.7 steps apart.
+TEST(Rounding, StepsThatPointsLeaveOutAreFound) {
+  std::vector<Vector3d> positions;
+  for (int i = 0; i < 35; ++i) {
+    for (int k = 0; k < 50; ++k)
+      positions.emplace_back(0.1 * std::round(1.7 * i), 0.1 * std::round(1.7 * k), 0.1 * std::round(8 * std::sin(0.1 * (i + k))));
+  }
+  EXPECT_NEAR(rounding_step(positions), 0.1, 1e-9);
+}
+
 TEST(Rounding, OneFreeAxisIsEnough) {
   std::vector<Vector3d> positions = owl(2.0);
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y() += 0.01 * static_cast<double>(i % 1000);
