@@ -74,12 +74,18 @@ server::Built build(const std::filesystem::path& file, const std::string& name,
 /// A connection that counts as broken where it does not get on.
 class Socket {
  public:
-  explicit Socket(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit Socket(std::uint16_t port) {
     sockaddr_in there{};
     there.sin_family = AF_INET;
     there.sin_port = htons(port);
     there.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    fuzz::hold(::connect(socket_, reinterpret_cast<const sockaddr*>(&there), sizeof there) == 0, "the server listens");
+    for (;;) {
+      socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+      if (::connect(socket_, reinterpret_cast<const sockaddr*>(&there), sizeof there) == 0) break;
+      fuzz::hold(errno == EINTR || errno == EADDRNOTAVAIL, "the server listens");  // libFuzzer's alarm; no port is free for now
+      ::close(socket_);
+      ::usleep(1000);
+    }
     const linger at_once{1, 0};  // else ten thousands of ports wait for late packets
     ::setsockopt(socket_, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
   }
@@ -105,7 +111,7 @@ class Socket {
   bool has_ended() const { return ended_; }
 
  private:
-  int socket_;
+  int socket_ = -1;
   bool ended_ = false;
 };
 
