@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -229,13 +228,11 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     result.outside = find_outside(*scan, options, facing);
   }
   if (!options.estimate) {
+    const auto is_turned = [&](std::uint32_t i) { return scan->normals()[i].dot(given.normals[samples[i]]) < 0.0; };
     for (std::uint32_t i = 0; i < samples.size(); ++i) {
-      if (scan->normals()[i].dot(given.normals[samples[i]]) < 0.0) result.turned.push_back(i);
+      if (is_turned(i)) result.turned.push_back(i);
     }
-    std::sort(alone.begin(), alone.end());
-    std::vector<std::uint32_t> both;
-    std::set_intersection(alone.begin(), alone.end(), result.turned.begin(), result.turned.end(), std::back_inserter(both));
-    result.inside_out = both.size();
+    result.inside_out = static_cast<std::size_t>(std::count_if(alone.begin(), alone.end(), is_turned));
   }
   result.one_sided = facing.one_sided;
   result.contradicted = contradictions(*scan);

@@ -24,8 +24,8 @@ constexpr double kMostOpposed = 0.02;
 constexpr double kMostTurned = 0.25;
 constexpr double kMostContradicted =
     0.01;  // thin and narrow parts contradict themselves in a sound scan too: there neighbours do not know the side
-constexpr double kMostHidden =
-    0.08;  // ten views of one side have 0.03 at most, whole bodies 0.2 and more, the two faces of plates 0.38 and more
+/// Ten views of one side have 0.03 at most, slats before a wall 0.05, whole bodies 0.23 to 0.37, the two faces of a plate 0.39.
+constexpr double kMostHidden = 0.08;
 constexpr double kMostStrays = 0.3;
 constexpr double kMostNoise = 0.8;  // spacings
 constexpr double kMostGaps = 0.01;
@@ -35,8 +35,8 @@ constexpr double kMostSurprising = 0.02;
 constexpr double kLayered = 0.86;      // of `Roughness::layered`, between noise and walls
 constexpr double kLayersApart = 0.03;  // of the noise in spacings: less is the rounding of a file
 constexpr double kPerNoise = 2.0;      // of the noise's square: what still surprises after smoothing was worse before
-constexpr double kPerStray =
-    0.33;  // of strays among the points: one that was not found lies beside the surface; it surprises, and harms little
+/// Of the strays among the points: one that was not found lies beside the surface; it surprises, and harms little.
+constexpr double kPerStray = 0.33;
 constexpr double kMostTwice = 0.03;  // 19 real scans and most bodies have 0, an edge with estimated normals 0.009; see entry 174
 constexpr double kMostVolume =
     0.08;  // more than the points enclose: areas of samples at edges overlap, so that thin boxes enclose too much: no bound below

@@ -136,6 +136,15 @@ const speakForController = () => {
     }
   };
 };
+/** A page whose controller the test plays; `link` says whether it is there. */
+async function openForController() {
+  const opened = await open({ before: speakForController }, 'owl.itf');
+  const { page } = opened;
+  await shown(page);
+  await page.waitForFunction(() => document.body.dataset.ready);
+  const link = (there, sentence) => page.evaluate((told) => globalThis.give({ topic: 'link', period_ns: 1e6, every: 1, ...told }), { there, sentence });
+  return { opened, page, link };
+}
 /** Loses the connection, and waits until it has come back. */
 async function loseConnection(page) {
   const before = await page.evaluate(() => (globalThis.sockets.at(-1).close(), globalThis.sockets.length));
@@ -383,11 +392,7 @@ const tests = {
   },
 
   async 'nothing of a controller is shown that is not of now'() {
-    const opened = await open({ before: speakForController }, 'owl.itf');
-    const { page } = opened;
-    await shown(page);
-    await page.waitForFunction(() => document.body.dataset.ready);
-    const link = (there, sentence) => page.evaluate((told) => globalThis.give({ topic: 'link', period_ns: 1e6, every: 1, ...told }), { there, sentence });
+    const { opened, page, link } = await openForController();
     const run = () =>
       page.evaluate(() => {
         const since = performance.now();
@@ -427,15 +432,12 @@ const tests = {
   },
 
   async 'what is not known of the controller\'s field is not said, and what is wrong with it is'() {
-    const opened = await open({ before: speakForController }, 'owl.itf');
-    const { page } = opened;
-    await shown(page);
-    await page.waitForFunction(() => document.body.dataset.ready);
+    const { opened, page, link } = await openForController();
     const draw = async (changed) => {
       await page.evaluate((what) => globalThis.give({ topic: 'scene', scene: { ...globalThis.scene, follows: true, ...what } }), changed);
     };
     const facts = () => page.locator('#facts').textContent();
-    await page.evaluate(() => globalThis.give({ topic: 'link', period_ns: 1e6, every: 1, there: true, sentence: 'it answers' }));
+    await link(true, 'it answers');
     await draw({ invented_share: 0.25 });
     await within(20, async () => /Surface invented25\.0 %/.test(await facts()), async () => `it says: ${await facts()}`);
     await draw({ invented_share: null });

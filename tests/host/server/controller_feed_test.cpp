@@ -53,6 +53,12 @@ void say(int client, const std::vector<test::Bytes>& frames) {
   for (const test::Bytes& bytes : frames) (void)::send(client, bytes.data(), bytes.size(), MSG_NOSIGNAL);
 }
 
+/// What a controller says first to the one who asks for its figures, without its device.
+std::vector<test::Bytes> measured(const protocol::Welcome& welcome, const protocol::StatusReport& status) {
+  return {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
+          frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status)};
+}
+
 /// The status has the faults before a restart, which no tick has. It is asked four times a second, and a new fault may come before.
 TEST(ControllerFeed, AFaultThatIsOverIsNotShownBesideANewOne) {
   protocol::Welcome welcome;
@@ -68,9 +74,8 @@ TEST(ControllerFeed, AFaultThatIsOverIsNotShownBesideANewOne) {
   const auto measures = [&](int client) {
     protocol::StatusReport status;
     status.faults = kFaultSilent | kFaultSpeed;
-    say(client, {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
-                 frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status),
-                 frame(Kind::kDeviceReport, protocol::DeviceReport{})});
+    say(client, measured(welcome, status));
+    say(client, {frame(Kind::kDeviceReport, protocol::DeviceReport{})});
     is_asked = true;
     test::Scripted::says({}, false)(client);
   };
@@ -170,8 +175,7 @@ TEST(ControllerFeed, OtherAnglesThatWaitAreTheCauseOfASilence) {
     status.faults = kFaultSilent;
     protocol::DeviceReport device;
     device.waits = static_cast<std::uint8_t>(protocol::OtherAngles::kKept);
-    say(client, {frame(Kind::kWelcome, welcome), frame(Kind::kHistogramReport, protocol::HistogramReport{}),
-                 frame(Kind::kHistogramReport, protocol::HistogramReport{}), frame(Kind::kStatusReport, status)});
+    say(client, measured(welcome, status));
     for (int n = 0; n < 400 && !is_told; ++n) std::this_thread::sleep_for(50ms);
     say(client, {frame(Kind::kDeviceReport, device)});
     test::Scripted::says({}, false)(client);
