@@ -267,7 +267,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
         "no smooth surface explains " + per_cent(verdict.unexplained_share) +
             " of the points; estimate the normals again, or scan again with less noise");
   const double in_noise = std::max(0.0, 1.0 - kPerNoise * verdict.noise_spacing * verdict.noise_spacing);
-  const double strays_among = static_cast<double>(sound.strays_among + repair.isolated) / (count + static_cast<double>(sound.strays_among));
+  // Without normals a part that is too sparse to be known looks like strays, too.
+  const std::size_t strays = sound.is_estimated ? 0 : sound.strays_among + repair.isolated;
+  const double strays_among = static_cast<double>(strays) / (count + static_cast<double>(sound.strays_among));
   limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * strays_among,
         per_cent(verdict.surprising_share) +
             " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");

@@ -309,24 +309,27 @@ TEST(VerdictHeavy, ACleanCutExcusesNoOtherEnd) {
   EXPECT_THAT(verdict_of(points).reasons, ElementsAre(HasSubstr("a limb or a wall is cut off")));
 }
 
-/// Strays far away have none like them at the surface, so they excuse no surprises there.
+/// Strays far away have none like them at the surface, so they excuse no surprises there. Without normals the points of a part that is too sparse count as
+/// strays, and excuse none either.
 TEST(Verdict, StraysExcuseSurprisesWhereTheyAre) {
-  const auto reasons_with_strays = [](double half) {
+  const auto reasons_with_strays = [](double half, bool estimated = false) {
     OrientedPoints points = of("sphere");
     Random random(5);
     for (int n = 0; n < 300; ++n) {
       points.positions.emplace_back(random.uniform(-half, half), random.uniform(-half, half), random.uniform(-half, half));
       points.normals.emplace_back(Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1) + 1e-3).normalized());
     }
-    const SoundScan sound = sound_scan(points);
+    SoundScan sound = sound_scan(points);
     EXPECT_GT(sound.strays, 180U);
     Progress progress;
     ScanField built = scan_field(sound, 1.6, kBand, progress);
     built.repair.surprising = 0.03;
+    sound.is_estimated = estimated;
     return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
   };
   EXPECT_THAT(reasons_with_strays(85), Each(Not(HasSubstr("do not expect"))));
   EXPECT_THAT(reasons_with_strays(2000), Contains(HasSubstr("do not expect")));
+  EXPECT_THAT(reasons_with_strays(85, true), Contains(HasSubstr("do not expect")));
 }
 
 TEST(Verdict, StraysAreCountedAndDoNotSpoilIt) {
