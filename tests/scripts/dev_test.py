@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""What ./dev promises of a build or a check that fails, with programs that are made here."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import unittest
+
+import fakes
+
+PAGE_TEST = "echo \"$0\" >>asked\necho \"${FAKE_SAID:-3 passed, 0 failed, 1 skipped}\"\nexit ${FAKE_PAGE:-0}\n"
+# As the real one: it takes the files of its database in which the expression is found.
+RUN_CLANG_TIDY = """#!/usr/bin/env python3
+import re, sys
+for file in open("database").read().splitlines():
+    if re.search(sys.argv[-1], file):
+        print("clang-tidy-14 -p=build/tidy -quiet", file)
+"""
+
+
+class DevTest(fakes.Tree):
+    def setUp(self) -> None:
+        super().setUp()
+        self.take("dev")
+        for program in ("npm", "tsc", "mypy", "shellcheck", "git", "clang-format"):
+            self.script(f"bin/{program}", "exit 0\n")
+        self.script("bin/dpkg-query", "echo installed\n")
+        self.script("bin/cmake", 'case "$*" in *"${FAKE_CMAKE:-nothing}"*) exit 1 ;; esac\n')
+
+    def take(self, name: str) -> None:
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(fakes.ROOT / name, self.root / name)
+
+    def dev(self, *words: str, **environment: str) -> tuple[int, str, str]:
+        return self.call("dev", *words, PATH=f"{self.root}/bin:{os.environ['PATH']}", CI="true", ISOTOUCH_DATA="none", **environment)
+
+    def view(self, **environment: str) -> tuple[int, str]:
+        """Exit code and last line."""
+        self.take("tests/integration/failed_tests")
+        for name in ("bundle_check", "view_test.mjs"):
+            self.script(f"tests/host/page/{name}", PAGE_TEST)
+        code, said, _ = self.dev("test", "view", **environment)
+        return code, said.splitlines()[-1]
+
+    def test_a_page_is_not_tested_with_the_programs_of_an_earlier_build(self) -> None:
+        for fails in ("--preset release", "--build build/release"):
+            self.assertEqual(self.view(FAKE_CMAKE=fails), (1, "0 passed, 1 failed, 0 skipped"), fails)
+        self.assertFalse((self.root / "asked").exists())
+        self.assertEqual(self.view(), (0, "6 passed, 0 failed, 2 skipped"))
+
+    def test_a_test_of_the_page_that_fails_uncounted_counts(self) -> None:
+        self.assertEqual(self.view(FAKE_PAGE="1"), (1, "6 passed, 2 failed, 2 skipped"))
+        self.assertEqual(self.view(FAKE_PAGE="1", FAKE_SAID="1 passed, 2 failed, 0 skipped"), (1, "2 passed, 4 failed, 0 skipped"))
+        self.assertEqual(self.view(FAKE_SAID="nothing"), (1, "0 passed, 2 failed, 0 skipped"))
+
+    def test_clang_tidy_checks_shared_and_firmware_wherever_the_checkout_is(self) -> None:
+        usual, self.root = self.root, self.root / "c++ [of 2] (a|b) $x^.{1}?*"
+        shutil.copytree(usual, self.root, ignore=shutil.ignore_patterns("c++*"))
+        (self.root / "bin/run-clang-tidy").write_text(RUN_CLANG_TIDY)
+        (self.root / "bin/run-clang-tidy").chmod(0o755)
+        (self.root / "database").write_text("\n".join(str(self.root / file) for file in ("shared/a.cpp", "firmware/core/b.cpp", "host/shared/c.cpp")))
+        code, said, complaints = self.dev("tidy")
+        log = (self.root / "build/tidy.log").read_text()
+        self.assertEqual((code, complaints), (0, ""), said + log)
+        self.assertEqual([line.rsplit("/", 1)[1] for line in log.splitlines()], ["a.cpp", "b.cpp"])
+
+    def test_clang_tidy_that_checks_nothing_fails(self) -> None:
+        self.script("bin/run-clang-tidy", "exit 0\n")
+        code, _, complaints = self.dev("tidy")
+        self.assertEqual((code, complaints), (1, "clang-tidy checked no file; see build/tidy.log\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
