@@ -188,6 +188,16 @@ class CasesTest(fakes.Tree):
         table.write_text(table.read_text().replace(",".join(row), ",".join([*row[:8], "pose:900-1021", row[9]])))
         for pose, code, sentence in (("1000", 0, ""), ("1022", 3, "takes 1022 instructions in tick 7, its limit is 1021"), ("899", 3, "fewer than its lower limit 900")):
             found = self.cases("--instructions", "ball", FAKE_POSE=pose)
+        for limits, code, sentence in (
+            ("words:1-9", 3, "stage pose has no limits"),
+            ("pose:900-1021 words:1", 1, "'words:1' among the limits of 'ball' is not STAGE:LOWER-UPPER"),
+            ("pose:900-1021 words:1-9", 3, "stage words has limits and is not counted"),
+        ):
+            table.write_text(table.read_text().replace(",".join(self.row("ball")), ",".join([*row[:8], limits, row[9]])))
+            found = self.cases("--instructions", "ball", FAKE_POSE="1000")
+            self.assertEqual(found[0], code, limits)
+            self.assertIn(sentence, found[2])
+        table.write_text(table.read_text().replace(" words:1-9", ""))
             self.assertEqual(found[0], code, pose)
             self.assertIn(sentence, found[2])
         self.script("hil/instructions/same_compiler", "exit 1\n")   # what another compiler built may take half as much again, and less

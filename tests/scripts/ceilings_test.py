@@ -72,6 +72,10 @@ echo '{"case": "levels", "method": "published", "hip_to_force": '${FAKE_PUBLISHE
         (self.root / "hil/instructions/ceilings.csv").write_text("aarch64,default,1040,1040\n")
         self.assertIn("cortex-m7 has no ceiling", self.ceilings()[2])
 
+    def test_a_ceiling_of_what_is_not_counted_fails(self) -> None:
+        (self.root / "hil/instructions/ceilings.csv").write_text(CEILINGS + "cortex-m7,patched,1,1\n")
+        self.assertEqual(self.ceilings()[::2], (3, "ceilings: cortex-m7, patched has a ceiling in ceilings.csv, and no case of that method is counted\n"))
+
     def test_nothing_counted_is_no_success(self) -> None:
         for environment in ({"FAKE_TOOL": "1"}, {"FAKE_NO_CONTACT": "1"}, {"FAKE_CASES_EXIT": "1"}):
             self.assertEqual(self.ceilings(**environment)[0], 1, environment)
