@@ -7,6 +7,7 @@ state; FAKE_CALLS is what strace sees; FAKE_PRIORITY is that of the tick's threa
 
 from __future__ import annotations
 
+import fcntl
 import importlib.util
 import os
 import shutil
@@ -98,8 +99,22 @@ class Tree(unittest.TestCase):
             if time.monotonic() > end:
                 break
             time.sleep(0.05)
-        self.assertFalse(runs, "what it started still runs")
+        self.assertFalse(runs, f"what it started still runs after {how.name}")
         return process.returncode
+
+    def wait_for_lock(self, folder: str, name: str, *command: str, **environment: str) -> str:
+        """What a script prints that must wait until another run has ended, and then end well."""
+        with (self.root / folder / "lock").open("w") as first:
+            fcntl.flock(first, fcntl.LOCK_EX)
+            with self.start(*command, **environment) as second:
+                assert second.stderr
+                self.assertEqual(second.stderr.readline(), f"{name}: another run uses {folder}; waiting until it has ended\n")
+                with self.assertRaises(subprocess.TimeoutExpired):
+                    second.wait(timeout=1)
+                fcntl.flock(first, fcntl.LOCK_UN)
+                said, _ = second.communicate(timeout=60)
+        self.assertEqual(second.returncode, 0)
+        return said
 
     def call(self, *command: str, **environment: str) -> tuple[int, str, str]:
         """Exit code, output, complaints."""

@@ -124,10 +124,15 @@ class MutantsTest(fakes.Tree):
         self.script("path/ctest", "echo 'No tests were found!!!'\nexit 8\n")
         self.assertEqual(self.mutants()[::2], (3, "mutants: the code that is not broken fails ctest -R '^loop:', exit code 8\n"))
 
-    def test_an_interrupt_ends_what_was_started(self) -> None:
+    def test_whatever_ends_it_ends_what_it_started(self) -> None:
         self.wiring()
         self.script("path/ctest", fakes.SLEEPS)
-        self.assertNotEqual(self.interrupt(signal.SIGINT, "hil/mutants/run", PATH=f"{self.root}/path:{os.environ['PATH']}"), 0)
+        for how in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            self.assertNotEqual(self.interrupt(how, "hil/mutants/run", PATH=f"{self.root}/path:{os.environ['PATH']}"), 0, how.name)
+
+    def test_a_second_run_waits_until_the_first_has_ended(self) -> None:
+        """Each would build and try the other's mutants."""
+        self.wait_for_lock("build/mutants", "mutants", "hil/mutants/run", PATH=f"{self.root}/path:{os.environ['PATH']}")
 
     def test_a_test_without_its_targets_is_not_whole(self) -> None:
         self.wiring("^loop:")
