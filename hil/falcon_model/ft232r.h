@@ -44,6 +44,8 @@ class Ft232r {
   const Strings& strings() const { return strings_; }
   unsigned latency_ms() const { return latency_ms_; }
   bool empty() const { return waiting_.empty() && breaks_.empty(); }
+  /// Whether a whole USB packet waits: that does not wait for the latency timer.
+  bool fills_packet() const { return waiting_.size() >= kUsbPacketBytes - 2; }
 
   /// Bytes from the board. What does not fit 256 bytes is lost, and the status says "overrun".
   void receive(std::span<const std::uint8_t> bytes);

@@ -25,14 +25,17 @@ class PacedDevice {
   /// Bulk out. In real pace the device first hears how long the host was silent.
   std::size_t write(std::span<const std::uint8_t> bytes, Time now);
 
-  /// When a read that was asked for at `asked` is answered: with the next frame when data is there by then, else when the latency timer runs out.
-  /// May come earlier after a write.
+  /// Bulk in, at a time that `ready` named or later: the latency timer begins anew.
+  falcon_model::Bytes read(std::size_t capacity, Time now);
+
+  /// When a read that was asked for at `asked` is answered: with the next frame when a full packet is there by then, or some bytes and the latency timer
+  /// has run out; without data when the timer has run out since it was asked for. May come earlier after a write.
   Time ready(Time asked) const;
 
  private:
   falcon_model::SimulatedFalcon falcon_;
   Pace pace_;
-  std::optional<Time> written_;
+  std::optional<Time> written_, taken_;
 };
 
 }  // namespace isotouch::falcon_sim

@@ -61,7 +61,7 @@ void SocketFrontend::finish_read(Time now) {
   } else if (now < device_.ready(pending.asked)) {
     send(read_answer(kTimedOut, {}));
   } else {
-    send(read_answer(kOk, device_.falcon().read(pending.request.capacity)));
+    send(read_answer(kOk, device_.read(pending.request.capacity, now)));
   }
 }
 

@@ -168,7 +168,7 @@ class UsbipFrontend final : public Frontend {
       const Read read = reads_.front();
       reads_.pop_front();
       last_read_ = now_;
-      const Bytes data = device_.falcon().read(read.capacity);
+      const Bytes data = device_.read(read.capacity, now_);
       reply(kSubmitted, read.number, kDone, data.size(), data);
     }
   }

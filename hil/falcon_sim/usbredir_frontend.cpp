@@ -186,7 +186,7 @@ class UsbredirFrontend final : public Frontend {
       const Read read = reads_.front();
       reads_.pop_front();
       last_read_ = now_;
-      Bytes data = device_.falcon().read(read.capacity);
+      Bytes data = device_.read(read.capacity, now_);
       const std::size_t size = data.size();
       finish(read.id, read.header, usb_redir_success, std::move(data), size);
     }

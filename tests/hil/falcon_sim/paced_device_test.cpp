@@ -31,6 +31,35 @@ TEST(PacedDevice, WithoutDataTheLatencyTimerAnswers) {
   EXPECT_EQ(device.ready(kNoon + 1us), kNoon + 17ms);
 }
 
+/// How long ten packets and their replies take, each packet half a millisecond after the reply before it.
+Time::duration ten_packets(PacedDevice& device) {
+  Time now = kNoon;
+  for (int i = 0; i < 10; ++i) {
+    device.write(driver::command({}), now + 500us);
+    now = device.ready(now + 510us);
+    EXPECT_EQ(device.read(64, now + 50us).size(), 18U);  // the event loop is a little late
+  }
+  return now - kNoon;
+}
+
+TEST(PacedDevice, AReplyWaitsForTheLatencyTimer) {
+  PacedDevice device = running(Pace::kReal);
+  EXPECT_EQ(ten_packets(device), 10ms);
+  device.falcon().control(driver::kLatency16);
+  device.read(64, kNoon);
+  EXPECT_EQ(ten_packets(device), 160ms);  // as a host felt it whose driver left the timer as it was: 62.5 Hz
+}
+
+TEST(PacedDevice, AFullPacketDoesNotWaitForTheLatencyTimer) {
+  PacedDevice device = running(Pace::kReal);
+  device.falcon().control(driver::kLatency16);
+  device.read(64, kNoon);
+  for (int i = 0; i < 3; ++i) device.write(driver::command({}), kNoon + 10us);
+  EXPECT_EQ(device.ready(kNoon + 20us), kNoon + 16ms);  // 48 bytes
+  device.write(driver::command({}), kNoon + 30us);
+  EXPECT_EQ(device.ready(kNoon + 40us), kNoon + 1ms);  // 64 bytes
+}
+
 TEST(PacedDevice, LockstepAnswersAtOnce) {
   PacedDevice device = running(Pace::kLockstep);
   EXPECT_EQ(device.ready(kNoon), kNoon);
