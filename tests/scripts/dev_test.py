@@ -18,6 +18,15 @@ for file in open("database").read().splitlines():
         print("clang-tidy-14 -p=build/tidy -quiet", file)
 """
 
+# Takes over what is not longer than -max_len; the edges are as many as the longest input has bytes.
+FUZZ = """
+for word in "$@"; do case $word in -max_len=*) most=${word#*=} ;; -*) ;; *) folders="$folders $word" ;; esac; done
+case $1 in
+  -set_cover_merge=1) fresh=${folders# } && fresh=${fresh%% *} && find $folders -type f -size -$((most + 1))c -exec cp {} $fresh \\; ;;
+  *) echo "#3	DONE   cov: $(find $folders -type f -printf '%s\\n' | sort -n | tail -1) ft: 9 corp: 3/9b" >&2 ;;
+esac
+"""
+
 
 class DevTest(fakes.Tree):
     def setUp(self) -> None:
@@ -53,6 +62,20 @@ class DevTest(fakes.Tree):
         self.assertEqual(self.view(FAKE_PAGE="1"), (1, "6 passed, 2 failed, 2 skipped"))
         self.assertEqual(self.view(FAKE_PAGE="1", FAKE_SAID="1 passed, 2 failed, 0 skipped"), (1, "2 passed, 4 failed, 0 skipped"))
         self.assertEqual(self.view(FAKE_SAID="nothing"), (1, "0 passed, 2 failed, 0 skipped"))
+
+    def test_kept_inputs_of_the_fuzzer_reach_what_all_inputs_reach(self) -> None:
+        self.script("tests/fuzz/seeds", 'mkdir -p "$2/field"\nhead -c 22144 /dev/zero >"$2/field/ball"\n')
+        self.script("build/sanitize/bin/fuzz_field", FUZZ)
+        kept = self.root / "tests/fuzz/corpus/field"
+        kept.mkdir(parents=True)
+        (kept / "before").write_bytes(bytes(9))
+        code, said, _ = self.dev("fuzz", "minimise", "field")
+        self.assertEqual((code, said.splitlines()[-1]), (0, "field         2 inputs of 22153 bytes reach 22144 of 22144 edges"))
+        (self.root / "build/fuzz/found/field/long").write_bytes(bytes(70_000))   # longer than what a door takes
+        code, _, complaints = self.dev("fuzz", "minimise", "field")
+        self.assertEqual(code, 1)
+        self.assertEqual(complaints, "dev: field: the inputs in build/fuzz/minimised reach 22144 of 70000 edges; tests/fuzz/corpus/field stays as it was\n")
+        self.assertEqual(len(list(kept.iterdir())), 2)
 
     def test_clang_tidy_checks_shared_and_firmware_wherever_the_checkout_is(self) -> None:
         usual, self.root = self.root, self.root / "c++ [of 2] (a|b) $x^.{1}?*"

@@ -47,13 +47,13 @@ class FuzzTest(unittest.TestCase):
         called = {name for door in FUZZ.glob("*_fuzz.cpp") for name in re.findall(r"\b(isotouch_\w+)\(", door.read_text())}
         self.assertEqual(known - called, set(NOT_FUZZED), "call it in tests/fuzz/library_fuzz.cpp or link_fuzz.cpp")
 
-    def test_every_door_has_seeds_and_every_kept_input_a_door(self) -> None:
+    def test_every_door_has_seeds_and_kept_inputs(self) -> None:
         doors = {door.name.removesuffix("_fuzz.cpp") for door in FUZZ.glob("*_fuzz.cpp")}
         seeds = (FUZZ / "seeds").read_text()
         made = set(re.search(r"^for door in ([a-z ]+); do", seeds, re.MULTILINE)[1].split())  # type: ignore[index]
         self.assertEqual(made, doors)
-        for folder in ("corpus", "dictionaries"):
-            self.assertLessEqual({entry.name.removesuffix(".dict") for entry in (FUZZ / folder).iterdir()}, doors, folder)
+        self.assertEqual({folder.name for folder in (FUZZ / "corpus").iterdir() if any(folder.iterdir())}, doors, "./dev fuzz minimise DOOR")
+        self.assertLessEqual({entry.stem for entry in (FUZZ / "dictionaries").iterdir()}, doors)
 
     def test_frames_that_are_seeds_have_the_layout_of_the_protocol(self) -> None:
         major = re.search(r"kMajor = (\d+);", (ROOT / "shared/protocol.h").read_text())
@@ -77,7 +77,8 @@ class FuzzTest(unittest.TestCase):
     def test_kept_inputs_are_few_and_small(self) -> None:
         kept = [entry.stat().st_size for entry in (FUZZ / "corpus").rglob("*") if entry.is_file()]
         self.assertGreater(len(kept), 100)
-        self.assertLessEqual(sum(kept), 500_000)
+        self.assertLessEqual(max(kept), 65_536)
+        self.assertLessEqual(sum(kept), 1_500_000)
 
 
 if __name__ == "__main__":
