@@ -150,7 +150,7 @@ std::vector<Case> cases() {
   return {
       {"short packet", "at # short", {}, stale, S::kHold, 0, true},
       {"merged packets", "at # merged", {}, stale, S::kHold, 0, true},
-      {"late packet", "at # late 1", {}, stale, S::kHold, 0, true},
+      {"late packets", "at # late 2", {}, stale, S::kHold, 0, true},
       {"corrupt packet", "at # corrupt", {}, stale, S::kHold, 0, true},
       {"repeated packet", "at # repeated", {}, {}, S::kActive, 0, true},
       {"modem-only reads, 2", "at # modem-only 2", {}, {}, S::kActive, 0, true},
