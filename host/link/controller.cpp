@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "host/error.h"
 #include "shared/printable.h"
@@ -180,6 +181,11 @@ void Controller::stop() {
 }
 
 void Controller::set(const std::string& name, const std::string& value) {
+  for (const auto& [what, text] : {std::pair("name", &name), std::pair("value", &value)}) {  // a message would cut what is longer
+    if (text->size() <= protocol::kMaxName && is_printable(*text)) continue;
+    complain("the setting's " + std::string(what) + " has more than " + std::to_string(protocol::kMaxName) +
+             " bytes, or characters that cannot be printed, so nothing was set; write it shorter");
+  }
   connection_.send(Kind::kSet, protocol::Set{protocol::Text::of(name), protocol::Text::of(value)});
   (void)expect(Kind::kDone, kAnswer);
 }

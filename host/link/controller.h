@@ -77,7 +77,9 @@ class Controller {
   std::vector<protocol::WorstTick> worst_ticks(bool anew);
   void stop();
   void resume();
-  /// A setting that may change while it is felt, and its value as in the settings' file; at most 63 characters each.
+  /// A setting that may change while it is felt, and its value as in the settings' file.
+  ///
+  /// fails     InputError: also where one of them has more than 63 bytes or is not printable; then nothing is sent
   void set(const std::string& name, const std::string& value);
 
   /// Records so many ticks from now.

@@ -83,6 +83,17 @@ class Door {
   int door_;
 };
 
+TEST(Controller, ASettingThatAMessageWouldCutIsNotSent) {
+  const std::string longest(63, '0');
+  const auto set = [](const std::string& name, const std::string& value) {
+    return complaint(kWelcome + frame(Kind::kDone), [&](Controller& controller) { controller.set(name, value); });
+  };
+  EXPECT_EQ(set("friction", longest), "");
+  EXPECT_THAT(set("friction", longest + "e-1"), HasSubstr("the setting's value has more than 63 bytes"));
+  EXPECT_THAT(set(longest + "0", "1"), HasSubstr("the setting's name has more than 63 bytes"));
+  EXPECT_THAT(set("friction", "0.5\n1"), HasSubstr("cannot be printed, so nothing was set"));
+}
+
 TEST(Controller, NobodyWaitsForAnAnswerThatIsNotWantedAnyMore) {
   const Door door(1);
   int asked = 0;
