@@ -11,6 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "host/qualify/board_files.h"
+
 namespace isotouch::qualify {
 
 namespace {
@@ -21,6 +23,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
 }
+
+constexpr std::size_t kMaxShown = 4096;  // bytes of one text of the board: the longest list of boot options
 
 /// The kernel's folder for tracing, where this user may make a buffer in it; ISOTOUCH_TRACING names another one.
 constexpr std::string_view kFindTracer =
@@ -43,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> read_description(const std::str
   for (const std::string& line : lines_of(text)) {
     const auto equals = line.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == line.size()) continue;
-    pairs.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+    pairs.emplace_back(shown(line.substr(0, equals), kMaxShown), shown(line.substr(equals + 1), kMaxShown));
   }
   return pairs;
 }
@@ -75,7 +79,8 @@ std::string timer_command(int priority, std::uint32_t period_us, double seconds)
 std::optional<link::Histogram> read_timer(int status, const std::string& text, std::string& why) {
   if (status != 0) {
     const auto lines = lines_of(text);
-    why = lines.empty() || lines[0].empty() ? "cyclictest failed there" : lines[0];
+    why = lines.empty() ? "" : shown(lines[0], kMaxShown);
+    if (why.empty()) why = "cyclictest failed there";
     return std::nullopt;
   }
   link::Histogram histogram;
@@ -201,7 +206,7 @@ std::vector<std::string> read_causes(const std::string& text, std::size_t ticks)
   }
   std::vector<std::string> causes;
   causes.reserve(ticks);
-  for (const std::vector<std::string>& one : lines) causes.push_back(read_cause(one));
+  for (const std::vector<std::string>& one : lines) causes.push_back(shown(read_cause(one), kMaxShown));
   return causes;
 }
 

@@ -24,6 +24,21 @@ TEST(BoardQuestions, ADescriptionIsPairsAndNothingElse) {
   EXPECT_EQ(pairs[1].second, "isolcpus=3 quiet");
 }
 
+TEST(BoardQuestions, WhatTheBoardSaysIsOneLineForATerminalAndAPage) {
+  const auto pairs = read_description("boot options=quiet \xff \x1b[31mred\n");
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0].second, "quiet    [31mred");
+  std::string why;
+  EXPECT_FALSE(read_timer(4, "no \xff\x1b]0;timer\n", why));
+  EXPECT_EQ(why, "no   ]0;timer");
+  const auto causes = read_causes(
+      "1 since kworker\xff-9 [001] d..2 5.0: sched_switch: prev_comm=kw\xff\x1b[2J prev_pid=9 prev_prio=1 prev_state=S ==> next_comm=tick "
+      "next_pid=7 next_prio=1\n",
+      1);
+  ASSERT_EQ(causes.size(), 1U);
+  EXPECT_EQ(causes[0], "processor 1: kw  [2J");
+}
+
 TEST(BoardQuestions, OfManySensorsTheHottestAndOfProcessorsTheSlowestCount) {
   Moment moment;
   read_sensors("millicelsius 41500\nmillicelsius 63125\nkilohertz 1500000\nkilohertz 600000\nnoise\n", moment);
