@@ -84,12 +84,12 @@ void place(std::vector<motion::TimedPoint>& points, ImportOptions options) {
   if (field) warn_unless_it_touches(points, motion::FeltSurface(field->view), options);
 }
 
-/// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was.
+/// What another device felt, as a tick puts it: the proxy where the stiffness says that the surface was. An input that is not fresh has no contact.
 Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) {
   Output output;
   output.hip = input.hip;
   output.force = to_fixed<Newton>(force);
-  output.status = output.force == Vec3<Newton>{} ? 0U : kContact;
+  output.status = !input.fresh ? kStale : output.force == Vec3<Newton>{} ? 0U : kContact;
   const Eigen::Vector3d hip = to_double(input.hip);
   output.proxy = to_fixed<Mm>(stiffness > 0 ? Eigen::Vector3d(hip + force / stiffness) : hip);
   return output;
@@ -148,20 +148,25 @@ void import_table(const ImportOptions& options) {
       from_bag ? bag::read_bag_motion(options.source, topics) : motion::read_motion_csv(options.source, columns);
   place(points, options);
   TickWriter writer(options.trace, options.forces);
-  std::uint64_t ticks = 0;
+  std::uint64_t ticks = 0, unknown = 0, age = 0;
   try {
-    ticks = motion::resample(points, options.trace.header().period_ns, [&](const Input& input, const Eigen::Vector3d& force) {
-      if (options.forces) {
-        writer(input, felt(input, force, options.trace.stiffness()));
-      } else {
-        writer(input);
-      }
+    ticks = motion::resample(points, options.trace.header().period_ns, [&](Input input, const std::optional<Eigen::Vector3d>& force) {
+      if (!options.forces) return writer(input);
+      age = force ? 0 : age + 1;
+      unknown += force ? 0U : 1U;
+      input.fresh = force.has_value();
+      input.age = static_cast<std::uint16_t>(std::min<std::uint64_t>(age, UINT16_MAX));
+      writer(input, felt(input, force.value_or(Eigen::Vector3d::Zero()), options.trace.stiffness()));
     });
   } catch (const InputError& e) {
     throw InputError(options.source.string() + ": " + e.what());
   }
   writer.finish();
   report(options.trace.out, ticks, options.trace.header());
+  if (unknown > 0) {
+    std::fprintf(stderr, "%s: %llu of the ticks have no force: they lie between samples that are more than %g s apart\n",
+                 options.trace.out.string().c_str(), static_cast<unsigned long long>(unknown), motion::kMaxGap);
+  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::uint32_t kUnfit = kFollowing | kHeldInside | kRamping | kForceLimited | kStale | kInputClamped;
+constexpr std::uint32_t kUnfit = kFollowing | kHeldInside | kRamping | kForceLimited | kInputClamped;
 constexpr double kCellsAcross = 96;   // of the first, coarse look at the area
 constexpr double kCellsAPlane = 1.5;  // cubic cells that a plane in any direction meets, per cell's side squared, on average
 constexpr double kSameSide = 0.8;     // cosine between normals of touches that are averaged
@@ -114,8 +114,9 @@ TouchKind TouchReader::read(const TraceRecord& record, Touch& touch) {
     raw[index_of(record.input.change.setting)] = record.input.change.raw;
     set(from_raw(raw));
   }
+  if ((out.status & kStale) != 0 || !record.input.fresh) return TouchKind::kUnfit;  // an old sample does not show free space, either
   if ((out.status & kContact) == 0) return TouchKind::kFree;
-  if ((out.status & kUnfit) != 0 || !record.input.fresh) return TouchKind::kUnfit;
+  if ((out.status & kUnfit) != 0) return TouchKind::kUnfit;
   Vector3d force = to_double(out.force);
   if (record.input.kind == InputKind::kPacket && !force.isZero(0)) force.y() -= to_double(settings_.weight);
   if (!(force.norm() >= least_force_n_)) return TouchKind::kWeak;

@@ -118,7 +118,7 @@ void fast(HandMutator& m) {
     const double least = (points[i].position - points[i - 1].position).norm() / kFastestHand;
     sped.push_back({sped.back().time + std::max(seconds, least), points[i].position});
   }
-  resample(sped, m.period_ns, [&](const Input& input, const Vector3d&) { m.hand.step(to_double(input.hip)); });
+  resample(sped, m.period_ns, [&](const Input& input, const auto&) { m.hand.step(to_double(input.hip)); });
 }
 
 void mirror(HandMutator& m) {

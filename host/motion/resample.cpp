@@ -15,6 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMaxMm = 2047.0;
+constexpr double kSlack = 5e-7;        // of a tick, or of the longest gap: what rounding may do to decimal times
 constexpr double kLeastApart = 1e-12;  // s; between samples that are nearer, a velocity may have no number
 
 /// The velocity at the sample between two intervals of lengths `before`, `after` and mean velocities `u`, `v`, along one axis.
@@ -43,7 +44,7 @@ std::vector<Vector3d> velocities(const std::vector<TimedPoint>& points) {
 }  // namespace
 
 std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t period_ns,
-                       const std::function<void(const Input&, const Vector3d& force)>& emit) {
+                       const std::function<void(const Input&, const std::optional<Vector3d>& force)>& emit) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double farthest = points[i].position.cwiseAbs().maxCoeff();
     if (!points[i].position.allFinite() || farthest > kMaxMm) {
@@ -59,8 +60,7 @@ std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t peri
   const double whole = (points.back().time - points.front().time) / period;
   if (whole >= static_cast<double>(kMaxTicks)) throw InputError("the motion lasts more than 100,000,000 ticks; check the unit of its time");
 
-  // Half a millionth of a tick: a table's decimal times must not lose the last tick to rounding.
-  const auto ticks = static_cast<std::uint64_t>(std::floor(whole + 5e-7)) + 1;
+  const auto ticks = static_cast<std::uint64_t>(std::floor(whole + kSlack)) + 1;
   const std::vector<Vector3d> velocity = velocities(points);
   std::size_t i = 0;
   for (std::uint64_t tick = 0; tick < ticks; ++tick) {
@@ -71,7 +71,10 @@ std::uint64_t resample(const std::vector<TimedPoint>& points, std::uint32_t peri
     const double r = 1 - s;
     const Vector3d position = r * r * (1 + 2 * s) * points[i].position + s * s * (1 + 2 * r) * points[i + 1].position +
                               s * r * length * (r * velocity[i] - s * velocity[i + 1]);
-    emit(position_input(to_fixed<Mm>(position)), r * points[i].force + s * points[i + 1].force);
+    const bool is_sample = std::min(s, r) * length <= kSlack * period;
+    std::optional<Vector3d> force;
+    if (is_sample || length <= kMaxGap * (1 + kSlack)) force = r * points[i].force + s * points[i + 1].force;
+    emit(position_input(to_fixed<Mm>(position)), force);
   }
   return ticks;
 }

@@ -55,8 +55,7 @@ cloud::TriangleMesh block_mesh() {
 /// What is left of a recording when everything slower than about 4 Hz is taken off, mm, a millisecond apart.
 std::vector<Vector3d> tremor_of(const std::filesystem::path& file) {
   std::vector<Vector3d> path;
-  motion::resample(motion::read_motion_csv(file, {}), 1'000'000,
-                   [&](const Input& in, const Vector3d&) { path.push_back(to_double(in.hip)); });
+  motion::resample(motion::read_motion_csv(file, {}), 1'000'000, [&](const Input& in, const auto&) { path.push_back(to_double(in.hip)); });
   constexpr std::size_t kReach = 50;
   std::vector<Vector3d> sums(path.size() + 1, Vector3d::Zero());
   for (std::size_t i = 0; i < path.size(); ++i) sums[i + 1] = sums[i] + path[i];

@@ -63,6 +63,27 @@ TEST_F(TraceInABag, AnOptionThatWouldHaveNoEffectIsRefusedByItsName) {
   }
 }
 
+/// A hand that presses a wall for 50 ms, pauses for two seconds, and presses it again elsewhere, in samples of 1 kHz.
+TEST(TraceImport, APauseOfARecordingIsNoTouch) {
+  const ScratchFolder folder;
+  const auto file = [&](const std::string& name) { return (folder.path() / name).string(); };
+  std::string table = "t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n";
+  for (int i = 0; i < 100; ++i)
+    table += std::to_string(0.001 * i + (i < 50 ? 0 : 1.951)) + "," + std::to_string(i < 50 ? 0 : 40) + ",-1,0,0,1,0\n";
+  write_file(file("gap.csv"), table);
+  run_command("trace import " + file("gap.csv") + " --forces --stiffness 1 -o " + file("gap.trace"));
+  const auto trace = trace::read_trace(file("gap.trace"));
+  ASSERT_EQ(trace.size(), 2051U);
+  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+    const TraceRecord record = trace.record(tick);
+    const bool is_known = tick < 50 || tick > 2000;
+    EXPECT_EQ(record.input.fresh, is_known) << tick;
+    EXPECT_EQ(record.input.age, is_known ? 0 : tick - 49) << tick;
+    EXPECT_EQ(record.output.status, is_known ? std::uint32_t{kContact} : std::uint32_t{kStale}) << tick;
+    EXPECT_EQ(record.output.force == Vec3<Newton>{}, !is_known) << tick;
+  }
+}
+
 TEST_F(TraceInABag, ItsPositionsAreImportedAnewByTheirTopic) {
   run_command("trace import " + file("hand.mcap") + " --topic /isotouch/hip --scale 2 -o " + file("twice.trace"));
   const auto hand = trace::read_trace(file("hand.trace")), twice = trace::read_trace(file("twice.trace"));

@@ -81,6 +81,17 @@ TEST_F(TouchPoints, LieOnTheSurfaceWithItsNormalsEvenlySpread) {
   }
 }
 
+TEST_F(TouchPoints, WithoutAFreshSampleATickIsNeitherATouchNorFree) {
+  const auto lose = [](std::size_t tick, TraceRecord& record) {
+    if (tick % 4 == 0) record.output.status = kStale;
+    if (tick % 4 == 1) record.output.status = 0, record.input.fresh = false, record.input.age = 1;
+  };
+  (void)touch_points(trace(1000, lose), {}, report_);
+  EXPECT_EQ(report_.free, 0U);
+  EXPECT_EQ(report_.unfit, 500U);
+  EXPECT_EQ(report_.touches, 500U);
+}
+
 TEST_F(TouchPoints, TicksWhoseForceTellsNoDepthAreLeftOutAndCounted) {
   const std::uint32_t unfit[] = {kRamping, kForceLimited, kStale, kInputClamped, kFollowing, kHeldInside};
   const auto spoil = [&](std::size_t tick, TraceRecord& record) {

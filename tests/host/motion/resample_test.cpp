@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <vector>
 
 #include "host/error.h"
 #include "host/to_double.h"
@@ -15,7 +17,7 @@ namespace {
 std::vector<Eigen::Vector3d> resampled(const std::vector<TimedPoint>& points, std::uint32_t period_ns = 1'000'000) {
   std::vector<Eigen::Vector3d> positions;
   const std::uint64_t ticks =
-      resample(points, period_ns, [&](const Input& input, const Eigen::Vector3d&) { positions.push_back(to_double(input.hip)); });
+      resample(points, period_ns, [&](const Input& input, const auto&) { positions.push_back(to_double(input.hip)); });
   EXPECT_EQ(ticks, positions.size());
   return positions;
 }
@@ -40,6 +42,27 @@ TEST(Resample, NothingOvershootsAStop) {
   double highest = 0;
   for (const auto& position : resampled(points)) highest = std::max(highest, position.x());
   EXPECT_EQ(highest, 5.0);
+}
+
+/// Ticks whose force is known.
+std::vector<std::size_t> known(const std::vector<TimedPoint>& points) {
+  std::vector<std::size_t> ticks;
+  std::size_t tick = 0;
+  resample(points, 1'000'000, [&](const Input&, const std::optional<Eigen::Vector3d>& force) {
+    if (force) ticks.push_back(tick);
+    ++tick;
+  });
+  return ticks;
+}
+
+TEST(Resample, BetweenSamplesThatAreFarApartNoForceIsKnown) {
+  const Eigen::Vector3d at(0, 0, 0), force(0, 1, 0);
+  EXPECT_EQ(known({{0, at, force}, {0.002, at, force}, {2, at, force}, {2.001, at, force}}),
+            (std::vector<std::size_t>{0, 1, 2, 2000, 2001}));
+  std::vector<TimedPoint> ten_hz;
+  for (int i = 0; i <= 20; ++i) ten_hz.push_back({0.1 * i, at, force});
+  EXPECT_EQ(known(ten_hz).size(), 2001U);
+  EXPECT_EQ(known({{0, at, force}, {0.1001, at, force}}).size(), 1U);
 }
 
 TEST(Resample, WhatATraceCannotHoldIsRefused) {
