@@ -12,12 +12,11 @@
 #include "host/bag/ros_message.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "host/motion/resample.h"
 
 namespace isotouch::bag {
 
 namespace {
-
-constexpr double kLongestGap = 0.1;  ///< s, between a position and the next force: at 10 Hz, a hand cannot be followed anyway
 
 using Use = std::function<void(const Channel&, std::uint64_t, std::span<const std::uint8_t>)>;
 
@@ -79,6 +78,7 @@ class Collector {
   std::vector<motion::TimedPoint> points() const {
     require_one(position_topics_, topics_.positions, "a position", "--topic");
     if (topics_.with_forces) require_one(force_topics_, topics_.forces, "a force", "--force-topic");
+    if (topics_.with_forces) require_same_frame();
     const bool stamped = is_stamped(positions_) && (!topics_.with_forces || is_stamped(forces_));
     const std::vector<std::int64_t>& all = stamped ? positions_.stamps_ns : positions_.recorded_ns;
     const std::int64_t first = all.empty() ? 0 : all.front();
@@ -106,6 +106,13 @@ class Collector {
       throw InputError(file_ + ": several topics have " + what + "; choose one with " + option + ": " + all);
   }
 
+  /// A force along other axes would turn every normal that is made of it.
+  void require_same_frame() const {
+    if (positions_.frame.empty() || forces_.frame.empty() || positions_.frame == forces_.frame) return;
+    throw InputError(file_ + ": the positions are in the coordinate frame '" + positions_.frame + "' and the forces in '" + forces_.frame +
+                     "'; transform the forces into the frame of the positions and record them again, or leave --forces out");
+  }
+
   /// A clock that always says zero is none; one of a simulation may begin there.
   static bool is_stamped(const Series& series) {
     return series.stamps_ns.size() == series.values.size() &&
@@ -128,8 +135,8 @@ class Collector {
   Eigen::Vector3d force_at(double time, const std::vector<double>& times) const {
     const auto after = std::lower_bound(times.begin(), times.end(), time);
     const double since = after == times.begin() ? kNever : time - *(after - 1), until = after == times.end() ? kNever : *after - time;
-    if (std::min(since, until) > kLongestGap) {
-      throw InputError(file_ + ": no force within " + text_of(kLongestGap) + " s of the position at " + text_of(time) +
+    if (std::min(since, until) > motion::kMaxGap) {
+      throw InputError(file_ + ": no force within " + text_of(motion::kMaxGap) + " s of the position at " + text_of(time) +
                        " s; the forces are from " + text_of(times.front()) + " to " + text_of(times.back()) +
                        " s. Record both topics all the time and by one clock, or leave --forces out");
     }

@@ -25,7 +25,8 @@ bool is_bag(const std::filesystem::path& file);
 ///
 /// returns   at least two samples, by rising time
 /// fails     InputError naming the file and the topic: none or several can be meant, a message that cannot be read, several bodies or coordinate frames in
-///           one topic, time that does not rise, fewer than two positions, or a place of the motion that is more than 0.1 s away from every force
+///           one topic, forces in another frame than the positions, time that does not rise, fewer than two positions, or a place of the motion that
+///           is more than 0.1 s away from every force
 std::vector<motion::TimedPoint> read_bag_motion(const std::filesystem::path& file, const BagTopics& topics);
 
 struct AttachedTrace {

@@ -10,12 +10,14 @@
 #include <bit>
 #include <cstring>
 #include <string>
+#include <string_view>
 
 #include "host/bag/mcap_reader.h"
 #include "host/bag/mcap_writer.h"
 #include "host/bag/ros_message.h"
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "shared/bytes.h"
 
 namespace isotouch::bag {
 namespace {
@@ -43,9 +45,23 @@ std::string refusal_of(const fs::path& file, const BagTopics& topics = {}) {
   return "nothing was refused";
 }
 
+/// The reference with its forces in the frame of its positions: as long, because what follows a frame's name begins at a multiple of eight bytes.
+std::filesystem::path reference_in_one_frame() {
+  Bytes bytes = read_file(kReference);
+  const std::string_view tool("\6\0\0\0tool0\0", 10), base("\5\0\0\0base\0\0", 10);
+  for (auto at = bytes.begin(); (at = std::search(at, bytes.end(), tool.begin(), tool.end())) != bytes.end();) {
+    at = std::copy(base.begin(), base.end(), at);
+  }
+  std::size_t chunk = 8;
+  while (bytes[chunk] != 6) chunk += 9 + load_le<std::uint64_t>(&bytes[chunk + 1]);
+  std::fill_n(&bytes[chunk + 9 + 24], 4, std::uint8_t{0});  // without a checksum
+  return written("one_frame.mcap", bytes);
+}
+
 TEST(Bag, PositionsAndForcesOfTheReferenceAreRead) {
   ASSERT_TRUE(is_bag(kReference));
-  const auto points = read_bag_motion(kReference, {.with_forces = true});
+  EXPECT_THAT(refusal_of(kReference, {.with_forces = true}), HasSubstr("in the coordinate frame 'base' and the forces in 'tool0'"));
+  const auto points = read_bag_motion(reference_in_one_frame(), {.with_forces = true});
   ASSERT_EQ(points.size(), 5U);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto n = static_cast<double>(i);
@@ -176,6 +192,26 @@ TEST(Bag, PositionsInSeveralCoordinateFramesAreNotJoined) {
   EXPECT_THAT(refused(kPoint, {map, ""}, point), HasSubstr("in several coordinate frames, 'map' and ''"));
   EXPECT_THAT(refused("foxglove.PoseInFrame", {R"("frame_id":"map",)", R"("frame_id":"odom",)"}, pose), HasSubstr("'map' and 'odom'"));
   EXPECT_EQ(read_bag_motion(written("frame.mcap", in_frames(kPoint, {map, map}, point)), {}).size(), 2U);
+}
+
+TEST(Bag, ForcesInAnotherFrameThanThePositionsAreRefused) {
+  const auto bag = [](const std::string& of_place, const std::string& of_force) {
+    McapWriter writer("test");
+    const auto places = writer.channel(writer.schema("geometry_msgs/msg/PointStamped", "jsonschema", "{}"), "/hand", "json");
+    const auto forces = writer.channel(writer.schema("geometry_msgs/msg/WrenchStamped", "jsonschema", "{}"), "/force", "json");
+    const std::string place = "{" + of_place + R"("point":{"x":0,"y":0,"z":0}})",
+                      force = "{" + of_force + R"("wrench":{"force":{"x":2,"y":0,"z":0}}})";
+    for (std::uint64_t ms = 0; ms < 50; ms += 10) {
+      writer.message(places, ms * 1'000'000, Bytes(place.begin(), place.end()));
+      writer.message(forces, ms * 1'000'000, Bytes(force.begin(), force.end()));
+    }
+    return written("frames.mcap", writer.finish());
+  };
+  const std::string w = R"("header":{"frame_id":"w"},)", tool = R"("header":{"frame_id":"tool"},)";
+  EXPECT_THAT(refusal_of(bag(w, tool), {.with_forces = true}), HasSubstr("frame 'w' and the forces in 'tool'; transform"));
+  EXPECT_EQ(read_bag_motion(bag(w, tool), {}).size(), 5U);
+  EXPECT_EQ(read_bag_motion(bag(w, w), {.with_forces = true}).size(), 5U);
+  EXPECT_EQ(read_bag_motion(bag(w, ""), {.with_forces = true}).size(), 5U);
 }
 
 TEST(Bag, TimeMustRise) {
