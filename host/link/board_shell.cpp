@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host/error.h"
@@ -23,10 +24,11 @@ constexpr std::string_view kEnded = "\nisotouch: ended ";  ///< a line that no c
 
 }  // namespace
 
-BoardShell::BoardShell(const Address& address) : text_(address.text) {
+BoardShell::BoardShell(const Address& address, std::function<bool()> is_over)
+    : text_(address.text), is_remote_(address.is_remote()), is_over_(std::move(is_over)) {
   std::vector<std::string> command = {"sh"};
-  if (address.is_remote()) command = ssh_command(address, ssh_program(), "sh");
-  stream_ = run_child(std::move(command), text_, child_);
+  if (is_remote_) command = ssh_command(address, ssh_program(), "sh");
+  stream_ = run_child(std::move(command), text_, child_, static_cast<bool>(is_over_));
 }
 
 BoardShell::~BoardShell() {
@@ -39,9 +41,14 @@ void BoardShell::send(const std::string& lines) {
   for (std::size_t sent = 0; sent < lines.size();) {
     const ssize_t taken = ::send(stream_, lines.data() + sent, lines.size() - sent, MSG_NOSIGNAL);
     if (taken < 0 && errno == EINTR) continue;
-    if (taken < 0) throw InputError(text_ + ": no shell could be started there; see the messages of ssh");
+    if (taken < 0) complain_of_the_end();
     sent += static_cast<std::size_t>(taken);
   }
+}
+
+void BoardShell::complain_of_the_end() const {
+  throw InputError(text_ + ": " + (is_remote_ && !has_answered_ ? "no shell could be started there" : "the shell there has ended") +
+                   (is_remote_ ? "; see the messages of ssh" : "; check what ends programs here, and try again"));
 }
 
 void BoardShell::at_end(const std::string& command) {
@@ -63,9 +70,11 @@ BoardShell::Answer BoardShell::run(const std::string& command, double patience_s
       const bool is_late = std::strtoull(unread_.c_str() + mark + kEnded.size(), &after, 10) != commands_;  // nobody waits for it any more
       const Answer answer{std::atoi(after), unread_.substr(0, mark)};
       unread_.erase(0, last + 1);
+      has_answered_ = true;
       if (is_late) continue;
       return answer;
     }
+    if (is_over_ && is_over_()) throw InputError(text_ + ": nobody waits any more for what a command there finds");
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
     pollfd one{stream_, POLLIN, 0};
     const int ready = left <= 0 ? 0 : ::poll(&one, 1, static_cast<int>(left));
@@ -74,7 +83,7 @@ BoardShell::Answer BoardShell::run(const std::string& command, double patience_s
     char more[4096];
     const ssize_t size = ::recv(stream_, more, sizeof more, 0);
     if (size < 0 && errno == EINTR) continue;
-    if (size <= 0) throw InputError(text_ + ": the shell there has ended; see the messages of ssh");
+    if (size <= 0) complain_of_the_end();
     unread_.append(more, static_cast<std::size_t>(size));
   }
 }

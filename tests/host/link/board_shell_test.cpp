@@ -44,7 +44,27 @@ TEST(BoardShell, OneThatHangsOrEndsIsSaid) {
     return std::string();
   };
   EXPECT_THAT(complaint("sleep 10", 0.1), testing::HasSubstr("has not ended in time"));
-  EXPECT_THAT(complaint("kill -9 $$", 10), testing::HasSubstr("has ended"));
+  EXPECT_THAT(complaint("kill -9 $$", 10), testing::AllOf(testing::HasSubstr("has ended"), testing::Not(testing::HasSubstr("ssh"))));
+}
+
+TEST(BoardShell, OneThatHasEndedIsNotCalledOneThatCouldNotBeStarted) {
+  BoardShell shell(read_address("unix:/nowhere"));
+  EXPECT_EQ(shell.run("echo here", 10).text, "here\n");
+  EXPECT_THROW((void)shell.run("kill -9 $$", 10), InputError);
+  try {
+    for (int i = 0; i < 2; ++i) (void)shell.run("echo again", 10);
+    ADD_FAILURE() << "it still answers";
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("the shell there has ended"), testing::Not(testing::HasSubstr("ssh"))));
+  }
+}
+
+TEST(BoardShell, WhoNoLongerWaitsIsNotKept) {
+  bool is_over = false;
+  BoardShell shell(read_address("unix:/nowhere"), [&] { return is_over; });
+  EXPECT_EQ(shell.run("echo here", 10).text, "here\n");
+  is_over = true;
+  EXPECT_THROW((void)shell.run("sleep 10", 10), InputError);
 }
 
 TEST(BoardShell, ALateAnswerIsNotThatOfTheNextCommand) {
