@@ -1,6 +1,7 @@
 /// isotouch qualify: is a board fit? Its ticks, its timers, its temperature and what its worst ticks waited for, in one report with a verdict.
 #include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "host/board_commands/controller_options.h"
+#include "host/board_commands/interruption.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
 #include "host/commands/commands.h"
@@ -45,19 +47,28 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
   }
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  if (!file.empty()) write_file(file, text);
-}
-
-void run(const QualifyOptions& options) {
+void run(QualifyOptions& options) {
+  const Interruption interruption;
+  options.wish.is_over = [&interruption] { return interruption.has_come(); };
   std::FILE* to = is_standard(options.json) ? stderr : text_stream(options.page);
   const qualify::Figures figures =
       qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
   const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
   print(to, figures, judgements);
   std::fflush(to);  // known, even where no file can be written
+  // One file that cannot be written does not cost the other one.
+  std::exception_ptr unwritten;
+  const auto write = [&](const std::filesystem::path& file, const std::string& text) {
+    try {
+      if (!file.empty()) write_file(file, text);
+    } catch (const InputError&) {
+      if (!unwritten) unwritten = std::current_exception();
+    }
+  };
   write(options.page, qualify::html_report(figures, judgements));
-  write(options.json, qualify::json_report(figures, judgements).dump(2) + "\n");
+  write(options.json, qualify::json_report(figures, judgements).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (unwritten) std::rethrow_exception(unwritten);
+  if (figures.is_cut) throw EndedEarly(figures.end_unknown + "; the figures are those until then: " + qualify::sentence(judgements));
   if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));
   std::fprintf(to, "%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
 }

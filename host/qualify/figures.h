@@ -69,6 +69,7 @@ struct Figures {
 
   std::vector<Moment> later;  ///< looks after the cold ticks and after each piece of cyclictest, without sensors
   std::string end_unknown;    ///< one sentence why the controller could not be asked then; empty: it could
+  bool is_cut = false;        ///< the measurement ended before its time, as `end_unknown` says
 };
 
 /// What came between two readings of a histogram that only grows.

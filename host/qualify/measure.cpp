@@ -6,7 +6,9 @@
 #include <ctime>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "host/error.h"
 #include "host/link/board_shell.h"
@@ -76,12 +78,16 @@ class Causes {
     std::vector<protocol::WorstTick> fresh;
     std::copy_if(worst.begin(), worst.end(), std::back_inserter(fresh), [&](const auto& tick) { return known_.count(tick.number) == 0; });
     if (fresh.empty()) return;
-    const link::BoardShell::Answer answer = shell_.run(trace_command(fresh), kPatience);
-    if (answer.status != 0) {
+    std::optional<link::BoardShell::Answer> answer;
+    try {
+      answer = shell_.run(trace_command(fresh), kPatience);
+    } catch (const InputError&) {  // the ticks are measured all the same
+    }
+    if (!answer || answer->status != 0) {
       why_ = "the kernel's tracer could not be read in time, so the causes of some of the worst ticks are unknown";
       return;
     }
-    const std::vector<std::string> causes = read_causes(answer.text, fresh.size());
+    const std::vector<std::string> causes = read_causes(answer->text, fresh.size());
     for (std::size_t i = 0; i < fresh.size(); ++i) known_[fresh[i].number] = causes[i].empty() ? "no longer in the tracer" : causes[i];
   }
   std::string of(std::uint64_t tick) const {
@@ -126,14 +132,17 @@ class Looks {
 
   Moment look() {
     Moment moment = ask();
-    read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
+    try {
+      read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
+    } catch (const InputError&) {  // the ticks are measured all the same
+    }
     return moment;
   }
 
   /// Waits until that second, and notes whether a force is given meanwhile.
-  void wait(double second, Moment& since) {
+  void wait(double second, Moment& since, const std::function<bool()>& is_over) {
     const auto until = begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(second));
-    while (Clock::now() < until) {
+    while (Clock::now() < until && !is_over()) {
       if (!since.force) since.force = gives_force(controller_.status());
       std::this_thread::sleep_until(since.force ? until : std::min(until, Clock::now() + kForcePause));
     }
@@ -166,6 +175,47 @@ class Looks {
   Clock::time_point begun_ = Clock::now();
   protocol::StatusReport before_;
 };
+
+constexpr const char* kInterrupted = ": the measurement was interrupted";
+
+/// What was read of the ticks that nothing disturbed.
+struct Undisturbed {
+  Counts after;
+  double seconds = 0;
+  std::vector<protocol::WorstTick> worst;
+};
+
+/// The counts are read once a second, so that most of them are there whatever ends the measurement.
+///
+/// fails     InputError: nothing could be read
+Undisturbed measure_undisturbed(link::Controller& controller, Looks& looks, Causes& causes, const Wish& wish, Figures& figures) {
+  Undisturbed read;
+  try {
+    while (looks.seconds() < wish.seconds && !wish.is_over()) {
+      figures.moments.push_back(looks.look());
+      causes.look(read.worst = controller.worst_ticks(false));
+      looks.wait(std::min(std::floor(looks.seconds()) + 1, wish.seconds), figures.moments.back(), wish.is_over);
+      read.after = counts(controller);
+      read.seconds = looks.seconds();
+    }
+    causes.look(read.worst = controller.worst_ticks(false));
+    figures.moments.push_back(looks.look());
+  } catch (const InputError& e) {
+    if (read.seconds == 0) throw;
+    figures.end_unknown = e.what();
+  }
+  return read;
+}
+
+/// What the board does for ticks in time; what can no longer be read is unknown.
+std::vector<Finding> practice(link::BoardShell& shell, const BoardFiles& before, double wakeup_us) {
+  BoardFiles after;
+  try {
+    after = read_practice(shell.run(practice_command(), kPatience).text);
+  } catch (const InputError&) {
+  }
+  return judge_practice(before, after, wakeup_us);
+}
 
 /// Ticks as they are while other programs use the caches.
 void measure_cold(link::Controller& controller, link::BoardShell& shell, const Wish& wish, Figures& figures) {
@@ -232,13 +282,18 @@ int timer_priority(std::optional<int> wished, const BoardFiles& files) {
 }
 
 Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell) {
-  link::Controller controller(address);
-  link::BoardShell shell(link::read_address(address));
+  link::Controller controller(address, {}, wish.is_over);
+  link::BoardShell shell(link::read_address(address), wish.is_over);
   Figures figures;
   figures.address = address;
   figures.subject = subject_of(controller, shell);
   figures.period_ns = std::max(controller.welcome().period_ns, 1U);
   figures.board = read_description(shell.run(describe_command(), kFirstPatience).text);
+  const auto read_subject = [&] {
+    figures.subject.device = controller.device().serial.view();
+    figures.subject.settings = trace::hash_text(controller.settings().checksum);
+  };
+  read_subject();
 
   Causes causes(shell, wish.trace);
   tell("the ticks, for " + std::to_string(static_cast<int>(wish.seconds)) + " s");
@@ -246,22 +301,10 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
   Looks looks(controller, shell, before.status);
-  std::vector<protocol::WorstTick> worst;
-  while (looks.seconds() < wish.seconds) {
-    figures.moments.push_back(looks.look());
-    causes.look(worst = controller.worst_ticks(false));
-    looks.wait(std::min(std::floor(looks.seconds()) + 1, wish.seconds), figures.moments.back());
-  }
-  const Counts after = counts(controller);
-  figures.seconds = looks.seconds();
-  causes.look(worst = controller.worst_ticks(false));
-  figures.moments.push_back(looks.look());
-
-  figures.practice = judge_practice(files_before, read_practice(shell.run(practice_command(), kPatience).text),
-                                    wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns));
+  const auto [after, seconds, worst] = measure_undisturbed(controller, looks, causes, wish, figures);
+  figures.seconds = seconds;
+  figures.practice = practice(shell, files_before, wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns));
   figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
-  figures.subject.device = controller.device().serial.view();
-  figures.subject.settings = trace::hash_text(controller.settings().checksum);
 
   figures.ticks = after.status.ticks - before.status.ticks;
   figures.late = after.status.late - before.status.late;
@@ -271,6 +314,18 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   for (const protocol::WorstTick& tick : worst) figures.worst.push_back({tick, causes.of(tick.number)});
   figures.cause_unknown = causes.why();
 
+  try {
+    if (figures.end_unknown.empty()) read_subject();  // somebody may have set something meanwhile
+  } catch (const InputError& e) {
+    figures.end_unknown = e.what();
+  }
+  if (wish.is_over()) figures.end_unknown = address + kInterrupted;
+  if (!figures.end_unknown.empty()) {
+    figures.is_cut = true;
+    figures.cold_unknown = "cold ticks are unknown: the measurement ended before";
+    figures.timer_unknown = "cyclictest was not run: the measurement ended before";
+    return figures;
+  }
   if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
   measure_cold(controller, shell, wish, figures);
   looks.look_later(figures);
@@ -278,6 +333,8 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.timer_priority = timer_priority(wish.priority, files_before);
   if (figures.timer_priority > 0) tell("cyclictest, as long again");
   measure_timer(looks, shell, wish, figures);
+  figures.is_cut = wish.is_over();
+  if (figures.is_cut) figures.end_unknown = address + kInterrupted;
   return figures;
 }
 

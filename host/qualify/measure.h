@@ -16,6 +16,7 @@ struct Wish {
   std::optional<int> priority;  ///< of cyclictest; 0: it is not run; none: as `timer_priority` returns it
   double wakeup_us = 0;         ///< the largest wake-up delay that is good, as `Limits` has it; 0: a tenth of the period
   bool trace = true;            ///< ask the kernel's tracer for causes
+  std::function<bool()> is_over = [] { return false; };  ///< asked again and again: it is to end before its time
 };
 
 /// The priority of cyclictest: the one that is wished for, else the tick's own, or 80 if the tick's is not seen or not that of a real-time thread.
@@ -25,7 +26,8 @@ int timer_priority(std::optional<int> wished, const BoardFiles& files);
 ///
 /// address   as host/link/address.h
 /// tell      what happens now, for people
-/// fails     InputError
+/// returns   figures that are cut, where it was to end, or the controller was lost, before the ticks were measured for their time
+/// fails     InputError: nothing was measured
 Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell);
 
 }  // namespace isotouch::qualify

@@ -1,9 +1,22 @@
 #include "host/qualify/measure.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "host/qualify/verdict.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/scripted_controller.h"
 
 namespace isotouch::qualify {
 namespace {
@@ -26,6 +39,96 @@ TEST(TimerPriority, IsTheTicksOwnUnlessOneIsGiven) {
 TEST(TimerPriority, Is80WhereTheTickHasNone) {
   EXPECT_EQ(timer_priority(std::nullopt, board_with_tick(0, 0)), 80);
   EXPECT_EQ(timer_priority(std::nullopt, BoardFiles{}), 80);
+}
+
+using testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+/// A controller without a device, whose ticks come in time.
+///
+/// goes_on   asked for each histogram, of which four are read before the ticks are measured and four a second; false: it closes the connection
+test::Scripted::Talk ticking(std::function<bool(int histograms)> goes_on) {
+  return [goes_on = std::move(goes_on)](int client) {
+    using protocol::Kind;
+    using test::frame;
+    const Clock::time_point begin = Clock::now();
+    test::Bytes heard;
+    for (int histograms = 0;;) {
+      test::Bytes more(4096);
+      const ssize_t size = ::recv(client, more.data(), more.size(), 0);
+      if (size <= 0) return;
+      heard.insert(heard.end(), more.begin(), more.begin() + size);
+      for (;;) {
+        const auto asked = protocol::read_frame(heard);
+        if (!asked || asked->size == 0) break;
+        if (asked->kind == Kind::kHistogram && !goes_on(++histograms)) {
+          ::shutdown(client, SHUT_RDWR);  // the measurement's shell has a copy
+          return;
+        }
+        protocol::StatusReport status;
+        status.ticks = static_cast<std::uint64_t>(1000 * seconds_since(begin));
+        const test::Bytes answer = asked->kind == Kind::kHello       ? frame(Kind::kWelcome, protocol::Welcome{})
+                                   : asked->kind == Kind::kStatus    ? frame(Kind::kStatusReport, status)
+                                   : asked->kind == Kind::kHistogram ? frame(Kind::kHistogramReport, protocol::HistogramReport{})
+                                   : asked->kind == Kind::kWorst     ? frame(Kind::kWorstTicks, protocol::WorstTicks{})
+                                   : asked->kind == Kind::kDevice    ? frame(Kind::kDeviceReport, protocol::DeviceReport{})
+                                                                     : frame(Kind::kSettingsReport, protocol::SettingsReport{});
+        heard.erase(heard.begin(), heard.begin() + static_cast<std::ptrdiff_t>(asked->size));
+        (void)::send(client, answer.data(), answer.size(), MSG_NOSIGNAL);
+      }
+    }
+  };
+}
+
+Figures measured(const test::Scripted& controller, const Wish& wish) {
+  return measure(controller.address(), wish, [](const std::string&) {});
+}
+
+constexpr double kLong = 600;
+
+TEST(Measure, WhatWasCountedStaysWhereTheControllerIsLost) {
+  const test::Scripted controller({ticking([](int histograms) { return histograms <= 10; })});
+  const Figures figures = measured(controller, {.seconds = kLong, .priority = 0, .trace = false});
+  EXPECT_TRUE(figures.is_cut);
+  EXPECT_THAT(figures.end_unknown, HasSubstr("closed the connection"));
+  EXPECT_GT(figures.seconds, 0.9);
+  EXPECT_GE(figures.ticks, 900U);
+  EXPECT_FALSE(figures.moments.empty());
+  EXPECT_FALSE(is_fit(judge(figures, {})));
+}
+
+TEST(Measure, WhatWasCountedStaysWhereSomebodyEndsIt) {
+  std::atomic<bool> is_over = false;
+  const test::Scripted controller({ticking([&](int histograms) {
+    is_over = is_over || histograms >= 10;
+    return true;
+  })});
+  const Figures figures =
+      measured(controller, {.seconds = kLong, .priority = 0, .trace = false, .is_over = [&] { return is_over.load(); }});
+  EXPECT_TRUE(figures.is_cut);
+  EXPECT_THAT(figures.end_unknown, HasSubstr("the measurement was interrupted"));
+  EXPECT_GE(figures.ticks, 900U);
+  EXPECT_FALSE(is_fit(judge(figures, {})));
+}
+
+TEST(Measure, WithoutItsShellTheTicksAreMeasuredAllTheSame) {
+  const ScratchFolder folder;
+  const std::string shell = (folder.path() / "sh").string(), end = (folder.path() / "end").string(), path = std::getenv("PATH");
+  const test::Scripted controller({ticking([&](int histograms) {
+    if (histograms == 5) std::ofstream(end) << "now";
+    return true;
+  })});
+  std::ofstream(shell) << "#!/bin/sh\n(until [ -e " << end << " ]; do sleep 0.1; done; kill -9 $$) &\nexec /bin/sh\n";
+  ::chmod(shell.c_str(), 0755);
+  ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+  const Figures figures = measured(controller, {.seconds = 4, .priority = 0, .trace = false});
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(figures.is_cut);
+  EXPECT_GE(figures.seconds, 4);
+  EXPECT_GE(figures.ticks, 3500U);
+  EXPECT_THAT(figures.cold_unknown, HasSubstr("the shell there has ended"));
 }
 
 }  // namespace
