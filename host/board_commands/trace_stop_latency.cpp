@@ -51,7 +51,7 @@ void print_json(const Responses& responses) {
 }
 
 void print_text(const Responses& responses) {
-  if (responses.empty()) std::printf("while there were forces, no input forbade them\n");
+  if (responses.empty()) std::printf("nothing was tested: while there were motor commands, no input forbade them\n");
   if (!responses.empty()) std::printf("%10s  %-20s %8s  %s\n", "tick", "condition", "to zero", "state");
   for (const trace::FaultResponse& response : responses) {
     std::printf("%10llu  %-20s %8s  %s\n", static_cast<unsigned long long>(response.tick), response.condition.c_str(),

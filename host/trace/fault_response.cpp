@@ -69,7 +69,7 @@ std::vector<FaultResponse> fault_responses(const Trace& trace) {
   if (!trace.header().has_outputs) throw InputError(trace.path() + ": it holds inputs only; replay it with --out first");
   std::vector<FaultResponse> responses;
   Shown shown(trace.header().device);
-  bool open = false, words_before = false, quiet_before = false;
+  bool open = false, any_words = false, words_before = false, quiet_before = false;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);
     const std::string condition = shown.by(record.input);
@@ -83,9 +83,12 @@ std::vector<FaultResponse> fault_responses(const Trace& trace) {
       responses.back().ticks = tick - responses.back().tick;
       open = false;
     }
+    any_words |= words;
     words_before = words;
     quiet_before = condition.empty();
   }
+  if (!any_words)
+    throw InputError(trace.path() + ": no tick has a motor command, so there is nothing to judge; record while the hand feels forces");
   return responses;
 }
 

@@ -33,7 +33,7 @@ struct FaultResponse {
 ///   jump      a count changed by more than count_jump a tick since the last valid packet
 ///   leap      by more than half of it, from one tick to the next
 ///
-/// fails     InputError: no outputs in the trace
+/// fails     InputError: no outputs in the trace, or no motor command in any tick
 std::vector<FaultResponse> fault_responses(const Trace& trace);
 
 }  // namespace isotouch::trace

@@ -60,6 +60,14 @@ TEST(FaultResponse, AHandThatPressesShowsNothing) {
   EXPECT_TRUE(responses([](std::size_t, TraceRecord&) {}).empty());
 }
 
+TEST(FaultResponse, WithoutAMotorCommandThereIsNothingToJudge) {
+  const auto never = [](std::size_t tick, TraceRecord& record) {
+    rest(record);
+    if (tick == 20) record.input.requests = kRequestStop;
+  };
+  EXPECT_THROW((void)responses(never), InputError);
+}
+
 TEST(FaultResponse, EveryConditionHasItsName) {
   EXPECT_EQ(shown([](Input& in) { in.requests = kRequestStop; }), "stop");
   EXPECT_EQ(shown([](Input& in) { in.lines = kLineStop; }), "lines");
@@ -114,7 +122,7 @@ TEST(FaultResponse, WordsThatStayAreToldAsNeverEnding) {
 
 TEST(FaultResponse, WithoutWordsThereIsNothingToEnd) {
   EXPECT_TRUE(responses([](std::size_t tick, TraceRecord& record) {
-                rest(record);
+                if (tick >= 10) rest(record);
                 record.input.lines = tick >= 20 ? kLineStop : 0;
               }).empty());
 }
