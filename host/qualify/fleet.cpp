@@ -52,6 +52,9 @@ Report read_report(const fs::path& file) {
   std::vector<Judgement> judgements;
   try {
     report.board.name = text_in(json.at("host").is_null() ? json.at("address") : json.at("host"));
+    for (const auto& [key, text] : {std::pair("address", &report.board.address), std::pair("device", &report.board.device)}) {
+      if (const auto found = json.find(key); found != json.end() && !found->is_null()) *text = text_in(*found);
+    }
     report.board.date = text_in(json.at("date"));
     report.board.verdict = text_in(json.at("verdict"));
     for (const auto& limit : json.at("limits")) {
@@ -100,12 +103,28 @@ void mark_outliers(Fleet& fleet, std::size_t key) {
 
 }  // namespace
 
+namespace {
+
+bool is_same_board(const FleetBoard& a, const FleetBoard& b) { return a.name == b.name && a.address == b.address && a.device == b.device; }
+
+/// The name of a host that several boards have does not say which is meant.
+void tell_apart(std::vector<FleetBoard>& boards) {
+  std::vector<bool> is_shared;
+  for (const FleetBoard& board : boards)
+    is_shared.push_back(std::ranges::any_of(boards, [&](const FleetBoard& b) { return b.name == board.name && !is_same_board(b, board); }));
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    if (is_shared[i]) boards[i].name += " (" + boards[i].address + (boards[i].device.empty() ? "" : ", " + boards[i].device) + ")";
+  }
+}
+
+}  // namespace
+
 Fleet read_fleet(const std::vector<fs::path>& files) {
   Fleet fleet;
   std::vector<Report> reports;
   for (const fs::path& file : files) {
     Report report = read_report(file);
-    const auto same = [&](const FleetBoard& board) { return board.name == report.board.name && board.date == report.board.date; };
+    const auto same = [&](const FleetBoard& board) { return is_same_board(board, report.board) && board.date == report.board.date; };
     if (std::ranges::any_of(fleet.boards, same))
       throw InputError(file.string() + ": " + report.board.name + " is there with the same date; name each report once");
     for (const std::string& key : report.keys) {
@@ -114,6 +133,7 @@ Fleet read_fleet(const std::vector<fs::path>& files) {
     reports.push_back(std::move(report));
     fleet.boards.push_back(reports.back().board);
   }
+  tell_apart(fleet.boards);
   for (std::size_t board = 0; board < reports.size(); ++board) {
     fleet.boards[board].values = by_keys(fleet.keys, reports[board].keys, reports[board].values);
     fleet.boards[board].limits = by_keys(fleet.keys, reports[board].keys, reports[board].limits);

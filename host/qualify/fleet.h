@@ -12,7 +12,8 @@ namespace isotouch::qualify {
 
 /// What one report says.
 struct FleetBoard {
-  std::string name;                           ///< the host, else the controller's address
+  std::string name;  ///< the host, else the controller's address; where other boards have the same one, its address and device behind it
+  std::string address, device;                ///< the controller's, and the serial number of its device; empty: not known
   std::string date;                           ///< UTC, as in the report
   std::string verdict;                        ///< "fit" or "not fit"
   std::vector<std::optional<double>> values;  ///< one for each of the fleet's keys, in their order and units; none: not measured
@@ -34,7 +35,7 @@ inline constexpr std::size_t kMinFleet = 5;
 /// 1.4826. For normally distributed values that is the standard deviation.
 ///
 /// fails     InputError naming the file: it cannot be read, is no such report, has no limits, has an outcome or a verdict that does not follow from the
-///           figures, or repeats the board and the date of another one
+///           figures, or repeats the host, address, device and date of another one
 Fleet read_fleet(const std::vector<std::filesystem::path>& files);
 
 /// A verdict holds for the limits of its own report. Where these differ from board to board, one sentence for each key: "inactive: at most 50 on red, at most

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host/error.h"
 #include "host/qualify/report.h"
@@ -45,6 +46,27 @@ class ReadFleet : public ::testing::Test {
   }
   ScratchFolder folder_;
 };
+
+TEST_F(ReadFleet, BoardsOfOneHostNameAreToldApartByAddressAndDevice) {
+  const auto of = [&](const char* file, const std::string& address, const std::string& device, const char* date = "2026-11-26") {
+    Figures figures;
+    figures.address = address;
+    figures.subject.host = "board";
+    figures.subject.device = device;
+    figures.subject.date = date;
+    const std::vector<Judgement> judgements = {judged("word_max_ticks", "", "", 1, 0.5), judged("faults", "", "", 0, 0)};
+    return folder_.write(file, json_report(figures, judgements).dump());
+  };
+  const auto names = [](const Fleet& fleet) {
+    std::vector<std::string> all;
+    for (const FleetBoard& board : fleet.boards) all.push_back(board.name);
+    return all;
+  };
+  const fs::path a = of("a", "ssh://a", ""), b = of("b", "ssh://b", ""), c = of("c", "ssh://b", "F7");
+  EXPECT_THAT(names(read_fleet({a, b, c})), ElementsAre("board (ssh://a)", "board (ssh://b)", "board (ssh://b, F7)"));
+  EXPECT_THAT(names(read_fleet({a, of("later", "ssh://a", "", "2026-11-27")})), ElementsAre("board", "board"));
+  EXPECT_THAT(complaint({a, b, a}), HasSubstr("board is there with the same date"));
+}
 
 TEST_F(ReadFleet, AValueFarFromAllOthersIsAnOutlier) {
   const Fleet fleet =
