@@ -9,7 +9,7 @@
 namespace isotouch::motion {
 
 struct TimedPoint {
-  double time = 0;                                  ///< s
+  double time = 0;                                  ///< s, since the first sample
   Eigen::Vector3d position;                         ///< mm
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< N, on the hand; zero where none was read
 };

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double kMaxMm = 2047.0;
-constexpr double kSlack = 5e-7;        // of a tick, or of the longest gap: what rounding may do to decimal times
+constexpr double kSlack = 5e-7;        // of a tick, or of the longest gap: what rounding may do to decimal times since the first sample
 constexpr double kLeastApart = 1e-12;  // s; between samples that are nearer, a velocity may have no number
 
 /// The velocity at the sample between two intervals of lengths `before`, `after` and mean velocities `u`, `v`, along one axis.

@@ -30,10 +30,23 @@ TEST(MotionCsv, UnitsComeFromTheNameUnlessTheyAreStated) {
   const ScratchFolder folder;
   const auto file = folder.write("a.csv", "stamp_ns;px_m;py_m;pz_m\n1000000000;0.001;0.002;0.003\n1500000000;0;0;0\n");
   MotionColumns columns = parse_columns("t=stamp_ns,x=px_m,y=py_m,z=pz_m");
-  EXPECT_EQ(read_motion_csv(file, columns)[0].time, 1.0);
+  EXPECT_EQ(read_motion_csv(file, columns)[1].time, 0.5) << "since the first sample";
   EXPECT_NEAR(read_motion_csv(file, columns)[0].position.z(), 3.0, 1e-12);
   columns.length_unit = "in";
   EXPECT_NEAR(read_motion_csv(file, columns)[0].position.z(), 0.0762, 1e-12);
+}
+
+TEST(MotionCsv, NoDigitOfATimeSince1970IsLost) {
+  const ScratchFolder folder;
+  const auto since = [&](const std::string& column, const std::string& first, const std::string& second) {
+    const auto file = folder.write("a.csv", column + ",x_mm,y_mm,z_mm\n" + first + ",0,0,0\n" + second + ",1,1,1\n");
+    return read_motion_csv(file, parse_columns("t=" + column))[1].time;
+  };
+  EXPECT_NEAR(since("t_s", "1700000000.001", "1700000000.0020001"), 0.0010001, 1e-15);
+  EXPECT_NEAR(since("t_s", "1700000000.9", "1700000001"), 0.1, 1e-15);
+  EXPECT_NEAR(since("t_ns", "1700000000123456788", "1700000000123456789"), 1e-9, 1e-20);
+  EXPECT_NEAR(since("t_s", "-0.5", "-.25"), 0.25, 1e-15);
+  EXPECT_NEAR(since("t_s", "-1.5", "+1e-1"), 1.6, 1e-15);
 }
 
 TEST(MotionCsv, EndingsOfNamesAreReadInFullAndMustAgree) {

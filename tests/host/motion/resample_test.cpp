@@ -6,10 +6,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "host/error.h"
 #include "host/to_double.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch::motion {
 namespace {
@@ -63,6 +65,13 @@ TEST(Resample, BetweenSamplesThatAreFarApartNoForceIsKnown) {
   for (int i = 0; i <= 20; ++i) ten_hz.push_back({0.1 * i, at, force});
   EXPECT_EQ(known(ten_hz).size(), 2001U);
   EXPECT_EQ(known({{0, at, force}, {0.1001, at, force}}).size(), 1U);
+}
+
+TEST(Resample, ATimeSince1970LosesNoTick) {
+  const ScratchFolder folder;
+  std::string table = "t_s,x_mm,y_mm,z_mm\n";
+  for (int ms = 100; ms < 1000; ++ms) table += "1700000000." + std::to_string(ms) + ",0,0,0\n";
+  EXPECT_EQ(resampled(read_motion_csv(folder.write("a.csv", table), {})).size(), 900U);
 }
 
 TEST(Resample, WhatATraceCannotHoldIsRefused) {
