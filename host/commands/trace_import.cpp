@@ -30,6 +30,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kMaxForce = 32767;  // N
+
 struct ImportOptions {
   NewTrace trace;
   fs::path source;
@@ -95,6 +97,22 @@ Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) 
   return output;
 }
 
+/// fails     InputError naming the sample: its force or its proxy is more than a trace holds
+void require_in_range(const std::vector<motion::TimedPoint>& points, const ImportOptions& options) {
+  const double stiffness = options.trace.stiffness();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string sample = options.source.string() + ": sample " + std::to_string(i + 1);
+    if (const double most = points[i].force.cwiseAbs().maxCoeff(); !(most <= kMaxForce))
+      throw InputError(sample + " has a force of " + std::to_string(most) + " N, a trace holds ±32767 N; forces are read in N");
+    const Eigen::Vector3d proxy =
+        points[i].position + (stiffness > 0 ? Eigen::Vector3d(points[i].force / stiffness) : Eigen::Vector3d::Zero());
+    if (const double farthest = proxy.cwiseAbs().maxCoeff(); !(farthest <= motion::kMaxMm)) {
+      throw InputError(sample + " has the surface " + std::to_string(farthest) +
+                       " mm from the workspace's centre, a trace holds ±2047 mm; give the wall's stiffness in N/mm with --stiffness");
+    }
+  }
+}
+
 /// A trace that was exported comes back as it was; what else the recording holds is left out.
 bool bring_back(const ImportOptions& options) {
   if (!options.topic.empty() || !bag::is_bag(options.source)) return false;
@@ -147,6 +165,7 @@ void import_table(const ImportOptions& options) {
   std::vector<motion::TimedPoint> points =
       from_bag ? bag::read_bag_motion(options.source, topics) : motion::read_motion_csv(options.source, columns);
   place(points, options);
+  if (options.forces) require_in_range(points, options);
   TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0, unknown = 0, age = 0;
   try {

@@ -14,7 +14,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kMaxMm = 2047.0;
 constexpr double kSlack = 5e-7;        // of a tick, or of the longest gap: what rounding may do to decimal times since the first sample
 constexpr double kLeastApart = 1e-12;  // s; between samples that are nearer, a velocity may have no number
 

@@ -12,6 +12,8 @@
 
 namespace isotouch::motion {
 
+inline constexpr double kMaxMm = 2047;  ///< that a trace holds, on each axis
+
 /// s, between two samples of a hand that felt forces: at 10 Hz it cannot be followed anyway.
 inline constexpr double kMaxGap = 0.1;
 

@@ -84,6 +84,18 @@ TEST(TraceImport, APauseOfARecordingIsNoTouch) {
   }
 }
 
+TEST(TraceImport, AForceOrASurfaceThatATraceCannotHoldIsRefusedByItsSample) {
+  const ScratchFolder folder;
+  const auto file = [&](const std::string& name) { return (folder.path() / name).string(); };
+  const auto complaint = [&](const std::string& second) {
+    write_file(file("far.csv"), "t_s,x_mm,y_mm,z_mm,fx_N,fy_N,fz_N\n0,0,0,0,0,1,0\n0.01," + second + "\n");
+    return complaint_on("trace import " + file("far.csv") + " --forces --stiffness 0.01 -o " + file("far.trace"));
+  };
+  EXPECT_EQ(complaint("2000,0,0,0.4,0,0"), "");
+  EXPECT_NE(complaint("2000,0,0,2,0,0").find("far.csv: sample 2 has the surface 2200.000000 mm from"), std::string::npos);
+  EXPECT_NE(complaint("0,0,0,0,-40000,0").find("far.csv: sample 2 has a force of 40000.000000 N"), std::string::npos);
+}
+
 TEST_F(TraceInABag, ItsPositionsAreImportedAnewByTheirTopic) {
   run_command("trace import " + file("hand.mcap") + " --topic /isotouch/hip --scale 2 -o " + file("twice.trace"));
   const auto hand = trace::read_trace(file("hand.trace")), twice = trace::read_trace(file("twice.trace"));
