@@ -13,6 +13,7 @@
 #include <memory>
 
 #include "shared/files/c_deleter.h"
+#include "shared/trace.h"
 
 namespace isotouch::files {
 
@@ -34,6 +35,15 @@ bool is_at(int file, const std::string& path) {
   struct stat open {
   }, there{};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &there) == 0 && open.st_dev == there.st_dev && open.st_ino == there.st_ino;
+}
+
+/// Is it the part of a controller's recording, as far as its writer came? A replay of one looks the same, so it is kept, too.
+bool is_recording(int file, off_t size) {
+  TraceHeaderBytes bytes{};
+  if (size <= static_cast<off_t>(bytes.size()) || ::pread(file, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    return false;
+  const Result<TraceHeader> header = decode_header(bytes);
+  return header && header->record_count == kUnfinished && header->has_outputs && header->settings_checksum != 0;
 }
 
 }  // namespace
@@ -65,12 +75,13 @@ OpenPart open_part(const std::string& part, Leftover leftover) {
     }
     struct stat there {};
     const bool regular = ::fstat(file, &there) == 0 && S_ISREG(there.st_mode);
-    if (locked && regular && (there.st_size == 0 || (leftover == Leftover::kReplace && ::ftruncate(file, 0) == 0))) return {file, {}};
+    const bool is_kept = locked && regular && there.st_size > 0 && (leftover == Leftover::kRefuse || is_recording(file, there.st_size));
+    if (locked && regular && (there.st_size == 0 || (!is_kept && ::ftruncate(file, 0) == 0))) return {file, {}};
     const int why = errno;
     ::close(file);
     if (!regular) return refused("is no file; remove it");
     if (!locked) return refused("another program is writing there; wait for its end, or choose another name");
-    if (leftover == Leftover::kReplace) return {-1, std::strerror(why)};
+    if (!is_kept) return {-1, std::strerror(why)};
     return refused("is left of a recording that was cut off; rename it to keep it, or remove it");
   }
 }

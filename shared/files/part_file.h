@@ -20,7 +20,7 @@ OutputPlace output_place(const std::string& name);
 
 /// What to do with a part that is left of a program which was killed.
 enum class Leftover {
-  kReplace,  ///< it can be made again
+  kReplace,  ///< it can be made again, unless it is that of a controller's recording, which is refused all the same
   kRefuse,   ///< it holds what nobody can make again
 };
 

@@ -9,8 +9,10 @@
 #include <functional>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "shared/bytes.h"
 #include "shared/crc32.h"
 #include "tests/support/full_disk.h"
@@ -190,6 +192,36 @@ TEST(TraceFile, WhatAKillLeftOfARecordingIsNotWrittenOver) {
   again.append(record_at(0, false));
   again.finish();
   EXPECT_EQ(read_trace(file).size(), 1U);
+}
+
+TEST(TraceFile, APartOfAControllersRecordingIsWrittenOverByNobody) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "a.trace", part = folder.path() / "a.trace.part";
+  const auto leave_part = [&](std::uint64_t settings_checksum, std::size_t ticks) {
+    TraceHeader header;
+    header.has_outputs = true;
+    header.settings_checksum = settings_checksum;
+    header.record_count = kUnfinished;
+    std::ofstream out(part, std::ios::binary);
+    const TraceHeaderBytes begin = encode(header);
+    out.write(reinterpret_cast<const char*>(begin.data()), begin.size());
+    for (std::size_t tick = 0; tick < ticks; ++tick) {
+      const TraceRecordBytes record = encode(record_at(tick, true));
+      out.write(reinterpret_cast<const char*>(record.data()), record.size());
+    }
+  };
+  leave_part(7, 3);
+  const std::string recorded = bytes_of(part);
+  const std::string kept = "a.trace.part: is left of a recording that was cut off; rename it to keep it, or remove it";
+  EXPECT_THAT([&] { const TraceWriter writer(file, {}); }, testing::ThrowsMessage<InputError>(HasSubstr(kept)));
+  EXPECT_THAT([&] { write_file(file, "anything"); }, testing::ThrowsMessage<InputError>(HasSubstr(kept)));
+  EXPECT_EQ(bytes_of(part), recorded);
+  for (const auto& [settings_checksum, ticks] : {std::pair{0, 3}, {7, 0}}) {  // what no controller recorded, and what holds nothing
+    leave_part(static_cast<std::uint64_t>(settings_checksum), static_cast<std::size_t>(ticks));
+    write_file(file, "anything");
+    EXPECT_EQ(bytes_of(file), "anything");
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
 }
 
 /// Whoever may write into /dev would otherwise have a file there instead of the device.
