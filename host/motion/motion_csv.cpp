@@ -252,8 +252,9 @@ std::vector<TimedPoint> read_motion_csv(const std::filesystem::path& file, const
   if (!table.next()) table.refuse_file("is empty; a header line with the columns' names and rows of numbers are expected");
   const std::string header = table.line();
   if (header.front() == '\x89' || header.find('\0') != std::string::npos) {
-    table.refuse_file(
-        "is no text, but a table of times and positions is expected; name a recording (MCAP, .db3) as a file, not through a pipe");
+    table.refuse_file(std::string("is no text, but a table of times and positions is expected; ") +
+                      (is_standard(file) ? "name a recording (MCAP, .db3) as a file, not through a pipe, or " : "") +
+                      "export it as a table (CSV)");
   }
   const char separator = header.find('\t') != std::string::npos ? '\t' : header.find(';') != std::string::npos ? ';' : ',';
   const std::vector<std::string_view> names = split(header, separator);

@@ -170,7 +170,7 @@ TEST(MotionCsv, EveryMalformedTableGetsItsSentence) {
   const std::pair<std::string, const char*> cases[] = {
       {"", "is empty"},
       {head, "holds 0 rows"},
-      {"\x89MCAP0\r\nrest", "is no text, but a table of times and positions is expected; name a recording"},
+      {"\x89MCAP0\r\nrest", "is no text, but a table of times and positions is expected; export it as a table (CSV)"},
       {std::string("SQLite format 3\0rest", 20), "is no text"},
       {head + "0,1,2,3\n", "holds 1 rows"},
       {"t,x_mm,y_mm,z_mm\n0,0,0,0\n1,1,1,1\n", "line 1: no column is called 't_s', there are: t x_mm y_mm z_mm"},
