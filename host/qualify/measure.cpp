@@ -204,6 +204,7 @@ Undisturbed measure_undisturbed(link::Controller& controller, Looks& looks, Caus
     if (read.seconds == 0) throw;
     figures.end_unknown = e.what();
   }
+  if (read.seconds == 0) throw InputError(figures.address + kInterrupted + " before anything was measured");
   return read;
 }
 

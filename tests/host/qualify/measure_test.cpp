@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "host/error.h"
 #include "host/qualify/verdict.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/scripted_controller.h"
@@ -111,6 +112,16 @@ TEST(Measure, WhatWasCountedStaysWhereSomebodyEndsIt) {
   EXPECT_THAT(figures.end_unknown, HasSubstr("the measurement was interrupted"));
   EXPECT_GE(figures.ticks, 900U);
   EXPECT_FALSE(is_fit(judge(figures, {})));
+}
+
+TEST(Measure, WhereNothingWasCountedThereIsNoReport) {
+  std::atomic<bool> is_over = false;
+  const test::Scripted controller({ticking([&](int histograms) {
+    is_over = is_over || histograms >= 4;
+    return true;
+  })});
+  const Wish wish{.seconds = kLong, .priority = 0, .trace = false, .is_over = [&] { return is_over.load(); }};
+  EXPECT_THROW((void)measured(controller, wish), InputError);
 }
 
 TEST(Measure, WithoutItsShellTheTicksAreMeasuredAllTheSame) {
