@@ -37,7 +37,8 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-26s%10s %-6s limit %s: %s\n", j.what.c_str(), known ? view::significant(j.value, 3).c_str() : "", j.unit.c_str(),
                  view::significant(j.limit, 3).c_str(), qualify::name_of(j.outcome));
   }
-  std::fprintf(to, "settings of the board that affect timing (they explain the figures above; the verdict does not depend on them):\n");
+  if (!figures.practice.empty())
+    std::fprintf(to, "settings of the board that affect timing (they explain the figures above; the verdict does not depend on them):\n");
   for (const qualify::Finding& f : figures.practice) {
     std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
                  f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
@@ -51,8 +52,15 @@ void run(QualifyOptions& options) {
   const Interruption interruption;
   options.wish.is_over = [&interruption] { return interruption.has_come(); };
   std::FILE* to = is_standard(options.json) ? stderr : text_stream(options.page);
-  const qualify::Figures figures =
-      qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
+  const auto measured = [&] {
+    try {
+      return qualify::measure(options.to, options.wish, [](const std::string& step) { std::fprintf(stderr, "%s\n", step.c_str()); });
+    } catch (const InputError&) {
+      if (!interruption.has_come()) throw;
+      throw InputError(options.to + ": the measurement was interrupted before anything was measured");
+    }
+  };
+  const qualify::Figures figures = measured();
   const std::vector<qualify::Judgement> judgements = qualify::judge(figures, options.limits);
   print(to, figures, judgements);
   std::fflush(to);  // known, even where no file can be written

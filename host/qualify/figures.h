@@ -56,7 +56,7 @@ struct Figures {
   std::vector<WorstTick> worst;  ///< the latest commands first
   std::string cause_unknown;     ///< one sentence why causes are not known
 
-  std::vector<Finding> practice;  ///< what the board does for or against ticks in time
+  std::vector<Finding> practice;  ///< what the board does for or against ticks in time; none: it could not be asked
 
   link::Histogram cold;         ///< ticks while other programs wrote to memory; ns
   double cold_seconds = 0;      ///< that they wrote for; 0: not measured

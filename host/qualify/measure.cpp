@@ -208,14 +208,13 @@ Undisturbed measure_undisturbed(link::Controller& controller, Looks& looks, Caus
   return read;
 }
 
-/// What the board does for ticks in time; what can no longer be read is unknown.
+/// What the board does for ticks in time; nothing if it can no longer be asked.
 std::vector<Finding> practice(link::BoardShell& shell, const BoardFiles& before, double wakeup_us) {
-  BoardFiles after;
   try {
-    after = read_practice(shell.run(practice_command(), kPatience).text);
+    return judge_practice(before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_us);
   } catch (const InputError&) {
+    return {};
   }
-  return judge_practice(before, after, wakeup_us);
 }
 
 /// Ticks as they are while other programs use the caches.
