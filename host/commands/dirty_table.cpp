@@ -27,13 +27,20 @@ namespace {
 using evaluate::DirtyRow;
 using evaluate::DirtySurface;
 
+std::string text(const std::optional<double>& figure) {
+  if (!figure) return "-";
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3f", *figure);
+  return digits;
+}
+
 void print(const char* scan, const char* dirt, const DirtySurface& surface, const char* judgement) {
   std::printf("  %-19s %-16s ", scan, dirt);
   if (!surface.refused.empty()) {
     std::printf("refused: %s", surface.refused.c_str());
   } else {
-    std::printf("%8.3f %8.3f %7zu %8.3f %9.2f %%  %s", surface.surface_rms, surface.truth_rms, surface.pieces, surface.volume,
-                100 * surface.wrong_side, judgement);
+    std::printf("%8.3f %8s %7zu %8s %9.2f %%  %s", surface.surface_rms, text(surface.truth_rms).c_str(), surface.pieces,
+                text(surface.volume).c_str(), 100 * surface.wrong_side, judgement);
   }
 }
 
@@ -52,13 +59,13 @@ void print(const DirtyRow& row) {
   std::fflush(stdout);
 }
 
+nlohmann::ordered_json figure_json(const std::optional<double>& figure) {
+  return figure ? nlohmann::ordered_json(*figure) : nlohmann::ordered_json(nullptr);
+}
+
 nlohmann::ordered_json surface_json(const DirtySurface& surface) {
-  return {{"refused", surface.refused},
-          {"surface_rms_voxel", surface.surface_rms},
-          {"truth_rms_voxel", surface.truth_rms},
-          {"pieces", surface.pieces},
-          {"volume", surface.volume},
-          {"wrong_side", surface.wrong_side},
+  return {{"refused", surface.refused}, {"surface_rms_voxel", surface.surface_rms}, {"truth_rms_voxel", figure_json(surface.truth_rms)},
+          {"pieces", surface.pieces},   {"volume", figure_json(surface.volume)},    {"wrong_side", surface.wrong_side},
           {"wrong", surface.wrong()}};
 }
 
@@ -82,18 +89,6 @@ evaluate::Reconstruct program(const std::string& command, const std::filesystem:
   };
 }
 
-/// Who is nearer to the truth, over the rows that both built.
-struct Tally {
-  std::size_t rows = 0, surface = 0, truth = 0;
-
-  void count(const DirtyRow& row) {
-    if (!row.beside || !row.refused.empty() || !row.beside->refused.empty()) return;
-    ++rows;
-    surface += row.surface_rms < row.beside->surface_rms ? 1U : 0U;
-    truth += row.truth_rms <= row.beside->truth_rms ? 1U : 0U;
-  }
-};
-
 /// The dirt of a scan's rows that contain a text.
 std::vector<evaluate::Dirt> chosen_dirt(const evaluate::DirtyScan& scan, const std::string& only) {
   std::vector<evaluate::Dirt> chosen = evaluate::all_dirt();
@@ -110,7 +105,7 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   std::optional<TemporaryFolder> folder;
   evaluate::Reconstruct other;
   if (!choice.beside.empty()) other = program(choice.beside, folder.emplace().path);
-  Tally tally;
+  evaluate::Tally tally;
   std::size_t believed = 0, wrong = 0, doubted = 0, all = 0;
   auto list = nlohmann::ordered_json::array();
   const std::vector<evaluate::DirtyScan> scans = evaluate::dirty_scans(std::move(bodies));
@@ -148,8 +143,8 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   } else {
     std::printf("%zu builds: %zu wrong or refused, %zu of them called plausible; %zu right, but in doubt\n", all, wrong, believed, doubted);
     if (other) {
-      std::printf("of %zu that both built we are nearer in %zu from truth to surface and in %zu from surface to truth\n", tally.rows,
-                  tally.surface, tally.truth);
+      std::printf("of %zu that both built we are nearer in %zu from truth to surface; of the %zu whole ones in %zu from surface to truth\n",
+                  tally.both, tally.surface, tally.both_whole, tally.truth);
     }
   }
   return believed;

@@ -216,7 +216,18 @@ std::string per_cent(double share) {
 
 }  // namespace
 
-bool DirtySurface::wrong() const { return surface_rms >= kLost || wrong_side > kMostWrongSide || std::abs(volume - 1.0) > kMostVolume; }
+bool DirtySurface::wrong() const {
+  return surface_rms >= kLost || wrong_side > kMostWrongSide || (volume && std::abs(*volume - 1.0) > kMostVolume);
+}
+
+void Tally::count(const DirtyRow& row) {
+  if (!row.beside || !row.refused.empty() || !row.beside->refused.empty()) return;
+  ++both;
+  surface += row.surface_rms < row.beside->surface_rms ? 1U : 0U;
+  if (!row.truth_rms || !row.beside->truth_rms) return;
+  ++both_whole;
+  truth += *row.truth_rms < *row.beside->truth_rms ? 1U : 0U;
+}
 
 std::vector<Dirt> all_dirt() {
   std::vector<Dirt> all = {{.name = "clean"}};

@@ -46,10 +46,10 @@ std::vector<DirtyScan> dirty_scans(std::vector<cloud::Shape> bodies = {});
 struct DirtySurface {
   std::string refused;     ///< why nothing was built; empty: a field was built
   double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
-  /// From the field's surface to the truth, voxels; 2 where the field has no surface. 0 for a scan of one side, whose back is invented.
-  double truth_rms = 0;
+  /// From the field's surface to the truth, voxels; 2 where the field has no surface. None for a scan of one side, whose back is invented.
+  std::optional<double> truth_rms;
   std::size_t pieces = 0;
-  double volume = 1;  ///< over the true volume; 1 for a scan of one side
+  std::optional<double> volume;  ///< over the true volume; none for a scan of one side
   double wrong_side =
       0;  ///< share of places two voxels off the scanned surface, not off its holes, that are on the wrong side of the field's
 
@@ -64,6 +64,14 @@ struct DirtyRow : DirtySurface {
 
   /// Wrong, and called plausible: what must never happen.
   bool believed_wrong() const { return refused.empty() && wrong() && verdict.plausible(); }
+};
+
+/// Of the scans of which both built a field: how often ours is nearer to the truth than the other program's.
+struct Tally {
+  std::size_t both = 0, surface = 0;      ///< all of them; in so many ours is nearer from truth to surface
+  std::size_t both_whole = 0, truth = 0;  ///< those of all sides; in so many ours is nearer from surface to truth
+
+  void count(const DirtyRow& row);
 };
 
 /// Another program: oriented points to a closed mesh in their frame; InputError when it gives none.

@@ -50,7 +50,7 @@ TEST(DirtyScansHeavy, OfATorusComeOutRight) {
     EXPECT_FALSE(row.wrong()) << row.dirt;
     EXPECT_TRUE(row.verdict.plausible()) << row.dirt << ' ' << row.verdict.reasons[0];
     EXPECT_LT(row.surface_rms, 0.2) << row.dirt;
-    EXPECT_NEAR(row.volume, 1.0, 0.01) << row.dirt;
+    EXPECT_NEAR(row.volume.value(), 1.0, 0.01) << row.dirt;
   }
 }
 
@@ -87,7 +87,7 @@ TEST(DirtyScansHeavy, OfOtherBodiesAreEachWholeAndFromOneSide) {
 TEST(DirtyScansHeavy, StraysLeaveNothingInTheAir) {
   for (const DirtyRow& row : rows("sphere", false, {"strays 2 %", "strays 5 %"}, 2)) {
     EXPECT_EQ(row.pieces, 1U) << row.dirt;
-    EXPECT_LT(row.truth_rms, 0.06) << row.dirt;
+    EXPECT_LT(row.truth_rms.value(), 0.06) << row.dirt;
   }
 }
 
@@ -109,7 +109,7 @@ void expect_nearer(const std::vector<Rival>& rivals) {
   for (const Rival& rival : test::examples(rivals)) {
     for (const DirtyRow& row : rows(rival.shape, false, {rival.dirt})) {
       EXPECT_LT(row.surface_rms, rival.surface) << row.scan << ' ' << row.dirt;
-      EXPECT_LT(row.truth_rms, rival.truth) << row.scan << ' ' << row.dirt;
+      EXPECT_LT(row.truth_rms.value(), rival.truth) << row.scan << ' ' << row.dirt;
       EXPECT_FALSE(row.believed_wrong()) << row.scan << ' ' << row.dirt;
     }
   }
@@ -155,8 +155,8 @@ TEST(DirtyScansHeavy, AnotherProgramIsMeasuredTheSameWay) {
   ASSERT_TRUE(found[0].beside);
   EXPECT_EQ(found[0].beside->refused, "");
   EXPECT_NEAR(found[0].beside->surface_rms, found[0].surface_rms, 0.003);
-  EXPECT_NEAR(found[0].beside->truth_rms, found[0].truth_rms, 0.003);
-  EXPECT_NEAR(found[0].beside->volume, found[0].volume, 1e-3);
+  EXPECT_NEAR(found[0].beside->truth_rms.value(), found[0].truth_rms.value(), 0.003);
+  EXPECT_NEAR(found[0].beside->volume.value(), found[0].volume.value(), 1e-3);
   EXPECT_EQ(found[0].beside->pieces, found[0].pieces);
   EXPECT_FALSE(found[1].beside);
 }
@@ -167,14 +167,36 @@ TEST(DirtyScans, ASurfaceFarFromTheTruthIsWrongAndNotRefused) {
     const Reconstruct half_as_large = [&](const cloud::OrientedPoints&) { return ball(sphere.high.x() / 2, 4); };
     dirty_rows(
         {sphere, one_sided}, std::vector<Dirt>{dirt(all_dirt(), "clean")},
-        [](const DirtyRow& row) {
+        [&](const DirtyRow& row) {
           ASSERT_TRUE(row.beside);
           EXPECT_EQ(row.beside->refused, "") << row.scan;
           EXPECT_EQ(row.beside->surface_rms, 2.0) << row.scan;
           EXPECT_TRUE(row.beside->wrong()) << row.scan;
+          EXPECT_EQ(row.beside->truth_rms.has_value(), !one_sided) << "the back of a scan of one side is invented";
+          EXPECT_EQ(row.beside->volume.has_value(), !one_sided);
         },
         half_as_large);
   }
+}
+
+TEST(DirtyScans, NobodyIsNearerWhereNothingIsMeasured) {
+  Tally tally;
+  DirtyRow row;
+  row.surface_rms = 0.1;
+  tally.count(row);
+  EXPECT_EQ(tally.both, 0U) << "no other program";
+  row.beside.emplace().surface_rms = 0.2;
+  tally.count(row);  // of one side
+  row.truth_rms = row.beside->truth_rms = 0.3;
+  tally.count(row);  // a tie
+  row.truth_rms = 0.2;
+  tally.count(row);
+  row.refused = "nothing built";
+  tally.count(row);
+  EXPECT_EQ(tally.both, 3U);
+  EXPECT_EQ(tally.surface, 3U);
+  EXPECT_EQ(tally.both_whole, 2U);
+  EXPECT_EQ(tally.truth, 1U);
 }
 
 TEST(DirtyScans, WithoutOnePlaceOfTheTruthNearItASurfaceIsWrong) {
