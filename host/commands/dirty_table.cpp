@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,7 +14,6 @@
 #include "host/commands/progress_bar.h"
 #include "host/commands/verdict_text.h"
 #include "host/error.h"
-#include "host/evaluate/dirty_scan.h"
 #include "host/evaluate/mesh_shape.h"
 #include "host/field/closed_mesh.h"
 #include "host/files/temporary_folder.h"
@@ -64,16 +62,17 @@ nlohmann::ordered_json figure_json(const std::optional<double>& figure) {
 }
 
 nlohmann::ordered_json surface_json(const DirtySurface& surface) {
-  return {{"refused", surface.refused}, {"surface_rms_voxel", surface.surface_rms}, {"truth_rms_voxel", figure_json(surface.truth_rms)},
-          {"pieces", surface.pieces},   {"volume", figure_json(surface.volume)},    {"wrong_side", surface.wrong_side},
-          {"wrong", surface.wrong()}};
-}
-
-nlohmann::ordered_json row_json(const DirtyRow& row) {
-  nlohmann::ordered_json json = {{"scan", row.scan}, {"dirt", row.dirt}};
-  json.update(surface_json(row));
-  json["verdict"] = to_json(row.verdict);
-  if (row.beside) json["beside"] = surface_json(*row.beside);
+  nlohmann::ordered_json json = {{"refused", surface.refused}};
+  if (!surface.refused.empty()) {
+    for (const char* figure : {"surface_rms_voxel", "truth_rms_voxel", "pieces", "volume", "wrong_side", "wrong"}) json[figure] = nullptr;
+    return json;
+  }
+  json["surface_rms_voxel"] = surface.surface_rms;
+  json["truth_rms_voxel"] = figure_json(surface.truth_rms);
+  json["pieces"] = surface.pieces;
+  json["volume"] = figure_json(surface.volume);
+  json["wrong_side"] = surface.wrong_side;
+  json["wrong"] = surface.wrong();
   return json;
 }
 
@@ -97,6 +96,14 @@ std::vector<evaluate::Dirt> chosen_dirt(const evaluate::DirtyScan& scan, const s
 }
 
 }  // namespace
+
+nlohmann::ordered_json to_json(const DirtyRow& row) {
+  nlohmann::ordered_json json = {{"scan", row.scan}, {"dirt", row.dirt}};
+  json.update(surface_json(row));
+  json["verdict"] = row.refused.empty() ? to_json(row.verdict) : nlohmann::ordered_json(nullptr);
+  if (row.beside) json["beside"] = surface_json(*row.beside);
+  return json;
+}
 
 std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   std::vector<cloud::Shape> bodies;
@@ -133,7 +140,7 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
           wrong += !row.refused.empty() || row.wrong() ? 1U : 0U;
           doubted += row.refused.empty() && !row.wrong() && !row.verdict.plausible() ? 1U : 0U;
           tally.count(row);
-          json ? list.push_back(row_json(row)) : bar.aside([&] { print(row); });
+          json ? list.push_back(to_json(row)) : bar.aside([&] { print(row); });
         },
         other, choice.seed);
   }

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "host/evaluate/dirty_scan.h"
 
 namespace isotouch::commands {
 
@@ -17,6 +20,9 @@ struct DirtyChoice {
       beside;  ///< a command that turns a PLY of oriented points, its second to last argument, into a PLY mesh, its last; each kind of dirt gets
                ///< a second row, of that mesh; empty = none
 };
+
+/// A row for programs: no figure of a scan that was refused, and none that was not measured, is a number.
+nlohmann::ordered_json to_json(const evaluate::DirtyRow& row);
 
 /// Prints one row a scan and a kind of dirt; returns how many builds were wrong and called plausible.
 ///
