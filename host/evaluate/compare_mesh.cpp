@@ -37,6 +37,7 @@ field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::Triangl
   grid.size = Eigen::Vector3i(field.size[0], field.size[1], field.size[2]);
   const field::MeshDistance distance(mesh);
   encoding::FieldInfo info;
+  info.stiffness_n_per_mm = to_double(field.stiffness);
   info.interpolation = field.interpolation;
   return field_file::open_field(encoding::write_image(field::mesh_field(distance, grid, to_double(field.band)), info),
                                 "the mesh's exact distances");

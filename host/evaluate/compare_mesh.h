@@ -24,7 +24,8 @@ cloud::Placement placement_of(const FieldView& field);
 /// fails     InputError when not one point has a crossing
 SurfaceError compare_with_mesh(const FieldView& field, const cloud::TriangleMesh& mesh);
 
-/// The mesh's own exact distances on the field's grid and band: what no method can go below.
+/// The mesh's own exact distances on the field's grid and band: what no method can go below. It is interpolated and stiff as the field, everywhere as
+/// stiff as the field is at most.
 field_file::OpenField floor_of_mesh(const FieldView& field, const cloud::TriangleMesh& mesh);
 
 /// Another closed mesh as a field of its own, to be measured like any other: on a grid that holds it.
