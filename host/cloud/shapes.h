@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,8 +25,9 @@ struct Shape {
   bool exact_distance = false;                             ///< true for the five shapes of the sentence above
   std::function<double(const Eigen::Vector3d&)> distance;  ///< negative inside
   std::function<Eigen::Vector3d(const Eigen::Vector3d&)>
-      normal;                 ///< outward unit normal of the surface piece nearest to a point near the surface
-  Eigen::Vector3d low, high;  ///< a box that contains the surface
+      normal;                    ///< outward unit normal of the surface piece nearest to a point near the surface
+  Eigen::Vector3d low, high;     ///< a box that contains the surface
+  std::optional<double> volume;  ///< what it encloses, where that is known
 };
 
 /// The names that `shape` accepts: sphere torus box plate capsules, then hydrant owl boy bomberman jaguar.

@@ -102,19 +102,6 @@ Dirtied dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t see
   return {damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7), points.size()};
 }
 
-/// Of as many places as hold it to a third of a per cent.
-double true_volume(const cloud::Shape& shape) {
-  constexpr std::size_t kPlaces = 1'000'000;
-  Random random(4);
-  std::size_t inside = 0;
-  for (std::size_t n = 0; n < kPlaces; ++n) {
-    Vector3d place;
-    for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(shape.low[axis], shape.high[axis]);
-    inside += shape.distance(place) < 0.0 ? 1U : 0U;
-  }
-  return static_cast<double>(inside) / kPlaces * (shape.high - shape.low).prod();
-}
-
 /// Of places beside the scanned part of the surface: no farther from a point than this point's neighbours are.
 double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth,
                   const std::vector<Vector3d>& measured) {
@@ -218,6 +205,19 @@ std::string per_cent(double share) {
 
 bool DirtySurface::wrong() const {
   return surface_rms >= kLost || wrong_side > kMostWrongSide || (volume && std::abs(*volume - 1.0) > kMostVolume);
+}
+
+double true_volume(const cloud::Shape& shape) {
+  if (shape.volume) return *shape.volume;
+  constexpr std::size_t kFewest = 1'000'000, kMost = 10'000'000, kInside = 100'000;
+  Random random(4);
+  std::size_t drawn = 0, inside = 0;
+  for (; drawn < kFewest || (inside < kInside && drawn < kMost); ++drawn) {
+    Vector3d place;
+    for (int axis = 0; axis < 3; ++axis) place[axis] = random.uniform(shape.low[axis], shape.high[axis]);
+    inside += shape.distance(place) < 0.0 ? 1U : 0U;
+  }
+  return static_cast<double>(inside) / static_cast<double>(drawn) * (shape.high - shape.low).prod();
 }
 
 void Tally::count(const DirtyRow& row) {

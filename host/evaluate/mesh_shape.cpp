@@ -4,6 +4,8 @@
 #include <memory>
 #include <utility>
 
+#include "host/evaluate/truth_comparison.h"
+#include "host/evaluate/wrong_side.h"
 #include "host/field/mesh_distance.h"
 #include "host/field/triangle_tree.h"
 
@@ -38,6 +40,8 @@ cloud::Shape mesh_shape(cloud::TriangleMesh mesh, const std::string& name) {
   shape.exact_distance = true;
   shape.distance = [body](const Eigen::Vector3d& p) { return body->distance(p); };
   shape.normal = [body](const Eigen::Vector3d& p) { return cloud::face_normal(body->distance.mesh(), body->tree.nearest(p).face); };
+  shape.volume = body->distance.is_simple() ? cloud::signed_volume(body->distance.mesh())
+                                            : wrong_side(body->tree, body->tree, 1 / kLinesPerVoxel).truth;
   shape.high = 0.5 * scale * box.sizes();
   shape.low = -shape.high;
   return shape;

@@ -2,17 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdint>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/evaluate/mesh_shape.h"
 #include "host/evaluate/zero_surface.h"
 #include "host/field/scan_field.h"
 #include "host/field_file/open_field.h"
 #include "tests/host/evaluate/ball_mesh.h"
+#include "tests/host/evaluate/box_mesh.h"
 #include "tests/support/sanitized.h"
 
 namespace isotouch::evaluate {
@@ -176,6 +181,39 @@ TEST(DirtyScans, ASurfaceFarFromTheTruthIsWrongAndNotRefused) {
           EXPECT_EQ(row.beside->volume.has_value(), !one_sided);
         },
         half_as_large);
+  }
+}
+
+/// From one corner of a cube to the other: it fills little of its box.
+Eigen::Matrix3d askew() { return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Ones()).toRotationMatrix(); }
+
+TEST(DirtyScans, TheTrueVolumeOfAThinMeshIsExact) {
+  cloud::TriangleMesh rod = box({-2.5, -2.5, -160}, {2.5, 2.5, 160});
+  Eigen::AlignedBox3d bounds;
+  for (Eigen::Vector3d& vertex : rod.vertices) bounds.extend(vertex = askew() * vertex);
+  const double scale = 186 / bounds.sizes().maxCoeff();
+  EXPECT_NEAR(true_volume(mesh_shape(rod, "rod")) / (5 * 5 * 320 * scale * scale * scale), 1, 1e-9);
+}
+
+TEST(DirtyScans, TheTrueVolumeOfMeshesThatRunThroughEachOtherIsThatOfTheirUnion) {
+  cloud::TriangleMesh both = box({0, 0, 0}, {10, 10, 10});
+  const cloud::TriangleMesh other = box({5, 2, 2}, {15, 8, 8});
+  both.vertices.insert(both.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& [a, b, c] : other.faces) both.faces.push_back({a + 8, b + 8, c + 8});
+  const double scale = 186.0 / 15;
+  EXPECT_NEAR(true_volume(mesh_shape(both, "both")) / (1180 * scale * scale * scale), 1, 1e-3);
+}
+
+TEST(DirtyScans, TheTrueVolumeOfAThinBodyIsDrawnToAPerCent) {
+  constexpr double kHalf = 150;
+  for (const double thick : {6.0, 7.0, 8.0}) {
+    cloud::Shape rod = cloud::shape("sphere");
+    const Eigen::Vector3d along = askew().col(2);
+    rod.distance = [=](const Eigen::Vector3d& p) { return (p - std::clamp(along.dot(p), -kHalf, kHalf) * along).norm() - thick; };
+    rod.high = kHalf * along + Eigen::Vector3d::Constant(thick);
+    rod.low = -rod.high;
+    const double volume = std::numbers::pi * thick * thick * (2 * kHalf + 4 * thick / 3);
+    EXPECT_NEAR(true_volume(rod) / volume, 1, 0.01) << thick;
   }
 }
 
