@@ -54,7 +54,7 @@ class OnField {
  private:
   static TickSettings pure() {
     TickSettings settings;
-    settings.force_limit = Newton::of(100);
+    settings.force_limit = Newton::of(32767);  // more than the core gives
     settings.ramp_ticks = 0;
     return settings;
   }

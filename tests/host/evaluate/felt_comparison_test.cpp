@@ -30,10 +30,12 @@ using DistanceTo = std::function<double(const Vector3d&)>;
 
 double to_ball(const Vector3d& p) { return p.norm() - kRadius; }
 
-field_file::OpenField field_of(const DistanceTo& distance, double half, Interpolation interpolation = Interpolation::kSpline) {
+field_file::OpenField field_of(const DistanceTo& distance, double half, Interpolation interpolation = Interpolation::kSpline,
+                               double n_per_mm = 0.8) {
   const field::Grid grid = field::make_grid(Vector3d::Constant(-half), Vector3d::Constant(half), kEdge, 7);
   encoding::FieldInfo info;
   info.interpolation = interpolation;
+  info.stiffness_n_per_mm = n_per_mm;
   return field_file::open_field(encoding::write_image(field::sample_distance(distance, grid, 3), info), "made");
 }
 
@@ -119,6 +121,21 @@ TEST(FeltComparison, AShiftedFieldIsFound) {
   EXPECT_GT(shifted.contact_differs, 3 * sound.contact_differs);
   EXPECT_GT(shifted.force_without_contact, 20U);
   EXPECT_GT(shifted.wrong_side, 1000U) << "0.3 mm are more than half a voxel";
+}
+
+// A ball a millimetre too large, of which and beside which up to 2 mm are felt.
+TEST(FeltComparison, NoForceIsTooLarge) {
+  constexpr double kTooLarge = 1, kStiff = 100;  // mm, N/mm
+  const field_file::OpenField field =
+      field_of([](const Vector3d& p) { return to_ball(p) - kTooLarge; }, kRadius + kTooLarge + 0.5, Interpolation::kSpline, kStiff);
+  cloud::TriangleMesh mesh = the_ball().mesh;
+  for (Vector3d& corner : mesh.vertices) corner *= 1 + kTooLarge / kRadius;
+  const field::TriangleTree larger(mesh);
+  for (const FeltFigures& all : {compare_felt(field.view, the_ball().tree, the_ball().hands).all,
+                                 compare_felt(field.view, larger, the_ball().tree, the_ball().hands).all}) {
+    EXPECT_NEAR(all.errors.force_n.median, kTooLarge * kStiff, 3);
+    EXPECT_NEAR(all.by_depth[2].force_n.median, kTooLarge * kStiff, 3);
+  }
 }
 
 TEST(FeltComparison, TurnedNormalsAreFound) {
