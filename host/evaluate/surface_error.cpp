@@ -61,7 +61,7 @@ SurfaceError crossings_near(const FieldView& field, const cloud::OrientedPoints&
       continue;
     }
     const Eigen::Vector3d gradient = surface.sample(truth.positions[i] + *offset * surface.voxel_mm() * truth.normals[i]).gradient;
-    const double angle = angle_deg(gradient, truth.normals[i]);
+    const double angle = gradient.isZero(0) ? 180 : angle_deg(gradient, truth.normals[i]);
     offsets.push_back(std::abs(*offset));
     squares += *offset * *offset;
     angle_squares += angle * angle;

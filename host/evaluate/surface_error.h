@@ -16,7 +16,7 @@ struct SurfaceError {
   double rms_voxel = 0;
   double p99_voxel = 0;  ///< 99 of 100 offsets are at most this large
   double max_voxel = 0;
-  double normal_rms_deg = 0;  ///< angle between the gradient at the crossing and the true normal
+  double normal_rms_deg = 0;  ///< angle between the gradient at the crossing and the true normal, 180 where there is no gradient
 };
 
 inline constexpr double kSearchVoxels = 2.0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/cloud/random.h"
@@ -69,6 +70,21 @@ TEST(SurfaceError, ACrossingInTheWrongDirectionIsNone) {
   cloud::OrientedPoints turned = around(30, 100);
   for (Eigen::Vector3d& normal : turned.normals) normal = -normal;
   EXPECT_THROW((void)surface_error(ball(), turned), InputError);
+}
+
+// A trilinear gradient is made of central differences: between walls and gaps of one voxel each there is none.
+TEST(SurfaceError, WhereTheFieldHasNoNormalItHasNoGoodOne) {
+  const auto comb = [](const test::Point& p) {
+    const bool within = std::max({std::abs(p[0] - 12), std::abs(p[1] - 12), std::abs(p[2] - 12)}) < 4.5;
+    return !within ? 100.0 : std::lround(p[0]) % 2 == 1 ? -1.0 : 1.0;
+  };
+  const test::FieldImage image({25, 25, 25}, comb, test::trilinear_options());
+  cloud::OrientedPoints points;
+  for (double y = 10; y < 14; y += 0.3) {
+    points.positions.push_back(kVoxel * Eigen::Vector3d(11.5, y, 11.4) - Eigen::Vector3d::Constant(20));
+    points.normals.emplace_back(Eigen::Vector3d::UnitX());
+  }
+  EXPECT_EQ(surface_error(image.view(), points).normal_rms_deg, 180);
 }
 
 TEST(SurfaceError, NothingComparedIsAFailure) { EXPECT_THROW((void)surface_error(ball(), {}), InputError); }
