@@ -106,6 +106,7 @@ nlohmann::ordered_json measured_json(const Measured& measured) {
           {"field_to_mesh_rms_voxel", whole.field_to_mesh.rms_voxel},
           {"field_to_mesh_far", whole.field_to_mesh.far},
           {"hausdorff_voxel", whole.hausdorff_voxel()},
+          {"hausdorff_at_most_voxel", whole.hausdorff_at_most_voxel()},
           {"hausdorff_from_mesh_voxel", whole.from_mesh_voxel()},
           {"hausdorff_from_blob_voxel", whole.from_field_voxel()},
           {"wrong_side_volume_pct", whole.wrong_side_pct},
@@ -126,9 +127,9 @@ void print(std::FILE* to, const char* name, const Measured& measured) {
   const auto& [there, back] = std::pair(whole.mesh_to_field, whole.field_to_mesh);
   std::fprintf(to, "       nearest distances rms: mesh to field %.4f voxel, %zu of %zu beyond %.0f; field to mesh %.4f voxel, %zu beyond\n",
                there.rms_voxel, there.far, evaluate::kSpreadPoints, evaluate::kFarVoxels, back.rms_voxel, back.far);
-  std::fprintf(to, "       Hausdorff %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n", whole.hausdorff_voxel(),
-               whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(), whole.from_field_voxel(),
-               text(whole.from_field.place).c_str());
+  std::fprintf(to, "       Hausdorff %.3f to %.3f voxel: mesh to field %.3f at %s mm, field to mesh %.3f at %s mm\n",
+               whole.hausdorff_voxel(), whole.hausdorff_at_most_voxel(), whole.from_mesh_voxel(), text(whole.from_mesh.place).c_str(),
+               whole.from_field_voxel(), text(whole.from_field.place).c_str());
   std::fprintf(to, "       wrong side %.3f %% of the volume, %.3f too much and %.3f missing; volume ratio %.4f; %zu component%s\n",
                whole.wrong_side_pct, whole.too_much_pct, whole.wrong_side_pct - whole.too_much_pct, whole.volume_ratio, whole.pieces.size(),
                whole.pieces.size() == 1 ? "" : "s");

@@ -19,7 +19,7 @@ struct Spread {
 inline constexpr std::size_t kSpreadPoints = 20'000;
 inline constexpr double kFarVoxels = 2;
 
-/// How the Hausdorff distance is found out, voxels (farthest.h), and lines a square voxel for the volume (wrong_side.h).
+/// By how many voxels the Hausdorff distance may be larger than what was found (farthest.h), and lines a square voxel for the volume (wrong_side.h).
 inline constexpr double kFineness = 0.15;
 inline constexpr double kLinesPerVoxel = 4;
 
@@ -46,11 +46,12 @@ struct TruthComparison {
   double from_mesh_voxel() const { return from_mesh.distance / voxel_mm; }
   double from_field_voxel() const { return from_field.distance / voxel_mm; }
   double hausdorff_voxel() const { return from_mesh_voxel() > from_field_voxel() ? from_mesh_voxel() : from_field_voxel(); }
+  double hausdorff_at_most_voxel() const { return hausdorff_voxel() + kFineness; }
   const Farthest& worst() const { return from_mesh.distance > from_field.distance ? from_mesh : from_field; }
 };
 
-/// surface   zero_surface(field): what is exact about it stands there. Distances between the two surfaces add at most kFineness of a voxel to
-///           what is reported, and nothing where a corner of the mesh is the worst place
+/// surface   zero_surface(field): what is exact about it stands there. No place of either surface is farther from the other than the farthest that is
+///           named by more than kFineness of a voxel, no corner by more than an eighth of it
 /// mesh      workspace, mm
 /// fails     InputError when the field has no surface
 TruthComparison compare_surfaces(const FieldView& field, const cloud::TriangleMesh& surface, const TrueSurface& mesh);

@@ -48,6 +48,8 @@ TEST(TruthComparison, AKnownSkinIsMeasuredOnBothSides) {
     const TruthComparison found = compare([&](const test::Point& p) { return to_ball(p, kMiddle, kRadius + skin); });
     EXPECT_NEAR(found.from_mesh_voxel(), std::abs(skin), 0.01);
     EXPECT_NEAR(found.from_field_voxel(), std::abs(skin), 0.01);
+    EXPECT_GT(found.hausdorff_at_most_voxel(), std::abs(skin)) << "a bound";
+    EXPECT_LT(found.hausdorff_at_most_voxel(), std::abs(skin) + kFineness + 0.01);
     EXPECT_NEAR(found.mesh_to_field.rms_voxel, std::abs(skin), 0.01);
     EXPECT_NEAR(found.field_to_mesh.rms_voxel, std::abs(skin), 0.01);
     const double share = 100 * (std::pow(1 + skin / kRadius, 3) - 1);
