@@ -198,7 +198,7 @@ void run(const std::string& only, bool json, bool published) {
   }
   print(ours, "default method, 3,756 points, one voxel = one unit of the shape");
   if (theirs) {
-    print(*theirs, "published method, surface through the core's sampler, force by the published tick in single precision");
+    print(*theirs, "published method, surface through the core's sampler, force by the core's integers, which descend as published");
     print(table);
   }
 }
