@@ -43,7 +43,7 @@ struct FeltHandOptions {
 /// press      along the normal to a depth of 0.3 to 1 mm and out again
 /// slide      at 0.1 to 1 mm below the surface, 100 and 300 mm/s, on a way that bends
 /// scrub      the same to and fro, three times a second, at up to 180 mm/s
-/// stab       1 m/s from up to 50 degrees beside the normal, stops at 0.1 to 1 mm, rests, and leaves as fast
+/// stab       1 m/s from up to 72.5 degrees beside the normal, stops at 0.1 to 1 mm, rests, and leaves as fast
 /// edge       crosses convex sharp edges to and fro while it runs along them
 /// crease     in concave sharp edges, along them, and from side to side
 /// thin       through parts of at most kThinMm, in along the normal, 1 mm out on the other side, and back
