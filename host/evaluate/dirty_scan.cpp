@@ -33,7 +33,7 @@ constexpr std::size_t kDense = 100'000;
 constexpr std::size_t kTruths = 10'000;
 constexpr double kOff = 2.0;             // voxels from the surface, where sides are asked
 constexpr double kLost = kSearchVoxels;  // what a place without a crossing counts
-constexpr double kClear = 1.0;           // voxels: nearer to the true surface no side is asked
+constexpr double kClear = 1.0;           // voxels: nearer to the true surface, to first order, no side is asked
 constexpr std::size_t kSpaced = 7;       // a point and its six neighbours: the farthest says how far apart points are there
 constexpr double kMostWrongSide = 0.01;
 constexpr double kMostVolume = 0.05;
@@ -102,6 +102,15 @@ Dirtied dirtied(const OrientedPoints& clean, const Dirt& dirt, std::uint64_t see
   return {damaged(points, {"", dirt.noise, dirt.strays, dirt.flipped}, seed + 7), points.size()};
 }
 
+/// How fast a shape's function changes at a place, across its surface: as a distance, or less where it is none. The larger of both sides, because
+/// between two surfaces it grows towards both.
+double slope_at(const cloud::Shape& shape, const Vector3d& place, double distance) {
+  if (shape.exact_distance) return 1.0;
+  constexpr double kStep = 0.01;  // voxels
+  const Vector3d step = kStep * shape.normal(place);
+  return std::max(std::abs(shape.distance(place + step) - distance), std::abs(shape.distance(place - step) - distance)) / kStep;
+}
+
 /// Of places beside the scanned part of the surface: no farther from a point than this point's neighbours are.
 double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, const OrientedPoints& truth,
                   const std::vector<Vector3d>& measured) {
@@ -116,7 +125,7 @@ double wrong_side(const motion::FeltSurface& felt, const cloud::Shape& shape, co
     for (const double off : {-kOff, kOff}) {
       const Vector3d place = truth.positions[i] + off * truth.normals[i];
       const double distance = shape.distance(place);
-      if (std::abs(distance) < kClear) continue;
+      if (std::abs(distance) < kClear * slope_at(shape, place, distance)) continue;
       ++asked;
       wrong += (felt.sample(kVoxel * place).distance < 0) != (distance < 0) ? 1U : 0U;
     }

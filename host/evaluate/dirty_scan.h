@@ -50,7 +50,8 @@ double true_volume(const cloud::Shape& shape);
 struct DirtySurface {
   std::string refused;     ///< why nothing was built; empty: a field was built
   double surface_rms = 0;  ///< from the truth to the field's surface, voxels; points without a crossing count 2
-  /// From the field's surface to the truth, voxels; 2 where the field has no surface. None for a scan of one side, whose back is invented.
+  /// From the field's surface to the truth, voxels; 2 where the field has no surface. None for a scan of one side, whose back is invented. A lower
+  /// bound if the shape has no exact distances.
   std::optional<double> truth_rms;
   std::size_t pieces = 0;
   std::optional<double> volume;  ///< over the true volume; none for a scan of one side

@@ -217,6 +217,34 @@ TEST(DirtyScans, TheTrueVolumeOfAThinBodyIsDrawnToAPerCent) {
   }
 }
 
+/// Flat: its function is a distance only where it is thin (cloud/shapes.h).
+cloud::Shape lens() {
+  const Eigen::Vector3d axes(60, 60, 12);
+  cloud::Shape shape = cloud::shape("sphere");
+  shape.exact_distance = false;
+  shape.distance = [=](const Eigen::Vector3d& p) { return (p.cwiseQuotient(axes).norm() - 1) * axes.minCoeff(); };
+  shape.normal = [=](const Eigen::Vector3d& p) { return Eigen::Vector3d(p.cwiseQuotient(axes.cwiseProduct(axes)).normalized()); };
+  shape.high = axes;
+  shape.low = -axes;
+  return shape;
+}
+
+TEST(DirtyScans, ASideIsAskedWhereTheShapesFunctionIsFlat) {
+  const Reconstruct smaller = [](const cloud::OrientedPoints&) {  // by four voxels at the rim, by a quarter at most where it is thin
+    cloud::TriangleMesh mesh = ball(1, 6);
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex = vertex.cwiseProduct(Eigen::Vector3d(56, 56, 12));
+    return mesh;
+  };
+  dirty_rows(
+      {lens()}, std::vector<Dirt>{dirt(all_dirt(), "clean")},
+      [](const DirtyRow& row) {
+        EXPECT_EQ(row.wrong_side, 0);
+        ASSERT_TRUE(row.beside);
+        EXPECT_GT(row.beside->wrong_side, 0.01) << "within the rim";
+      },
+      smaller);
+}
+
 TEST(DirtyScans, NobodyIsNearerWhereNothingIsMeasured) {
   Tally tally;
   DirtyRow row;
