@@ -47,7 +47,7 @@ std::optional<Eigen::Vector3d> viewpoint(TextLines& lines) {
     if (!std::isfinite(value)) throw lines.refusal("a number of the viewpoint is not finite");
   }
   if (!is_computable({values[0], values[1], values[2]})) throw lines.refusal("the viewpoint is farther away than 1e100");
-  if (values == std::array<double, 7>{0, 0, 0, 1, 0, 0, 0}) return std::nullopt;
+  if (values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0) return std::nullopt;  // as written by programs that know of no sensor
   return Eigen::Vector3d(values[0], values[1], values[2]);
 }
 

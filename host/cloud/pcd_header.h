@@ -26,7 +26,7 @@ struct PcdHeader {
   std::size_t width = 0;
   std::size_t height = 1;                         ///< above 1: an image, row by row
   std::size_t points = 0;                         ///< width times height, as declared; nothing is promised about the body
-  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, unless the line VIEWPOINT is missing or says its default
+  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, unless the line VIEWPOINT is missing or says the origin
   PcdData data = PcdData::kAscii;
   std::size_t bytes = 0;  ///< the body begins here
 

@@ -40,11 +40,8 @@ bool SourceFile::is_mesh() const {
 
 Model SourceFile::points() const {
   Model model = read_points();
+  place_sensor(model);
   if (model.grid && model.normals.empty()) {
-    if (sensor_.viewpoint) {
-      model.grid->sensor = *sensor_.viewpoint;
-      model.grid->is_assumed = false;
-    }
     model.edges = orient_by_grid(model, *model.grid);
     if (model.edges) {
       model.viewpoint = model.grid->sensor;
@@ -53,6 +50,19 @@ Model SourceFile::points() const {
   }
   model.grid.reset();
   return model;
+}
+
+/// Where a person says that the sensor stood, or did not.
+void SourceFile::place_sensor(Model& model) const {
+  if (sensor_.ignores_viewpoint) {
+    model.viewpoint.reset();
+    if (model.grid) model.grid->sensor.setZero();
+  } else if (sensor_.viewpoint) {
+    if (model.grid) model.grid->sensor = *sensor_.viewpoint;
+  } else {
+    return;
+  }
+  if (model.grid) model.grid->is_assumed = sensor_.ignores_viewpoint;
 }
 
 Model SourceFile::read_points() const {

@@ -19,6 +19,7 @@ namespace isotouch::cloud {
 struct SensorOptions {
   std::optional<DepthCamera> camera = {};         ///< of a depth image
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place in the file's frame, instead of the file's own
+  bool ignores_viewpoint = false;                 ///< what the file says of the sensor's place is left out
 };
 
 class SourceFile {
@@ -53,6 +54,7 @@ class SourceFile {
   SensorOptions sensor_;
 
   Model read_points() const;
+  void place_sensor(Model& model) const;
   InputError not_read(const std::string& otherwise) const;
 };
 

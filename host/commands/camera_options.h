@@ -38,20 +38,20 @@ struct CameraOptions {
   }
 };
 
-/// --viewpoint X Y Z
+/// --viewpoint X Y Z, or --no-viewpoint
 ///
 /// sensor    stays alive as long as the command
 inline void add_viewpoint(CLI::App& command, cloud::SensorOptions& sensor, const std::string& about) {
-  command
-      .add_option_function<std::vector<double>>(
-          "--viewpoint",
-          [&sensor](const std::vector<double>& place) {
-            const Eigen::Vector3d at(place[0], place[1], place[2]);
-            if (!cloud::is_computable(at)) throw CLI::ValidationError("--viewpoint", "its three numbers must lie within ±1e100");
-            sensor.viewpoint = at;
-          },
-          about)
-      ->expected(3);
+  CLI::Option* place = command.add_option_function<std::vector<double>>(
+      "--viewpoint",
+      [&sensor](const std::vector<double>& numbers) {
+        const Eigen::Vector3d at(numbers[0], numbers[1], numbers[2]);
+        if (!cloud::is_computable(at)) throw CLI::ValidationError("--viewpoint", "its three numbers must lie within ±1e100");
+        sensor.viewpoint = at;
+      },
+      about);
+  place->expected(3);
+  command.add_flag("--no-viewpoint", sensor.ignores_viewpoint, "ignore what a file itself says of the sensor's place")->excludes(place);
 }
 
 }  // namespace isotouch::commands

@@ -78,6 +78,7 @@ void require_no_normals(const BuildOptions& options, const char* what) {
   };
   if (options.estimate_normals) refuse("--normals");
   if (options.sensor.viewpoint) refuse("--viewpoint");
+  if (options.sensor.ignores_viewpoint) refuse("--no-viewpoint");
 }
 
 /// Says where the file, and not the person, puts the sensor.
@@ -86,7 +87,8 @@ std::string sensor_sentence(const Eigen::Vector3d& place, bool is_assumed) {
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
   return is_assumed ? "the file does not say where the sensor stood, so its camera is taken to stand at " + std::string(text.data()) +
                           "; --viewpoint names another place"
-                    : "the sensor's place is the file's own, " + std::string(text.data()) + "; --viewpoint names another one";
+                    : "the sensor's place is the file's own, " + std::string(text.data()) +
+                          "; --viewpoint names another one, and --no-viewpoint ignores it";
 }
 
 /// Leaves the points outside out. Stiffness of points is not kept in step: a live field has none.
@@ -150,6 +152,9 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   cloud::OrientedPoints points = cloud::read_cloud(source, read);
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
+  how.from = how.viewpoint               ? field::SensorFrom::kPerson
+             : read.is_viewpoint_assumed ? field::SensorFrom::kAssumption
+                                         : field::SensorFrom::kFile;
   if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.viewpoint;
   if (!how.estimate && !read.has_normals)
     throw InputError(options.input.string() + ": its points have no normals; leave --normals file out");

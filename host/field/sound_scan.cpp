@@ -211,6 +211,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   }
   Facing facing;
   result.outside = find_outside(*scan, options, facing);
+  result.sensor_from = options.from;
   if (options.viewpoint) result.hidden = hidden_share(*scan, *options.viewpoint);
   std::size_t turned = options.estimate ? 0 : turn_outvoted(*scan);
   std::vector<std::uint32_t> alone;

@@ -22,6 +22,9 @@ enum class Outside {
   kDoubtful,    ///< the votes are not clear; nothing was changed
 };
 
+/// Who says where the sensor stood.
+enum class SensorFrom { kPerson, kFile, kAssumption };
+
 struct SoundScan {
   cloud::OrientedPoints points;       ///< the measured ones in their order, then the invented
   std::size_t measured = 0;           ///< how many of them were measured
@@ -46,6 +49,7 @@ struct SoundScan {
   double one_sided = 0;               ///< 0 for a closed surface, 1 for a flat sheet
   OpenRim rim;                        ///< where the measured points end; their unit
   Outside outside = Outside::kAsGiven;
+  SensorFrom sensor_from = SensorFrom::kPerson;  ///< where that is the sensor's side
 
   /// To the workspace, mm.
   void place(const cloud::Placement& placement);
@@ -65,6 +69,7 @@ struct SoundScan {
 struct ScanOptions {
   bool estimate = false;                          ///< take no normal from the file
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the points' frame
+  SensorFrom from = SensorFrom::kPerson;          ///< who says so
 };
 
 /// points    any length unit; at least 8; unit normals, of any sign where `estimate`

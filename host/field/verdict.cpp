@@ -137,6 +137,16 @@ std::string tenths(double value) {
   return text;
 }
 
+/// What to do if not all of the points were seen from the sensor's place.
+std::string other_sensor(const SoundScan& sound) {
+  switch (sound.sensor_from) {
+    case SensorFrom::kPerson: break;
+    case SensorFrom::kFile: return "ignore the file's line VIEWPOINT with --no-viewpoint";
+    case SensorFrom::kAssumption: return "say with --viewpoint where the sensor stood";
+  }
+  return "leave out --viewpoint";
+}
+
 }  // namespace
 
 std::vector<std::string> reasons_of_scan(const SoundScan& sound) {
@@ -152,7 +162,8 @@ std::vector<std::string> reasons_of_scan(const SoundScan& sound) {
   }
   if (sound.hidden > kMostHidden) {
     reasons.push_back(per_cent(sound.hidden) +
-                      " of the points lie behind others as seen from the sensor's place; leave out what was not seen from there");
+                      " of the points lie behind others as seen from the sensor's place; leave out what was not seen from there, or " +
+                      other_sensor(sound));
   }
   return reasons;
 }
@@ -288,10 +299,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
             " that no points support had to be removed; check the normals and remove strays");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
   if (sound.outside == Outside::kViewpoint && !verdict.plausible()) {
-    refuse(
-        true,
-        "every normal was turned towards the sensor's place; if not all of the points were seen from there, leave out --viewpoint, or save "
-        "the scan with outward normals");
+    refuse(true, "every normal was turned towards the sensor's place; if not all of the points were seen from there, " +
+                     other_sensor(sound) + ", or save the scan with outward normals");
     std::rotate(verdict.reasons.begin(), verdict.reasons.end() - 1, verdict.reasons.end());  // it explains the others
   }
   return verdict;

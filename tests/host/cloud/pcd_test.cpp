@@ -125,7 +125,8 @@ TEST(Pcd, APointWithoutNormalIsLeftOutUnlessNoneHasOne) {
 TEST(Pcd, TheViewpointIsTheSensorsPlace) {
   EXPECT_FALSE(read(xyz_header(1, 1, "ascii") + "1 2 3\n").viewpoint);
   EXPECT_EQ(read(xyz_header(1, 1, "ascii", "7 -8 9.5 1 0 0 0") + "1 2 3\n").viewpoint, Vector3d(7, -8, 9.5));
-  EXPECT_EQ(read(xyz_header(1, 1, "ascii", "0 0 0 0 1 0 0") + "1 2 3\n").viewpoint, Vector3d(0, 0, 0)) << "turned, so somebody stated it";
+  for (const char* origin : {"0 0 0 1 0 0 0", "0 0 0 0 0 0 1", "0 0 0 0 0 0 0", "0 0 0 0 1 0 0"})
+    EXPECT_FALSE(read(xyz_header(1, 1, "ascii", origin) + "1 2 3\n").viewpoint) << origin;
 }
 
 TEST(Pcd, AnOrganisedCloudHasAGrid) {

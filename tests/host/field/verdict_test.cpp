@@ -200,10 +200,14 @@ TEST(Verdict, AViewpointThatSawHalfOfThePointsIsRefused) {
   for (int i = 0; i < 5000; ++i) plate.positions.emplace_back(random.uniform(-70, 70), random.uniform(-70, 70), i % 2 == 0 ? 5 : -5);
   plate.normals.assign(plate.size(), Vector3d::Zero());
   Progress progress;
-  const SoundScan sound = sound_scan(plate, {.estimate = true, .viewpoint = Vector3d(0, 0, 1000)});
-  const auto reasons = scan_field(sound, 1.6, kBand, progress).verdict.reasons;
-  ASSERT_THAT(reasons, Contains(HasSubstr("lie behind others as seen from the sensor's place")));
-  EXPECT_THAT(reasons.front(), HasSubstr("leave out --viewpoint"));
+  const auto reasons = [&](SensorFrom from) {
+    const SoundScan sound = sound_scan(plate, {.estimate = true, .viewpoint = Vector3d(0, 0, 1000), .from = from});
+    return scan_field(sound, 1.6, kBand, progress).verdict.reasons;
+  };
+  ASSERT_THAT(reasons(SensorFrom::kPerson), Contains(HasSubstr("lie behind others as seen from the sensor's place")));
+  EXPECT_THAT(reasons(SensorFrom::kPerson).front(), HasSubstr("leave out --viewpoint"));
+  EXPECT_THAT(reasons(SensorFrom::kFile).front(), HasSubstr("ignore the file's line VIEWPOINT with --no-viewpoint"));
+  EXPECT_THAT(reasons(SensorFrom::kAssumption).front(), HasSubstr("say with --viewpoint where the sensor stood"));
 }
 
 TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
