@@ -172,6 +172,8 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.edges = model.edges;
   report.viewpoint = model.viewpoint;
   report.is_viewpoint_assumed = model.is_viewpoint_assumed;
+  report.is_sensor_turned = model.is_sensor_turned;
+  report.refuted_viewpoint = model.refuted_viewpoint;
   report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();

@@ -26,12 +26,14 @@ struct Model {
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are fans until `cut_polygons`
   std::vector<Polygon> polygons = {};
-  std::vector<double> stiffness = {};             ///< N/mm, finite; one for each position, or none at all
-  std::optional<ScanGrid> grid = {};              ///< of an organised scan without normals
-  std::optional<std::size_t> edges = {};          ///< the normals come from the grid; points at edges that were left out for that
-  std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, where the file states one
-  bool is_viewpoint_assumed = false;              ///< it does not, but its grid is that of a camera there
-  std::size_t incomplete = 0;                     ///< points left out because their coordinates or their normal are not finite
+  std::vector<double> stiffness = {};                     ///< N/mm, finite; one for each position, or none at all
+  std::optional<ScanGrid> grid = {};                      ///< of an organised scan without normals
+  std::optional<std::size_t> edges = {};                  ///< the normals come from the grid; points at edges that were left out for that
+  std::optional<Eigen::Vector3d> viewpoint = {};          ///< the sensor's place, where the file states one
+  bool is_viewpoint_assumed = false;                      ///< it does not, but its grid is that of a camera there
+  bool is_sensor_turned = false;                          ///< the file states, too, that the sensor was turned
+  std::optional<Eigen::Vector3d> refuted_viewpoint = {};  ///< the place that the file states, if its grid was not seen from there
+  std::size_t incomplete = 0;                             ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

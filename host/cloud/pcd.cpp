@@ -136,7 +136,7 @@ void read_points(Rows rows, const PcdHeader& header, Model& model) {
     model.grid = ScanGrid{.columns = header.width,
                           .cells = std::vector(header.points, ScanGrid::kNoReturn),
                           .sensor = header.viewpoint.value_or(Vector3d::Zero()),
-                          .is_assumed = !header.viewpoint};
+                          .known = header.viewpoint ? ScanGrid::Known::kStated : ScanGrid::Known::kAssumed};
   for (std::size_t i = 0; i < header.points; ++i) {
     const Row row = rows.row(i);
     if (!std::all_of(row.begin(), row.begin() + 3, [](double value) { return std::isfinite(value); })) {
@@ -208,6 +208,7 @@ Model read_pcd(const std::string& name, std::span<const std::uint8_t> bytes) {
   const auto body = bytes.subspan(header.bytes);
   Model model;
   model.viewpoint = header.viewpoint;
+  model.is_sensor_turned = header.is_turned;
   switch (header.data) {
     case PcdData::kAscii:
       model.format = "PCD, ascii";

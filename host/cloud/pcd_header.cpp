@@ -40,15 +40,17 @@ void for_each_field(TextLines& lines, std::string_view what, PcdHeader& header, 
   if (lines.field()) throw lines.refusal(std::string(what) + " names more fields than FIELDS");
 }
 
-std::optional<Eigen::Vector3d> viewpoint(TextLines& lines) {
+void read_viewpoint(TextLines& lines, PcdHeader& header) {
   std::array<double, 7> values{};
   for (double& value : values) {
     value = lines.number("a number of the viewpoint");
     if (!std::isfinite(value)) throw lines.refusal("a number of the viewpoint is not finite");
   }
   if (!is_computable({values[0], values[1], values[2]})) throw lines.refusal("the viewpoint is farther away than 1e100");
-  if (values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0) return std::nullopt;  // as written by programs that know of no sensor
-  return Eigen::Vector3d(values[0], values[1], values[2]);
+  header.viewpoint.reset();
+  if (values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0) return;  // as written by programs that know of no sensor
+  header.viewpoint.emplace(values[0], values[1], values[2]);
+  header.is_turned = values[4] != 0.0 || values[5] != 0.0 || values[6] != 0.0;
 }
 
 PcdData data(TextLines& lines) {
@@ -131,7 +133,7 @@ PcdHeader read_pcd_header(const std::string& name, std::span<const std::uint8_t>
     } else if (keyword == "HEIGHT") {
       header.height = single(lines, keyword);
     } else if (keyword == "VIEWPOINT") {
-      header.viewpoint = viewpoint(lines);
+      read_viewpoint(lines, header);
     } else if (keyword == "POINTS") {
       has_points = true;
       header.points = single(lines, keyword);

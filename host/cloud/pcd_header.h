@@ -27,6 +27,7 @@ struct PcdHeader {
   std::size_t height = 1;                         ///< above 1: an image, row by row
   std::size_t points = 0;                         ///< width times height, as declared; nothing is promised about the body
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, unless the line VIEWPOINT is missing or says the origin
+  bool is_turned = false;                         ///< VIEWPOINT also says that the sensor was turned: the points may be in its own frame
   PcdData data = PcdData::kAscii;
   std::size_t bytes = 0;  ///< the body begins here
 

@@ -221,7 +221,7 @@ void read_body(const std::string& name, Rows rows, const PlyHeader& header, Mode
   rows.end();
   if (!model.grid) return;
   model.grid->sensor = sensor(header.range, model.positions);
-  model.grid->is_assumed = !header.range.cyberware;
+  model.grid->known = header.range.cyberware ? ScanGrid::Known::kSurely : ScanGrid::Known::kAssumed;
 }
 
 }  // namespace

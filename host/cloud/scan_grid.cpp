@@ -25,6 +25,12 @@ constexpr double kInQuantile = 1.2816;   // standard deviations within which 80 
 constexpr double kThirdOfNoise = 4.472;  // the standard deviation of p0 - 3 p1 + 3 p2 - p3, whose squares sum up to 20
 constexpr double kOfDepth =
     0.0005;  // of the squared depth in a column: lenses leave up to 0.00013, wrong places in and behind an object 0.0018 and more
+// The rows or columns of an unmirrored image are bent when both are exceeded. Lenses that move a corner 45 degrees beside the middle by 5 % leave up to 0.9
+// of the squared depth, but 9e-6 of the squared distance; coordinates rounded to a pixel 0.018 and 1.6e-5. Rings round an axis through the origin have 0.23
+// and 1e-4, if they go on for 54 degrees and lie within 67 degrees of the middle one.
+constexpr double kBentOfDepth = 0.02;
+constexpr double kBentOfSight = 1.6e-5;
+constexpr double kBeforeCamera = 0.2588;  // cosine of 75 degrees
 
 /// The cells, and where a surface leads from one to the next.
 class Cells {
@@ -146,15 +152,24 @@ Vector3d normal(const Cells& cells, std::size_t row, std::size_t column, int rad
   return (up - u_sum / count * p_sum).cross(vp - v_sum / count * p_sum);
 }
 
-/// Do the columns lie in planes through the sensor's place, as those of every camera do that stands there? A column without depth lies in such a plane,
-/// whatever the place is, and says nothing.
-bool are_seen_from(const Cells& cells, const Vector3d& sensor) {
-  double off_plane = 0.0, off_line = 0.0;  // squares
-  for (std::size_t column = 0; column < cells.columns(); ++column) {
+/// How far the rows, or the columns, are from lying in planes through a place. One without depth lies in such a plane wherever the place is.
+struct OffPlanes {
+  double off_plane = 0, off_line = 0, sight = 0;  ///< sums of squared lengths
+
+  bool are_planes() const { return off_plane < kOfDepth * off_line; }
+  /// A lens bends them less, or has hardly any depth in them.
+  bool are_bent() const { return off_plane > kBentOfDepth * off_line && off_plane > kBentOfSight * sight; }
+};
+
+OffPlanes off_planes(const Cells& cells, const Vector3d& sensor, bool is_by_rows) {
+  const std::size_t lines = is_by_rows ? cells.rows() : cells.columns(), length = is_by_rows ? cells.columns() : cells.rows();
+  OffPlanes result;
+  for (std::size_t line = 0; line < lines; ++line) {
     Eigen::Matrix3d about_sensor = Eigen::Matrix3d::Zero();
     Vector3d sum = Vector3d::Zero();
     double count = 0.0;
-    for (std::size_t cell = column; cell < cells.rows() * cells.columns(); cell += cells.columns()) {
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::size_t cell = is_by_rows ? line * length + i : i * lines + line;
       if (!cells.has(cell)) continue;
       const Vector3d sight = cells.place(cell) - sensor;
       about_sensor += sight * sight.transpose();
@@ -163,10 +178,46 @@ bool are_seen_from(const Cells& cells, const Vector3d& sensor) {
     }
     if (count == 0.0) continue;
     const Eigen::Matrix3d about_middle = about_sensor - sum * sum.transpose() / count;
-    off_plane += Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about_sensor, Eigen::EigenvaluesOnly).eigenvalues()[0];
-    off_line += Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about_middle, Eigen::EigenvaluesOnly).eigenvalues().head<2>().sum();
+    result.off_plane += Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about_sensor, Eigen::EigenvaluesOnly).eigenvalues()[0];
+    result.off_line += Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(about_middle, Eigen::EigenvaluesOnly).eigenvalues().head<2>().sum();
+    result.sight += about_sensor.trace();
   }
-  return off_plane < kOfDepth * off_line;
+  return result;
+}
+
+/// Do all returns lie well before a camera in that place?
+bool are_before(const Cells& cells, const Vector3d& sensor) {
+  Vector3d sum = Vector3d::Zero();
+  const auto for_each_sight = [&](const auto& visit) {
+    for (std::size_t cell = 0; cell < cells.rows() * cells.columns(); ++cell) {
+      if (cells.has(cell)) visit((cells.place(cell) - sensor).normalized());
+    }
+  };
+  for_each_sight([&](const Vector3d& sight) { sum += sight; });
+  const Vector3d middle = sum.normalized();
+  bool all = true;
+  for_each_sight([&](const Vector3d& sight) { all &= sight.dot(middle) > kBeforeCamera; });
+  return all;
+}
+
+/// Was the image seen from its sensor's place? In an image right is right and down is down, so that its winding faces away from the camera; but some cameras
+/// deliver mirrored ones.
+///
+/// away      it does
+bool is_believed(const Cells& cells, const ScanGrid& grid, bool away) {
+  const auto columns = [&](const Vector3d& place) { return off_planes(cells, place, false); };
+  const auto rows = [&](const Vector3d& place) { return off_planes(cells, place, true); };
+  const auto is_camera = [&](const Vector3d& place) { return columns(place).are_planes() && rows(place).are_planes(); };
+  switch (grid.known) {
+    case ScanGrid::Known::kSurely: return true;
+    case ScanGrid::Known::kStated: {
+      const bool is_own_frame = is_camera(Vector3d::Zero()) && !is_camera(grid.sensor);
+      return !is_own_frame && (away || columns(grid.sensor).are_planes());  // the rows of a scanner that turns are cones
+    }
+    case ScanGrid::Known::kAssumed: break;
+  }
+  if (!are_before(cells, grid.sensor)) return false;
+  return away ? !columns(grid.sensor).are_bent() && !rows(grid.sensor).are_bent() : is_camera(grid.sensor);
 }
 
 /// Leaves out the points whose normal is zero.
@@ -188,7 +239,7 @@ void keep_oriented(Model& model) {
 
 }  // namespace
 
-std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid) {
+std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bool* is_elsewhere) {
   if (grid.columns < 2 || grid.cells.size() < 2 * grid.columns) return std::nullopt;
   const Cells cells(model.positions, grid);
   const int radius = radius_for(relative_noise(cells));
@@ -207,8 +258,10 @@ std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid) {
   const bool away = 2 * facing < oriented;
   const std::size_t outvoted = away ? facing : oriented - facing;
   if (2 * oriented < returns || kOneIn * outvoted >= oriented) return std::nullopt;
-  // In an image right is right and down is down, so that its winding faces away from the camera.
-  if (grid.is_assumed && !away && !are_seen_from(cells, grid.sensor)) return std::nullopt;
+  if (!is_believed(cells, grid, away)) {
+    if (is_elsewhere != nullptr) *is_elsewhere = true;
+    return std::nullopt;
+  }
   if (away) {
     for (Vector3d& n : normals) n = -n;
   }

@@ -17,7 +17,10 @@ struct ScanGrid {
   std::size_t columns = 0;
   std::vector<std::uint32_t> cells = {};             ///< row by row, whole rows: an index of a position, or kNoReturn
   Eigen::Vector3d sensor = Eigen::Vector3d::Zero();  ///< the camera's or scanner's place, in the positions' frame
-  bool is_assumed = false;                           ///< nobody states that place: a camera's own frame has it in the origin
+
+  /// Who says so: a person, or what the format means; the file, which may mean another frame; nobody, but a camera's own frame has it in the origin.
+  enum class Known { kSurely, kStated, kAssumed };
+  Known known = Known::kSurely;
 };
 
 /// Gives a model the normals of its grid.
@@ -30,8 +33,11 @@ struct ScanGrid {
 /// model     without normals; all its other lists stay in step
 /// returns   how many points were left out: beside a jump, with fewer than four joined cells around them, or in no cell. Nothing, and the model stays
 ///           as it was, when fewer than half of the returns would get a normal, or a fifth of the normals would face away from the sensor: then the grid
-///           is not that of an image. Nor where the sensor's place is assumed, the image would be mirrored as seen from there, and its columns do not
-///           lie in planes through that place: then the sensor stood on the other side
-std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid);
+///           is not that of an image. Nor when the sensor cannot have stood in its place.
+///           Stated: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes through it.
+///           Assumed: a return is more than 75 degrees beside the middle of the image; or rows or columns are bent as rings round an axis are; or the image
+///           is mirrored as seen from the place, and its rows and columns do not lie in planes through it
+/// is_elsewhere   set where that is the reason
+std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bool* is_elsewhere = nullptr);
 
 }  // namespace isotouch::cloud

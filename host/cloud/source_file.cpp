@@ -11,6 +11,25 @@
 #include "shared/hash64.h"
 
 namespace isotouch::cloud {
+namespace {
+
+/// Where an image was not seen from the place that the file states, its points may be in the camera's own frame.
+void take_normals_of(ScanGrid grid, Model& model) {
+  const bool is_stated = grid.known == ScanGrid::Known::kStated;
+  bool is_refuted = false;
+  model.edges = orient_by_grid(model, grid, &is_refuted);
+  if (!model.edges && is_stated) {
+    grid.sensor.setZero();
+    grid.known = ScanGrid::Known::kAssumed;
+    model.edges = orient_by_grid(model, grid);
+    if (model.edges || is_refuted) model.refuted_viewpoint = std::exchange(model.viewpoint, std::nullopt);
+  }
+  if (!model.edges) return;
+  model.viewpoint = grid.sensor;
+  model.is_viewpoint_assumed = grid.known == ScanGrid::Known::kAssumed;
+}
+
+}  // namespace
 
 SourceFile::SourceFile(std::filesystem::path file, SensorOptions sensor) : SourceFile(file, read_file(file), std::move(sensor)) {}
 
@@ -41,13 +60,7 @@ bool SourceFile::is_mesh() const {
 Model SourceFile::points() const {
   Model model = read_points();
   place_sensor(model);
-  if (model.grid && model.normals.empty()) {
-    model.edges = orient_by_grid(model, *model.grid);
-    if (model.edges) {
-      model.viewpoint = model.grid->sensor;
-      model.is_viewpoint_assumed = model.grid->is_assumed;
-    }
-  }
+  if (model.grid && model.normals.empty()) take_normals_of(std::move(*model.grid), model);
   model.grid.reset();
   return model;
 }
@@ -62,7 +75,7 @@ void SourceFile::place_sensor(Model& model) const {
   } else {
     return;
   }
-  if (model.grid) model.grid->is_assumed = sensor_.ignores_viewpoint;
+  if (model.grid) model.grid->known = sensor_.ignores_viewpoint ? ScanGrid::Known::kAssumed : ScanGrid::Known::kSurely;
 }
 
 Model SourceFile::read_points() const {

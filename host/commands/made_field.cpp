@@ -81,14 +81,24 @@ void require_no_normals(const BuildOptions& options, const char* what) {
   if (options.sensor.ignores_viewpoint) refuse("--no-viewpoint");
 }
 
-/// Says where the file, and not the person, puts the sensor.
-std::string sensor_sentence(const Eigen::Vector3d& place, bool is_assumed) {
+std::string in_brackets(const Eigen::Vector3d& place) {
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
-  return is_assumed ? "the file does not say where the sensor stood, so its camera is taken to stand at " + std::string(text.data()) +
-                          "; --viewpoint names another place"
-                    : "the sensor's place is the file's own, " + std::string(text.data()) +
-                          "; --viewpoint names another one, and --no-viewpoint ignores it";
+  return text.data();
+}
+
+/// Says where the file, and not the person, puts the sensor.
+std::string sensor_sentence(const Eigen::Vector3d& place, const cloud::CloudReport& read) {
+  if (read.is_viewpoint_assumed) {
+    return (read.refuted_viewpoint
+                ? "the image was not seen from the file's own place of the sensor, " + in_brackets(*read.refuted_viewpoint)
+                : std::string("the file does not say where the sensor stood")) +
+           ", so its camera is taken to stand at " + in_brackets(place) + "; --viewpoint names another place";
+  }
+  return "the sensor's place is the file's own, " + in_brackets(place) + "; --viewpoint names another one, and --no-viewpoint ignores it" +
+         (read.is_sensor_turned && !read.edges
+              ? ". The file says, too, that the sensor was turned: if its points are in the sensor's own frame, give --viewpoint 0 0 0"
+              : "");
 }
 
 /// Leaves the points outside out. Stiffness of points is not kept in step: a live field has none.
@@ -167,7 +177,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.points = read.points;
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
-  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint, read.is_viewpoint_assumed));
+  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint, read));
   const Eigen::Vector3d sides = box_of(measured).sizes();
   const int usual = options.method == BuildMethod::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
   const auto [edge, too_fine] = field::scan_voxel(sound, sides, report.placement.scale, {options.voxel_mm, options.grid}, usual);

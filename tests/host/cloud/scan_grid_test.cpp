@@ -106,7 +106,7 @@ TEST(ScanGrid, AnAssumedSensorBehindTheImageIsNotBelieved) {
       relief.model.positions.emplace_back(x, y, 8 + 6 * std::exp(-(x * x + y * y) / 300));
     }
   }
-  relief.grid.is_assumed = true;
+  relief.grid.known = ScanGrid::Known::kAssumed;
   ASSERT_FALSE(orient_by_grid(relief.model, relief.grid));
   relief.grid.sensor = Vector3d(0, 0, 500);
   ASSERT_TRUE(orient_by_grid(relief.model, relief.grid));
@@ -121,9 +121,54 @@ TEST(ScanGrid, AnAssumedSensorThatTheColumnsLeadToIsBelieved) {
          row += static_cast<std::ptrdiff_t>(ball.grid.columns))
       std::reverse(row, row + static_cast<std::ptrdiff_t>(ball.grid.columns));
     for (Vector3d& p : ball.model.positions) p = 0.0001 * (10000 * p).array().round();  // tenths of a millimetre
-    ball.grid.is_assumed = true;
+    ball.grid.known = ScanGrid::Known::kAssumed;
     ASSERT_TRUE(orient_by_grid(ball.model, ball.grid)) << mirrored;
     EXPECT_EQ(ball.facing(), ball.model.normals.size()) << mirrored;
+  }
+}
+
+/// Rings round an axis through the origin, as a turntable or a program lays them: the columns lie in planes through the origin, which is within the body.
+TEST(ScanGrid, AGridRoundAnAxisThroughTheOriginIsNoImage) {
+  for (const bool turned : {false, true}) {
+    for (const bool rings_are_columns : {false, true}) {
+      for (const auto& [around, along] : {std::pair{0.6, 0.5}, {0.3, 1.2}, {0.5, 1.2}, {1.0, 1.2}, {1.0, 0.5}, {2.0, 1.2}}) {
+        constexpr int kSide = 90;
+        Model model;
+        ScanGrid grid{.columns = kSide, .cells = {}, .known = ScanGrid::Known::kAssumed};
+        for (int row = 0; row < kSide; ++row) {
+          for (int column = 0; column < kSide; ++column) {
+            const double step = (rings_are_columns ? row : column) / (kSide - 1.0),
+                         height = (rings_are_columns ? column : row) / (kSide - 1.0) - 0.5;
+            const double angle = (turned ? -1 : 1) * M_PI * around * step, down = 2 * along * height;
+            grid.cells.push_back(static_cast<std::uint32_t>(model.positions.size()));
+            model.positions.emplace_back(std::cos(down) * std::cos(angle), 0.6 * std::cos(down) * std::sin(angle), -0.8 * std::sin(down));
+          }
+        }
+        EXPECT_FALSE(orient_by_grid(model, grid)) << turned << rings_are_columns << ' ' << around << ' ' << along;
+      }
+    }
+  }
+}
+
+/// A lens bends rows and columns by a few per cent at the image's corner, and the depth is measured along each pixel's own ray.
+TEST(ScanGrid, AnAssumedSensorBehindALensIsBelieved) {
+  for (const double bend : {-0.05, 0.05}) {
+    for (const double focus : {100.0, 150.0, 500.0}) {
+      for (const double height : {0.02, 0.002}) {
+        Model model;
+        ScanGrid grid{.columns = 160, .cells = {}, .known = ScanGrid::Known::kAssumed};
+        for (int row = 0; row < 120; ++row) {
+          for (int column = 0; column < 160; ++column) {
+            const double x = (column - 79.5) / focus, y = (row - 59.5) / focus, bent = 1 + bend * (x * x + y * y);
+            const double k = 2 * M_PI * focus / 15, depth = 0.5 - 150 / focus * height * std::cos(k * x) * std::cos(k * y);
+            grid.cells.push_back(static_cast<std::uint32_t>(model.positions.size()));
+            model.positions.emplace_back(bent * x * depth, bent * y * depth, depth);
+          }
+        }
+        ASSERT_TRUE(orient_by_grid(model, grid)) << bend << ' ' << focus << ' ' << height;
+        for (std::size_t i = 0; i < model.positions.size(); ++i) ASSERT_LT(model.normals[i].dot(model.positions[i]), 0);
+      }
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "host/cloud/read_cloud.h"
 #include "host/error.h"
+#include "tests/support/range_image.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::cloud {
@@ -68,6 +69,68 @@ TEST(SourceFile, AGridGivesNormalsThatFaceItsSensorOrTheViewpoint) {
     EXPECT_LT(seen.normals[i].z(), -0.8);
     EXPECT_EQ(behind.normals[i], -seen.normals[i]);
   }
+}
+
+/// With `--no-viewpoint` the file counts as one that says nothing of its sensor.
+TEST(SourceFile, WhatTheFileSaysOfItsSensorCanBeIgnored) {
+  const ScratchFolder folder;
+  const auto stated = [](std::string text) { return text.insert(text.find("DATA"), "VIEWPOINT 0 0 100 1 0 0 0\n"); };
+  const SensorOptions none{.ignores_viewpoint = true};
+  const Model image = SourceFile(folder.write("hill.pcd", stated(hill())), none).points();
+  EXPECT_EQ(image.viewpoint, Eigen::Vector3d(0, 0, 0));
+  EXPECT_TRUE(image.is_viewpoint_assumed);
+  EXPECT_LT(image.normals[0].z(), -0.8);
+  std::string list = stated(hill());
+  list.replace(list.find("WIDTH 9\nHEIGHT 9"), 16, "WIDTH 81\nHEIGHT 1");
+  EXPECT_EQ(SourceFile(folder.write("list.pcd", list)).points().viewpoint, Eigen::Vector3d(0, 0, 100));
+  EXPECT_FALSE(SourceFile(folder.write("list.pcd", list), none).points().viewpoint);
+}
+
+/// A ball as a camera sees it from the origin, and then moved.
+std::string ball_image(const std::string& viewpoint, const Eigen::Vector3d& moved, bool mirrored = false) {
+  const test::RangeImage image = test::ball_image(0.05, 0.5);
+  std::string text = "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH " + std::to_string(image.width) + "\nHEIGHT " +
+                     std::to_string(image.height) + "\nVIEWPOINT " + viewpoint + "\nDATA ascii\n";
+  for (std::size_t cell = 0; cell < image.pixels.size(); ++cell) {
+    const std::size_t i = mirrored ? cell - cell % image.width + image.width - 1 - cell % image.width : cell;
+    const auto [x, y, one] = image.ray(i);
+    const double z = image.pixels[i].z;
+    const Eigen::Vector3d p = Eigen::Vector3d(x * z, y * z, z) + moved;
+    text += z == 0 ? "nan nan nan\n" : std::to_string(p.x()) + ' ' + std::to_string(p.y()) + ' ' + std::to_string(p.z()) + '\n';
+  }
+  return text;
+}
+
+/// Programs that know where the camera stood may leave the points in the camera's own frame.
+TEST(SourceFile, AnImageInTheCamerasFrameWasSeenFromTheOriginWhateverTheFileStates) {
+  const ScratchFolder folder;
+  for (const char* stated : {"0.1 0.2 1.2 0 1 0 0", "0.5 -0.3 1.5 0 0.92388 0.382683 0", "0 -1.2 0.7 1 0 0 0"}) {
+    for (const bool mirrored : {false, true}) {
+      const Model image = SourceFile(folder.write("ball.pcd", ball_image(stated, {0, 0, 0}, mirrored))).points();
+      ASSERT_EQ(image.viewpoint, Eigen::Vector3d(0, 0, 0)) << stated << mirrored;
+      EXPECT_TRUE(image.refuted_viewpoint);
+      for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_LT(image.normals[i].dot(image.positions[i]), 0) << stated << mirrored;
+    }
+  }
+}
+
+TEST(SourceFile, AnImageInTheWorldsFrameWasSeenFromWhereTheFileStates) {
+  const ScratchFolder folder;
+  const Eigen::Vector3d place(0.1, 0.2, -1);
+  for (const bool mirrored : {false, true}) {
+    const Model image = SourceFile(folder.write("ball.pcd", ball_image("0.1 0.2 -1 1 0 0 0", place, mirrored))).points();
+    ASSERT_EQ(image.viewpoint, place) << mirrored;
+    EXPECT_FALSE(image.is_viewpoint_assumed);
+    for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_GT(image.normals[i].dot(place - image.positions[i]), 0) << mirrored;
+  }
+}
+
+/// Neither the place that the file states nor the origin: the camera stood at (0, 0, -1), and the ball lies at (0, 0, -0.5).
+TEST(SourceFile, APlaceThatAnImageWasNotSeenFromIsNotTaken) {
+  const ScratchFolder folder;
+  const Model image = SourceFile(folder.write("ball.pcd", ball_image("0.1 0.2 0.7 1 0 0 0", {0, 0, -1}))).points();
+  EXPECT_TRUE(image.normals.empty());
+  EXPECT_FALSE(image.viewpoint);
 }
 
 TEST(SourceFile, ACameraIsForDepthImagesOnly) {

@@ -230,9 +230,16 @@ TEST_F(BuildScan, AFilesViewpointTellsTheSideUnlessTheCommandLineDoes) {
   std::ofstream(file("stated.pcd")) << ball_pcd("0 0 -0.1 1 0 0 0");
   std::ofstream(file("default.pcd")) << ball_pcd("0 0 0 1 0 0 0");
   const std::string options = " --grid 40 --accept-implausible --json -o " + file("b.itf");
-  const std::string sentence = "the sensor's place is the file's own, (0, 0, -0.1); --viewpoint names another one, and --no-viewpoint ignores it";
+  const std::string sentence =
+      "the sensor's place is the file's own, (0, 0, -0.1); --viewpoint names another one, and --no-viewpoint ignores it";
   const auto stated = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + options));
   EXPECT_THAT(stated["warnings"].get<std::vector<std::string>>(), ::testing::Contains(sentence));
+  std::ofstream(file("turned.pcd")) << ball_pcd("0 0 -0.1 0.8 0 0.6 0");
+  const auto turned = nlohmann::ordered_json::parse(run("build " + file("turned.pcd") + options));
+  EXPECT_THAT(
+      turned["warnings"].get<std::vector<std::string>>(),
+      ::testing::Contains(sentence + ". The file says, too, that the sensor was turned: if its points are in the sensor's own frame, "
+                                     "give --viewpoint 0 0 0"));
   const auto own = nlohmann::ordered_json::parse(run("build " + file("stated.pcd") + " --viewpoint 0 0 1" + options));
   EXPECT_THAT(own["warnings"].get<std::vector<std::string>>(), ::testing::Not(::testing::Contains(HasSubstr("the file's own"))));
   EXPECT_NE(own["hash"], stated["hash"]) << "the cup instead of the ball";
