@@ -70,4 +70,14 @@ double rounding_step(const std::vector<Eigen::Vector3d>& positions) {
   return step > 0.0 && are_middles(positions, step) ? 2.0 * step : step;
 }
 
+double float_step(const std::vector<Eigen::Vector3d>& positions) {
+  float farthest = 0.0F;
+  for (const Eigen::Vector3d& position : positions) {
+    const Eigen::Vector3f rounded = position.cast<float>();
+    if (rounded.cast<double>() != position) return 0.0;
+    farthest = std::max(farthest, rounded.cwiseAbs().maxCoeff());
+  }
+  return static_cast<double>(farthest - std::nextafter(farthest, 0.0F));
+}
+
 }  // namespace isotouch::field

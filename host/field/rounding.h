@@ -12,4 +12,9 @@ namespace isotouch::field {
 ///             middle of a lattice's edges or faces, such as the border of a volume of voxels, the lattice's own step, two of these
 double rounding_step(const std::vector<Eigen::Vector3d>& positions);
 
+/// positions   any length unit, in the file's frame
+/// returns     if all coordinates are 32-bit floats, the step between those as far from the origin as the farthest point, the largest of the three axes;
+///             else 0
+double float_step(const std::vector<Eigen::Vector3d>& positions);
+
 }  // namespace isotouch::field

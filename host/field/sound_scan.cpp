@@ -238,6 +238,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.one_sided = facing.one_sided;
   result.contradicted = contradictions(*scan);
   result.rounding = rounding_step(scan->positions());
+  result.float_step = float_step(scan->positions());
   std::vector<double> nearest;
   for (std::size_t i = 0; i < scan->size(); ++i) nearest.push_back(std::sqrt(scan->around(i)[1].squared_distance));
   result.spacing = median(std::move(nearest));
@@ -296,6 +297,7 @@ void SoundScan::place(const cloud::Placement& placement) {
   for (auto& link : rim.links) link = {placement.to_workspace(link[0]), placement.to_workspace(link[1])};
   spacing *= placement.scale;
   rounding *= placement.scale;
+  float_step *= placement.scale;
   enclosed *= placement.scale * placement.scale * placement.scale;
 }
 

@@ -262,10 +262,13 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double rounded = sound.rounding / field.grid.edge;
   const auto along_axis = [](const Vector3d& normal) { return normal.cwiseAbs().maxCoeff() > kAlongAxis; };
   const auto straight = std::count_if(sound.points.normals.begin(), sound.points.normals.end(), along_axis);
-  refuse(rounded > (sound.is_estimated ? kMostRoundedOfEstimated : kMostRounded) &&
-             static_cast<double>(straight) < kAlongAxes * static_cast<double>(sound.points.size()),
+  const double most_rounded = sound.is_estimated ? kMostRoundedOfEstimated : kMostRounded;
+  refuse(rounded > most_rounded && static_cast<double>(straight) < kAlongAxes * static_cast<double>(sound.points.size()),
          "the coordinates are rounded to steps of " + tenths(rounded) +
              " voxels; save the scan with more digits, or choose a coarser --voxel");
+  const double far = sound.float_step / field.grid.edge;
+  refuse(far > most_rounded, "the coordinates are so far from the origin that 32-bit floats have steps of " + tenths(far) +
+                                 " voxels there; shift the scan to a local origin, or save it with doubles");
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "

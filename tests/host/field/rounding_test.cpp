@@ -54,6 +54,17 @@ TEST(Rounding, StepsThatPointsLeaveOutAreFound) {
   EXPECT_NEAR(rounding_step(positions), 0.1, 1e-9);
 }
 
+/// Coordinates of a map in 32-bit floats: 0.03 m along x, 0.5 m along y and 0.00003 m along z.
+TEST(Rounding, FloatsFarFromTheOriginHaveLongSteps) {
+  std::vector<Vector3d> positions = cloud::sample_shape(cloud::shape("owl"), 4000).positions;
+  EXPECT_EQ(float_step(positions), 0.0) << "they are doubles";
+  for (Vector3d& p : positions) p = (p + Vector3d(448262, 5411932, 312)).cast<float>().cast<double>();
+  EXPECT_EQ(float_step(positions), 0.5);
+  positions[7].x() += 1e-9;
+  EXPECT_EQ(float_step(positions), 0.0) << "one of them is a double";
+  EXPECT_EQ(float_step({Vector3d(0, 0, 0), Vector3d(0.001, 0, 0).cast<float>().cast<double>()}), std::ldexp(1.0, -33));
+}
+
 TEST(Rounding, OneFreeAxisIsEnough) {
   std::vector<Vector3d> positions = owl(2.0);
   for (std::size_t i = 0; i < positions.size(); ++i) positions[i].y() += 0.01 * static_cast<double>(i % 1000);

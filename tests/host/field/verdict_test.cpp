@@ -161,6 +161,32 @@ TEST(Verdict, EstimatedNormalsNeedMoreDigits) {
   EXPECT_THAT(reasons(3.1, true), Contains(HasSubstr("rounded to steps of 3.1 voxels")));
 }
 
+/// Whatever the other axes are: a map's coordinates are larger along one axis than along another.
+TEST(Verdict, FloatsTooFarFromTheOriginAreRefused) {
+  OrientedPoints far = of("sphere");
+  for (Vector3d& p : far.positions) p = (p + Vector3d(0, 100'000, 0)).cast<float>().cast<double>();
+  SoundScan sound = sound_scan(far);
+  EXPECT_EQ(sound.float_step, std::ldexp(1.0, -7));
+  cloud::Placement placement;
+  placement.scale = 0.5;
+  sound.place(placement);
+  EXPECT_EQ(sound.float_step, std::ldexp(1.0, -8));
+
+  sound = sound_scan(of("sphere"));
+  EXPECT_EQ(sound.float_step, 0.0);
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  const auto reasons = [&](double voxels, bool is_estimated) {
+    sound.float_step = 1.6 * voxels;
+    sound.is_estimated = is_estimated;
+    return judge(built.field, sound, built.repair, Spacings(sound.points)).reasons;
+  };
+  EXPECT_THAT(reasons(4.4, false), IsEmpty());
+  EXPECT_THAT(reasons(4.6, false), Contains(HasSubstr("32-bit floats have steps of 4.6 voxels there; shift the scan to a local origin")));
+  EXPECT_THAT(reasons(2.9, true), IsEmpty());
+  EXPECT_THAT(reasons(3.1, true), Contains(HasSubstr("32-bit floats have steps of 3.1 voxels")));
+}
+
 TEST(VerdictHeavy, NormalsWithoutMeaningAreRefused) {
   OrientedPoints points = of("sphere");
   for (std::size_t i = 0; i < points.size(); ++i) points.normals[i] = points.normals[(7 * i + 13) % points.size()];
