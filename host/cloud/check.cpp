@@ -172,6 +172,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.edges = model.edges;
   report.viewpoint = model.viewpoint;
   report.is_viewpoint_assumed = model.is_viewpoint_assumed;
+  report.unused_faces = model.unused_faces;
   report.is_sensor_turned = model.is_sensor_turned;
   report.refuted_viewpoint = model.refuted_viewpoint;
   report.incomplete = model.incomplete;
@@ -196,6 +197,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
 
 std::vector<std::string> CloudReport::warnings() const {
   std::vector<std::string> list;
+  if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)
     list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");
   if (edges) {

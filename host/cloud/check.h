@@ -20,6 +20,7 @@ struct CloudReport {
   std::size_t points_read = 0;
   std::size_t points = 0;                                 ///< after merging
   bool has_normals = true;                                ///< if not, the points' normals are zero, and to be estimated
+  std::size_t unused_faces = 0;                           ///< of the file, which also has faces
   std::optional<std::size_t> edges = {};                  ///< the normals come from the scan's grid; points at its edges that were left out
   std::optional<Eigen::Vector3d> viewpoint = {};          ///< the sensor's place, where it is known
   bool is_viewpoint_assumed = false;                      ///< the file does not state it

@@ -26,6 +26,7 @@ struct Model {
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are fans until `cut_polygons`
   std::vector<Polygon> polygons = {};
+  std::size_t unused_faces = 0;                           ///< of the file, where its points were asked for
   std::vector<double> stiffness = {};                     ///< N/mm, finite; one for each position, or none at all
   std::optional<ScanGrid> grid = {};                      ///< of an organised scan without normals
   std::optional<std::size_t> edges = {};                  ///< the normals come from the grid; points at edges that were left out for that

@@ -113,6 +113,7 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
   const ObjFile obj = read(name, bytes);
   Model model;
   model.format = "OBJ";
+  model.unused_faces = obj.faces.size();
   std::vector<Corner> points;
   if (obj.faces.empty()) {
     if (!obj.normals.empty() && obj.normals.size() != obj.vertices.size()) {

@@ -80,7 +80,13 @@ void SourceFile::place_sensor(Model& model) const {
 
 Model SourceFile::read_points() const {
   switch (kind_) {
-    case FileKind::kPly: return read_ply(name(), bytes_, *ply_);
+    case FileKind::kPly: {
+      Model model = read_ply(name(), bytes_, *ply_);
+      for (const PlyElement& element : ply_->elements) {
+        if (element.name == "face") model.unused_faces = model.faces.empty() ? 0 : element.count;
+      }
+      return model;
+    }
     case FileKind::kObj: return read_obj_points(name(), bytes_);
     case FileKind::kText: return read_xyz(name(), bytes_);
     case FileKind::kPcd: return read_pcd(name(), bytes_);

@@ -64,7 +64,17 @@ std::string refusal(const std::string& input, const std::vector<std::string>& re
   return text + "--accept-implausible builds it all the same";
 }
 
-InputError empty_field(const std::string& input) { return InputError(input + ": " + field::kEmptyField); }
+InputError empty_field(const std::string& input, const BuildReport& report) {
+  const std::string better = better_as_mesh(report);
+  return InputError(input + ": " + better + (better.empty() ? "" : "; as a cloud: ") + field::kEmptyField);
+}
+
+/// The reasons to refuse it; first what is better than to mend the points.
+std::vector<std::string> with_better(std::vector<std::string> reasons, const BuildReport& report) {
+  const std::string better = better_as_mesh(report);
+  if (!reasons.empty() && !better.empty()) reasons.insert(reasons.begin(), better);
+  return reasons;
+}
 
 }  // namespace
 
@@ -86,11 +96,11 @@ BuiltField built_field(const BuildOptions& options) {
   }
 
   if (report.live_verdict) {
-    const std::vector<std::string> reasons = report.live_verdict->reasons();
+    const std::vector<std::string> reasons = with_better(report.live_verdict->reasons(), report);
     if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
   }
   if (options.method == BuildMethod::kPublished && made.scan) {
-    const std::vector<std::string> reasons = field::reasons_of_scan(*made.scan);
+    const std::vector<std::string> reasons = with_better(field::reasons_of_scan(*made.scan), report);
     if (!reasons.empty() && !options.accept_implausible) throw InputError(refusal(options.input.string(), reasons));
   }
   // A scan is judged while its image is written; the verdict is the first to be heard.
@@ -118,14 +128,15 @@ BuiltField built_field(const BuildOptions& options) {
     progress.begin("verdict");
     auto [verdict, surface] = judged.get();
     report.verdict = std::move(verdict);
+    report.verdict->reasons = with_better(std::move(report.verdict->reasons), report);
     invented = std::move(surface.cells);
-    if (report.verdict->empty) throw empty_field(options.input.string());
+    if (report.verdict->empty) throw empty_field(options.input.string(), report);
     if (!report.verdict->plausible() && !options.accept_implausible) throw Implausible(options.input.string(), report);
   }
   field_file::OpenField field = write.get_future().get();
   for (const Eigen::Vector3i& cell : invented) field.invented.mark(field.view, 4 * cell.x(), 4 * cell.y(), 4 * cell.z());
   report.inside_nodes = made.inside_nodes.value_or(encoding::inside_samples(field.view));
-  if (report.inside_nodes == 0) throw empty_field(options.input.string());
+  if (report.inside_nodes == 0) throw empty_field(options.input.string(), report);
   progress.begin("pack");
   const std::vector<std::uint8_t> packed = field_file::pack(field.view, field.invented);
   progress.begin("write");

@@ -58,6 +58,7 @@ struct BuildReport {
   std::uint64_t source_hash = 0;
   std::size_t points = 0;             ///< of a cloud; vertices of a mesh, active voxels of a level set
   std::vector<std::string> warnings;  ///< one sentence each
+  std::size_t closed_faces = 0;       ///< of the file of a cloud, if its faces form a closed surface
   cloud::Placement placement;
   std::size_t inside_nodes = 0;
   std::size_t packed_bytes = 0;  ///< of the file

@@ -117,10 +117,24 @@ std::size_t keep_within(const Eigen::AlignedBox3d& box, cloud::OrientedPoints& p
   return kept;
 }
 
+/// How many faces the file of a cloud has, if they form a closed surface.
+std::size_t closed_faces(const cloud::SourceFile& source, std::size_t faces) {
+  if (faces == 0) return 0;
+  try {
+    cloud::MeshReport read;
+    field::MeshRepair repair;
+    (void)field::closed_mesh(cloud::read_mesh(source, read), source.name(), repair);
+    return repair.holes == 0 ? faces : 0;
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
 /// A live field takes the points as they are: whatever a whole scan would say of one of them is not known while it is scanned.
 Made from_live_points(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::read_cloud(source, read);
+  report.closed_faces = closed_faces(source, read.unused_faces);
   if (options.estimate_normals.value_or(false) || !read.has_normals) {
     throw InputError(options.input.string() +
                      (read.has_normals ? ": the live method estimates no normals, it takes those of the file; leave --normals estimate out"
@@ -160,6 +174,7 @@ Made from_live_points(const cloud::SourceFile& source, const BuildOptions& optio
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::read_cloud(source, read);
+  report.closed_faces = closed_faces(source, read.unused_faces);
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
   how.from = how.viewpoint               ? field::SensorFrom::kPerson
@@ -291,6 +306,11 @@ std::vector<PlannedStage> plan_for(SourceKind kind, BuildMethod method) {
           {"blob", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
 }
 
+std::string better_as_mesh(const BuildReport& report) {
+  if (report.closed_faces == 0) return {};
+  return "its " + std::to_string(report.closed_faces) + " faces form a closed surface and were not used; take them with --as mesh";
+}
+
 Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& bar, field::Progress& progress) {
   progress.begin("read");
   std::vector<std::uint8_t> bytes = read_file(options.input);
@@ -306,8 +326,15 @@ Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& b
   const cloud::SourceFile source(options.input, std::move(bytes), options.sensor);
   report.kind = options.as ? *options.as : source.is_mesh() ? SourceKind::kMesh : SourceKind::kCloud;
   bar.plan(plan_for(report.kind, options.method));
-  if (report.kind == SourceKind::kCloud && options.method == BuildMethod::kLive) return from_live_points(source, options, report, progress);
-  return report.kind == SourceKind::kMesh ? from_mesh(source, options, report, progress) : from_cloud(source, options, report, progress);
+  if (report.kind == SourceKind::kMesh) return from_mesh(source, options, report, progress);
+  try {
+    return options.method == BuildMethod::kLive ? from_live_points(source, options, report, progress)
+                                                : from_cloud(source, options, report, progress);
+  } catch (const InputError& refused) {
+    const std::string better = better_as_mesh(report);
+    if (better.empty()) throw;
+    throw InputError(source.name() + ": " + better + "; as a cloud: " + refused.what());
+  }
 }
 
 }  // namespace isotouch::commands

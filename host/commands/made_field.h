@@ -31,6 +31,9 @@ struct Made {
 /// How long the stages of a whole build take on two processors: of 120,000 points, of a mesh of 100,000 faces, of a level set of a million voxels.
 std::vector<PlannedStage> plan_for(SourceKind kind, BuildMethod method);
 
+/// What a refusal says first where the file of a cloud is a sound mesh; else empty.
+std::string better_as_mesh(const BuildReport& report);
+
 /// Reads the input and makes its field, as the options say.
 ///
 /// report    is told what kind of file it is, where it is placed, and what is doubtful about it

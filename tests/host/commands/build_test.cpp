@@ -217,6 +217,32 @@ TEST_F(Build, WhatAFileIsTakenForCanBeSaid) {
   run("build " + file("tetra.obj") + " -o " + file("t.itf") + " --as mesh --grid 20");
 }
 
+/// As modelling programs export it: few large faces, and a normal at each corner.
+TEST_F(Build, FacesThatAreNotUsedAreNamed) {
+  std::string cube = "ply\nformat ascii 1.0\nelement vertex 8\n";
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) cube += std::string("property float ") + name + '\n';
+  cube += "element face 6\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int corner = 0; corner < 8; ++corner) {
+    for (const char* length : {"1", "0.577"}) {
+      for (int axis = 0; axis < 3; ++axis) cube += std::string((corner >> axis & 1) != 0 ? "" : "-") + length + ' ';
+    }
+    cube += '\n';
+  }
+  const std::string five = "4 0 4 6 2\n4 1 3 7 5\n4 0 1 5 4\n4 2 6 7 3\n4 0 2 3 1\n";
+  std::ofstream(file("cube.ply")) << cube << five << "4 4 5 7 6\n";
+  std::string open = cube + five;
+  std::ofstream(file("open.ply")) << open.replace(open.find("face 6"), 6, "face 5");
+  const std::string options = " --grid 20 -o " + file("c.itf");
+  const std::string better = "its 6 faces form a closed surface and were not used; take them with --as mesh; ";
+  EXPECT_THAT(complaint_on("build " + file("cube.ply") + options), HasSubstr("cube.ply: the field would probably be wrong: " + better));
+  EXPECT_THAT(complaint_on("build " + file("cube.ply") + " --normals estimate" + options), HasSubstr(better));
+  EXPECT_THAT(complaint_on("build " + file("open.ply") + options),
+              ::testing::AllOf(Not(::testing::IsEmpty()), ::testing::Not(HasSubstr("as mesh"))));
+  const auto json = nlohmann::ordered_json::parse(run("build " + file("open.ply") + " --accept-implausible --json" + options));
+  EXPECT_EQ(json["warnings"][0], "its 5 faces were not used; --as mesh takes them");
+  EXPECT_NO_THROW(run("build " + file("cube.ply") + " --as mesh" + options));
+}
+
 TEST_F(Build, AnEndingThatIsNotWrittenIsRefused) {
   for (const char* name : {"t.vdb", "t.ply", "t.JPG"}) {
     try {
