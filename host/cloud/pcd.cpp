@@ -11,6 +11,7 @@
 
 #include "host/cloud/lzf.h"
 #include "host/cloud/pcd_header.h"
+#include "host/cloud/point_columns.h"
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
 #include "shared/bytes.h"
@@ -20,14 +21,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Row = std::array<double, 6>;  ///< a place and a normal
-
-/// Which of the row's numbers a field is.
-std::optional<std::size_t> place_in_row(const PcdField& field) {
-  constexpr std::array<std::string_view, 6> kNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
-  const auto found = std::find(kNames.begin(), kNames.end(), field.name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - kNames.begin());
-}
 
 std::size_t point_bytes(const PcdHeader& header) {
   return std::accumulate(header.fields.begin(), header.fields.end(), std::size_t{0},
@@ -73,7 +66,7 @@ class TextRows {
     } while (lines_.rest().find_first_not_of(" \t") == std::string_view::npos);
     Row row{};
     for (const PcdField& field : header_.fields) {
-      if (const auto place = place_in_row(field)) {
+      if (const auto place = point_column(field.name)) {
         row[*place] = lines_.number(field.name);
         continue;
       }
@@ -104,7 +97,8 @@ class BinaryRows {
     for (const PcdField& field : header.fields) {
       const std::size_t bytes = field.size * field.count;
       const std::size_t step = by_field ? bytes : point_bytes(header);
-      if (const auto place = place_in_row(field)) columns_.push_back({*place, field, by_field ? before * header.points : before, step});
+      if (const auto place = point_column(field.name))
+        columns_.push_back({*place, field, by_field ? before * header.points : before, step});
       before += bytes;
     }
   }

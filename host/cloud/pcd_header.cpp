@@ -7,8 +7,10 @@
 #include <limits>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "host/cloud/computable.h"
+#include "host/cloud/point_columns.h"
 #include "host/cloud/text_lines.h"
 
 namespace isotouch::cloud {
@@ -62,23 +64,26 @@ PcdData data(TextLines& lines) {
 }
 
 void check_fields(const std::string& name, PcdHeader& header) {
-  const auto has = [&](std::string_view wanted) {
-    const auto found = std::count_if(header.fields.begin(), header.fields.end(), [&](const PcdField& f) { return f.name == wanted; });
-    if (found > 1) throw InputError(name + ": field " + quote(wanted) + " is declared twice");
-    return found == 1;
-  };
-  for (const char* axis : {"x", "y", "z"}) {
-    if (!has(axis)) throw InputError(name + ": the PCD header names no field '" + axis + "'; points need x, y and z");
-  }
-  const std::array normal = {"normal_x", "normal_y", "normal_z"};
-  const auto present = std::count_if(normal.begin(), normal.end(), has);
-  if (present != 0 && present != 3)
-    throw InputError(name + ": the PCD header names only a part of normal_x, normal_y, normal_z; a normal needs all three");
-  header.has_normals = present == 3;
+  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  std::array<const PcdField*, 6> found{};
   for (const PcdField& field : header.fields) {
-    const bool used = field.name.size() == 1 ? field.name >= "x" && field.name <= "z"
-                                             : std::find(normal.begin(), normal.end(), field.name) != normal.end();
-    if (used && field.count != 1)
+    const auto column = point_column(field.name);
+    if (!column) continue;
+    if (const PcdField* other = std::exchange(found[*column], &field)) {
+      throw InputError(name + ": " +
+                       (other->name == field.name ? "field " + quote(field.name) + " is declared twice"
+                                                  : "fields " + quote(other->name) + " and " + quote(field.name) + " are the same"));
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!found[axis]) throw InputError(name + ": the PCD header names no field '" + kNames[axis] + "'; points need x, y and z");
+  }
+  const auto normals = 3 - std::count(found.begin() + 3, found.end(), nullptr);
+  if (normals != 0 && normals != 3)
+    throw InputError(name + ": the PCD header names only a part of normal_x, normal_y, normal_z; a normal needs all three");
+  header.has_normals = normals == 3;
+  for (const PcdField& field : header.fields) {
+    if (point_column(field.name) && field.count != 1)
       throw InputError(name + ": field " + quote(field.name) + " has " + std::to_string(field.count) + " numbers, not one");
     const bool known =
         field.type == 'F' ? field.size == 4 || field.size == 8 : field.size == 1 || field.size == 2 || field.size == 4 || field.size == 8;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/cloud/ply_header.h"
+#include "host/cloud/point_columns.h"
 #include "host/cloud/polygon.h"
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
@@ -122,12 +123,9 @@ Use use_of(const PlyElement& element, const PlyProperty& property) {
   }
   if (element.name == "range_grid") return property.count_type && property.name == "vertex_indices" ? Use::kCell : Use::kSkip;
   if (element.name != "vertex") return Use::kSkip;
-  constexpr std::array<std::string_view, 7> kNames = {"x", "y", "z", "nx", "ny", "nz", "stiffness"};
-  constexpr std::array<std::string_view, 7> kLongNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z", "stiffness"};
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (property.name == kNames[i] || property.name == kLongNames[i]) return static_cast<Use>(1 + i);
-  }
-  return Use::kSkip;
+  if (property.name == "stiffness") return Use::kStiffness;
+  const auto column = point_column(property.name);
+  return column ? static_cast<Use>(static_cast<std::size_t>(Use::kX) + *column) : Use::kSkip;
 }
 
 /// What each row of an element holds.

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "host/cloud/point_columns.h"
 #include "host/cloud/text_lines.h"
 
 namespace isotouch::cloud {
@@ -118,25 +119,27 @@ void check_vertex(const std::string& name, const PlyHeader& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end())
     throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
-  const auto has = [&](std::string_view wanted) {
-    const auto& all = vertex->properties;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const PlyProperty& p) { return p.name == wanted; });
-    if (found != all.end() && found->count_type) {
-      throw InputError(name + ": property " + quote(wanted) + " of element 'vertex' is a list; it must be a single number");
-    }
-    return found != all.end();
+  constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "nx", "ny", "nz"};
+  std::array<const PlyProperty*, 6> found{};
+  const auto require_number = [&](const PlyProperty& property) {
+    if (property.count_type)
+      throw InputError(name + ": property " + quote(property.name) + " of element 'vertex' is a list; it must be a single number");
   };
-  for (const char* axis : {"x", "y", "z"}) {
-    if (!has(axis)) throw InputError(name + ": element 'vertex' has no property '" + axis + "'; points need x, y and z");
-  }
-  has("stiffness");
-  for (const auto& normal : {std::array{"nx", "ny", "nz"}, std::array{"normal_x", "normal_y", "normal_z"}}) {
-    const auto present = std::count_if(normal.begin(), normal.end(), has);
-    if (present != 0 && present != 3) {
-      throw InputError(name + ": element 'vertex' has only a part of " + normal[0] + ", " + normal[1] + ", " + normal[2] +
-                       "; a normal needs all three");
+  for (const PlyProperty& property : vertex->properties) {
+    if (property.name == "stiffness") require_number(property);
+    const auto column = point_column(property.name);
+    if (!column) continue;
+    require_number(property);
+    if (const PlyProperty* other = std::exchange(found[*column], &property)) {
+      throw InputError(name + ": properties " + quote(other->name) + " and " + quote(property.name) +
+                       " of element 'vertex' are the same; remove one of them");
     }
   }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!found[axis]) throw InputError(name + ": element 'vertex' has no property '" + kNames[axis] + "'; points need x, y and z");
+  }
+  const auto normals = 3 - std::count(found.begin() + 3, found.end(), nullptr);
+  if (normals != 0 && normals != 3) throw InputError(name + ": element 'vertex' has only a part of nx, ny, nz; a normal needs all three");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "host/cloud/point_columns.h"
 #include "host/cloud/text_lines.h"
 
 namespace isotouch::cloud {
@@ -60,27 +61,18 @@ struct Names {
 
 /// Nothing where the line does not name x, y and z; a remark, which may be a sentence, must name a normal, too.
 std::optional<Names> names_of(TextLines line) {
-  constexpr std::array<std::array<std::string_view, 3>, 6> kNames = {{
-      {"x"},
-      {"y"},
-      {"z"},
-      {"nx", "normal_x", "normalx"},
-      {"ny", "normal_y", "normaly"},
-      {"nz", "normal_z", "normalz"},
-  }};
   Names names;
   std::array<bool, 6> found{};
   while (const std::optional<std::string_view> field = line.field()) {
     std::string word;
     for (const char c : *field) {
-      if (c != '"' && (names.columns > 0 || (c != '#' && c != '/'))) word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      if (c != '"' && (names.columns > 0 || (c != '#' && c != '/'))) word += c;
     }
     names.remark |= names.columns == 0 && (field->starts_with('#') || field->starts_with("//"));
     if (word.empty() && names.columns == 0) continue;
-    for (std::size_t i = 0; i < kNames.size(); ++i) {
-      if (found[i] || std::find(kNames[i].begin(), kNames[i].end(), word) == kNames[i].end()) continue;
-      found[i] = true;
-      names.of[i] = names.columns;
+    if (const auto column = point_column(word); column && !found[*column]) {
+      found[*column] = true;
+      names.of[*column] = names.columns;
     }
     ++names.columns;
   }

@@ -148,5 +148,15 @@ TEST(Pcd, OldHeadersAreRead) {
   EXPECT_EQ(read("FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3\n").positions.size(), 1U);
 }
 
+/// As the readers of text and PLY know them.
+TEST(Pcd, NormalsHaveSeveralNames) {
+  for (const char* names : {"nx ny nz", "NX NY NZ", "normal_x normal_y normal_z", "normalx normaly normalz"}) {
+    const Model model =
+        read(header(std::string("x Y z ") + names, "4 4 4 4 4 4", "F F F F F F", "1 1 1 1 1 1", 1, 1, "ascii") + "1 2 3 0 1 0\n");
+    EXPECT_EQ(model.normals, (std::vector<Vector3d>{{0, 1, 0}})) << names;
+    EXPECT_EQ(model.positions, (std::vector<Vector3d>{{1, 2, 3}})) << names;
+  }
+}
+
 }  // namespace
 }  // namespace isotouch::cloud

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/error.h"
 #include "host/files/whole_file.h"
 #include "shared/bytes.h"
 #include "tests/support/scratch_folder.h"
@@ -144,6 +145,28 @@ TEST(Ply, AGridThatIsNoImageIsNotUsed) {
   std::string unknown = range_image("");
   unknown.replace(unknown.find("num_cols"), 8, "any_cols");
   EXPECT_FALSE(read(unknown).grid);
+}
+
+/// As the readers of text and PCD know them.
+TEST(Ply, NormalsHaveSeveralNames) {
+  for (const std::string name : {"n*", "N*", "normal_*", "normal*", "Normal_*"}) {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float X\nproperty float y\nproperty float z\n";
+    for (const char axis : {'x', 'y', 'z'}) {
+      std::string own = name;
+      own.replace(own.find('*'), 1, 1, axis);
+      text += "property float " + own + "\n";
+    }
+    text += "end_header\n1 2 3 0 1 0\n";
+    const Model model = read(text);
+    EXPECT_EQ(model.normals, (std::vector<Vector3d>{{0, 1, 0}})) << name;
+    EXPECT_EQ(model.positions, (std::vector<Vector3d>{{1, 2, 3}})) << name;
+  }
+}
+
+TEST(Ply, TheSameUnderTwoNamesIsRefused) {
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  EXPECT_THROW(read(begin + "property float X\nend_header\n1 2 3 4\n"), InputError);
+  EXPECT_THROW(read(begin + "property float nx\nproperty float ny\nproperty float normal_z\nend_header\n1 2 3 0 1\n"), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+/// What files call the numbers of a point.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace isotouch::cloud {
+
+/// Without regard to case.
+///
+/// returns   0 to 5 for x, y, z and the normal's three components; nothing for any other name
+inline std::optional<std::size_t> point_column(std::string_view name) {
+  constexpr std::array<std::array<std::string_view, 3>, 6> kNames = {{
+      {"x"},
+      {"y"},
+      {"z"},
+      {"nx", "normal_x", "normalx"},
+      {"ny", "normal_y", "normaly"},
+      {"nz", "normal_z", "normalz"},
+  }};
+  const auto same = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; };
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    for (const std::string_view known : kNames[i]) {
+      if (!known.empty() && std::equal(name.begin(), name.end(), known.begin(), known.end(), same)) return i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace isotouch::cloud
