@@ -38,6 +38,7 @@ struct ObjFile {
 };
 
 Vector3d vector(TextLines& lines, const char* what) {
+  if (with_decimal_commas(lines.rest()) >= 3) throw decimal_commas(lines);
   Vector3d v;
   for (double& value : v) {
     value = lines.number(what);

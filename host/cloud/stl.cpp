@@ -58,11 +58,13 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
   while (lines.next()) {
     const std::string_view keyword = lines.field().value_or("");
     if (keyword == "vertex") {
+      if (with_decimal_commas(lines.rest()) >= 3) throw decimal_commas(lines);
       Vector3d p;
       for (double& value : p) {
         value = lines.number("a coordinate");
         if (!std::isfinite(value)) throw lines.refusal("a coordinate is not a finite number");
       }
+      if (const auto extra = lines.field()) throw lines.refusal(quote(*extra) + " follows the three coordinates of a vertex");
       model.positions.push_back(p);
       model.lines.push_back(lines.line());
     } else if (keyword == "endfacet") {

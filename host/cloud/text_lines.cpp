@@ -70,6 +70,25 @@ bool is_below_one(std::string_view number) {
 
 }  // namespace
 
+std::size_t with_decimal_commas(std::string_view line) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t fields = 0, decimal = 0;
+  for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t;", begin)) != std::string_view::npos; ++fields) {
+    const std::string_view field = line.substr(begin, line.find_first_of(" \t;", begin) - begin);
+    begin += field.size();
+    const std::size_t comma = field.find(',');
+    if (comma == std::string_view::npos) continue;
+    if (comma == 0 || comma + 1 == field.size() || field.find(',', comma + 1) != std::string_view::npos) return 0;
+    if (!is_digit(field[comma - 1]) || !is_digit(field[comma + 1])) return 0;
+    ++decimal;
+  }
+  return decimal > 0 ? fields : 0;
+}
+
+InputError decimal_commas(const TextLines& lines) {
+  return lines.refusal("its numbers have decimal commas; save them with decimal points");
+}
+
 std::optional<double> as_number(std::string_view field) {
   if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double value = 0.0;

@@ -45,6 +45,12 @@ class TextLines {
   std::string_view rest_;
 };
 
+/// How many fields a line has between blanks or semicolons, if one of them has a comma between digits and none has two commas: then they are numbers with
+/// decimal commas. Else 0.
+std::size_t with_decimal_commas(std::string_view line);
+/// The refusal of such a line.
+InputError decimal_commas(const TextLines& lines);
+
 /// The number that the whole field spells; none when it spells no number.
 std::optional<double> as_number(std::string_view field);
 

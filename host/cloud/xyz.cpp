@@ -30,23 +30,6 @@ bool is_remark(std::string_view line) {
   return begin == std::string_view::npos || line[begin] == '#' || line.substr(begin).starts_with("//");
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Three or six fields between spaces or semicolons, of which one has a comma between digits and none has two, are numbers with decimal commas.
-bool has_decimal_commas(std::string_view line) {
-  std::size_t fields = 0, decimal = 0;
-  for (std::size_t begin = 0; (begin = line.find_first_not_of(" \t;", begin)) != std::string_view::npos; ++fields) {
-    const std::string_view field = line.substr(begin, line.find_first_of(" \t;", begin) - begin);
-    begin += field.size();
-    const std::size_t comma = field.find(',');
-    if (comma == std::string_view::npos) continue;
-    if (comma == 0 || comma + 1 == field.size() || field.find(',', comma + 1) != std::string_view::npos) return false;
-    if (!is_digit(field[comma - 1]) || !is_digit(field[comma + 1])) return false;
-    ++decimal;
-  }
-  return decimal > 0 && (fields == 3 || fields == 6);
-}
-
 bool is_utf16(std::span<const std::uint8_t> bytes) {
   return bytes.size() >= 2 && ((bytes[0] == 0xFF && bytes[1] == 0xFE) || (bytes[0] == 0xFE && bytes[1] == 0xFF));
 }
@@ -111,9 +94,8 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
     if (table.lines.empty() && !table.count && !names && (names = names_of(lines))) continue;
     if (is_remark(lines.rest())) continue;
     if (table.lines.empty() && !table.count && (table.count = stated_count(lines))) continue;
-    if (table.lines.empty() && has_decimal_commas(lines.rest())) {
-      throw lines.refusal("its numbers have decimal commas; save them with decimal points");
-    }
+    if (const std::size_t fields = table.lines.empty() ? with_decimal_commas(lines.rest()) : 0; fields == 3 || fields == 6)
+      throw decimal_commas(lines);
     std::vector<double> row;
     if (names) {
       const auto named = named_row(lines, *names);
