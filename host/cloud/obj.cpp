@@ -73,7 +73,7 @@ Corner corner(TextLines& lines, std::string_view field, const ObjFile& obj) {
 }
 
 ObjFile read(const std::string& name, std::span<const std::uint8_t> bytes) {
-  TextLines lines(name, bytes);
+  TextLines lines(name, bytes, TextLines::Lines::kMayGoOn);
   ObjFile obj;
   while (lines.next()) {
     const std::string_view keyword = lines.field().value_or("");
@@ -91,6 +91,13 @@ ObjFile read(const std::string& name, std::span<const std::uint8_t> bytes) {
     }
   }
   return obj;
+}
+
+/// Normals that no corner names belong to nothing.
+bool names_normals(const ObjFile& obj) {
+  return std::any_of(obj.faces.begin(), obj.faces.end(), [](const Face& face) {
+    return std::any_of(face.corners.begin(), face.corners.end(), [](const Corner& corner) { return corner.normal != kNone; });
+  });
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
                        " normals without faces: it is not known which of them belong together");
     }
     for (std::uint32_t i = 0; i < obj.normals.size(); ++i) points.push_back({i, i});
-  } else if (!obj.normals.empty()) {
+  } else if (names_normals(obj)) {
     std::vector<std::pair<Corner, std::size_t>> uses;  // with its place in the file
     for (const Face& face : obj.faces) {
       for (const Corner& corner : face.corners) {
@@ -149,12 +156,16 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
 }
 
 bool is_bare_obj_mesh(const std::string& name, std::span<const std::uint8_t> bytes) {
-  TextLines lines(name, bytes);
+  TextLines lines(name, bytes, TextLines::Lines::kMayGoOn);
   bool faces = false;
   while (lines.next()) {
-    const std::string_view keyword = lines.field().value_or("");
-    if (keyword == "vn") return false;
-    faces = faces || keyword == "f";
+    if (lines.field() != "f") continue;
+    faces = true;
+    while (const auto corner = lines.field()) {
+      const std::size_t first = corner->find('/');
+      const std::size_t second = first == std::string_view::npos ? first : corner->find('/', first + 1);
+      if (second < corner->size() - 1) return false;  // v//vn or v/vt/vn
+    }
   }
   return faces;
 }

@@ -1,4 +1,4 @@
-/// Wavefront OBJ: positions, normals and faces. Everything else in it is skipped.
+/// Wavefront OBJ: positions, normals and faces. Everything else in it is skipped. A backslash at its end joins a line with the next.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ Model read_obj_faces(const std::string& name, std::span<const std::uint8_t> byte
 /// in order of first use. Without any face the n-th normal belongs to the n-th vertex. A vertex with several normals gives several points at
 /// one place, which the check of the cloud then merges like all others.
 ///
-/// returns   points with normals, no faces; without points or normals where the file has none
-/// fails     as above; also corners without a normal, and vertices and normals of different number where there are no faces
+/// returns   points with normals, no faces; without points or normals where the file has none, or no corner of its faces names a normal
+/// fails     as above; also corners without a normal beside others with one, and vertices and normals of different number where there are no faces
 Model read_obj_points(const std::string& name, std::span<const std::uint8_t> bytes);
 
-/// Are there faces, but no normals?
+/// Are there faces, of which none names a normal?
 bool is_bare_obj_mesh(const std::string& name, std::span<const std::uint8_t> bytes);
 
 }  // namespace isotouch::cloud

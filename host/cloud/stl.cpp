@@ -1,8 +1,10 @@
 #include "host/cloud/stl.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <string_view>
+#include <optional>
+#include <string>
 
 #include "host/cloud/text_lines.h"
 #include "host/error.h"
@@ -21,19 +23,32 @@ void add_face(Model& model) {
   model.faces.push_back({next - 3, next - 2, next - 1});
 }
 
-bool is_binary(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeaderBytes) return false;
-  return bytes.size() == kHeaderBytes + kTriangleBytes * std::size_t{load_le<std::uint32_t>(bytes.data() + 80)};
+/// The triangles of a binary file, after which blanks and zeros may follow; nothing where the file is none.
+std::optional<std::span<const std::uint8_t>> triangles(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() < kHeaderBytes) return std::nullopt;
+  const std::size_t size = kTriangleBytes * std::size_t{load_le<std::uint32_t>(bytes.data() + 80)};
+  const auto body = bytes.subspan(kHeaderBytes);
+  if (size > body.size()) return std::nullopt;
+  const auto is_blank = [](std::uint8_t c) { return c == '\n' || c == '\r' || c == ' ' || c == 0; };
+  if (!std::all_of(body.begin() + static_cast<std::ptrdiff_t>(size), body.end(), is_blank)) return std::nullopt;
+  return body.first(size);
 }
 
-Model read_binary(const std::string& name, std::span<const std::uint8_t> bytes) {
+/// The next field of the line in small letters; empty at its end.
+std::string keyword(TextLines& lines) {
+  std::string word(lines.field().value_or(""));
+  for (char& c : word) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return word;
+}
+
+Model read_binary(const std::string& name, std::span<const std::uint8_t> body) {
   Model model;
   model.format = "STL, binary";
-  for (std::size_t at = kHeaderBytes; at < bytes.size(); at += kTriangleBytes) {
+  for (std::size_t at = 0; at < body.size(); at += kTriangleBytes) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {
       Vector3d p;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double value = static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(bytes.data() + at + 12 * corner + 4 * axis)));
+        const double value = static_cast<double>(std::bit_cast<float>(load_le<std::uint32_t>(body.data() + at + 12 * corner + 4 * axis)));
         if (!std::isfinite(value))
           throw InputError(name + ": triangle " + std::to_string(model.faces.size() + 1) + ": a coordinate is not a finite number");
         p[static_cast<Eigen::Index>(axis)] = value;
@@ -47,7 +62,7 @@ Model read_binary(const std::string& name, std::span<const std::uint8_t> bytes) 
 
 Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
   TextLines lines(name, bytes);
-  if (!lines.next() || lines.field() != "solid") {
+  if (!lines.next() || keyword(lines) != "solid") {
     throw InputError(
         name +
         ": this is neither a binary STL file (its size does not fit its triangle count) nor an ascii one (it does not begin with 'solid')");
@@ -56,8 +71,8 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
   model.format = "STL, ascii";
   bool ended = false;
   while (lines.next()) {
-    const std::string_view keyword = lines.field().value_or("");
-    if (keyword == "vertex") {
+    const std::string word = keyword(lines);
+    if (word == "vertex") {
       if (with_decimal_commas(lines.rest()) >= 3) throw decimal_commas(lines);
       Vector3d p;
       for (double& value : p) {
@@ -67,13 +82,13 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
       if (const auto extra = lines.field()) throw lines.refusal(quote(*extra) + " follows the three coordinates of a vertex");
       model.positions.push_back(p);
       model.lines.push_back(lines.line());
-    } else if (keyword == "endfacet") {
+    } else if (word == "endfacet") {
       if (model.positions.size() != 3 * (model.faces.size() + 1)) throw lines.refusal("a facet needs three vertices");
       add_face(model);
-    } else if (keyword == "endsolid") {
+    } else if (word == "endsolid") {
       if (model.positions.size() != 3 * model.faces.size()) throw lines.refusal("the solid ends within a facet");
       ended = true;  // another solid may follow
-    } else if (keyword == "solid") {
+    } else if (word == "solid") {
       ended = false;
     }
   }
@@ -84,7 +99,8 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 Model read_stl(const std::string& name, std::span<const std::uint8_t> bytes) {
-  return is_binary(bytes) ? read_binary(name, bytes) : read_ascii(name, bytes);
+  const auto body = triangles(bytes);
+  return body ? read_binary(name, *body) : read_ascii(name, bytes);
 }
 
 }  // namespace isotouch::cloud

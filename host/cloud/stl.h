@@ -9,7 +9,7 @@
 
 namespace isotouch::cloud {
 
-/// A file of exactly 84 + 50 n bytes that states n triangles is binary, any other must be ascii. The normals in it are not used.
+/// A file of 84 + 50 n bytes that states n triangles is binary, even if blanks or zeros follow; any other must be ascii. The normals in it are not used.
 ///
 /// returns   three positions for each face
 /// fails     InputError with the line or the triangle: neither kind, a number that is none or not finite, a triangle that is not whole

@@ -13,10 +13,12 @@ namespace isotouch::cloud {
 namespace {
 
 constexpr std::string_view kSeparators = " \t,;";
+constexpr std::string_view kSeparatorsOfJoined = " \t,;\\\r\n";
 
 }  // namespace
 
-TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes) : name_(std::move(name)), bytes_(bytes) {
+TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes, Lines lines)
+    : name_(std::move(name)), bytes_(bytes), lines_(lines) {
   constexpr std::array<std::uint8_t, 3> kMark = {0xEF, 0xBB, 0xBF};  // of UTF-8, as editors of Windows write it
   if (bytes.size() >= kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin())) next_ = kMark.size();
 }
@@ -24,20 +26,24 @@ TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes) : na
 bool TextLines::next() {
   if (next_ >= bytes_.size()) return false;
   const char* begin = reinterpret_cast<const char*>(bytes_.data()) + next_;
-  const void* found = std::memchr(begin, '\n', bytes_left());
-  const std::size_t length = found != nullptr ? static_cast<std::size_t>(static_cast<const char*>(found) - begin) : bytes_left();
-  next_ += length + (found != nullptr ? 1 : 0);
-  ++line_;
-  rest_ = std::string_view(begin, length);
-  if (rest_.ends_with('\r')) rest_.remove_suffix(1);
+  do {
+    const char* from = reinterpret_cast<const char*>(bytes_.data()) + next_;
+    const void* found = std::memchr(from, '\n', bytes_left());
+    const char* end = found != nullptr ? static_cast<const char*>(found) : from + bytes_left();
+    next_ += static_cast<std::size_t>(end - from) + (found != nullptr ? 1 : 0);
+    ++line_;
+    rest_ = std::string_view(begin, static_cast<std::size_t>(end - begin));
+    if (rest_.ends_with('\r')) rest_.remove_suffix(1);
+  } while (lines_ == Lines::kMayGoOn && rest_.ends_with('\\') && next_ < bytes_.size());
   return true;
 }
 
 std::optional<std::string_view> TextLines::field() {
-  const std::size_t begin = rest_.find_first_not_of(kSeparators);
+  const std::string_view separators = lines_ == Lines::kMayGoOn ? kSeparatorsOfJoined : kSeparators;
+  const std::size_t begin = rest_.find_first_not_of(separators);
   if (begin == std::string_view::npos) return std::nullopt;
   rest_.remove_prefix(begin);
-  const std::string_view found = rest_.substr(0, rest_.find_first_of(kSeparators));
+  const std::string_view found = rest_.substr(0, rest_.find_first_of(separators));
   rest_.remove_prefix(found.size());
   return found;
 }

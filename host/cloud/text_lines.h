@@ -15,9 +15,12 @@ namespace isotouch::cloud {
 /// Fields are separated by blanks, tabs, commas and semicolons. A carriage return at the end of a line is no part of it.
 class TextLines {
  public:
+  /// Does a backslash at its end join a line with the next?
+  enum class Lines { kEnd, kMayGoOn };
+
   /// name      of the file, for the sentences
   /// bytes     stay alive and unchanged; a byte order mark of UTF-8 at their begin is skipped
-  TextLines(std::string name, std::span<const std::uint8_t> bytes);
+  TextLines(std::string name, std::span<const std::uint8_t> bytes, Lines lines = Lines::kEnd);
 
   /// Goes to the next line; false at the end of the text.
   bool next();
@@ -30,7 +33,7 @@ class TextLines {
   /// fails     InputError: the line ends here, or the field is no number; `what` names what was looked for
   double number(std::string_view what);
 
-  std::size_t line() const { return line_; }        ///< of the present line, from 1
+  std::size_t line() const { return line_; }        ///< of the present line, from 1; the last of those that are joined
   std::size_t bytes_read() const { return next_; }  ///< up to the end of the present line
   std::size_t bytes_left() const { return bytes_.size() - next_; }
 
@@ -43,6 +46,7 @@ class TextLines {
   std::size_t next_ = 0;
   std::size_t line_ = 0;
   std::string_view rest_;
+  Lines lines_;
 };
 
 /// How many fields a line has between blanks or semicolons, if one of them has a comma between digits and none has two commas: then they are numbers with

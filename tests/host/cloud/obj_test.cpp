@@ -48,5 +48,35 @@ TEST(Obj, WithoutNormalsThereAreNone) {
   EXPECT_EQ(faces.positions.size(), 4U);
 }
 
+TEST(Obj, NormalsThatNoFaceUsesMakeNoCloud) {
+  const std::string text = kSquare + "f 1 2 3 4\n";
+  EXPECT_TRUE(is_bare_obj_mesh("f.obj", bytes_of(text)));
+  EXPECT_TRUE(read_obj_points("f.obj", bytes_of(text)).normals.empty());
+  EXPECT_FALSE(is_bare_obj_mesh("f.obj", bytes_of(kSquare + "f 1//1 2//1 3//1\n")));
+  EXPECT_FALSE(is_bare_obj_mesh("f.obj", bytes_of(kSquare)));
+  EXPECT_THROW(read_obj_points("f.obj", bytes_of(kSquare + "f 1 2//1 3//1\n")), InputError);
+}
+
+TEST(Obj, ALineMayGoOnInTheNext) {
+  const std::string text = "v 0 0 \\\n0\nv 1 0 0\r\nv 1 1\\\r\n 0\nv 0 1 0\nf 1 2 \\\n 3 \\\n4\n";
+  EXPECT_TRUE(is_bare_obj_mesh("f.obj", bytes_of(text)));
+  const Model model = read_obj_faces("f.obj", bytes_of(text));
+  EXPECT_EQ(model.positions, (std::vector<Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(model.faces.size(), 2U);
+  EXPECT_EQ(model.lines, (std::vector<std::size_t>{2, 3, 5, 6}));
+}
+
+TEST(Obj, DecimalCommasAreRefused) {
+  for (const std::string line : {"v 1,5 2,5 3,5", "v 1,5 2 3,25 1,0", "vn 0,5 0,5 0,7"}) {
+    try {
+      read_obj_points("f.obj", bytes_of("v 0 0 0\n" + line + "\n"));
+      ADD_FAILURE() << line;
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "f.obj: line 2: its numbers have decimal commas; save them with decimal points");
+    }
+  }
+  EXPECT_EQ(read_obj_points("f.obj", bytes_of("v 1, 2, 3\nv 1,2,3\n")).positions[1], Vector3d(1, 2, 3));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud
