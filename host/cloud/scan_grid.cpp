@@ -190,7 +190,8 @@ bool are_before(const Cells& cells, const Vector3d& sensor) {
   Vector3d sum = Vector3d::Zero();
   const auto for_each_sight = [&](const auto& visit) {
     for (std::size_t cell = 0; cell < cells.rows() * cells.columns(); ++cell) {
-      if (cells.has(cell)) visit((cells.place(cell) - sensor).normalized());
+      if (cells.has(cell) && cells.place(cell) != sensor)
+        visit((cells.place(cell) - sensor).normalized());  // some write it where nothing returned
     }
   };
   for_each_sight([&](const Vector3d& sight) { sum += sight; });

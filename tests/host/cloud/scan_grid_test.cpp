@@ -172,6 +172,18 @@ TEST(ScanGrid, AnAssumedSensorBehindALensIsBelieved) {
   }
 }
 
+/// Some programs write the origin where nothing returned.
+TEST(ScanGrid, PlacesAtTheAssumedSensorAreLeftOut) {
+  Scan relief(test::relief_image(0.003, 0.03, 0.5));
+  relief.grid.known = ScanGrid::Known::kAssumed;
+  const std::size_t all = relief.model.positions.size();
+  for (std::size_t i = 0; i < all / 4; ++i) relief.model.positions[i].setZero();
+  const auto left_out = orient_by_grid(relief.model, relief.grid);
+  ASSERT_TRUE(left_out);
+  EXPECT_GE(*left_out, all / 4);
+  EXPECT_EQ(relief.facing(), relief.model.normals.size());
+}
+
 TEST(ScanGrid, NoNormalReachesOverAJump) {
   Scan scan(test::ball_image(0.05, 0.5, 0.6));
   std::size_t rim = 0, ball = 0;
