@@ -193,7 +193,9 @@ Result<FieldPatch> FieldPatch::parse(std::span<const std::uint8_t> bytes) {
 
 bool on_one_grid(std::span<const std::uint8_t> before, std::span<const std::uint8_t> after) {
   using namespace image_layout;
-  const auto agree = [&](std::size_t from, std::size_t to) { return std::equal(&before[from], &before[to], &after[from]); };
+  const auto agree = [&](std::size_t from, std::size_t to) {
+    return std::equal(before.data() + from, before.data() + to, after.data() + from);
+  };
   const auto has_table = [](std::span<const std::uint8_t> header) { return load_le<std::uint32_t>(&header[kStiffnessTableAt]) != 0; };
   return agree(0, image_layout::kChecksumAt) && agree(kOriginAt, kNodeCountAt) && agree(kRootOffsetAt, kBrickOffsetAt) &&
          agree(kMethodAt, kPointCountAt) && agree(kScaleAt, kMaxSlopeAt) && agree(kInterpolationAt, image_layout::kHeaderBytes) &&
