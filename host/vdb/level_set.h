@@ -78,7 +78,7 @@ using Notes = std::vector<std::pair<std::string, std::string>>;
 /// A field → the bytes of an OpenVDB file with one level set: values in mm, the transform gives workspace mm, background = band. Samples with
 /// |distance| < band are active; what is not listed and inside is minus the background, by tiles.
 ///
-/// field     bricks sorted by cell
+/// field     bricks sorted by cell; where the sign changes from one sample to the next, both are listed
 /// fails     InputError when OpenVDB is not there
 std::vector<std::uint8_t> write_level_set(const field::BandField& field, const std::string& name, const Notes& notes);
 

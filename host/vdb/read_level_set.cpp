@@ -182,16 +182,23 @@ class Samples {
     field.band = background_ / axes_.edge;
 
     std::set<std::array<int, 3>> cells;  // z, y, x: the order of a field's bricks
+    const auto list = [&](const Coord& c) {
+      const Vector3i cell = (turn * Vector3i(c.x(), c.y(), c.z()) - first) / 4;
+      cells.insert({cell.z(), cell.y(), cell.x()});
+    };
+    Access access(tree_);
     for (auto leaf = tree_.cbeginLeaf(); leaf; ++leaf) {
       for (auto value = leaf->cbeginValueAll(); value; ++value) {
-        if (!in_band(static_cast<double>(*value))) continue;
-        const Coord c = value.getCoord();
-        const Vector3i cell = (turn * Vector3i(c.x(), c.y(), c.z()) - first) / 4;
-        cells.insert({cell.z(), cell.y(), cell.x()});
+        const auto here = static_cast<double>(*value);
+        if (!in_band(here)) continue;
+        list(value.getCoord());
+        for (const Coord& step : kBeside) {  // where the sign jumps over the band, both sides are listed
+          const auto there = static_cast<double>(access.getValue(value.getCoord() + step));
+          if (!in_band(there) && (here < 0) != (there < 0)) list(value.getCoord() + step);
+        }
       }
     }
     const Eigen::Matrix3i back = turn.transpose();
-    Access access(tree_);
     for (const auto& [z, y, x] : cells) {
       field::Brick brick{{x, y, z}, {}};
       for (int n = 0; n < 64; ++n) {

@@ -2,6 +2,7 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/SignedFloodFill.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -33,14 +34,17 @@ std::vector<std::uint8_t> write_with_openvdb(const field::BandField& field, cons
     for (int n = 0; n < 64; ++n) {
       const Eigen::Vector3i sample = 4 * brick.cell + Eigen::Vector3i(n & 3, n >> 2 & 3, n >> 4);
       const double distance = static_cast<double>(brick.distance[static_cast<std::size_t>(n)]);
-      const openvdb::Coord place(sample.x(), sample.y(), sample.z());
-      if (std::abs(distance) < field.band)
-        access.setValueOn(place, static_cast<float>(distance * field.grid.edge));
-      else
-        access.setValueOff(place, distance < 0 ? -background : background);
+      const double held = std::clamp(distance, -field.band, field.band) * field.grid.edge;
+      access.setValueOn({sample.x(), sample.y(), sample.z()}, static_cast<float>(held));
     }
   }
+  // The fill gives all that is not active the sign of what is active before it, so a listed sample is active until then, far outside or not.
   openvdb::tools::signedFloodFill(grid->tree());
+  for (auto leaf = grid->tree().beginLeaf(); leaf; ++leaf) {
+    for (auto value = leaf->beginValueOn(); value; ++value) {
+      if (std::abs(*value) >= background) value.setValueOff();
+    }
+  }
   grid->pruneGrid();
   std::ostringstream bytes;
   openvdb::io::Stream(bytes).write(openvdb::GridCPtrVec{grid});
