@@ -117,9 +117,14 @@ class Samples {
   Samples(const Tree& tree, const Axes& axes, const std::string& name, const std::string& grid_name)
       : tree_(tree), axes_(axes), of_(name + ": grid '" + grid_name + "' "), background_(static_cast<double>(tree.background())) {}
 
-  /// Values are numbers, tiles lie beyond the band, and the sign changes only within it.
+  /// Values are numbers and not too far away, tiles lie beyond the band, and the sign changes only within it.
   void check() const {
     if (tree_.empty() || tree_.leafCount() == 0) throw InputError(of_ + "is empty");
+    constexpr std::int32_t kFarthest = 1 << 29;  // voxels: what is computed of two such places fits an int
+    openvdb::CoordBBox leaves;
+    tree_.evalLeafBoundingBox(leaves);
+    if (!openvdb::CoordBBox(Coord(-kFarthest), Coord(kFarthest)).isInside(leaves))
+      throw InputError(of_ + "has a value more than 536,870,912 voxels from its origin; move the object there where it was made");
     if (!std::isfinite(background_) || !(background_ >= axes_.edge)) {
       throw InputError(of_ + "has a background of " + std::to_string(background_) + "; a level set's is its half width, one voxel or more");
     }

@@ -6,8 +6,10 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/LevelSetUtil.h>
+#include <openvdb/tools/SignedFloodFill.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 
 #include "host/error.h"
@@ -199,6 +201,14 @@ TEST(LevelSet, WhatIsNoneIsRefusedInASentence) {
   const auto block = sphere();
   block->tree().addTile(1, openvdb::Coord(1000, 0, 0), 0.1F, true);
   EXPECT_THAT(why(block), HasSubstr("a block of constant distance"));
+  for (const std::int32_t far : {1 << 30, -(1 << 30), INT32_MAX - 64, INT32_MIN + 64}) {
+    const auto moved = sphere();
+    moved->clear();
+    const auto own = sphere();
+    for (auto value = own->cbeginValueOn(); value; ++value) moved->tree().setValueOn(value.getCoord() + openvdb::Coord(0, far, 0), *value);
+    openvdb::tools::signedFloodFill(moved->tree());
+    EXPECT_THAT(why(moved), HasSubstr("has a value more than 536,870,912 voxels from its origin")) << far;
+  }
   EXPECT_THAT(refusal([&] { LevelSet::read(folder.write("b.vdb", "no volume")); }), HasSubstr("b.vdb: OpenVDB cannot read it: "));
 }
 
