@@ -64,7 +64,7 @@ std::vector<std::uint8_t> obj_bytes(const TriangleMesh& mesh, const std::string&
   int places = 0;
   for (double step = 1; step > resolution && places < 17; ++places) step /= 10;
   std::string text = "# " + comment + '\n';
-  std::array<char, 64> digits;
+  std::array<char, 340> digits;  // a sign, up to 309 digits, a point and 17 digits
   const auto add = [&](char before, const std::to_chars_result& number) {
     text += before;
     text.append(digits.data(), number.ptr);

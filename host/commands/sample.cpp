@@ -1,6 +1,7 @@
 /// isotouch sample: a field's distance, gradient and stiffness at any places, as the controller's core computes them.
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -16,8 +17,8 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/text_lines.h"
 #include "host/commands/commands.h"
-#include "host/encoding/write_image.h"
 #include "host/error.h"
+#include "host/evaluate/compare_mesh.h"
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/trace/place_sample.h"
@@ -78,8 +79,10 @@ struct SampleRun {
     std::vector<Vector3d> places = read_places(points);
     if (places.empty()) throw InputError(points.string() + ": there are no points in it; give lines of x,y,z");
     if (input_frame) {
-      const cloud::Placement placement = encoding::info_of(open.view).placement;
+      const cloud::Placement placement = evaluate::placement_of(open.view);
       for (Vector3d& place : places) place = placement.to_workspace(place);
+      if (!std::all_of(places.begin(), places.end(), [](const Vector3d& place) { return place.allFinite(); }))
+        throw InputError(points.string() + ": a point is too far away to have a place in the workspace; leave it out");
     }
     std::string table = "x_mm,y_mm,z_mm,distance_mm,gradient_x,gradient_y,gradient_z,stiffness_n_mm,in_band\n";
     for (const Vector3d& place : places) table += row(open.view, place);

@@ -15,7 +15,7 @@ inline constexpr std::size_t kComparePoints = 20'000;
 
 /// How the field's cloud was placed in the workspace.
 ///
-/// fails     InputError when the header's numbers are not finite or the scale is not positive
+/// fails     InputError when the header's numbers are not finite, the scale is not positive, or the field's box lies where no cloud can
 cloud::Placement placement_of(const FieldView& field);
 
 /// The error at kComparePoints area-uniform points of the mesh.

@@ -3,10 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "host/cloud/ply.h"
 #include "host/cloud/read_mesh.h"
@@ -18,6 +23,8 @@
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/motion/felt_surface.h"
+#include "shared/bytes.h"
+#include "shared/crc32.h"
 #include "tests/host/commands/run_command.h"
 #include "tests/support/accuracy.h"
 #include "tests/support/scratch_folder.h"
@@ -103,6 +110,36 @@ TEST_F(Export, TheBytesDoNotDependOnTheThreads) {
     EXPECT_EQ(read_file(file("1" + ending)), read_file(file("2" + ending)));
     EXPECT_EQ(read_file(file("1" + ending)), read_file(file("7" + ending)));
   }
+}
+
+TEST_F(Export, AnImpossiblePlacementIsRefusedWhereverTheScansFrameIsAskedFor) {
+  build_far_away("--fit 53mm");
+  run_command("export " + file("far.itf") + " -o " + file("far.itfi"));
+  write_file(file("places.csv"), "431250.5,-5400321.25,812.0625\n");
+  const std::vector<std::uint8_t> bytes = read_file(file("far.itfi"));
+  const std::string sample = "sample " + file("a.itfi") + ' ' + file("places.csv") + " --input-frame";
+  const auto place = [&](double scale, double offset) {
+    using namespace image_layout;
+    std::vector<std::uint8_t> moved = bytes;
+    store_le(&moved[kScaleAt], std::bit_cast<std::uint64_t>(scale));
+    store_le(&moved[kOffsetAt], std::bit_cast<std::uint64_t>(offset));
+    store_le(&moved[kChecksumAt], crc32(&moved[kTotalBytesAt], moved.size() - kTotalBytesAt));
+    write_file(file("a.itfi"), moved.data(), moved.size());
+  };
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  for (const auto& [scale, offset] :
+       std::vector<std::pair<double, double>>{{0, 0}, {-1, 0}, {NAN, 0}, {kInfinite, 0}, {1, NAN}, {1e-320, 0}, {1e-13, 0}, {1, 1e15}}) {
+    place(scale, offset);
+    EXPECT_THROW(run_command(sample), InputError) << scale << ' ' << offset;
+    EXPECT_THROW(run_command("export " + file("a.itfi") + " -o " + file("a.obj") + " --input-frame"), InputError) << scale << ' ' << offset;
+  }
+  place(1e-10, 0);  // of a scan in small units
+  run_command(sample);
+  run_command("export " + file("a.itfi") + " -o " + file("a.obj") + " --input-frame");
+  EXPECT_GT(cloud::read_mesh(file("a.obj")).faces.size(), 1000U);
+  place(1e5, 0);
+  write_file(file("places.csv"), "1e305,0,0\n");
+  EXPECT_THROW(run_command(sample), InputError);
 }
 
 TEST_F(Export, WhatHasNoOtherFrameSaysSo) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 
 #include "host/cloud/read_mesh.h"
 #include "host/error.h"
@@ -66,6 +68,23 @@ TEST(MeshBytes, CoordinatesFarFromTheOriginKeepTheirDigitsOrAreRefused) {
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("a.stl: an STL file cannot hold this surface"));
     EXPECT_THAT(e.what(), HasSubstr("0.500000 apart; write PLY or OBJ"));
+  }
+}
+
+TEST(MeshBytes, ObjHoldsNumbersOfEveryLength) {
+  TriangleMesh mesh = tetrahedron(Vector3d::Zero());
+  for (Vector3d& vertex : mesh.vertices) vertex *= -1e308;
+  const std::vector<std::uint8_t> bytes = obj_bytes(mesh, "", 1e-17);
+  std::istringstream text(std::string(bytes.begin(), bytes.end()));
+  std::string word;
+  std::getline(text, word);
+  for (const Vector3d& vertex : mesh.vertices) {
+    text >> word;
+    EXPECT_EQ(word, "v");
+    for (const double value : vertex) {
+      text >> word;
+      EXPECT_EQ(std::stod(word), value);
+    }
   }
 }
 
