@@ -55,7 +55,12 @@ Bytes image(const Exported& from) { return {from.field.image.begin(), from.field
 
 Bytes packed(const Exported& from) { return field_file::pack(from.field, from.invented); }
 
+/// fails     InputError for a field of the published method: its levels are no distances
 Bytes level_set(const Exported& from) {
+  if (from.field.method == Method::kPublished)
+    throw InputError(
+        "a field of the published method holds levels, not distances, so no level set can be made of it; export its surface: .ply, .obj or "
+        ".stl");
   const encoding::FieldInfo info = encoding::info_of(from.field);
   const auto number = [](double value) { return nlohmann::json(value).dump(); };
   const vdb::Notes notes = {{"isotouch_unit", from.input_frame ? "the scan's" : "mm"},

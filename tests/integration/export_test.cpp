@@ -112,6 +112,14 @@ TEST_F(Export, TheBytesDoNotDependOnTheThreads) {
   }
 }
 
+TEST_F(Export, AFieldWithoutDistancesHasNoLevelSet) {
+  cloud::write_ply(file("torus.ply"), cloud::sample_shape(cloud::shape("torus"), 1000));
+  run_command("build " + file("torus.ply") + " -o " + file("a.itf") + " --grid 40 --method published");
+  EXPECT_THROW(run_command("export " + file("a.itf") + " -o " + file("a.vdb")), InputError);
+  EXPECT_FALSE(std::filesystem::exists(file("a.vdb")));
+  run_command("export " + file("a.itf") + " -o " + file("a.ply"));
+}
+
 TEST_F(Export, AnImpossiblePlacementIsRefusedWhereverTheScansFrameIsAskedFor) {
   build_far_away("--fit 53mm");
   run_command("export " + file("far.itf") + " -o " + file("far.itfi"));
