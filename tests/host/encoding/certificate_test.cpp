@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "host/cloud/random.h"
 #include "host/encoding/write_image.h"
 #include "host/field/sample_distance.h"
 
@@ -92,6 +93,29 @@ TEST(Certificate, FindsAWallOfAVoxelWhateverItsDirection) {
       EXPECT_NEAR(wall, thickness, 0.45) << normal.transpose();
     }
   }
+}
+
+TEST(Certificate, APlateOfAnySizeIsNotSaidToBeThickerThanItIs) {
+  cloud::Random random(4);
+  double worst = 0;
+  for (int n = 0; n < 500; ++n) {
+    const Vector3d half(random.uniform(3.5, 9), random.uniform(3.5, 9), random.uniform(0.5, 3));
+    const Eigen::Matrix3d turn =
+        Eigen::Quaterniond(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1))
+            .normalized()
+            .toRotationMatrix();
+    const Vector3d move(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    const auto distance = [&](const Vector3d& p) {
+      const Vector3d q = (turn * (p + move)).cwiseAbs() - half;
+      return std::min(q.maxCoeff(), 0.0) + q.cwiseMax(0.0).norm();
+    };
+    const double wall = certificate(image_of(distance)).thinnest_wall_voxel;
+    EXPECT_GT(wall, 0.0);
+    EXPECT_LE(wall, 2 * half.z() + 1e-3);
+    worst = std::max(worst, 2 * half.z() - wall);
+  }
+  EXPECT_LT(worst, 0.6);
+  EXPECT_GT(worst, 0.45) << "better than certificate.h says";
 }
 
 TEST(Certificate, AWallHasAnInsideBesideItsMiddle) {
