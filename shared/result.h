@@ -38,7 +38,7 @@ constexpr const char* describe(Error error) {
   switch (error) {
     case Error::kTruncated: return "the file ends before the size that its header states";
     case Error::kBadMagic: return "it is not a file of this kind";
-    case Error::kBadVersion: return "its format version is newer than this program";
+    case Error::kBadVersion: return "it has another format version than this program reads: use the program that wrote it";
     case Error::kBadHeader: return "a header field is outside its range";
     case Error::kBadSize: return "the sizes in its header contradict each other";
     case Error::kBadChecksum: return "the checksum does not match: the bytes were changed after they were written";

@@ -142,7 +142,7 @@ TEST(Packed, EveryMalformedFileIsRefusedForItsReason) {
       {"nothing", "accepted", [](B&) {}},
       {"a newer minor version", "accepted", [&](B& b) { put(b, kMinorAt, std::uint16_t{7}); }},
       {"another magic", "not a file of this kind", [](B& b) { b[3] = 'X'; }},
-      {"the next major version", "version is newer", [&](B& b) { put(b, kMajorAt, std::uint16_t{2}); }},
+      {"the next major version", "another format version", [&](B& b) { put(b, kMajorAt, std::uint16_t{2}); }},
       {"another header length", header, [&](B& b) { put(b, kHeaderBytesAt, 321U); }},
       {"no frame", size, [](B& b) { b.resize(kHeaderBytes); }},
       {"an image of 2^64 - 1 bytes", size, [&](B& b) { put(b, kImageBytesAt, ~0ULL); }},
@@ -160,7 +160,7 @@ TEST(Packed, EveryMalformedFileIsRefusedForItsReason) {
          put(b, kStreamSizesAt + 4, load_le<std::uint32_t>(&b[kStreamSizesAt + 4]) + 1);
        }},
       {"an image header that is none", "not a file of this kind", [&](B& b) { b[image_field(0)] = 'X'; }},
-      {"an image of the next major version", "version is newer", [&](B& b) { b[image_field(image_layout::kMajorAt)] = 2; }},
+      {"an image of the next major version", "another format version", [&](B& b) { b[image_field(image_layout::kMajorAt)] = 2; }},
       {"no band", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), 0); }},
       {"a band beyond 16 bits", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), 32768); }},
       {"the lowest band", header, [&](B& b) { put(b, image_field(image_layout::kBandAt), INT32_MIN); }},
