@@ -38,7 +38,7 @@ bool is_within_band(const FieldView& view) {
   return std::none_of(view.bricks, end, [band](std::int16_t number) { return number > band || number < -band; });
 }
 
-/// True when the two outermost layers on all sides are far outside: nothing is open towards the border.
+/// True when the two outermost layers on all sides are far outside, and all samples beyond them in the last nodes: nothing is open towards the border.
 bool border_is_outside(const FieldView& view) {
   const auto outermost = [&](std::int32_t index, std::size_t axis) { return index < 2 || index >= view.size[axis] - 2; };
   const auto holds_outermost = [&](std::int32_t first, std::size_t axis) { return first == 0 || outermost(first + 3, axis); };
@@ -47,15 +47,15 @@ bool border_is_outside(const FieldView& view) {
     const std::int16_t* coefficient = view.brick(i, j, k);
     for (std::int32_t n = 0; n < static_cast<std::int32_t>(kSamplesPerBrick); ++n) {
       const std::int32_t x = i + (n & 3), y = j + (n >> 2 & 3), z = k + (n >> 4);
-      if (x >= view.size[0] || y >= view.size[1] || z >= view.size[2]) continue;
       if ((outermost(x, 0) || outermost(y, 1) || outermost(z, 2)) && coefficient[n] != view.band.raw()) return false;
     }
     return true;
   };
-  for (std::int32_t k = 0; k < view.size[2]; k += 4) {
-    for (std::int32_t j = 0; j < view.size[1]; j += 4) {
+  const auto end = [&](std::size_t axis) { return view.root_size[axis] << kNodeShift; };
+  for (std::int32_t k = 0; k < end(2); k += 4) {
+    for (std::int32_t j = 0; j < end(1); j += 4) {
       const bool whole_row = holds_outermost(k, 2) || holds_outermost(j, 1);
-      for (std::int32_t i = 0; i < view.size[0]; i += 4) {
+      for (std::int32_t i = 0; i < end(0); i += 4) {
         if ((whole_row || holds_outermost(i, 0)) && !is_outside(i, j, k)) return false;
       }
     }

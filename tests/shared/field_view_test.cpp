@@ -274,6 +274,8 @@ TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
       {"a number beyond the band", Error::kBadSample, [](I& i) { i.put<std::int16_t>(kBricksAt + 3 * kBrickBytes + 30, kBand + 1); }},
       {"a number beyond the band inside", Error::kBadSample,
        [](I& i) { i.put<std::int16_t>(kBricksAt + 3 * kBrickBytes + 30, -kBand - 1); }},
+      {"a brick beyond the grid that is inside", Error::kBadIndex,
+       [](I& i) { i.put<std::uint32_t>(kNodesAt + 2 * kNodeBytes + 4 * 2, 1); }},
       {"an object open at the first layer", Error::kBadIndex, [](I& i) { i.put<std::int16_t>(kBricksAt + 2 * kBrickBytes, -1); }},
       {"an object open at the second layer", Error::kBadIndex,
        [](I& i) { i.put<std::int16_t>(kBricksAt + 2 * kBrickBytes + 2 * (1 + 4 * 2 + 16 * 2), kBand - 1); }},
@@ -288,8 +290,24 @@ TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
     malformed.spoil(image);
     image.seal();
     const Result<FieldView> parsed = FieldView::parse(image.bytes());
-    ASSERT_FALSE(parsed) << malformed.what;
+    EXPECT_FALSE(parsed) << malformed.what;
+    if (parsed) continue;
     EXPECT_EQ(parsed.error(), malformed.expected) << malformed.what << ": " << describe(parsed.error());
+  }
+}
+
+TEST(Field, SamplesBeyondTheGridAreFarOutside) {
+  Image image = valid_image().resized(kTotal + kBrickBytes);  // 10 samples along z: of one more brick, two layers lie beyond
+  image.put<std::uint64_t>(16, kTotal + kBrickBytes).put<std::uint32_t>(64, 10).put(88, kBricks + 1);
+  image.put<std::uint32_t>(kNodesAt + 2 * kNodeBytes + 4 * 32, kBricks);
+  for (std::size_t sample = 0; sample < 64; ++sample) image.put<std::int16_t>(kTotal + 2 * sample, kBand);
+  EXPECT_TRUE(FieldView::parse(image.seal().bytes()));
+  for (const std::size_t layer : {2U, 3U}) {
+    Image open(image);
+    open.put<std::int16_t>(kTotal + 2 * (16 * layer + 5), -1).seal();
+    const Result<FieldView> parsed = FieldView::parse(open.bytes());
+    ASSERT_FALSE(parsed) << layer;
+    EXPECT_EQ(parsed.error(), Error::kBadIndex);
   }
 }
 
