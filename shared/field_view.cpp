@@ -27,6 +27,19 @@ bool all_equal(const std::uint32_t* values, std::uint32_t expected) {
   return std::all_of(values, values + kBricksPerNode, [=](std::uint32_t v) { return v == expected; });
 }
 
+/// True when the entries refer to each of the nodes or bricks that are stored, those from 2 up to `count`, once and in this order. No image can then
+/// refer to so much of itself that what is made of it is far larger.
+bool each_once(const std::uint32_t* entries, const std::uint32_t* end, std::uint32_t count) {
+  std::uint32_t next = kInside + 1;
+  bool in_order = true;
+  for (; entries != end; ++entries) {  // without a branch: which entries are stored is hard to predict
+    const bool stored = *entries > kInside;
+    in_order &= !stored | (*entries == next);
+    next += stored ? 1 : 0;
+  }
+  return in_order && next == count;
+}
+
 bool all_equal(const std::int16_t* values, std::int32_t expected) {
   return std::all_of(values, values + kSamplesPerBrick, [=](std::int16_t v) { return v == expected; });
 }
@@ -156,10 +169,10 @@ Result<FieldView> FieldView::parse(std::span<const std::uint8_t> image) {
 
   const std::uint32_t* root_end =
       view.root + std::size_t(view.root_size[0]) * std::size_t(view.root_size[1]) * std::size_t(view.root_size[2]);
-  if (!std::all_of(view.root, root_end, [&](std::uint32_t n) { return n < view.node_count; })) return Error::kBadIndex;
+  if (!each_once(view.root, root_end, view.node_count)) return Error::kBadIndex;
   const std::uint32_t* nodes_end = view.nodes + std::size_t{view.node_count} * kBricksPerNode;
-  if (!std::all_of(view.nodes, nodes_end, [&](std::uint32_t b) { return b < view.brick_count; })) return Error::kBadIndex;
   if (!all_equal(view.nodes, kOutside) || !all_equal(view.nodes + kBricksPerNode, kInside)) return Error::kBadIndex;
+  if (!each_once(view.nodes + 2 * kBricksPerNode, nodes_end, view.brick_count)) return Error::kBadIndex;
   if (!all_equal(view.bricks, view.band.raw()) || !all_equal(view.bricks + kSamplesPerBrick, -view.band.raw())) return Error::kBadIndex;
   if (!is_within_band(view)) return Error::kBadSample;
   if (!border_is_outside(view)) return Error::kBadIndex;

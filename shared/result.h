@@ -15,7 +15,7 @@ enum class Error : std::uint8_t {
   kBadHeader,       ///< a header field outside its range
   kBadSize,         ///< the sizes in the header contradict each other or the file
   kBadChecksum,     ///< the bytes were changed after they were written
-  kBadIndex,        ///< a table entry points outside its table
+  kBadIndex,        ///< a table entry that SPEC.md 2.2 does not allow, or a border that is not far outside
   kMisaligned,      ///< the memory image does not start on an 8-byte boundary
   kBadRecord,       ///< a trace record with an undefined bit or value
   kWrongField,      ///< the trace was recorded on another field
@@ -42,7 +42,7 @@ constexpr const char* describe(Error error) {
     case Error::kBadHeader: return "a header field is outside its range";
     case Error::kBadSize: return "the sizes in its header contradict each other";
     case Error::kBadChecksum: return "the checksum does not match: the bytes were changed after they were written";
-    case Error::kBadIndex: return "a table entry points outside its table";
+    case Error::kBadIndex: return "a table entry in it is out of place, or its border is not far outside";
     case Error::kMisaligned: return "the memory image is not aligned to 8 bytes";
     case Error::kBadRecord: return "a record holds an undefined value";
     case Error::kWrongField: return "the trace was recorded on another field";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/core/field_sampler.h"
+#include "host/evaluate/stored_surface.h"
 #include "host/field/brick_neighbours.h"
 #include "host/field/parallel.h"
 #include "host/to_double.h"
@@ -22,18 +23,12 @@ using Cell = std::array<int, 3>;  // z, y, x: the order of a field's bricks
 std::vector<Cell> cells_near(const FieldView& field, const Vector3i& cells) {
   using namespace image_layout;
   const auto number = [&](const Vector3i& cell) { return field.brick_number(4 * cell.x(), 4 * cell.y(), 4 * cell.z()); };
-  const auto touches_outside = [&](const Vector3i& cell) {  // no cell at the border of the grid is inside
-    for (int axis = 0; axis < 3; ++axis) {
-      if (number(cell + Vector3i::Unit(axis)) == kOutside || number(cell - Vector3i::Unit(axis)) == kOutside) return true;
-    }
-    return false;
-  };
   std::vector<Cell> near;
   for (int z = 0; z < cells.z(); ++z) {
     for (int y = 0; y < cells.y(); ++y) {
       for (int x = 0; x < cells.x(); ++x) {
         const std::uint32_t here = number({x, y, z});
-        if (here > kInside || (here == kInside && touches_outside({x, y, z}))) near.push_back({z, y, x});
+        if (here > kInside || jumps_beside(field, {x, y, z})) near.push_back({z, y, x});
       }
     }
   }
@@ -70,6 +65,7 @@ bool changes_sign(const field::Brick& brick, const field::Brick& next, std::size
 }  // namespace
 
 field::BandField node_distances(const FieldView& field) {
+  require_stored_surface(field);
   field::BandField nodes;
   nodes.grid = {to_double(field.origin), to_double(field.edge), {field.size[0], field.size[1], field.size[2]}};
   nodes.band = to_double(field.band);

@@ -11,7 +11,7 @@ namespace isotouch::evaluate {
 /// one step, and a brick that is not listed has one sign, that of every node beside it.
 ///
 /// returns   distances in voxels, with the core's own rounding; ±band beyond; `band` as the field has it
-/// fails     never
+/// fails     InputError of `require_stored_surface`
 field::BandField node_distances(const FieldView& field);
 
 }  // namespace isotouch::evaluate

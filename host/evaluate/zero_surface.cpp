@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/core/field_sampler.h"
+#include "host/evaluate/stored_surface.h"
 #include "host/field/parallel.h"
 #include "host/to_double.h"
 
@@ -296,6 +297,7 @@ std::int32_t zero_along(const FieldView& field, const Vector3i& point, const Vec
 }  // namespace
 
 cloud::TriangleMesh zero_surface(const FieldView& field, Corners corners) {
+  require_stored_surface(field);
   const std::vector<Vector3i> bricks = candidate_bricks(field);
   const Lattice lattice(field);
   std::vector<Part> parts(bricks.size());

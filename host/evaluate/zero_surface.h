@@ -26,6 +26,7 @@ enum class Corners {
 ///           r = 2. What fits between lattice points, bubbles and necks thinner than half a voxel, may be missed or joined
 /// returns   closed, faces counter-clockwise seen from outside, workspace, mm; no vertices when nothing is inside. Exact vertices may lie at one
 ///           place where a lattice point is exactly on the surface
+/// fails     InputError of `require_stored_surface`
 /// source    marching tetrahedra on Kuhn's subdivision: A. Doi and A. Koide, IEICE Transactions E74(1), 1991
 cloud::TriangleMesh zero_surface(const FieldView& field, Corners corners = Corners::kExact);
 

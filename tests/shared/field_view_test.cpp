@@ -274,6 +274,14 @@ TEST(Field, EveryMalformedImageIsRefusedForItsReason) {
       {"a number beyond the band", Error::kBadSample, [](I& i) { i.put<std::int16_t>(kBricksAt + 3 * kBrickBytes + 30, kBand + 1); }},
       {"a number beyond the band inside", Error::kBadSample,
        [](I& i) { i.put<std::int16_t>(kBricksAt + 3 * kBrickBytes + 30, -kBand - 1); }},
+      {"a node of two entries", Error::kBadIndex,
+       [](I& i) { i.put<std::uint32_t>(56, 24).put<std::uint32_t>(68, 2).put<std::uint32_t>(kRootAt + 4, 2); }},
+      {"a brick of no cell", Error::kBadIndex, [](I& i) { i.put<std::uint32_t>(kNodesAt + 2 * kNodeBytes + 4 * 21, 0); }},
+      {"bricks in another order", Error::kBadIndex,
+       [](I& i) {
+         i.put<std::uint32_t>(kNodesAt + 2 * kNodeBytes, 3).put<std::uint32_t>(kNodesAt + 2 * kNodeBytes + 4, 2);
+         std::swap_ranges(i.at(kBricksAt + 2 * kBrickBytes), i.at(kBricksAt + 3 * kBrickBytes), i.at(kBricksAt + 3 * kBrickBytes));
+       }},
       {"a brick beyond the grid that is inside", Error::kBadIndex,
        [](I& i) { i.put<std::uint32_t>(kNodesAt + 2 * kNodeBytes + 4 * 2, 1); }},
       {"an object open at the first layer", Error::kBadIndex, [](I& i) { i.put<std::int16_t>(kBricksAt + 2 * kBrickBytes, -1); }},

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/error.h"
+#include "host/evaluate/node_distances.h"
 #include "host/motion/felt_surface.h"
 #include "tests/support/accuracy.h"
 #include "tests/support/field_image.h"
@@ -100,6 +102,24 @@ TEST(ZeroSurface, NothingInsideIsNoSurface) {
   const test::FieldImage image({16, 16, 16}, [](const test::Point&) { return 4.0; });
   EXPECT_TRUE(zero_surface(image.view()).faces.empty());
   EXPECT_TRUE(pieces(zero_surface(image.view())).empty());
+}
+
+TEST(ZeroSurface, AFieldOfConstantBricksThatChangeSidesIsRefused) {
+  const auto image = [](std::uint32_t size, int period) {
+    return test::FieldImage(
+        {size, size, size},
+        [=](const test::Point& p) {
+          int cells = 0;
+          for (std::size_t axis = 0; axis < 3; ++axis) cells += static_cast<int>(p[axis]) / period;
+          return cells % 2 == 0 ? 9 : -9;
+        },
+        test::trilinear_options());
+  };
+  const test::FieldImage few = image(48, 16), many = image(128, 4);
+  EXPECT_GT(zero_surface(few.view()).faces.size(), 1000U);
+  EXPECT_GT(node_distances(few.view()).bricks.size(), 100U);
+  EXPECT_THROW((void)zero_surface(many.view()), InputError);
+  EXPECT_THROW((void)node_distances(many.view()), InputError);
 }
 
 }  // namespace
