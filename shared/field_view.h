@@ -114,9 +114,10 @@ struct FieldView {
   /// Checks `image` completely and returns the view on it.
   ///
   /// image     8-byte aligned, stays alive and unchanged as long as the view is used
-  /// fails     kMisaligned, kTruncated, kBadMagic, kBadVersion, kBadHeader (a field outside SPEC's range), kBadSize (layout not as SPEC computes
-  ///           it), kBadChecksum, kBadIndex (an entry outside its table; a stored node or brick without a place of its own, or out of order; a
-  ///           constant node or brick that is not; a border, or what lies beyond it, that is not far outside; a stiffness for a constant brick, or none for another), kBadSample (a number beyond the band)
+  /// fails     kMisaligned, kTruncated, kBadMagic, kBadVersion, kBadHeader (a field outside SPEC's range), kBadSize (layout not as SPEC computes it),
+  ///           kBadChecksum, kBadIndex (an entry outside its table; a stored node or brick without a place of its own, or out of order; a constant node or
+  ///           brick that is not; a border, or what lies beyond it, that is not far outside; a stiffness for a constant brick, or none for another), kBadSample
+  ///           (a number beyond the band)
   /// tick      no: it reads the whole image
   static Result<FieldView> parse(std::span<const std::uint8_t> image);
 
