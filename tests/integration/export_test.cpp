@@ -130,7 +130,7 @@ TEST_F(Export, AnImpossiblePlacementIsRefusedWhereverTheScansFrameIsAskedFor) {
     using namespace image_layout;
     std::vector<std::uint8_t> moved = bytes;
     store_le(&moved[kScaleAt], std::bit_cast<std::uint64_t>(scale));
-    store_le(&moved[kOffsetAt], std::bit_cast<std::uint64_t>(offset));
+    for (const std::size_t axis : {0U, 1U, 2U}) store_le(&moved[kOffsetAt + 8 * axis], std::bit_cast<std::uint64_t>(offset));
     store_le(&moved[kChecksumAt], crc32(&moved[kTotalBytesAt], moved.size() - kTotalBytesAt));
     write_file(file("a.itfi"), moved.data(), moved.size());
   };
