@@ -43,7 +43,8 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
                  f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
   }
-  for (const std::string& remark : {figures.cold_unknown, figures.timer_unknown, figures.cause_unknown, figures.end_unknown}) {
+  for (const std::string& remark : {figures.sensors_unknown, figures.practice_unknown, figures.cold_unknown, figures.timer_unknown,
+                                    figures.cause_unknown, figures.end_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }

@@ -53,10 +53,12 @@ struct Figures {
   std::uint64_t ticks = 0, late = 0, page_faults = 0, allocations = 0;
   std::array<link::Histogram, protocol::kMeasures> measures;
   std::vector<Moment> moments;
+  std::string sensors_unknown;   ///< one sentence why some of them have no sensors; empty: all were read, or the board has none
   std::vector<WorstTick> worst;  ///< the latest commands first
   std::string cause_unknown;     ///< one sentence why causes are not known
 
-  std::vector<Finding> practice;  ///< what the board does for or against ticks in time; none: it could not be asked
+  std::vector<Finding> practice;  ///< what the board does for or against ticks in time
+  std::string practice_unknown;   ///< one sentence why there are none
 
   link::Histogram cold;         ///< ticks while other programs wrote to memory; ns
   double cold_seconds = 0;      ///< that they wrote for; 0: not measured

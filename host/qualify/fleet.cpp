@@ -62,6 +62,7 @@ Report read_report(const fs::path& file) {
       report.values.push_back(value_in(limit.at("value")));
       report.limits.emplace_back(limit.at("limit").get<double>());
       judgements.push_back(judged(key, "", "", *report.limits.back(), report.values.back()));
+      judgements.back().is_lost = key == "celsius_max" && !report.values.back() && json.contains("sensors_unknown");
       const std::string outcome = text_in(limit.at("outcome"));
       if (outcome != name_of(judgements.back().outcome))
         throw wrong("the outcome '" + outcome + "' of " + key + " does not follow from its value and limit");

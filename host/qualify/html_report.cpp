@@ -148,7 +148,8 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
           short_number(figures.seconds) + " s.</p>\n" + verdict_table(judgements);
   if (!figures.end_unknown.empty()) html += "<p>The end of the measurement: " + html_text(figures.end_unknown) + "</p>\n";
   html += "<h2>What was measured</h2>\n" + subject_table(figures.subject);
-  html += "<h2>Settings that affect timing</h2>\n" + practice_table(figures.practice);
+  html += "<h2>Settings that affect timing</h2>\n" +
+          (figures.practice_unknown.empty() ? practice_table(figures.practice) : "<p>" + html_text(figures.practice_unknown) + "</p>\n");
   html += "<h2>The board</h2>\n<table>";
   for (const auto& [name, value] : figures.board) html += row(name, value);
   html += "</table>\n";
@@ -185,6 +186,7 @@ std::string html_report(const Figures& figures, const std::vector<Judgement>& ju
     html += figure(picture, std::string("Histogram: ") + text.title);
   }
   html += "<h2>The worst ten ticks</h2>\n" + worst_table(figures);
+  if (!figures.sensors_unknown.empty()) html += "<p>" + html_text(figures.sensors_unknown) + "</p>\n";
   html += course(figures, "Temperature", "°C", &Moment::celsius) +
           course(figures, "Clock rate of the slowest processor", "MHz", &Moment::megahertz);
   return html + late_course(figures) + "</body></html>\n";

@@ -56,6 +56,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
     json["practice"].push_back(
         {{"key", f.key}, {"read", or_null(f.read)}, {"verdict", name_of(f.verdict)}, {"why", f.why}, {"remedy", or_null(f.remedy)}});
   }
+  if (!figures.practice_unknown.empty()) json["practice_unknown"] = figures.practice_unknown;
   json["period_us"] = figures.period_ns / 1000.0;
   json["seconds"] = figures.seconds;
   json["ticks"] = figures.ticks;
@@ -80,6 +81,7 @@ Json json_report(const Figures& figures, const std::vector<Judgement>& judgement
                                    {"cause", worst.cause.empty() ? Json() : Json(worst.cause)}});
   }
   if (!figures.cause_unknown.empty()) json["causes_unknown"] = figures.cause_unknown;
+  if (!figures.sensors_unknown.empty()) json["sensors_unknown"] = figures.sensors_unknown;
   json["moments"] = Json::array();
   for (const std::vector<Moment>* looks : {&figures.moments, &figures.later}) {
     for (const Moment& m : *looks) {

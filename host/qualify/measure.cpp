@@ -122,27 +122,32 @@ bool gives_force(const protocol::StatusReport& status) {
   return status.state == static_cast<std::uint16_t>(SupervisorState::kActive) && (status.status & kContact) != 0;
 }
 
+constexpr const char* kInterrupted = ": the measurement was interrupted";
+constexpr const char* kNoSensors = "the temperature could not be read at each check: ";
+constexpr const char* kNoPractice = "the settings that affect timing could not be read: ";
+
 /// Looks at the controller and its board in the course of a measurement.
 class Looks {
  public:
-  Looks(link::Controller& controller, link::BoardShell& shell, const protocol::StatusReport& before)
-      : controller_(controller), shell_(shell), before_(before) {}
+  Looks(link::Controller& controller, link::BoardShell& shell, const protocol::StatusReport& before, const std::function<bool()>& is_over)
+      : controller_(controller), shell_(shell), before_(before), is_over_(is_over) {}
 
   double seconds() const { return seconds_since(begun_); }
 
-  Moment look() {
+  void look(Figures& figures) {
     Moment moment = ask();
     try {
       read_sensors(shell_.run(sensors_command(), kPatience).text, moment);
-    } catch (const InputError&) {  // the ticks are measured all the same
+    } catch (const InputError& e) {  // the ticks are measured all the same
+      if (figures.sensors_unknown.empty() && !is_over_()) figures.sensors_unknown = std::string(kNoSensors) + e.what();
     }
-    return moment;
+    figures.moments.push_back(moment);
   }
 
   /// Waits until that second, and notes whether a force is given meanwhile.
-  void wait(double second, Moment& since, const std::function<bool()>& is_over) {
+  void wait(double second, Moment& since) {
     const auto until = begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(second));
-    while (Clock::now() < until && !is_over()) {
+    while (Clock::now() < until && !is_over_()) {
       if (!since.force) since.force = gives_force(controller_.status());
       std::this_thread::sleep_until(since.force ? until : std::min(until, Clock::now() + kForcePause));
     }
@@ -174,9 +179,8 @@ class Looks {
   link::BoardShell& shell_;
   Clock::time_point begun_ = Clock::now();
   protocol::StatusReport before_;
+  const std::function<bool()>& is_over_;
 };
-
-constexpr const char* kInterrupted = ": the measurement was interrupted";
 
 /// What was read of the ticks that nothing disturbed.
 struct Undisturbed {
@@ -192,14 +196,14 @@ Undisturbed measure_undisturbed(link::Controller& controller, Looks& looks, Caus
   Undisturbed read;
   try {
     while (looks.seconds() < wish.seconds && !wish.is_over()) {
-      figures.moments.push_back(looks.look());
+      looks.look(figures);
       causes.look(read.worst = controller.worst_ticks(false));
-      looks.wait(std::min(std::floor(looks.seconds()) + 1, wish.seconds), figures.moments.back(), wish.is_over);
+      looks.wait(std::min(std::floor(looks.seconds()) + 1, wish.seconds), figures.moments.back());
       read.after = counts(controller);
       read.seconds = looks.seconds();
     }
     causes.look(read.worst = controller.worst_ticks(false));
-    figures.moments.push_back(looks.look());
+    looks.look(figures);
   } catch (const InputError& e) {
     if (read.seconds == 0) throw;
     figures.end_unknown = e.what();
@@ -208,12 +212,13 @@ Undisturbed measure_undisturbed(link::Controller& controller, Looks& looks, Caus
   return read;
 }
 
-/// What the board does for ticks in time; nothing if it can no longer be asked.
-std::vector<Finding> practice(link::BoardShell& shell, const BoardFiles& before, double wakeup_us) {
+/// What the board does for ticks in time, or why it is not known.
+void look_at_practice(link::BoardShell& shell, const BoardFiles& before, const Wish& wish, Figures& figures) {
+  const double wakeup_us = wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns);
   try {
-    return judge_practice(before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_us);
-  } catch (const InputError&) {
-    return {};
+    figures.practice = judge_practice(before, read_practice(shell.run(practice_command(), kPatience).text), wakeup_us);
+  } catch (const InputError& e) {
+    figures.practice_unknown = kNoPractice + (wish.is_over() ? "the measurement ended before" : std::string(e.what()));
   }
 }
 
@@ -300,10 +305,10 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   const BoardFiles files_before = read_practice(shell.run(practice_command(), kPatience).text);
   (void)controller.worst_ticks(true);
   const Counts before = counts(controller);
-  Looks looks(controller, shell, before.status);
+  Looks looks(controller, shell, before.status, wish.is_over);
   const auto [after, seconds, worst] = measure_undisturbed(controller, looks, causes, wish, figures);
   figures.seconds = seconds;
-  figures.practice = practice(shell, files_before, wish.wakeup_us > 0 ? wish.wakeup_us : tenth_of_period_us(figures.period_ns));
+  look_at_practice(shell, files_before, wish, figures);
   figures.subject.field = after.status.field_hash == 0 ? "" : trace::hash_text(after.status.field_hash);
 
   figures.ticks = after.status.ticks - before.status.ticks;

@@ -48,6 +48,15 @@ std::optional<double> without_force(const std::vector<Moment>& moments) {
   return 100 * static_cast<double>(count) / static_cast<double>(moments.size());
 }
 
+/// A board that could not be asked at each look may have been hotter, but not cooler.
+Judgement temperature(const Figures& figures, double limit) {
+  const auto most = hottest(figures.moments);
+  const bool is_lost = !figures.sensors_unknown.empty() && !(most && *most > limit);
+  Judgement judgement = judged("celsius_max", "highest temperature", "°C", limit, is_lost ? std::nullopt : most);
+  judgement.is_lost = is_lost;
+  return judgement;
+}
+
 /// Of a hundred expected ticks, those that did not come.
 double left_out(std::uint64_t ticks, double seconds, std::uint32_t period_ns) {
   const double expected = seconds * 1e9 / period_ns;
@@ -84,7 +93,7 @@ std::vector<Judgement> judge(const Figures& figures, const Limits& limits) {
       judged("word_max_ticks", "longest sensor to motor command", "ticks", limits.word_ticks,
              quantile(figures, protocol::Measure::kDelay, 1, figures.period_ns)),
       judged("lost_samples", "samples that did not come", "%", limits.lost_samples, lost_samples(figures)),
-      judged("celsius_max", "highest temperature", "°C", limits.celsius, hottest(figures.moments)),
+      temperature(figures, limits.celsius),
       judged("page_faults", "page faults of the tick", "", limits.page_faults, counted(std::max(figures.page_faults, end.page_faults))),
       judged("allocations", "allocations of the tick", "", limits.allocations, counted(std::max(figures.allocations, end.allocations))),
       judged("faults", "checks that find a fault", "", limits.faults, faults(figures)),
@@ -98,7 +107,8 @@ bool is_fit(const std::vector<Judgement>& judgements) {
     return std::any_of(judgements.begin(), judgements.end(),
                        [&](const Judgement& j) { return j.key == key && j.outcome != Outcome::kNotMeasured; });
   };
-  const bool missed = std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed; });
+  const bool missed =
+      std::any_of(judgements.begin(), judgements.end(), [](const Judgement& j) { return j.outcome == Outcome::kMissed || j.is_lost; });
   // Without a device, commands and round trips were never made: nothing is known of what matters most.
   return !missed && is_measured("word_max_ticks") && is_measured("faults");
 }

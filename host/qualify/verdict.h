@@ -41,6 +41,7 @@ struct Judgement {
   double limit = 0;
   double value = 0;  ///< 0 where it was not measured
   Outcome outcome = Outcome::kNotMeasured;
+  bool is_lost = false;  ///< not measured, though the board could: then it is not fit
 };
 
 /// A value is good up to its limit.
@@ -51,7 +52,8 @@ Judgement judged(std::string key, std::string what, std::string unit, double lim
 /// returns   one judgement for each limit, always in the same order
 std::vector<Judgement> judge(const Figures& figures, const Limits& limits);
 
-/// No limit is missed, commands were made of a device's samples, and the controller could be asked to the end. Both of these must be among the judgements.
+/// No limit is missed or lost, commands were made of a device's samples, and the controller could be asked to the end. Both of these must be among the
+/// judgements.
 bool is_fit(const std::vector<Judgement>& judgements);
 
 /// "fit", "not fit"

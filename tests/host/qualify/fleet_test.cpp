@@ -146,10 +146,11 @@ TEST_F(ReadFleet, TheOutcomeAndTheVerdictMustFollowFromTheFigures) {
   const auto limit = [](const std::string& key, const std::string& value, const std::string& outcome) {
     return R"({"key": ")" + key + R"(", "limit": 1, "value": )" + value + R"(, "outcome": ")" + outcome + "\"}";
   };
-  const auto said = [&](const std::string& verdict, const std::vector<std::string>& limits) {
+  const auto said = [&](const std::string& verdict, const std::vector<std::string>& limits, const std::string& more = "") {
     std::string list;
     for (const std::string& one : limits) list += (list.empty() ? "" : ", ") + one;
-    return complaint({folder_.write("x.json", R"({"host": "x", "date": "", "verdict": ")" + verdict + R"(", "limits": [)" + list + "]}")});
+    return complaint(
+        {folder_.write("x.json", R"({"host": "x", "date": "", "verdict": ")" + verdict + R"(", "limits": [)" + list + "]" + more + "}")});
   };
   const std::string word = limit("word_max_ticks", "1", "met"), faults = limit("faults", "0", "met"), met = limit("a", "1", "met"),
                     missed = limit("b", "1.5", "missed"), unknown = limit("c", "null", "not measured");
@@ -157,6 +158,10 @@ TEST_F(ReadFleet, TheOutcomeAndTheVerdictMustFollowFromTheFigures) {
   EXPECT_THAT(said("fit", {word, faults, unknown}), IsEmpty());
   EXPECT_THAT(said("not fit", {word, faults, missed}), IsEmpty());
   EXPECT_THAT(said("not fit", {limit("word_max_ticks", "null", "not measured"), faults}), IsEmpty());
+  const std::string celsius = limit("celsius_max", "null", "not measured"), lost = R"(, "sensors_unknown": "the shell has ended")";
+  EXPECT_THAT(said("fit", {word, faults, celsius}), IsEmpty());
+  EXPECT_THAT(said("not fit", {word, faults, celsius}, lost), IsEmpty());
+  EXPECT_THAT(said("fit", {word, faults, celsius}, lost), HasSubstr("does not follow from its limits"));
   EXPECT_THAT(said("fit", {}), HasSubstr("x.json: a report without limits"));
   for (const auto& [verdict, limits] :
        std::vector<std::pair<std::string, std::vector<std::string>>>{{"fit", {word, faults, missed}},

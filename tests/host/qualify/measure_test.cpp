@@ -140,6 +140,8 @@ TEST(Measure, WithoutItsShellTheTicksAreMeasuredAllTheSame) {
   EXPECT_GE(figures.seconds, 4);
   EXPECT_GE(figures.ticks, 3500U);
   EXPECT_THAT(figures.cold_unknown, HasSubstr("the shell there has ended"));
+  EXPECT_THAT(figures.sensors_unknown, HasSubstr("the shell there has ended"));
+  EXPECT_THAT(figures.practice_unknown, HasSubstr("the shell there has ended"));
 }
 
 }  // namespace

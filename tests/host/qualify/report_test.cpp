@@ -110,11 +110,15 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   figures.cold = {};
   figures.cold_unknown = "cold ticks were not asked for";
   figures.end_unknown = "the connection was closed";
+  figures.sensors_unknown = "no sensor was read";
+  figures.practice_unknown = "no setting was read";
   figures.moments[0].celsius = figures.moments[1].celsius = std::nullopt;
   const auto judgements = judge(figures, {});
   const auto json = json_report(figures, judgements);
   EXPECT_EQ(json["cyclictest_us"]["unknown"], figures.timer_unknown);
   EXPECT_EQ(json["cold_tick_us"]["unknown"], figures.cold_unknown);
+  EXPECT_EQ(json["sensors_unknown"], figures.sensors_unknown);
+  EXPECT_EQ(json["practice_unknown"], figures.practice_unknown);
   EXPECT_EQ(json["limits"][6]["key"], "celsius_max");
   EXPECT_TRUE(json["limits"][6]["value"].is_null());
   const std::string page = html_report(figures, judgements);
@@ -123,6 +127,8 @@ TEST(Report, WhatIsUnknownIsNullAndSaid) {
   EXPECT_THAT(page, HasSubstr("cold ticks were not asked for"));
   EXPECT_THAT(page, HasSubstr("This board shows none."));
   EXPECT_THAT(page, HasSubstr("the connection was closed"));
+  EXPECT_THAT(page, HasSubstr("no sensor was read"));
+  EXPECT_THAT(page, HasSubstr("no setting was read"));
 }
 
 TEST(Report, ThePageStandsAloneAndShowsTheVerdict) {

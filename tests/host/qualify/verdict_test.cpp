@@ -153,5 +153,13 @@ TEST(Verdict, WhatWasNotMeasuredIsSaidAndOnlyMissingWordsMakeABoardUnfit) {
   EXPECT_FALSE(is_fit({}));
 }
 
+TEST(Verdict, ABoardWhoseSensorsWereLostIsNotFit) {
+  Figures figures = good_board();
+  figures.sensors_unknown = "the shell there has ended";
+  EXPECT_EQ(sentence(judge(figures, {})), "not fit; not measured: highest temperature");
+  figures.moments[0].celsius = 75.1;
+  EXPECT_EQ(sentence(judge(figures, {})), "not fit; beyond the limit: highest temperature") << "what was read until then counts";
+}
+
 }  // namespace
 }  // namespace isotouch::qualify
