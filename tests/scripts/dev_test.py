@@ -23,7 +23,8 @@ FUZZ = """
 for word in "$@"; do case $word in -max_len=*) most=${word#*=} ;; -*) ;; *) folders="$folders $word" ;; esac; done
 case $1 in
   -set_cover_merge=1) fresh=${folders# } && fresh=${fresh%% *} && find $folders -type f -size -$((most + 1))c -exec cp {} $fresh \\; ;;
-  *) echo "#3	DONE   cov: $(find $folders -type f -printf '%s\\n' | sort -n | tail -1) ft: 9 corp: 3/9b" >&2 ;;
+  *) [ -z "${FAKE_CRASH-}" ] || exit 77; [ -z "${FAKE_SILENT-}" ] || exit 0
+     echo "#3	DONE   cov: $(find $folders -type f -printf '%s\\n' | sort -n | tail -1) ft: 9 corp: 3/9b" >&2 ;;
 esac
 """
 
@@ -76,6 +77,18 @@ class DevTest(fakes.Tree):
         self.assertEqual(code, 1)
         self.assertEqual(complaints, "dev: field: the inputs in build/fuzz/minimised reach 22144 of 70000 edges; tests/fuzz/corpus/field stays as it was\n")
         self.assertEqual(len(list(kept.iterdir())), 2)
+
+    def test_inputs_of_the_fuzzer_whose_edges_are_unknown_replace_none(self) -> None:
+        self.script("tests/fuzz/seeds", 'mkdir -p "$2/field"\necho seed >"$2/field/ball"\n')
+        self.script("build/sanitize/bin/fuzz_field", FUZZ)
+        kept = self.root / "tests/fuzz/corpus/field"
+        kept.mkdir(parents=True)
+        (kept / "before").write_bytes(bytes(9))
+        for how in ("FAKE_CRASH", "FAKE_SILENT"):
+            code, _, complaints = self.dev("fuzz", "minimise", "field", **{how: "1"})
+            self.assertEqual((code, complaints), (1, "dev: field: an input ends the program, or libFuzzer names no edges, see build/fuzz/field.log; "
+                                                     "tests/fuzz/corpus/field stays as it was\n"), how)
+            self.assertEqual([file.name for file in kept.iterdir()], ["before"], how)
 
     def test_clang_tidy_checks_shared_and_firmware_wherever_the_checkout_is(self) -> None:
         usual, self.root = self.root, self.root / "c++ [of 2] (a|b) $x^.{1}?*"
