@@ -5,9 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -28,12 +30,13 @@ BoardShell::BoardShell(const Address& address, std::function<bool()> is_over)
     : text_(address.text), is_remote_(address.is_remote()), is_over_(std::move(is_over)) {
   std::vector<std::string> command = {"sh"};
   if (is_remote_) command = ssh_command(address, ssh_program(), "sh");
-  stream_ = run_child(std::move(command), text_, child_, static_cast<bool>(is_over_));
+  // A group of its own only here: ssh must be able to ask the terminal for a password.
+  stream_ = run_child(std::move(command), text_, child_, static_cast<bool>(is_over_), leads_group());
 }
 
 BoardShell::~BoardShell() {
   ::close(stream_);
-  ::kill(child_, SIGTERM);
+  ::kill(leads_group() ? -child_ : child_, SIGTERM);  // with the command that it may still wait for
   ::waitpid(child_, nullptr, 0);
 }
 
@@ -60,7 +63,9 @@ void BoardShell::at_end(const std::string& command) {
 
 BoardShell::Answer BoardShell::run(const std::string& command, double patience_s) {
   using Clock = std::chrono::steady_clock;
-  send("(\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended " + std::to_string(++commands_) + " %d\\n' $?\n");
+  // A command that is ended ends by itself: of one that a signal ends, the shell would complain at our terminal.
+  send("(\ntrap 'exit 1' TERM\n" + command + "\n) </dev/null 2>&1; printf '\\nisotouch: ended " + std::to_string(++commands_) +
+       " %d\\n' $?\n");
   const auto end = Clock::now() + std::chrono::duration<double>(patience_s);
   for (;;) {
     const auto mark = unread_.find(kEnded);
@@ -77,8 +82,9 @@ BoardShell::Answer BoardShell::run(const std::string& command, double patience_s
     if (is_over_ && is_over_()) throw InputError(text_ + ": nobody waits any more for what a command there finds");
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
     pollfd one{stream_, POLLIN, 0};
-    const int ready = left <= 0 ? 0 : ::poll(&one, 1, static_cast<int>(left));
-    if (ready < 0 && errno == EINTR) continue;
+    // Not for all that is left: a signal may come just before.
+    const int ready = left <= 0 ? 0 : ::poll(&one, 1, static_cast<int>(std::min<std::int64_t>(left, 100)));
+    if ((ready == 0 && left > 0) || (ready < 0 && errno == EINTR)) continue;
     if (ready <= 0) throw InputError(text_ + ": a command there has not ended in time; see how busy the board is");
     char more[4096];
     const ssize_t size = ::recv(stream_, more, sizeof more, 0);

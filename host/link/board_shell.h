@@ -16,7 +16,7 @@ class BoardShell {
   /// is_over   asked while a command is waited for: nobody waits any more. Then Ctrl-C does not end the shell, either
   /// fails     InputError: what is not there and what to do
   explicit BoardShell(const Address& address, std::function<bool()> is_over = {});
-  ~BoardShell();
+  ~BoardShell();  ///< with `is_over`, a command that is still running here is ended, unless it traps SIGTERM
   BoardShell(const BoardShell&) = delete;
   BoardShell& operator=(const BoardShell&) = delete;
 
@@ -38,6 +38,7 @@ class BoardShell {
  private:
   void send(const std::string& lines);
   [[noreturn]] void complain_of_the_end() const;
+  bool leads_group() const { return is_over_ && !is_remote_; }
 
   std::string text_;  ///< the address, as written
   bool is_remote_;

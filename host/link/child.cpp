@@ -42,11 +42,12 @@ int failure(int answer) {
 ///
 /// mask      of signals, for the program
 /// told      where errno goes if it does not become the program
-[[noreturn]] void become(char* const* words, int end, bool is_deaf, const sigset_t& mask, int told) {
+[[noreturn]] void become(char* const* words, int end, bool is_deaf, bool leads_group, const sigset_t& mask, int told) {
   for (int number = 1; number < NSIG; ++number) {  // a handler of this process is none of that one
     struct sigaction action {};
     if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) ::signal(number, SIG_DFL);
   }
+  if (leads_group) ::setpgid(0, 0);
   for (const int of_terminal : {SIGINT, SIGHUP}) {
     if (is_deaf) ::signal(of_terminal, SIG_IGN);
   }
@@ -62,14 +63,14 @@ int failure(int answer) {
 /// Starts it with `end` as its input and output. Not by posix_spawn, which lets a program ignore a signal only if this one does, too.
 ///
 /// returns   0, or errno of what failed
-int start(char* const* words, int end, bool is_deaf, pid_t& child) {
+int start(char* const* words, int end, bool is_deaf, bool leads_group, pid_t& child) {
   int answer[2];
   if (::pipe2(answer, O_CLOEXEC) != 0) return errno;
   sigset_t all, before;
   ::sigfillset(&all);
   ::pthread_sigmask(SIG_BLOCK, &all, &before);  // none of our handlers runs in the new process
   child = ::fork();
-  if (child == 0) become(words, end, is_deaf, before, answer[1]);
+  if (child == 0) become(words, end, is_deaf, leads_group, before, answer[1]);
   int failed = child < 0 ? errno : 0;
   ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
   ::close(answer[1]);
@@ -89,13 +90,13 @@ int start(char* const* words, int end, bool is_deaf, pid_t& child) {
 
 }  // namespace
 
-int run_child(std::vector<std::string> command, const std::string& text, pid_t& child, bool is_deaf) {
+int run_child(std::vector<std::string> command, const std::string& text, pid_t& child, bool is_deaf, bool leads_group) {
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) complain(text, command[0], errno);
-  const int failed = start(words.data(), ends[1], is_deaf, child);
+  const int failed = start(words.data(), ends[1], is_deaf, leads_group, child);
   ::close(ends[1]);
   if (failed == 0) return ends[0];
   child = -1;

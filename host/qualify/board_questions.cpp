@@ -105,9 +105,10 @@ std::optional<link::Histogram> read_timer(int status, const std::string& text, s
 
 std::string eviction_command(double seconds) {
   const std::string s = std::to_string(static_cast<int>(std::ceil(seconds)));
-  return "n=$(nproc 2>/dev/null || echo 1); [ $n -le 8 ] || n=8\n"
+  return "p=; trap 'kill $p; exit 1' TERM\n"  // `timeout` leaves the group that is ended
+         "n=$(nproc 2>/dev/null || echo 1); [ $n -le 8 ] || n=8\n"
          "i=0; while [ $i -lt $n ]; do i=$((i + 1)); nice -n 19 timeout " +
-         s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & done; wait";
+         s + " dd if=/dev/zero of=/dev/null bs=$((64 / n))M 2>/dev/null & p=\"$p $!\"; done; wait";
 }
 
 std::string begin_tracing_command() {
@@ -132,7 +133,7 @@ std::string trace_command(std::span<const protocol::WorstTick> ticks) {
   }
   // It stands while it is read, or the reader would never catch up; and the reader takes nothing from the ticks.
   return std::string(kFindTracer) +
-         "echo 0 >$i/tracing_on\n"
+         "trap : TERM; echo 0 >$i/tracing_on\n"  // its end is waited for: a tracer that is read cannot be removed
          "nice -n 19 timeout 10 awk -v windows='" +
          windows +
          "' 'BEGIN { n = split(windows, w, \" \"); for (i = 3; i <= n; i += 3) if (w[i] + 0 > last) last = w[i] + 0 }\n"

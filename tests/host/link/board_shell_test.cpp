@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -65,6 +66,29 @@ TEST(BoardShell, WhoNoLongerWaitsIsNotKept) {
   EXPECT_EQ(shell.run("echo here", 10).text, "here\n");
   is_over = true;
   EXPECT_THROW((void)shell.run("sleep 10", 10), InputError);
+}
+
+using Clock = std::chrono::steady_clock;
+
+TEST(BoardShell, WhoStopsWaitingWithinACommandIsHeardSoon) {
+  const auto end = Clock::now() + std::chrono::milliseconds(300);
+  BoardShell shell(read_address("unix:/nowhere"), [&] { return Clock::now() >= end; });
+  EXPECT_THROW((void)shell.run("sleep 20", 15), InputError);
+  EXPECT_LT(Clock::now() - end, std::chrono::seconds(5)) << "also where no signal wakes it";
+}
+
+TEST(BoardShell, ItsEndDoesNotWaitForACommand) {
+  const ScratchFolder scratch;
+  const auto done = scratch.path() / "done", begun = scratch.path() / "begun";
+  Clock::time_point end;
+  {
+    BoardShell shell(read_address("unix:/nowhere"), [&] { return std::filesystem::exists(begun); });
+    shell.at_end("echo done >\"" + done.string() + "\"");
+    EXPECT_THROW((void)shell.run("echo begun >\"" + begun.string() + "\"; sleep 20; echo", 15), InputError);
+    end = Clock::now();
+  }
+  EXPECT_LT(Clock::now() - end, std::chrono::seconds(5));
+  EXPECT_TRUE(std::filesystem::exists(done)) << "but for what it does at its end";
 }
 
 TEST(BoardShell, ALateAnswerIsNotThatOfTheNextCommand) {
