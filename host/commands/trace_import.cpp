@@ -97,13 +97,14 @@ Output felt(const Input& input, const Eigen::Vector3d& force, double stiffness) 
   return output;
 }
 
-/// fails     InputError naming the sample: its force or its proxy is more than a trace holds
+/// fails     InputError naming the sample: its force or its proxy is more than a trace holds. Of its place, `resample` speaks
 void require_in_range(const std::vector<motion::TimedPoint>& points, const ImportOptions& options) {
   const double stiffness = options.trace.stiffness();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::string sample = options.source.string() + ": sample " + std::to_string(i + 1);
     if (const double most = points[i].force.cwiseAbs().maxCoeff(); !(most <= kMaxForce))
       throw InputError(sample + " has a force of " + std::to_string(most) + " N, a trace holds ±32767 N; forces are read in N");
+    if (!(points[i].position.cwiseAbs().maxCoeff() <= motion::kMaxMm)) continue;
     const Eigen::Vector3d proxy =
         points[i].position + (stiffness > 0 ? Eigen::Vector3d(points[i].force / stiffness) : Eigen::Vector3d::Zero());
     if (const double farthest = proxy.cwiseAbs().maxCoeff(); !(farthest <= motion::kMaxMm)) {

@@ -94,6 +94,8 @@ TEST(TraceImport, AForceOrASurfaceThatATraceCannotHoldIsRefusedByItsSample) {
   EXPECT_EQ(complaint("2000,0,0,0.4,0,0"), "");
   EXPECT_NE(complaint("2000,0,0,2,0,0").find("far.csv: sample 2 has the surface 2200.000000 mm from"), std::string::npos);
   EXPECT_NE(complaint("0,0,0,0,-40000,0").find("far.csv: sample 2 has a force of 40000.000000 N"), std::string::npos);
+  EXPECT_NE(complaint("2500,0,0,0,1,0").find("far.csv: sample 2 lies 2500.000000 mm from"), std::string::npos);
+  EXPECT_NE(complaint("2500,0,0,-10,0,0").find("far.csv: sample 2 lies 2500.000000 mm from"), std::string::npos);
 }
 
 TEST_F(TraceInABag, ItsPositionsAreImportedAnewByTheirTopic) {
