@@ -169,12 +169,14 @@ void import_table(const ImportOptions& options) {
   if (options.forces) require_in_range(points, options);
   TickWriter writer(options.trace, options.forces);
   std::uint64_t ticks = 0, unknown = 0, age = 0;
+  Vec3<Mm> last;  // the first tick is that of a sample
   try {
     ticks = motion::resample(points, options.trace.header().period_ns, [&](Input input, const std::optional<Eigen::Vector3d>& force) {
       if (!options.forces) return writer(input);
       age = force ? 0 : age + 1;
       unknown += force ? 0U : 1U;
       input.fresh = force.has_value();
+      input.hip = last = input.fresh ? input.hip : last;
       input.age = static_cast<std::uint16_t>(std::min<std::uint64_t>(age, UINT16_MAX));
       writer(input, felt(input, force.value_or(Eigen::Vector3d::Zero()), options.trace.stiffness()));
     });

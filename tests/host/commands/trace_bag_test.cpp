@@ -74,10 +74,12 @@ TEST(TraceImport, APauseOfARecordingIsNoTouch) {
   run_command("trace import " + file("gap.csv") + " --forces --stiffness 1 -o " + file("gap.trace"));
   const auto trace = trace::read_trace(file("gap.trace"));
   ASSERT_EQ(trace.size(), 2051U);
+  const Vec3<Mm> last = trace.record(49).input.hip;
   for (std::size_t tick = 0; tick < trace.size(); ++tick) {
     const TraceRecord record = trace.record(tick);
     const bool is_known = tick < 50 || tick > 2000;
     EXPECT_EQ(record.input.fresh, is_known) << tick;
+    EXPECT_TRUE(is_known || record.input.hip == last) << "the same sample as before: " << tick;
     EXPECT_EQ(record.input.age, is_known ? 0 : tick - 49) << tick;
     EXPECT_EQ(record.output.status, is_known ? std::uint32_t{kContact} : std::uint32_t{kStale}) << tick;
     EXPECT_EQ(record.output.force == Vec3<Newton>{}, !is_known) << tick;
