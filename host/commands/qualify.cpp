@@ -43,8 +43,8 @@ void print(std::FILE* to, const qualify::Figures& figures, const std::vector<qua
     std::fprintf(to, "%-30s%s: %s\n%30s%s%s%s\n", f.what.c_str(), f.read.empty() ? "-" : f.read.c_str(), qualify::name_of(f.verdict), "",
                  f.why.c_str(), f.remedy.empty() ? "" : " ", f.remedy.c_str());
   }
-  for (const std::string& remark : {figures.sensors_unknown, figures.practice_unknown, figures.cold_unknown, figures.timer_unknown,
-                                    figures.cause_unknown, figures.end_unknown}) {
+  for (const std::string& remark :
+       {figures.sensors_unknown, figures.practice_unknown, figures.cold_unknown, figures.timer_unknown, figures.cause_unknown}) {
     if (!remark.empty()) std::fprintf(to, "%s\n", remark.c_str());
   }
 }
@@ -77,7 +77,7 @@ void run(QualifyOptions& options) {
   write(options.page, qualify::html_report(figures, judgements));
   write(options.json, qualify::json_report(figures, judgements).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
   if (unwritten) std::rethrow_exception(unwritten);
-  if (figures.is_cut) throw EndedEarly(figures.end_unknown + "; the figures are those until then: " + qualify::sentence(judgements));
+  if (figures.is_cut()) throw EndedEarly(figures.end_unknown + "; the figures are those until then: " + qualify::sentence(judgements));
   if (!qualify::is_fit(judgements)) throw ComparisonFailed(options.to + ": " + qualify::sentence(judgements));
   std::fprintf(to, "%s: %s\n", options.to.c_str(), qualify::sentence(judgements).c_str());
 }

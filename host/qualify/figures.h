@@ -70,8 +70,9 @@ struct Figures {
   std::string timer_unknown;  ///< one sentence why there are none
 
   std::vector<Moment> later;  ///< looks after the cold ticks and after each piece of cyclictest, without sensors
-  std::string end_unknown;    ///< one sentence why the controller could not be asked then; empty: it could
-  bool is_cut = false;        ///< the measurement ended before its time, as `end_unknown` says
+  std::string end_unknown;    ///< one sentence why the measurement ended before its time; empty: it did not
+
+  bool is_cut() const { return !end_unknown.empty(); }
 };
 
 /// What came between two readings of a histogram that only grows.

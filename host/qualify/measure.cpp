@@ -123,6 +123,8 @@ bool gives_force(const protocol::StatusReport& status) {
 }
 
 constexpr const char* kInterrupted = ": the measurement was interrupted";
+constexpr const char* kColdCut = "cold ticks are unknown: the measurement ended before";
+constexpr const char* kTimerCut = "cyclictest was not run to its end: the measurement ended before";
 constexpr const char* kNoSensors = "the temperature could not be read at each check: ";
 constexpr const char* kNoPractice = "the settings that affect timing could not be read: ";
 
@@ -236,7 +238,7 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     try {
       (void)shell.run(eviction_command(seconds), seconds + 3 * kPatience);
     } catch (const InputError& e) {
-      figures.cold_unknown = e.what();
+      figures.cold_unknown = wish.is_over() ? kColdCut : e.what();
     }
     const double written = seconds_since(begun);
     figures.cold_late = controller.status().late - late_before;  // they count whatever became of the shell
@@ -249,19 +251,19 @@ void measure_cold(link::Controller& controller, link::BoardShell& shell, const W
     figures.cold_seconds = written;
     if (figures.cold.count == 0) figures.cold_unknown = "cold ticks are unknown: no tick came while memory was written";
   } catch (const InputError& e) {  // the ticks are measured, and stay so
-    figures.cold_unknown = "cold ticks are unknown: the controller could not be asked about them";
+    figures.cold_unknown = wish.is_over() ? kColdCut : "cold ticks are unknown: the controller could not be asked about them";
     figures.end_unknown = e.what();
   }
 }
 
 /// A piece of cyclictest, or `figures.timer_unknown` says why there is none.
-std::optional<link::Histogram> timer_slice(link::BoardShell& shell, double seconds, Figures& figures) {
+std::optional<link::Histogram> timer_slice(link::BoardShell& shell, double seconds, const Wish& wish, Figures& figures) {
   try {
     const link::BoardShell::Answer answer =
         shell.run(timer_command(figures.timer_priority, figures.period_ns / 1000, seconds), seconds + 3 * kPatience);
     return read_timer(answer.status, answer.text, figures.timer_unknown);
   } catch (const InputError& e) {  // the ticks are measured, and stay so
-    figures.timer_unknown = e.what();
+    figures.timer_unknown = wish.is_over() ? kTimerCut : e.what();
     return std::nullopt;
   }
 }
@@ -272,7 +274,7 @@ void measure_timer(Looks& looks, link::BoardShell& shell, const Wish& wish, Figu
     return;
   }
   for (double left = wish.seconds; left > 0 && figures.timer_unknown.empty(); left -= kTimerSlice) {
-    if (const auto timer = timer_slice(shell, std::min(left, kTimerSlice), figures)) figures.timer = sum(figures.timer, *timer);
+    if (const auto timer = timer_slice(shell, std::min(left, kTimerSlice), wish, figures)) figures.timer = sum(figures.timer, *timer);
     looks.look_later(figures);  // also where cyclictest failed: perhaps because the controller or its board is gone
   }
 }
@@ -324,22 +326,27 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   } catch (const InputError& e) {
     figures.end_unknown = e.what();
   }
-  if (wish.is_over()) figures.end_unknown = address + kInterrupted;
-  if (!figures.end_unknown.empty()) {
-    figures.is_cut = true;
-    figures.cold_unknown = "cold ticks are unknown: the measurement ended before";
-    figures.timer_unknown = "cyclictest was not run: the measurement ended before";
+  const auto is_cut = [&] {
+    if (wish.is_over()) figures.end_unknown = address + kInterrupted;
+    return figures.is_cut();
+  };
+  if (is_cut()) {
+    figures.cold_unknown = kColdCut;
+    figures.timer_unknown = kTimerCut;
     return figures;
   }
   if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
   measure_cold(controller, shell, wish, figures);
   looks.look_later(figures);
+  if (is_cut()) {
+    figures.timer_unknown = kTimerCut;
+    return figures;
+  }
 
   figures.timer_priority = timer_priority(wish.priority, files_before);
   if (figures.timer_priority > 0) tell("cyclictest, as long again");
   measure_timer(looks, shell, wish, figures);
-  figures.is_cut = wish.is_over();
-  if (figures.is_cut) figures.end_unknown = address + kInterrupted;
+  (void)is_cut();
   return figures;
 }
 

@@ -26,8 +26,8 @@ int timer_priority(std::optional<int> wished, const BoardFiles& files);
 ///
 /// address   as host/link/address.h
 /// tell      what happens now, for people
-/// returns   figures that are cut, where it was to end, or the controller was lost, before the ticks were measured for their time
-/// fails     InputError: nothing was measured
+/// returns   figures that are cut, where it was to end, or the controller was lost, before all of it was measured
+/// fails     InputError: not even the first second was measured
 Figures measure(const std::string& address, const Wish& wish, const std::function<void(const std::string&)>& tell);
 
 }  // namespace isotouch::qualify

@@ -92,7 +92,7 @@ constexpr double kLong = 600;
 TEST(Measure, WhatWasCountedStaysWhereTheControllerIsLost) {
   const test::Scripted controller({ticking([](int histograms) { return histograms <= 10; })});
   const Figures figures = measured(controller, {.seconds = kLong, .priority = 0, .trace = false});
-  EXPECT_TRUE(figures.is_cut);
+  EXPECT_TRUE(figures.is_cut());
   EXPECT_THAT(figures.end_unknown, HasSubstr("closed the connection"));
   EXPECT_GT(figures.seconds, 0.9);
   EXPECT_GE(figures.ticks, 900U);
@@ -108,7 +108,7 @@ TEST(Measure, WhatWasCountedStaysWhereSomebodyEndsIt) {
   })});
   const Figures figures =
       measured(controller, {.seconds = kLong, .priority = 0, .trace = false, .is_over = [&] { return is_over.load(); }});
-  EXPECT_TRUE(figures.is_cut);
+  EXPECT_TRUE(figures.is_cut());
   EXPECT_THAT(figures.end_unknown, HasSubstr("the measurement was interrupted"));
   EXPECT_GE(figures.ticks, 900U);
   EXPECT_FALSE(is_fit(judge(figures, {})));
@@ -136,7 +136,7 @@ TEST(Measure, WithoutItsShellTheTicksAreMeasuredAllTheSame) {
   ::setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
   const Figures figures = measured(controller, {.seconds = 4, .priority = 0, .trace = false});
   ::setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(figures.is_cut);
+  EXPECT_FALSE(figures.is_cut());
   EXPECT_GE(figures.seconds, 4);
   EXPECT_GE(figures.ticks, 3500U);
   EXPECT_THAT(figures.cold_unknown, HasSubstr("the shell there has ended"));
