@@ -1,6 +1,7 @@
 #include "host/cloud/obj.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::array<std::string_view, 3> kStatements = {"v", "vn", "f"};  // those that are read
 
 struct Corner {
   std::uint32_t vertex = kNone;
@@ -73,7 +75,7 @@ Corner corner(TextLines& lines, std::string_view field, const ObjFile& obj) {
 }
 
 ObjFile read(const std::string& name, std::span<const std::uint8_t> bytes) {
-  TextLines lines(name, bytes, TextLines::Lines::kMayGoOn);
+  TextLines lines(name, bytes, kStatements);
   ObjFile obj;
   while (lines.next()) {
     const std::string_view keyword = lines.field().value_or("");
@@ -156,7 +158,7 @@ Model read_obj_points(const std::string& name, std::span<const std::uint8_t> byt
 }
 
 bool is_bare_obj_mesh(const std::string& name, std::span<const std::uint8_t> bytes) {
-  TextLines lines(name, bytes, TextLines::Lines::kMayGoOn);
+  TextLines lines(name, bytes, kStatements);
   bool faces = false;
   while (lines.next()) {
     if (lines.field() != "f") continue;

@@ -17,29 +17,40 @@ constexpr std::string_view kSeparatorsOfJoined = " \t,;\\\r\n";
 
 }  // namespace
 
-TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes, Lines lines)
-    : name_(std::move(name)), bytes_(bytes), lines_(lines) {
+TextLines::TextLines(std::string name, std::span<const std::uint8_t> bytes, std::span<const std::string_view> going_on)
+    : name_(std::move(name)), bytes_(bytes), going_on_(going_on) {
   constexpr std::array<std::uint8_t, 3> kMark = {0xEF, 0xBB, 0xBF};  // of UTF-8, as editors of Windows write it
   if (bytes.size() >= kMark.size() && std::equal(kMark.begin(), kMark.end(), bytes.begin())) next_ = kMark.size();
 }
 
 bool TextLines::next() {
   if (next_ >= bytes_.size()) return false;
-  const char* begin = reinterpret_cast<const char*>(bytes_.data()) + next_;
-  do {
-    const char* from = reinterpret_cast<const char*>(bytes_.data()) + next_;
-    const void* found = std::memchr(from, '\n', bytes_left());
-    const char* end = found != nullptr ? static_cast<const char*>(found) : from + bytes_left();
-    next_ += static_cast<std::size_t>(end - from) + (found != nullptr ? 1 : 0);
-    ++line_;
-    rest_ = std::string_view(begin, static_cast<std::size_t>(end - begin));
-    if (rest_.ends_with('\r')) rest_.remove_suffix(1);
-  } while (lines_ == Lines::kMayGoOn && rest_.ends_with('\\') && next_ < bytes_.size());
+  std::string_view last = line_of_file();
+  rest_ = last;
+  const std::string_view word = last.substr(std::min(last.find_first_not_of(kSeparatorsOfJoined), last.size()));
+  if (std::find(going_on_.begin(), going_on_.end(), word.substr(0, word.find_first_of(kSeparatorsOfJoined))) == going_on_.end())
+    return true;
+  // A remark may end in the name of a folder.
+  while (last.ends_with('\\') && last.find('#') == std::string_view::npos && next_ < bytes_.size()) {
+    last = line_of_file();
+    rest_ = std::string_view(rest_.data(), static_cast<std::size_t>(last.data() + last.size() - rest_.data()));
+  }
   return true;
 }
 
+std::string_view TextLines::line_of_file() {
+  const char* begin = reinterpret_cast<const char*>(bytes_.data()) + next_;
+  const void* found = std::memchr(begin, '\n', bytes_left());
+  const char* end = found != nullptr ? static_cast<const char*>(found) : begin + bytes_left();
+  next_ += static_cast<std::size_t>(end - begin) + (found != nullptr ? 1 : 0);
+  ++line_;
+  std::string_view line(begin, static_cast<std::size_t>(end - begin));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
 std::optional<std::string_view> TextLines::field() {
-  const std::string_view separators = lines_ == Lines::kMayGoOn ? kSeparatorsOfJoined : kSeparators;
+  const std::string_view separators = going_on_.empty() ? kSeparators : kSeparatorsOfJoined;
   const std::size_t begin = rest_.find_first_not_of(separators);
   if (begin == std::string_view::npos) return std::nullopt;
   rest_.remove_prefix(begin);

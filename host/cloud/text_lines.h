@@ -15,12 +15,10 @@ namespace isotouch::cloud {
 /// Fields are separated by blanks, tabs, commas and semicolons. A carriage return at the end of a line is no part of it.
 class TextLines {
  public:
-  /// Does a backslash at its end join a line with the next?
-  enum class Lines { kEnd, kMayGoOn };
-
   /// name      of the file, for the sentences
   /// bytes     stay alive and unchanged; a byte order mark of UTF-8 at their begin is skipped
-  TextLines(std::string name, std::span<const std::uint8_t> bytes, Lines lines = Lines::kEnd);
+  /// going_on  first words of the lines that a backslash at the end joins with the next, unless a # is in them; they stay alive
+  TextLines(std::string name, std::span<const std::uint8_t> bytes, std::span<const std::string_view> going_on = {});
 
   /// Goes to the next line; false at the end of the text.
   bool next();
@@ -41,12 +39,15 @@ class TextLines {
   InputError refusal(const std::string& what) const;
 
  private:
+  /// Reads one line of the file, without its end.
+  std::string_view line_of_file();
+
   std::string name_;
   std::span<const std::uint8_t> bytes_;
   std::size_t next_ = 0;
   std::size_t line_ = 0;
   std::string_view rest_;
-  Lines lines_;
+  std::span<const std::string_view> going_on_;
 };
 
 /// How many fields a line has between blanks or semicolons, if one of them has a comma between digits and none has two commas: then they are numbers with

@@ -66,6 +66,22 @@ TEST(Obj, ALineMayGoOnInTheNext) {
   EXPECT_EQ(model.lines, (std::vector<std::size_t>{2, 3, 5, 6}));
 }
 
+/// Paths of Windows end in one, too.
+TEST(Obj, OnlyStatementsThatAreReadGoOn) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0 # from C:\\scans\\\nv 0 1 0\n";
+  for (const std::string line :
+       {"# made from C:\\scans\\", "#\\", "mtllib C:\\scans\\", "o C:\\scans\\", "g a \\", "usemtl C:\\v\\", "vt 0 \\"}) {
+    for (const std::string end : {"\n", "\r\n"}) {
+      const std::string text = line + end + vertices + line + end + "f 1 2 3 4\n";
+      EXPECT_TRUE(is_bare_obj_mesh("f.obj", bytes_of(text))) << line;
+      const Model model = read_obj_faces("f.obj", bytes_of(text));
+      EXPECT_EQ(model.positions, (std::vector<Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})) << line;
+      EXPECT_EQ(model.faces.size(), 2U) << line;
+      EXPECT_EQ(model.lines, (std::vector<std::size_t>{2, 3, 4, 5})) << line;
+    }
+  }
+}
+
 TEST(Obj, DecimalCommasAreRefused) {
   for (const std::string line : {"v 1,5 2,5 3,5", "v 1,5 2 3,25 1,0", "vn 0,5 0,5 0,7"}) {
     try {
