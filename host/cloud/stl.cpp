@@ -79,7 +79,8 @@ Model read_ascii(const std::string& name, std::span<const std::uint8_t> bytes) {
         value = lines.number("a coordinate");
         if (!std::isfinite(value)) throw lines.refusal("a coordinate is not a finite number");
       }
-      if (const auto extra = lines.field()) throw lines.refusal(quote(*extra) + " follows the three coordinates of a vertex");
+      if (const auto extra = lines.field(); extra && as_number(*extra))
+        throw lines.refusal(quote(*extra) + " follows the three coordinates of a vertex");
       model.positions.push_back(p);
       model.lines.push_back(lines.line());
     } else if (word == "endfacet") {

@@ -83,6 +83,7 @@ TEST(Stl, DecimalCommasAndAFourthNumberAreRefused) {
   EXPECT_EQ(refusal(ascii("0,5 2,5 0,0")), "f.stl: line 4: its numbers have decimal commas; save them with decimal points");
   EXPECT_EQ(refusal(ascii("0 0 0 1")), "f.stl: line 4: '1' follows the three coordinates of a vertex");
   EXPECT_EQ(refusal(ascii("0, 0, 0")), "");
+  EXPECT_EQ(refusal(ascii("0 0 0 # a")), "");
 }
 
 }  // namespace
