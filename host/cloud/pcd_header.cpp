@@ -66,13 +66,15 @@ PcdData data(TextLines& lines) {
 void check_fields(const std::string& name, PcdHeader& header) {
   constexpr std::array<const char*, 6> kNames = {"x", "y", "z", "normal_x", "normal_y", "normal_z"};
   std::array<const PcdField*, 6> found{};
+  drop_second_names(header.fields, kNames);
   for (const PcdField& field : header.fields) {
     const auto column = point_column(field.name);
     if (!column) continue;
     if (const PcdField* other = std::exchange(found[*column], &field)) {
       throw InputError(name + ": " +
-                       (other->name == field.name ? "field " + quote(field.name) + " is declared twice"
-                                                  : "fields " + quote(other->name) + " and " + quote(field.name) + " are the same"));
+                       (other->name == field.name
+                            ? "field " + quote(field.name) + " is declared twice"
+                            : "fields " + quote(other->name) + " and " + quote(field.name) + " are the same; remove one of them"));
     }
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {

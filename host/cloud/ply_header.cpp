@@ -115,7 +115,7 @@ void check_range(const std::string& name, const PlyHeader& header) {
 }
 
 /// What the readers rely on: positions, and normals either whole or not at all.
-void check_vertex(const std::string& name, const PlyHeader& header) {
+void check_vertex(const std::string& name, PlyHeader& header) {
   const auto vertex = std::find_if(header.elements.begin(), header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; });
   if (vertex == header.elements.end())
     throw InputError(name + ": the PLY header declares no element 'vertex', so there are no points in it");
@@ -125,6 +125,7 @@ void check_vertex(const std::string& name, const PlyHeader& header) {
     if (property.count_type)
       throw InputError(name + ": property " + quote(property.name) + " of element 'vertex' is a list; it must be a single number");
   };
+  drop_second_names(vertex->properties, kNames);
   for (const PlyProperty& property : vertex->properties) {
     if (property.name == "stiffness") require_number(property);
     const auto column = point_column(property.name);

@@ -30,4 +30,18 @@ inline std::optional<std::size_t> point_column(std::string_view name) {
   return std::nullopt;
 }
 
+/// Where a file names a number of the points twice, as "nx" and "Nx", the format's own name counts: the others get a blank, so they are no point columns.
+///
+/// own       the format's names of the six columns
+template <class Fields>
+void drop_second_names(Fields& fields, const std::array<const char*, 6>& own) {
+  std::array<bool, 6> has_own{};
+  for (const auto& field : fields) {
+    if (const auto column = point_column(field.name)) has_own[*column] |= field.name == own[*column];
+  }
+  for (auto& field : fields) {
+    if (const auto column = point_column(field.name); column && has_own[*column] && field.name != own[*column]) field.name += ' ';
+  }
+}
+
 }  // namespace isotouch::cloud

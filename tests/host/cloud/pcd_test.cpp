@@ -158,5 +158,18 @@ TEST(Pcd, NormalsHaveSeveralNames) {
   }
 }
 
+TEST(Pcd, OfTwoNamesTheFormatsOwnCounts) {
+  for (const auto& [names, row] : {std::pair("x y z X normal_x normal_y normal_z nx ny nz", "1 2 3 4 0 1 0 5 6 7"),
+                                   std::pair("X nx ny nz x y z normal_x normal_y normal_z", "4 5 6 7 1 2 3 0 1 0")}) {
+    const Model model =
+        read(header(names, "4 4 4 4 4 4 4 4 4 4", "F F F F F F F F F F", "1 1 1 1 1 1 1 1 1 1", 1, 1, "ascii") + row + '\n');
+    EXPECT_EQ(model.positions, (std::vector<Vector3d>{{1, 2, 3}})) << names;
+    EXPECT_EQ(model.normals, (std::vector<Vector3d>{{0, 1, 0}})) << names;
+  }
+  EXPECT_THAT(
+      [] { read(header("x y z NX nx ny nz", "4 4 4 4 4 4 4", "F F F F F F F", "1 1 1 1 1 1 1", 1, 1, "ascii") + "1 2 3 0 0 1 0\n"); },
+      ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("fields 'NX' and 'nx' are the same; remove one of them")));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud

@@ -1,5 +1,6 @@
 #include "host/cloud/ply.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -163,10 +164,25 @@ TEST(Ply, NormalsHaveSeveralNames) {
   }
 }
 
-TEST(Ply, TheSameUnderTwoNamesIsRefused) {
-  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
-  EXPECT_THROW(read(begin + "property float X\nend_header\n1 2 3 4\n"), InputError);
-  EXPECT_THROW(read(begin + "property float nx\nproperty float ny\nproperty float normal_z\nend_header\n1 2 3 0 1\n"), InputError);
+TEST(Ply, OfTwoNamesTheFormatsOwnCounts) {
+  const std::string begin = "ply\nformat ascii 1.0\nelement vertex 1\n";
+  const std::string own = "property float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz\n";
+  const std::string other = "property float X\nproperty float Nx\nproperty float Ny\nproperty list uchar float normal_z\n";
+  for (const std::string& text :
+       {begin + own + other + "end_header\n1 2 3 0 1 0 4 5 6 1 7\n", begin + other + own + "end_header\n4 5 6 1 7 1 2 3 0 1 0\n"}) {
+    const Model model = read(text);
+    EXPECT_EQ(model.positions, (std::vector<Vector3d>{{1, 2, 3}}));
+    EXPECT_EQ(model.normals, (std::vector<Vector3d>{{0, 1, 0}}));
+  }
+  EXPECT_THAT([&] { read(begin + own + "property float stiffness\nproperty float stiffness\nend_header\n1 2 3 0 1 0 1 1\n"); },
+              ::testing::Throws<InputError>());
+  EXPECT_THAT(
+      [&] {
+        read(begin +
+             "property float x\nproperty float y\nproperty float z\nproperty float NX\n"
+             "property float normal_x\nend_header\n1 2 3 0 0\n");
+      },
+      ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("'NX' and 'normal_x' of element 'vertex' are the same; remove one")));
 }
 
 }  // namespace
