@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -38,7 +39,11 @@ class TextRows {
       }
     } while (lines_.rest().find_first_not_of(" \t") == std::string_view::npos);
   }
-  double number(PlyType, std::string_view what) { return lines_.number(what); }
+  double number(PlyType type, std::string_view what) {
+    const double value = lines_.number(what);
+    const bool fits = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+    return type == PlyType::kFloat32 && fits ? static_cast<double>(static_cast<float>(value)) : value;  // as in the binary file
+  }
   void end_row() {
     if (const auto extra = lines_.field()) throw refusal(quote(*extra) + " follows the last property of the row");
   }

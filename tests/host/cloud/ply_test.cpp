@@ -185,5 +185,12 @@ TEST(Ply, OfTwoNamesTheFormatsOwnCounts) {
       ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("'NX' and 'normal_x' of element 'vertex' are the same; remove one")));
 }
 
+TEST(Ply, TextHoldsTheDeclaredFloats) {
+  const Model model = read(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty double y\nproperty float32 z\nend_header\n500000.03 0.1 "
+      "1e200\n");
+  EXPECT_EQ(model.positions, (std::vector<Vector3d>{{500000.03125, 0.1, 1e200}}));
+}
+
 }  // namespace
 }  // namespace isotouch::cloud
