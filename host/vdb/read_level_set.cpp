@@ -27,6 +27,8 @@ using openvdb::Coord;
 using openvdb::DoubleGrid;
 using openvdb::FloatGrid;
 
+constexpr double kFarthestPlace = 1e12;  // as of points (host/cloud/check.h)
+
 /// world = linear * index + offset
 struct Axes {
   Matrix3d linear;
@@ -125,6 +127,12 @@ class Samples {
     tree_.evalLeafBoundingBox(leaves);
     if (!openvdb::CoordBBox(Coord(-kFarthest), Coord(kFarthest)).isInside(leaves))
       throw InputError(of_ + "has a value more than 536,870,912 voxels from its origin; move the object there where it was made");
+    const Vector3d low = eigen(leaves.min()), high = eigen(leaves.max());
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3d index((corner & 1 ? high : low).x(), (corner & 2 ? high : low).y(), (corner & 4 ? high : low).z());
+      if (!((axes_.linear * index + axes_.offset).array().abs() <= kFarthestPlace).all())
+        throw InputError(of_ + "reaches farther than 1e12 from the origin; the file is damaged or its units are unusable");
+    }
     if (!std::isfinite(background_) || !(background_ >= axes_.edge)) {
       throw InputError(of_ + "has a background of " + std::to_string(background_) + "; a level set's is its half width, one voxel or more");
     }

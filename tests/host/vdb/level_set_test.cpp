@@ -209,6 +209,12 @@ TEST(LevelSet, WhatIsNoneIsRefusedInASentence) {
     openvdb::tools::signedFloodFill(moved->tree());
     EXPECT_THAT(why(moved), HasSubstr("has a value more than 536,870,912 voxels from its origin")) << far;
   }
+  const auto large = sphere();
+  large->transform().postScale(1e12);
+  EXPECT_THAT(why(large), HasSubstr("reaches farther than 1e12 from the origin"));
+  const auto away = sphere();
+  away->transform().postTranslate(openvdb::Vec3d(0, -1e13, 0));
+  EXPECT_THAT(why(away), HasSubstr("reaches farther than 1e12 from the origin"));
   EXPECT_THAT(refusal([&] { LevelSet::read(folder.write("b.vdb", "no volume")); }), HasSubstr("b.vdb: OpenVDB cannot read it: "));
 }
 
