@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "host/cloud/lzf.h"
@@ -21,6 +22,8 @@ namespace {
 
 using Eigen::Vector3d;
 using Row = std::array<double, 6>;  ///< a place and a normal
+
+constexpr std::size_t kMaxAtPlace = 81;  // pixels of a surface: as many as the widest window of a normal has (scan_grid.cpp)
 
 std::size_t point_bytes(const PcdHeader& header) {
   return std::accumulate(header.fields.begin(), header.fields.end(), std::size_t{0},
@@ -145,24 +148,51 @@ void read_points(Rows rows, const PcdHeader& header, Model& model) {
   rows.end();
 }
 
+/// Leaves points out of a model without a grid.
+///
+/// returns   how many
+template <class Stays>
+std::size_t keep(Model& model, const Stays& stays) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < model.positions.size(); ++i) {
+    if (!stays(i)) continue;
+    model.positions[kept] = model.positions[i];
+    if (!model.normals.empty()) model.normals[kept] = model.normals[i];
+    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
+    ++kept;
+  }
+  const std::size_t left_out = model.positions.size() - kept;
+  model.positions.resize(kept);
+  if (!model.normals.empty()) model.normals.resize(kept);
+  if (!model.lines.empty()) model.lines.resize(kept);
+  return left_out;
+}
+
 /// Leaves out points whose normal is not known, unless it is known of none.
 void drop_without_normal(Model& model) {
-  std::size_t kept = 0;
   if (std::none_of(model.normals.begin(), model.normals.end(), [](const Vector3d& n) { return n.allFinite(); })) {
     model.normals.clear();
     return;
   }
-  for (std::size_t i = 0; i < model.normals.size(); ++i) {
-    if (!model.normals[i].allFinite()) continue;
-    model.positions[kept] = model.positions[i];
-    model.normals[kept] = model.normals[i];
-    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
-    ++kept;
+  model.incomplete += keep(model, [&](std::size_t i) { return model.normals[i].allFinite(); });
+}
+
+/// Leaves out of an image what some programs write where nothing returned, such as 0 0 0 or -1 -1 -1.
+void drop_constants(Model& model) {
+  const auto place = [&](std::size_t i) { return std::tuple(model.positions[i].x(), model.positions[i].y(), model.positions[i].z()); };
+  std::vector<std::uint32_t> order(model.positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return place(a) < place(b); });
+  std::vector<bool> is_constant(order.size());
+  for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+    while (end < order.size() && place(order[end]) == place(order[first])) ++end;
+    for (std::size_t i = first; i < end && end - first > kMaxAtPlace; ++i) is_constant[order[i]] = true;
   }
-  model.incomplete += model.positions.size() - kept;
-  model.positions.resize(kept);
-  model.normals.resize(kept);
-  if (!model.lines.empty()) model.lines.resize(kept);
+  std::uint32_t kept = 0;
+  for (std::uint32_t& cell : model.grid->cells) {
+    if (cell != ScanGrid::kNoReturn) cell = is_constant[cell] ? ScanGrid::kNoReturn : kept++;
+  }
+  keep(model, [&](std::size_t i) { return !is_constant[i]; });
 }
 
 void read_binary(const std::string& name, std::span<const std::uint8_t> body, const PcdHeader& header, Model& model) {
@@ -220,6 +250,7 @@ Model read_pcd(const std::string& name, std::span<const std::uint8_t> bytes) {
   if (model.positions.empty() && header.points > 0 && !header.is_organised())  // an image may show nothing
     throw InputError(name + ": none of its " + std::to_string(header.points) + " points has finite coordinates");
   if (header.has_normals) drop_without_normal(model);
+  if (model.grid) drop_constants(model);
   return model;
 }
 

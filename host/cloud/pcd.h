@@ -10,7 +10,8 @@
 namespace isotouch::cloud {
 
 /// Takes place and normal (point_columns.h) of any number type; other fields are skipped. Points without finite coordinates are no points. Of
-/// points with normals those without a finite one are left out, too; when none has one, there are no normals.
+/// points with normals those without a finite one are left out, too; when none has one, there are no normals. A place that more than 81 pixels of an
+/// image without normals have is a constant that stands where nothing returned, and no point.
 ///
 /// returns   a model, with a grid when HEIGHT is above 1 and there are no normals. The sensor stood at the translation of VIEWPOINT, in the points'
 ///           own frame: PCL's normal estimation takes it so. In the origin it says nothing

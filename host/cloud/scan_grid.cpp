@@ -30,7 +30,8 @@ constexpr double kOfDepth =
 // and 1e-4, if they go on for 54 degrees and lie within 67 degrees of the middle one.
 constexpr double kBentOfDepth = 0.02;
 constexpr double kBentOfSight = 1.6e-5;
-constexpr double kBeforeCamera = 0.2588;  // cosine of 75 degrees
+constexpr double kBeforeCamera = 0.2588;   // cosine of 75 degrees
+constexpr std::size_t kOneBehindIn = 100;  // of the normals
 
 /// The cells, and where a surface leads from one to the next.
 class Cells {
@@ -62,7 +63,9 @@ class Cells {
     const Vector3d way = place(to) - place(from);
     const Vector3d sight = 0.5 * (place(from) + place(to)) - grid_.sensor;
     const double along = way.dot(sight);
-    if (along * along > kAlongSight * way.squaredNorm() * sight.squaredNorm()) {
+    const bool is_one_behind =
+        (place(from) - grid_.sensor).dot(place(to) - grid_.sensor) < 0.0;  // neighbours are seen in nearly one direction
+    if (is_one_behind || along * along > kAlongSight * way.squaredNorm() * sight.squaredNorm()) {
       links_[from] |= kJump;
       links_[to] |= kJump;
     } else {
@@ -185,25 +188,28 @@ OffPlanes off_planes(const Cells& cells, const Vector3d& sensor, bool is_by_rows
   return result;
 }
 
-/// Do all returns lie well before a camera in that place?
+/// Do the cells lie well before a camera in that place? A few may be wrong.
 bool are_before(const Cells& cells, const Vector3d& sensor) {
   Vector3d sum = Vector3d::Zero();
   const auto for_each_sight = [&](const auto& visit) {
     for (std::size_t cell = 0; cell < cells.rows() * cells.columns(); ++cell) {
-      if (cells.has(cell) && cells.place(cell) != sensor)
-        visit((cells.place(cell) - sensor).normalized());  // some write it where nothing returned
+      if (cells.has(cell)) visit((cells.place(cell) - sensor).normalized());
     }
   };
   for_each_sight([&](const Vector3d& sight) { sum += sight; });
   const Vector3d middle = sum.normalized();
-  bool all = true;
-  for_each_sight([&](const Vector3d& sight) { all &= sight.dot(middle) > kBeforeCamera; });
-  return all;
+  std::size_t count = 0, behind = 0;
+  for_each_sight([&](const Vector3d& sight) {
+    ++count;
+    behind += sight.dot(middle) > kBeforeCamera ? 0U : 1U;
+  });
+  return kOneBehindIn * behind <= count;
 }
 
 /// Was the image seen from its sensor's place? In an image right is right and down is down, so that its winding faces away from the camera; but some cameras
 /// deliver mirrored ones.
 ///
+/// cells     only those that have a normal: what was written where nothing returned says nothing of the sensor
 /// away      it does
 bool is_believed(const Cells& cells, const ScanGrid& grid, bool away) {
   const auto columns = [&](const Vector3d& place) { return off_planes(cells, place, false); };
@@ -245,13 +251,17 @@ std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bo
   const Cells cells(model.positions, grid);
   const int radius = radius_for(relative_noise(cells));
   std::vector<Vector3d> normals(model.positions.size(), Vector3d::Zero());
+  ScanGrid with_normal = grid;
   std::size_t returns = 0, oriented = 0, facing = 0;
   for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
     if (!cells.has(cell)) continue;
     ++returns;
     const Vector3d n = normal(cells, cell / grid.columns, cell % grid.columns, radius);
     const double length = n.norm();
-    if (!(length > 0.0) || !std::isfinite(length)) continue;
+    if (!(length > 0.0) || !std::isfinite(length)) {
+      with_normal.cells[cell] = ScanGrid::kNoReturn;
+      continue;
+    }
     ++oriented;
     normals[grid.cells[cell]] = n / length;
     facing += n.dot(grid.sensor - cells.place(cell)) > 0.0 ? 1U : 0U;
@@ -259,7 +269,7 @@ std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bo
   const bool away = 2 * facing < oriented;
   const std::size_t outvoted = away ? facing : oriented - facing;
   if (2 * oriented < returns || kOneIn * outvoted >= oriented) return std::nullopt;
-  if (!is_believed(cells, grid, away)) {
+  if (!is_believed(Cells(model.positions, with_normal), with_normal, away)) {
     if (is_elsewhere != nullptr) *is_elsewhere = true;
     return std::nullopt;
   }

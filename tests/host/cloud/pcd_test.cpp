@@ -141,6 +141,29 @@ TEST(Pcd, AnOrganisedCloudHasAGrid) {
   EXPECT_EQ(model.grid->sensor, Vector3d(0, 0, -1));
 }
 
+/// An image of 20 x 20 pixels, of which some have one place.
+Model image_with_constant(int pixels, const std::string& constant) {
+  std::string rows;
+  for (int i = 0; i < 400; ++i) rows += i < pixels ? constant + '\n' : std::to_string(i % 20) + ' ' + std::to_string(i / 20) + " 40\n";
+  return read(xyz_header(20, 20, "ascii") + rows);
+}
+
+TEST(Pcd, WhatManyPixelsHaveInCommonIsNoPoint) {
+  for (const char* constant : {"0 0 0", "-1 -1 -1", "0 0 4", "nan nan nan"}) {
+    const Model model = image_with_constant(82, constant);
+    EXPECT_EQ(model.positions.size(), 318U) << constant;
+    EXPECT_EQ(model.lines.size(), 318U) << constant;
+    EXPECT_EQ(model.incomplete, 0U) << constant;
+    ASSERT_TRUE(model.grid);
+    for (std::size_t cell = 0; cell < 82; ++cell) ASSERT_EQ(model.grid->cells[cell], ScanGrid::kNoReturn) << constant;
+    for (std::size_t cell = 82; cell < 400; ++cell) {
+      ASSERT_EQ(model.grid->cells[cell], cell - 82) << constant;
+      ASSERT_EQ(model.positions[cell - 82], Vector3d(static_cast<double>(cell % 20), static_cast<double>(cell / 20), 40));
+    }
+  }
+  EXPECT_EQ(image_with_constant(81, "0 0 0").positions.size(), 400U) << "coarse coordinates";
+}
+
 /// Of versions before 0.7; carriage returns as Windows writes them.
 TEST(Pcd, OldHeadersAreRead) {
   EXPECT_EQ(read("VERSION .5\r\nCOLUMNS x y z\r\nSIZE 4 4 4\r\nTYPE F F F\r\nPOINTS 1\r\nDATA ascii\r\n1 2 3\r\n").positions[0],

@@ -127,24 +127,39 @@ TEST(ScanGrid, AnAssumedSensorThatTheColumnsLeadToIsBelieved) {
   }
 }
 
-/// Rings round an axis through the origin, as a turntable or a program lays them: the columns lie in planes through the origin, which is within the body.
+/// A grid of rings round an axis through the origin, `around` half turns and `along` half heights of an ellipsoid wide. Some programs write the origin where
+/// nothing returned: each block of 30 rows and columns begins with a square of `zeros` such cells.
+struct Rings {
+  Model model = {};
+  ScanGrid grid{.columns = kSide, .cells = {}, .known = ScanGrid::Known::kAssumed};
+
+  Rings(bool turned, bool rings_are_columns, double around, double along, int zeros) {
+    for (int row = 0; row < kSide; ++row) {
+      for (int column = 0; column < kSide; ++column) {
+        const double step = (rings_are_columns ? row : column) / (kSide - 1.0),
+                     height = (rings_are_columns ? column : row) / (kSide - 1.0) - 0.5;
+        const double angle = (turned ? -1 : 1) * M_PI * around * step, down = 2 * along * height;
+        grid.cells.push_back(static_cast<std::uint32_t>(model.positions.size()));
+        model.positions.emplace_back(std::cos(down) * std::cos(angle), 0.6 * std::cos(down) * std::sin(angle), -0.8 * std::sin(down));
+        if (row % 30 < zeros && column % 30 < zeros) model.positions.back().setZero();
+      }
+    }
+  }
+
+ private:
+  static constexpr int kSide = 90;
+};
+
+/// As a turntable or a program lays them: the columns lie in planes through the origin, which is within the body.
 TEST(ScanGrid, AGridRoundAnAxisThroughTheOriginIsNoImage) {
   for (const bool turned : {false, true}) {
     for (const bool rings_are_columns : {false, true}) {
       for (const auto& [around, along] : {std::pair{0.6, 0.5}, {0.3, 1.2}, {0.5, 1.2}, {1.0, 1.2}, {1.0, 0.5}, {2.0, 1.2}}) {
-        constexpr int kSide = 90;
-        Model model;
-        ScanGrid grid{.columns = kSide, .cells = {}, .known = ScanGrid::Known::kAssumed};
-        for (int row = 0; row < kSide; ++row) {
-          for (int column = 0; column < kSide; ++column) {
-            const double step = (rings_are_columns ? row : column) / (kSide - 1.0),
-                         height = (rings_are_columns ? column : row) / (kSide - 1.0) - 0.5;
-            const double angle = (turned ? -1 : 1) * M_PI * around * step, down = 2 * along * height;
-            grid.cells.push_back(static_cast<std::uint32_t>(model.positions.size()));
-            model.positions.emplace_back(std::cos(down) * std::cos(angle), 0.6 * std::cos(down) * std::sin(angle), -0.8 * std::sin(down));
-          }
+        for (const int zeros : {0, 5, 15, 20}) {
+          Rings rings(turned, rings_are_columns, around, along, zeros);
+          EXPECT_FALSE(orient_by_grid(rings.model, rings.grid))
+              << turned << rings_are_columns << ' ' << around << ' ' << along << ' ' << zeros;
         }
-        EXPECT_FALSE(orient_by_grid(model, grid)) << turned << rings_are_columns << ' ' << around << ' ' << along;
       }
     }
   }
@@ -182,6 +197,31 @@ TEST(ScanGrid, PlacesAtTheAssumedSensorAreLeftOut) {
   ASSERT_TRUE(left_out);
   EXPECT_GE(*left_out, all / 4);
   EXPECT_EQ(relief.facing(), relief.model.normals.size());
+}
+
+/// What stands where nothing returned has no normal, and says nothing of the camera.
+TEST(ScanGrid, WrongPlacesDoNotRefuteAnAssumedSensor) {
+  for (const Vector3d& constant : {Vector3d(0, 0, 4), Vector3d(0, 0, 1e-4), Vector3d(0.2, 0, -0.01), Vector3d(-1, -1, -1)}) {
+    Scan ball(test::ball_image(0.05, 0.5));
+    ball.grid.known = ScanGrid::Known::kAssumed;
+    const std::size_t middle = ball.model.positions.size() / 2;
+    for (std::size_t i = 0; i < 3; ++i) ball.model.positions[middle + i] = constant;
+    ASSERT_TRUE(orient_by_grid(ball.model, ball.grid)) << constant.transpose();
+    EXPECT_EQ(ball.facing(), ball.model.normals.size()) << constant.transpose();
+  }
+}
+
+/// Reflections in the lens, say.
+TEST(ScanGrid, AFewPlacesBehindAnAssumedSensorDoNotRefuteIt) {
+  for (const bool few : {true, false}) {
+    Scan relief(test::relief_image(0.003, 0.03, 0.5));
+    relief.grid.known = ScanGrid::Known::kAssumed;
+    const std::size_t side = few ? 10 : 30;
+    for (std::size_t row = 0; row < side; ++row) {
+      for (std::size_t column = 0; column < side; ++column) relief.model.positions[(20 + row) * relief.grid.columns + 20 + column] *= -0.1;
+    }
+    EXPECT_EQ(orient_by_grid(relief.model, relief.grid).has_value(), few);
+  }
 }
 
 TEST(ScanGrid, NoNormalReachesOverAJump) {
