@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -122,6 +123,36 @@ TEST(SourceFile, AnImageInTheWorldsFrameWasSeenFromWhereTheFileStates) {
     ASSERT_EQ(image.viewpoint, place) << mirrored;
     EXPECT_FALSE(image.is_viewpoint_assumed);
     for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_GT(image.normals[i].dot(place - image.positions[i]), 0) << mirrored;
+  }
+}
+
+/// Neither coordinates in whole millimetres nor a wide lens refute the place that a file states.
+TEST(SourceFile, ARoughMirroredImageWasSeenFromWhereTheFileStates) {
+  const ScratchFolder folder;
+  const Eigen::Vector3d place(0.3, 0.1, 0.4);
+  for (const auto& [bend, step] : {std::pair{0.0, 0.002}, {1.0, 1e-6}}) {
+    constexpr int kWidth = 120, kHeight = 100;
+    std::string rows;
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = kWidth - 1; column >= 0; --column) {
+        const double u = (column - 59.5) / 80, v = (row - 49.5) / 80, bent = 1 + bend * (u * u + v * v);
+        const Eigen::Vector3d ray = Eigen::Vector3d(bent * u, bent * v, 1).normalized();
+        const double middle = 0.35 * ray.z(), under = middle * middle - (0.35 * 0.35 - 0.1 * 0.1);  // a ball of 0.1 m
+        if (under < 0) {
+          rows += "nan nan nan\n";
+          continue;
+        }
+        const Eigen::Vector3d p = ray * (middle - std::sqrt(under)) + place;
+        for (int axis = 0; axis < 3; ++axis) rows += std::to_string(step * std::round(p[axis] / step)) + (axis < 2 ? ' ' : '\n');
+      }
+    }
+    const Model image =
+        SourceFile(folder.write("ball.pcd", "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH " + std::to_string(kWidth) + "\nHEIGHT " +
+                                                std::to_string(kHeight) + "\nVIEWPOINT 0.3 0.1 0.4 1 0 0 0\nDATA ascii\n" + rows))
+            .points();
+    EXPECT_EQ(image.viewpoint, place) << bend;
+    EXPECT_FALSE(image.refuted_viewpoint);
+    for (std::size_t i = 0; i < image.normals.size(); ++i) ASSERT_GT(image.normals[i].dot(place - image.positions[i]), 0) << bend;
   }
 }
 
