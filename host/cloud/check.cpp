@@ -1,7 +1,9 @@
 #include "host/cloud/check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <nanoflann.hpp>
 #include <utility>
 
@@ -175,6 +177,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.unused_faces = model.unused_faces;
   report.is_sensor_turned = model.is_sensor_turned;
   report.refuted_viewpoint = model.refuted_viewpoint;
+  report.is_sensor_elsewhere = model.is_sensor_elsewhere;
   report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
@@ -195,8 +198,25 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   return points;
 }
 
+std::string in_brackets(const Vector3d& place) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
+  return text.data();
+}
+
+std::string CloudReport::sensor_doubt() const {
+  if (edges) return {};
+  if (refuted_viewpoint) {
+    return "the image was not seen from the file's own place of the sensor, " + in_brackets(*refuted_viewpoint) +
+           ", and its grid was not used; if it was, give this place with --viewpoint";
+  }
+  if (!is_sensor_elsewhere || viewpoint) return {};
+  return "the image does not look as if its sensor had stood in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0";
+}
+
 std::vector<std::string> CloudReport::warnings() const {
   std::vector<std::string> list;
+  if (!edges && refuted_viewpoint) list.push_back(sensor_doubt());
   if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)
     list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");

@@ -26,14 +26,17 @@ struct CloudReport {
   bool is_viewpoint_assumed = false;                      ///< the file does not state it
   bool is_sensor_turned = false;                          ///< the file states, too, that the sensor was turned
   std::optional<Eigen::Vector3d> refuted_viewpoint = {};  ///< the place that the file states, if its grid was not seen from there
-  std::size_t incomplete = 0;                             ///< points whose coordinates or normal are not finite, left out
-  std::size_t renormalised = 0;                           ///< normals whose length was more than 1 % off
-  std::size_t merged = 0;                                 ///< points at a place that another one already had
-  std::size_t contradictory = 0;                          ///< points whose normals contradict each other at their place
-  bool two_faced = false;  ///< so many that one of each place is kept, with a normal of unknown sign; few are left out
+  bool is_sensor_elsewhere = false;  ///< the grid was seen neither from a place that the file states nor from the origin
+  std::size_t incomplete = 0;        ///< points whose coordinates or normal are not finite, left out
+  std::size_t renormalised = 0;      ///< normals whose length was more than 1 % off
+  std::size_t merged = 0;            ///< points at a place that another one already had
+  std::size_t contradictory = 0;     ///< points whose normals contradict each other at their place
+  bool two_faced = false;            ///< so many that one of each place is kept, with a normal of unknown sign; few are left out
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< the points' box, cloud units
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 
+  /// Why an image's grid was not used and what to do if that is wrong, as a clause; empty where it was used or is none.
+  std::string sensor_doubt() const;
   /// One sentence for each thing that was put right or looks doubtful.
   std::vector<std::string> warnings() const;
 };
@@ -51,6 +54,9 @@ struct CloudReport {
 /// fails     InputError: no points, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
 ///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
+
+/// A place for people: "(0.1, 2, -3)".
+std::string in_brackets(const Eigen::Vector3d& place);
 
 /// From a point to its nearest neighbour, the median: of a large cloud, of 4,096 points and a few more, spread over the list.
 ///

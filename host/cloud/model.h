@@ -34,7 +34,8 @@ struct Model {
   bool is_viewpoint_assumed = false;                      ///< it does not, but its grid is that of a camera there
   bool is_sensor_turned = false;                          ///< the file states, too, that the sensor was turned
   std::optional<Eigen::Vector3d> refuted_viewpoint = {};  ///< the place that the file states, if its grid was not seen from there
-  std::size_t incomplete = 0;                             ///< points left out because their coordinates or their normal are not finite
+  bool is_sensor_elsewhere = false;  ///< the grid was seen neither from a place that the file states nor from the origin
+  std::size_t incomplete = 0;        ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

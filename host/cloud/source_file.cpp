@@ -15,13 +15,12 @@ namespace {
 
 /// Where an image was not seen from the place that the file states, its points may be in the camera's own frame.
 void take_normals_of(ScanGrid grid, Model& model) {
-  const bool is_stated = grid.known == ScanGrid::Known::kStated;
-  bool is_refuted = false;
-  model.edges = orient_by_grid(model, grid, &is_refuted);
-  if (!model.edges && is_stated) {
+  model.edges = orient_by_grid(model, grid, &model.is_sensor_elsewhere);
+  if (!model.edges && grid.known == ScanGrid::Known::kStated) {
+    const bool is_refuted = model.is_sensor_elsewhere;
     grid.sensor.setZero();
     grid.known = ScanGrid::Known::kAssumed;
-    model.edges = orient_by_grid(model, grid);
+    model.edges = orient_by_grid(model, grid, &model.is_sensor_elsewhere);
     if (model.edges || is_refuted) model.refuted_viewpoint = std::exchange(model.viewpoint, std::nullopt);
   }
   if (!model.edges) return;

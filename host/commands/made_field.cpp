@@ -2,10 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <span>
 #include <utility>
@@ -81,21 +79,16 @@ void require_no_normals(const BuildOptions& options, const char* what) {
   if (options.sensor.ignores_viewpoint) refuse("--no-viewpoint");
 }
 
-std::string in_brackets(const Eigen::Vector3d& place) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
-  return text.data();
-}
-
 /// Says where the file, and not the person, puts the sensor.
 std::string sensor_sentence(const Eigen::Vector3d& place, const cloud::CloudReport& read) {
   if (read.is_viewpoint_assumed) {
     return (read.refuted_viewpoint
-                ? "the image was not seen from the file's own place of the sensor, " + in_brackets(*read.refuted_viewpoint)
+                ? "the image was not seen from the file's own place of the sensor, " + cloud::in_brackets(*read.refuted_viewpoint)
                 : std::string("the file does not say where the sensor stood")) +
-           ", so its camera is taken to stand at " + in_brackets(place) + "; --viewpoint names another place";
+           ", so its camera is taken to stand at " + cloud::in_brackets(place) + "; --viewpoint names another place";
   }
-  return "the sensor's place is the file's own, " + in_brackets(place) + "; --viewpoint names another one, and --no-viewpoint ignores it" +
+  return "the sensor's place is the file's own, " + cloud::in_brackets(place) +
+         "; --viewpoint names another one, and --no-viewpoint ignores it" +
          (read.is_sensor_turned && !read.edges
               ? ". The file says, too, that the sensor was turned: if its points are in the sensor's own frame, give --viewpoint 0 0 0"
               : "");
@@ -177,6 +170,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.closed_faces = closed_faces(source, read.unused_faces);
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
+  how.sensor_doubt = read.sensor_doubt();
   how.from = how.viewpoint               ? field::SensorFrom::kPerson
              : read.is_viewpoint_assumed ? field::SensorFrom::kAssumption
                                          : field::SensorFrom::kFile;

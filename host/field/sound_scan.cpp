@@ -137,7 +137,8 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   const bool sheet_now = after.one_sided > kSheet;
   const bool agreed = contradictions(scan) < kContradictory;
   if (sheet_now && options.estimate)
-    throw InputError("the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z");
+    throw InputError("the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z" +
+                     (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
   if (agreed && (after.is_outward() || (sheet_now && 20 * turned < 9 * scan.size()))) {
     found = after;
     return turned == 0 ? Outside::kAsGiven : Outside::kNeighbours;

@@ -71,6 +71,7 @@ struct ScanOptions {
   bool estimate = false;                          ///< take no normal from the file
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the points' frame
   SensorFrom from = SensorFrom::kPerson;          ///< who says so
+  std::string sensor_doubt = {};                  ///< why nobody does, for a refusal: a clause, or empty
 };
 
 /// points    any length unit; at least 8; unit normals, of any sign where `estimate`

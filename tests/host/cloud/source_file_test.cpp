@@ -162,6 +162,30 @@ TEST(SourceFile, APlaceThatAnImageWasNotSeenFromIsNotTaken) {
   const Model image = SourceFile(folder.write("ball.pcd", ball_image("0.1 0.2 0.7 1 0 0 0", {0, 0, -1}))).points();
   EXPECT_TRUE(image.normals.empty());
   EXPECT_FALSE(image.viewpoint);
+  EXPECT_EQ(image.refuted_viewpoint, Eigen::Vector3d(0.1, 0.2, 0.7));
+}
+
+TEST(SourceFile, ARefutedPlaceOfTheSensorIsReported) {
+  const ScratchFolder folder;
+  const Eigen::Vector3d moved(0, 0, -1);
+  const auto read = [&](const std::string& viewpoint, const SensorOptions& sensor) {
+    CloudReport report;
+    (void)read_cloud(SourceFile(folder.write("ball.pcd", ball_image(viewpoint, moved)), sensor), report);
+    return report;
+  };
+  const CloudReport stated = read("0.1 0.2 0.7 1 0 0 0", {});
+  const std::string sentence =
+      "the image was not seen from the file's own place of the sensor, (0.1, 0.2, 0.7), and its grid was not used; if it was, give this "
+      "place with --viewpoint";
+  EXPECT_EQ(stated.sensor_doubt(), sentence);
+  EXPECT_EQ(stated.warnings(), std::vector<std::string>{sentence});
+  const CloudReport assumed = read("0 0 0 1 0 0 0", {});
+  EXPECT_EQ(
+      assumed.sensor_doubt(),
+      "the image does not look as if its sensor had stood in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0");
+  EXPECT_TRUE(assumed.warnings().empty());
+  EXPECT_EQ(read("0.1 0.2 0.7 1 0 0 0", {.ignores_viewpoint = true}).sensor_doubt(), assumed.sensor_doubt());
+  EXPECT_EQ(read("0 0 0 1 0 0 0", {.viewpoint = moved}).sensor_doubt(), "");
 }
 
 TEST(SourceFile, ACameraIsForDepthImagesOnly) {
