@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "host/error.h"
+
 namespace isotouch::cloud {
 namespace {
 
