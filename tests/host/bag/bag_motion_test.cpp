@@ -205,7 +205,7 @@ TEST(Bag, ForcesInAnotherFrameThanThePositionsAreRefused) {
       writer.message(places, ms * 1'000'000, Bytes(place.begin(), place.end()));
       writer.message(forces, ms * 1'000'000, Bytes(force.begin(), force.end()));
     }
-    return written("frames.mcap", writer.finish());
+    return written("frames_of_forces.mcap", writer.finish());
   };
   const std::string w = R"("header":{"frame_id":"w"},)", tool = R"("header":{"frame_id":"tool"},)";
   EXPECT_THAT(refusal_of(bag(w, tool), {.with_forces = true}), HasSubstr("frame 'w' and the forces in 'tool'; transform"));
