@@ -219,7 +219,7 @@ TEST(Bag, TimeMustRise) {
   const auto channel = writer.channel(writer.schema("geometry_msgs/Point", "jsonschema", "{}"), "/a", "json");
   const std::string text = R"({"x":1,"y":2,"z":3})";
   for (const std::uint64_t time : {5U, 5U}) writer.message(channel, time, Bytes(text.begin(), text.end()));
-  EXPECT_THAT(refusal_of(written("late.mcap", writer.finish())), HasSubstr("message 1 of the topic is not later"));
+  EXPECT_THAT(refusal_of(written("later.mcap", writer.finish())), HasSubstr("message 1 of the topic is not later"));
 }
 
 TEST(Bag, ATraceComesBackToTheBit) {
