@@ -23,7 +23,7 @@ namespace {
 using Eigen::Vector3d;
 using Row = std::array<double, 6>;  ///< a place and a normal
 
-constexpr std::size_t kMaxAtPlace = 81;  // pixels of a surface: as many as the widest window of a normal has (scan_grid.cpp)
+constexpr std::size_t kMaxAtPlace = std::size_t{2 * ScanGrid::kMaxRadius + 1} * (2 * ScanGrid::kMaxRadius + 1);  // pixels: a whole window
 
 std::size_t point_bytes(const PcdHeader& header) {
   return std::accumulate(header.fields.begin(), header.fields.end(), std::size_t{0},

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kAlongSight = 0.9698;  // squared sine of 80 degrees
-constexpr int kMaxRadius = 4;
+constexpr int kMaxRadius = ScanGrid::kMaxRadius;
 constexpr int kFewestNear = 5;           // of a cell and its eight neighbours; a straight rim has six, a corner four
 constexpr std::size_t kOneIn = 5;        // normals may face away from the sensor; of an image hardly any do
 constexpr double kAimedError = 0.05;     // of a normal, radians

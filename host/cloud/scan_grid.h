@@ -13,6 +13,7 @@ struct Model;
 
 struct ScanGrid {
   static constexpr std::uint32_t kNoReturn = 0xffffffff;
+  static constexpr int kMaxRadius = 4;  ///< half the widest window of cells that a normal is taken from
 
   std::size_t columns = 0;
   std::vector<std::uint32_t> cells = {};             ///< row by row, whole rows: an index of a position, or kNoReturn
@@ -37,8 +38,8 @@ struct ScanGrid {
 ///           is not that of an image. Nor when the sensor cannot have stood in its place, as the cells with a normal show.
 ///           Stated: the image is that of a camera in the origin, or it is mirrored as seen from the place, and its columns do not lie in planes through it,
 ///           nor, at least, much nearer to such planes than to those through the origin.
-///           Assumed: 1 % of the normals are more than 75 degrees beside the middle of the image; or rows or columns are bent as rings round an axis are; or the image
-///           is mirrored as seen from the place, and its rows and columns do not lie in planes through it
+///           Assumed: 1 % of the normals are more than 75 degrees beside the middle of the image; or rows or columns are bent as rings round an axis
+///           are; or the image is mirrored as seen from the place, and its rows and columns do not lie in planes through it
 /// is_elsewhere   whether that is the reason
 std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bool* is_elsewhere = nullptr);
 

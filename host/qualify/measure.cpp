@@ -326,11 +326,11 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   } catch (const InputError& e) {
     figures.end_unknown = e.what();
   }
-  const auto is_cut = [&] {
+  const auto note_interruption = [&] {
     if (wish.is_over()) figures.end_unknown = address + kInterrupted;
-    return figures.is_cut();
   };
-  if (is_cut()) {
+  note_interruption();
+  if (figures.is_cut()) {
     figures.cold_unknown = kColdCut;
     figures.timer_unknown = kTimerCut;
     return figures;
@@ -338,7 +338,8 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   if (wish.cold_seconds > 0) tell("the ticks while other programs write to memory");
   measure_cold(controller, shell, wish, figures);
   looks.look_later(figures);
-  if (is_cut()) {
+  note_interruption();
+  if (figures.is_cut()) {
     figures.timer_unknown = kTimerCut;
     return figures;
   }
@@ -346,7 +347,7 @@ Figures measure(const std::string& address, const Wish& wish, const std::functio
   figures.timer_priority = timer_priority(wish.priority, files_before);
   if (figures.timer_priority > 0) tell("cyclictest, as long again");
   measure_timer(looks, shell, wish, figures);
-  (void)is_cut();
+  note_interruption();
   return figures;
 }
 
