@@ -172,12 +172,8 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.format = model.format;
   report.points_read = model.positions.size();
   report.edges = model.edges;
-  report.viewpoint = model.viewpoint;
-  report.is_viewpoint_assumed = model.is_viewpoint_assumed;
+  report.sensor = model.sensor;
   report.unused_faces = model.unused_faces;
-  report.is_sensor_turned = model.is_sensor_turned;
-  report.refuted_viewpoint = model.refuted_viewpoint;
-  report.is_sensor_elsewhere = model.is_sensor_elsewhere;
   report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
@@ -206,17 +202,17 @@ std::string in_brackets(const Vector3d& place) {
 
 std::string CloudReport::sensor_doubt() const {
   if (edges) return {};
-  if (refuted_viewpoint) {
-    return "the image was not seen from the file's own place of the sensor, " + in_brackets(*refuted_viewpoint) +
+  if (sensor.refuted_place) {
+    return "the image was not seen from the file's own place of the sensor, " + in_brackets(*sensor.refuted_place) +
            ", and its grid was not used; if it was, give this place with --viewpoint";
   }
-  if (!is_sensor_elsewhere || viewpoint) return {};
+  if (!sensor.is_elsewhere || sensor.place) return {};
   return "the image does not look as if its sensor had stood in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0";
 }
 
 std::vector<std::string> CloudReport::warnings() const {
   std::vector<std::string> list;
-  if (!edges && refuted_viewpoint) list.push_back(sensor_doubt());
+  if (!edges && sensor.refuted_place) list.push_back(sensor_doubt());
   if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)
     list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");

@@ -18,20 +18,16 @@ struct CloudReport {
   std::string format;             ///< "PLY, binary little-endian"
   std::uint64_t source_hash = 0;  ///< of the file's bytes, as an image stores it
   std::size_t points_read = 0;
-  std::size_t points = 0;                                 ///< after merging
-  bool has_normals = true;                                ///< if not, the points' normals are zero, and to be estimated
-  std::size_t unused_faces = 0;                           ///< of the file, which also has faces
-  std::optional<std::size_t> edges = {};                  ///< the normals come from the scan's grid; points at its edges that were left out
-  std::optional<Eigen::Vector3d> viewpoint = {};          ///< the sensor's place, where it is known
-  bool is_viewpoint_assumed = false;                      ///< the file does not state it
-  bool is_sensor_turned = false;                          ///< the file states, too, that the sensor was turned
-  std::optional<Eigen::Vector3d> refuted_viewpoint = {};  ///< the place that the file states, if its grid was not seen from there
-  bool is_sensor_elsewhere = false;  ///< the grid was seen neither from a place that the file states nor from the origin
-  std::size_t incomplete = 0;        ///< points whose coordinates or normal are not finite, left out
-  std::size_t renormalised = 0;      ///< normals whose length was more than 1 % off
-  std::size_t merged = 0;            ///< points at a place that another one already had
-  std::size_t contradictory = 0;     ///< points whose normals contradict each other at their place
-  bool two_faced = false;            ///< so many that one of each place is kept, with a normal of unknown sign; few are left out
+  std::size_t points = 0;                 ///< after merging
+  bool has_normals = true;                ///< if not, the points' normals are zero, and to be estimated
+  std::size_t unused_faces = 0;           ///< of the file, which also has faces
+  std::optional<std::size_t> edges = {};  ///< the normals come from the scan's grid; points at its edges that were left out
+  Sensor sensor = {};
+  std::size_t incomplete = 0;     ///< points whose coordinates or normal are not finite, left out
+  std::size_t renormalised = 0;   ///< normals whose length was more than 1 % off
+  std::size_t merged = 0;         ///< points at a place that another one already had
+  std::size_t contradictory = 0;  ///< points whose normals contradict each other at their place
+  bool two_faced = false;         ///< so many that one of each place is kept, with a normal of unknown sign; few are left out
   Eigen::Vector3d low = Eigen::Vector3d::Zero();  ///< the points' box, cloud units
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
 

@@ -8,7 +8,7 @@ Model read_depth_image(const std::string& name, std::span<const std::uint8_t> by
   const DepthPixels pixels = read_depth_png(name, bytes);
   Model model;
   model.format = "PNG, 16-bit depth";
-  model.viewpoint = Eigen::Vector3d::Zero();
+  model.sensor.place = Eigen::Vector3d::Zero();
   model.grid = ScanGrid{.columns = pixels.width};
   model.grid->cells.reserve(pixels.depth.size());
   for (std::size_t i = 0; i < pixels.depth.size(); ++i) {

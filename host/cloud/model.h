@@ -13,6 +13,15 @@
 
 namespace isotouch::cloud {
 
+/// What is known of the sensor's place.
+struct Sensor {
+  std::optional<Eigen::Vector3d> place = {};          ///< in the positions' frame
+  bool is_assumed = false;                            ///< the file does not state it, but its grid is that of a camera there
+  bool is_turned = false;                             ///< the file states, too, that the sensor was turned
+  std::optional<Eigen::Vector3d> refuted_place = {};  ///< what the file states, if its grid was not seen from there
+  bool is_elsewhere = false;                          ///< the grid was seen neither from a place that the file states nor from the origin
+};
+
 struct Model {
   /// A polygon of more than three corners, as a fan among the faces.
   struct Polygon {
@@ -26,16 +35,12 @@ struct Model {
   std::vector<std::size_t> lines;                   ///< where each position stands in a text; empty for binary files
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< indices of positions; larger polygons are fans until `cut_polygons`
   std::vector<Polygon> polygons = {};
-  std::size_t unused_faces = 0;                           ///< of the file, where its points were asked for
-  std::vector<double> stiffness = {};                     ///< N/mm, finite; one for each position, or none at all
-  std::optional<ScanGrid> grid = {};                      ///< of an organised scan without normals
-  std::optional<std::size_t> edges = {};                  ///< the normals come from the grid; points at edges that were left out for that
-  std::optional<Eigen::Vector3d> viewpoint = {};          ///< the sensor's place, where the file states one
-  bool is_viewpoint_assumed = false;                      ///< it does not, but its grid is that of a camera there
-  bool is_sensor_turned = false;                          ///< the file states, too, that the sensor was turned
-  std::optional<Eigen::Vector3d> refuted_viewpoint = {};  ///< the place that the file states, if its grid was not seen from there
-  bool is_sensor_elsewhere = false;  ///< the grid was seen neither from a place that the file states nor from the origin
-  std::size_t incomplete = 0;        ///< points left out because their coordinates or their normal are not finite
+  std::size_t unused_faces = 0;           ///< of the file, where its points were asked for
+  std::vector<double> stiffness = {};     ///< N/mm, finite; one for each position, or none at all
+  std::optional<ScanGrid> grid = {};      ///< of an organised scan without normals
+  std::optional<std::size_t> edges = {};  ///< the normals come from the grid; points at edges that were left out for that
+  Sensor sensor = {};
+  std::size_t incomplete = 0;  ///< points left out because their coordinates or their normal are not finite
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {

@@ -231,8 +231,8 @@ Model read_pcd(const std::string& name, std::span<const std::uint8_t> bytes) {
   const PcdHeader header = read_pcd_header(name, bytes);
   const auto body = bytes.subspan(header.bytes);
   Model model;
-  model.viewpoint = header.viewpoint;
-  model.is_sensor_turned = header.is_turned;
+  model.sensor.place = header.viewpoint;
+  model.sensor.is_turned = header.is_turned;
   switch (header.data) {
     case PcdData::kAscii:
       model.format = "PCD, ascii";

@@ -15,17 +15,17 @@ namespace {
 
 /// Where an image was not seen from the place that the file states, its points may be in the camera's own frame.
 void take_normals_of(ScanGrid grid, Model& model) {
-  model.edges = orient_by_grid(model, grid, &model.is_sensor_elsewhere);
+  model.edges = orient_by_grid(model, grid, &model.sensor.is_elsewhere);
   if (!model.edges && grid.known == ScanGrid::Known::kStated) {
-    const bool is_refuted = model.is_sensor_elsewhere;
+    const bool is_refuted = model.sensor.is_elsewhere;
     grid.sensor.setZero();
     grid.known = ScanGrid::Known::kAssumed;
-    model.edges = orient_by_grid(model, grid, &model.is_sensor_elsewhere);
-    if (model.edges || is_refuted) model.refuted_viewpoint = std::exchange(model.viewpoint, std::nullopt);
+    model.edges = orient_by_grid(model, grid, &model.sensor.is_elsewhere);
+    if (model.edges || is_refuted) model.sensor.refuted_place = std::exchange(model.sensor.place, std::nullopt);
   }
   if (!model.edges) return;
-  model.viewpoint = grid.sensor;
-  model.is_viewpoint_assumed = grid.known == ScanGrid::Known::kAssumed;
+  model.sensor.place = grid.sensor;
+  model.sensor.is_assumed = grid.known == ScanGrid::Known::kAssumed;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Model SourceFile::points() const {
 /// Where a person says that the sensor stood, or did not.
 void SourceFile::place_sensor(Model& model) const {
   if (sensor_.ignores_viewpoint) {
-    model.viewpoint.reset();
+    model.sensor.place.reset();
     if (model.grid) model.grid->sensor.setZero();
   } else if (sensor_.viewpoint) {
     if (model.grid) model.grid->sensor = *sensor_.viewpoint;

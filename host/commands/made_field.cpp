@@ -81,15 +81,15 @@ void require_no_normals(const BuildOptions& options, const char* what) {
 
 /// Says where the file, and not the person, puts the sensor.
 std::string sensor_sentence(const Eigen::Vector3d& place, const cloud::CloudReport& read) {
-  if (read.is_viewpoint_assumed) {
-    return (read.refuted_viewpoint
-                ? "the image was not seen from the file's own place of the sensor, " + cloud::in_brackets(*read.refuted_viewpoint)
+  if (read.sensor.is_assumed) {
+    return (read.sensor.refuted_place
+                ? "the image was not seen from the file's own place of the sensor, " + cloud::in_brackets(*read.sensor.refuted_place)
                 : std::string("the file does not say where the sensor stood")) +
            ", so its camera is taken to stand at " + cloud::in_brackets(place) + "; --viewpoint names another place";
   }
   return "the sensor's place is the file's own, " + cloud::in_brackets(place) +
          "; --viewpoint names another one, and --no-viewpoint ignores it" +
-         (read.is_sensor_turned && !read.edges
+         (read.sensor.is_turned && !read.edges
               ? ". The file says, too, that the sensor was turned: if its points are in the sensor's own frame, give --viewpoint 0 0 0"
               : "");
 }
@@ -134,7 +134,7 @@ Made from_live_points(const cloud::SourceFile& source, const BuildOptions& optio
                                        : ": its points have no normals, which the live method takes as they are; leave --method out"));
   }
   progress.begin("live");
-  live::face_sensor({options.sensor.viewpoint, read.viewpoint, read.edges.has_value()}, points.positions, points.normals);
+  live::face_sensor({options.sensor.viewpoint, read.sensor.place, read.edges.has_value()}, points.positions, points.normals);
   report.format = read.format;
   report.points = read.points;
   report.warnings = read.warnings();
@@ -171,10 +171,10 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
   how.sensor_doubt = read.sensor_doubt();
-  how.from = how.viewpoint               ? field::SensorFrom::kPerson
-             : read.is_viewpoint_assumed ? field::SensorFrom::kAssumption
-                                         : field::SensorFrom::kFile;
-  if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.viewpoint;
+  how.from = how.viewpoint            ? field::SensorFrom::kPerson
+             : read.sensor.is_assumed ? field::SensorFrom::kAssumption
+                                      : field::SensorFrom::kFile;
+  if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.sensor.place;
   if (!how.estimate && !read.has_normals)
     throw InputError(options.input.string() + ": its points have no normals; leave --normals file out");
   field::SoundScan sound = field::sound_scan(std::move(points), how);

@@ -82,7 +82,7 @@ DepthFrame SimulatedDepthCamera::frame(std::uint64_t number) const {
   DepthFrame seen;
   seen.time_ns = static_cast<std::int64_t>(seconds * 1e9);
   seen.model.format = "simulated depth camera";
-  seen.model.viewpoint = camera;
+  seen.model.sensor.place = camera;
   seen.model.grid = cloud::ScanGrid{.columns = options_.columns, .cells = {}, .sensor = camera};
   cloud::Random random(options_.seed * 0x9E3779B97F4A7C15ULL + number);
   for (std::size_t i = 0; i < pixels; ++i) {

@@ -13,8 +13,8 @@ namespace {
 /// What the camera saw, in the mesh's frame and with the normals of its image.
 cloud::Model oriented(cloud::Model seen, const cloud::Placement& placement) {
   for (Eigen::Vector3d& position : seen.positions) position = placement.to_cloud(position);
-  seen.viewpoint = placement.to_cloud(*seen.viewpoint);
-  seen.grid->sensor = *seen.viewpoint;
+  seen.sensor.place = placement.to_cloud(*seen.sensor.place);
+  seen.grid->sensor = *seen.sensor.place;
   seen.edges = cloud::orient_by_grid(seen, *seen.grid);
   seen.grid.reset();
   return seen;

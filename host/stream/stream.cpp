@@ -123,7 +123,7 @@ void Stream::work_on(const Frame& frame) {
       ++tally->unoriented;
     }
   }
-  live::face_sensor({options_.viewpoint, model.viewpoint, model.edges.has_value()}, model.positions, model.normals);
+  live::face_sensor({options_.viewpoint, model.sensor.place, model.edges.has_value()}, model.positions, model.normals);
   report_.read_ms.add(ms_since(begin));
   if (!field_ && !this->begin(model)) return;
   const Clock::time_point grows = Clock::now();

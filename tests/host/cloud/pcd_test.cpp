@@ -63,7 +63,7 @@ void expect_the_two_points(const Model& model) {
   EXPECT_EQ(model.positions[1], Vector3d(-4.5, 5, 6));
   EXPECT_EQ(model.normals[0], Vector3d(0, 0, 1));
   EXPECT_EQ(model.normals[1], Vector3d(0, -1, 0));
-  EXPECT_FALSE(model.viewpoint);
+  EXPECT_FALSE(model.sensor.place);
   EXPECT_FALSE(model.grid);
 }
 
@@ -123,10 +123,10 @@ TEST(Pcd, APointWithoutNormalIsLeftOutUnlessNoneHasOne) {
 }
 
 TEST(Pcd, TheViewpointIsTheSensorsPlace) {
-  EXPECT_FALSE(read(xyz_header(1, 1, "ascii") + "1 2 3\n").viewpoint);
-  EXPECT_EQ(read(xyz_header(1, 1, "ascii", "7 -8 9.5 1 0 0 0") + "1 2 3\n").viewpoint, Vector3d(7, -8, 9.5));
+  EXPECT_FALSE(read(xyz_header(1, 1, "ascii") + "1 2 3\n").sensor.place);
+  EXPECT_EQ(read(xyz_header(1, 1, "ascii", "7 -8 9.5 1 0 0 0") + "1 2 3\n").sensor.place, Vector3d(7, -8, 9.5));
   for (const char* origin : {"0 0 0 1 0 0 0", "0 0 0 0 0 0 1", "0 0 0 0 0 0 0", "0 0 0 0 1 0 0"})
-    EXPECT_FALSE(read(xyz_header(1, 1, "ascii", origin) + "1 2 3\n").viewpoint) << origin;
+    EXPECT_FALSE(read(xyz_header(1, 1, "ascii", origin) + "1 2 3\n").sensor.place) << origin;
 }
 
 TEST(Pcd, AnOrganisedCloudHasAGrid) {

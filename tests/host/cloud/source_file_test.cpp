@@ -61,7 +61,7 @@ TEST(SourceFile, AGridGivesNormalsThatFaceItsSensorOrTheViewpoint) {
   EXPECT_EQ(seen.size(), 77U);
   EXPECT_EQ(report.edges, 4U);
   EXPECT_TRUE(report.has_normals);
-  EXPECT_EQ(report.viewpoint, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(report.sensor.place, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(report.warnings(), (std::vector<std::string>{"the normals were taken from the scan's grid and face its sensor",
                                                          "4 points were left out: at edges of the grid and at jumps in depth"}));
   const OrientedPoints behind = read_cloud(SourceFile(file, {.viewpoint = Eigen::Vector3d(0, 0, 100)}), report);
@@ -78,13 +78,13 @@ TEST(SourceFile, WhatTheFileSaysOfItsSensorCanBeIgnored) {
   const auto stated = [](std::string text) { return text.insert(text.find("DATA"), "VIEWPOINT 0 0 100 1 0 0 0\n"); };
   const SensorOptions none{.ignores_viewpoint = true};
   const Model image = SourceFile(folder.write("hill.pcd", stated(hill())), none).points();
-  EXPECT_EQ(image.viewpoint, Eigen::Vector3d(0, 0, 0));
-  EXPECT_TRUE(image.is_viewpoint_assumed);
+  EXPECT_EQ(image.sensor.place, Eigen::Vector3d(0, 0, 0));
+  EXPECT_TRUE(image.sensor.is_assumed);
   EXPECT_LT(image.normals[0].z(), -0.8);
   std::string list = stated(hill());
   list.replace(list.find("WIDTH 9\nHEIGHT 9"), 16, "WIDTH 81\nHEIGHT 1");
-  EXPECT_EQ(SourceFile(folder.write("list.pcd", list)).points().viewpoint, Eigen::Vector3d(0, 0, 100));
-  EXPECT_FALSE(SourceFile(folder.write("list.pcd", list), none).points().viewpoint);
+  EXPECT_EQ(SourceFile(folder.write("list.pcd", list)).points().sensor.place, Eigen::Vector3d(0, 0, 100));
+  EXPECT_FALSE(SourceFile(folder.write("list.pcd", list), none).points().sensor.place);
 }
 
 /// A ball as a camera sees it from the origin, and then moved.
@@ -108,8 +108,8 @@ TEST(SourceFile, AnImageInTheCamerasFrameWasSeenFromTheOriginWhateverTheFileStat
   for (const char* stated : {"0.1 0.2 1.2 0 1 0 0", "0.5 -0.3 1.5 0 0.92388 0.382683 0", "0 -1.2 0.7 1 0 0 0"}) {
     for (const bool mirrored : {false, true}) {
       const Model image = SourceFile(folder.write("ball.pcd", ball_image(stated, {0, 0, 0}, mirrored))).points();
-      ASSERT_EQ(image.viewpoint, Eigen::Vector3d(0, 0, 0)) << stated << mirrored;
-      EXPECT_TRUE(image.refuted_viewpoint);
+      ASSERT_EQ(image.sensor.place, Eigen::Vector3d(0, 0, 0)) << stated << mirrored;
+      EXPECT_TRUE(image.sensor.refuted_place);
       for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_LT(image.normals[i].dot(image.positions[i]), 0) << stated << mirrored;
     }
   }
@@ -120,8 +120,8 @@ TEST(SourceFile, AnImageInTheWorldsFrameWasSeenFromWhereTheFileStates) {
   const Eigen::Vector3d place(0.1, 0.2, -1);
   for (const bool mirrored : {false, true}) {
     const Model image = SourceFile(folder.write("ball.pcd", ball_image("0.1 0.2 -1 1 0 0 0", place, mirrored))).points();
-    ASSERT_EQ(image.viewpoint, place) << mirrored;
-    EXPECT_FALSE(image.is_viewpoint_assumed);
+    ASSERT_EQ(image.sensor.place, place) << mirrored;
+    EXPECT_FALSE(image.sensor.is_assumed);
     for (std::size_t i = 0; i < image.positions.size(); ++i) ASSERT_GT(image.normals[i].dot(place - image.positions[i]), 0) << mirrored;
   }
 }
@@ -150,8 +150,8 @@ TEST(SourceFile, ARoughMirroredImageWasSeenFromWhereTheFileStates) {
         SourceFile(folder.write("ball.pcd", "FIELDS x y z\nSIZE 8 8 8\nTYPE F F F\nWIDTH " + std::to_string(kWidth) + "\nHEIGHT " +
                                                 std::to_string(kHeight) + "\nVIEWPOINT 0.3 0.1 0.4 1 0 0 0\nDATA ascii\n" + rows))
             .points();
-    EXPECT_EQ(image.viewpoint, place) << bend;
-    EXPECT_FALSE(image.refuted_viewpoint);
+    EXPECT_EQ(image.sensor.place, place) << bend;
+    EXPECT_FALSE(image.sensor.refuted_place);
     for (std::size_t i = 0; i < image.normals.size(); ++i) ASSERT_GT(image.normals[i].dot(place - image.positions[i]), 0) << bend;
   }
 }
@@ -161,8 +161,8 @@ TEST(SourceFile, APlaceThatAnImageWasNotSeenFromIsNotTaken) {
   const ScratchFolder folder;
   const Model image = SourceFile(folder.write("ball.pcd", ball_image("0.1 0.2 0.7 1 0 0 0", {0, 0, -1}))).points();
   EXPECT_TRUE(image.normals.empty());
-  EXPECT_FALSE(image.viewpoint);
-  EXPECT_EQ(image.refuted_viewpoint, Eigen::Vector3d(0.1, 0.2, 0.7));
+  EXPECT_FALSE(image.sensor.place);
+  EXPECT_EQ(image.sensor.refuted_place, Eigen::Vector3d(0.1, 0.2, 0.7));
 }
 
 TEST(SourceFile, ARefutedPlaceOfTheSensorIsReported) {

@@ -39,7 +39,7 @@ TEST(DepthCamera, ReturnsTheSideThatFacesIt) {
   const SimulatedDepthCamera camera(scene.tree, {.distance = kNear});
   for (const std::uint64_t number : {0U, 151U, 407U}) {
     const DepthFrame frame = camera.frame(number);
-    const Vector3d at = *frame.model.viewpoint;
+    const Vector3d at = *frame.model.sensor.place;
     ASSERT_NEAR((at - scene.middle).norm(), kNear, 1e-9);
     ASSERT_EQ(frame.model.grid->cells.size(), 160U * 120U);
     // How many pixels a ball of this size covers, less the rim that is too flat.
@@ -89,7 +89,7 @@ TEST(DepthCamera, NoiseAndDropoutsAreAsLargeAsAskedFor) {
   EXPECT_NEAR(static_cast<double>(dirty.model.positions.size()), 0.75 * seen, 4 * std::sqrt(0.25 * 0.75 * seen));
   double squares = 0, shift = 0;
   std::size_t both = 0;
-  const Vector3d at = *clean.model.viewpoint;
+  const Vector3d at = *clean.model.sensor.place;
   for (std::size_t cell = 0; cell < clean.model.grid->cells.size(); ++cell) {
     const std::uint32_t a = clean.model.grid->cells[cell], b = dirty.model.grid->cells[cell];
     ASSERT_FALSE(a == cloud::ScanGrid::kNoReturn && b != cloud::ScanGrid::kNoReturn);
