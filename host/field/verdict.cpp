@@ -231,34 +231,13 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double most_gaps = closed ? kMostGaps : kMostGapsOfSheet;
   const std::string again = sound.is_estimated ? "save the scan with outward normals, or scan more densely"
                                                : "estimate the normals again, or try --normals estimate";
-  for (const std::string& reason : reasons_of_scan(sound)) refuse(true, reason);
-  limit(verdict.off_surface_share, kMostOffSurface,
-        per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
-  limit(verdict.opposed_share, kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);
-  refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
-         "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
-         "normals, or scan more densely");
-  // A scan that was turned as a whole is one decision: what counts then is what was not turned with it.
-  const bool as_whole = sound.outside == Outside::kTurned || sound.outside == Outside::kViewpoint;
-  const double singly_turned = as_whole ? std::min(verdict.turned_share, 1.0 - verdict.turned_share) : verdict.turned_share;
-  refuse(sound.outside != Outside::kNeighbours && singly_turned > kMostTurned,
-         per_cent(singly_turned) + " of the normals had to be turned; " + again);
-  refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
-  refuse(verdict.noise_spacing > kMostNoise,
-         "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
+  // What explains others stands before them: how the scan was made, then what is missing in it, then its normals, then what came of it.
+  limit(repair.twice_enclosed, kMostTwice,
+        per_cent(repair.twice_enclosed) +
+            " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
   refuse(sound.layered > kLayered && verdict.noise_spacing > kLayersApart,
          "the points lie in two layers so close to each other that, without normals, nobody knows whether they are the two sides of a thin "
          "wall; save the scan with outward normals, or scan more densely");
-  limit(verdict.gap_share, most_gaps,
-        per_cent(verdict.gap_share) +
-            " of the surface closes gaps that nobody scanned; scan the missing parts, or remove points within the body");
-  refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
-         "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
-         "off in one plane");
-  refuse(
-      sound.in_lines > kMostInLines,
-      "the points lie in lines that are far apart, and without normals nobody knows the surface between them; save the scan with outward "
-      "normals, or scan more lines");
   const double rounded = sound.rounding / field.grid.edge;
   const auto along_axis = [](const Vector3d& normal) { return normal.cwiseAbs().maxCoeff() > kAlongAxis; };
   const auto straight = std::count_if(sound.points.normals.begin(), sound.points.normals.end(), along_axis);
@@ -269,6 +248,20 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   const double far = sound.float_step / field.grid.edge;
   refuse(far > most_rounded, "the coordinates are so far from the origin that 32-bit floats have steps of " + tenths(far) +
                                  " voxels there; shift the scan to a local origin, or save it with doubles");
+  for (const std::string& reason : reasons_of_scan(sound)) refuse(true, reason);
+  refuse(verdict.noise_spacing > kMostNoise,
+         "the points scatter by " + per_cent(verdict.noise_spacing) + " of their spacing; smooth the scan, or scan again");
+  refuse(
+      sound.in_lines > kMostInLines,
+      "the points lie in lines that are far apart, and without normals nobody knows the surface between them; save the scan with outward "
+      "normals, or scan more lines");
+  refuse(verdict.stray_share > kMostStrays, per_cent(verdict.stray_share) + " of the points are strays; remove them from the scan");
+  limit(verdict.gap_share, most_gaps,
+        per_cent(verdict.gap_share) +
+            " of the surface closes gaps that nobody scanned; scan the missing parts, or remove points within the body");
+  refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
+         "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
+         "off in one plane");
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "
@@ -277,6 +270,17 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   refuse(closed && verdict.thin_share > kMostThin,
          per_cent(verdict.thin_share) +
              " of the surface belongs to walls thinner than two voxels, which come out too thick; choose a finer --voxel");
+  limit(verdict.opposed_share, kMostOpposed, per_cent(verdict.opposed_share) + " of the normals point against the surface; " + again);
+  refuse(sound.outside == Outside::kNeighbours && verdict.contradicted_share > kMostContradicted,
+         "the side of the normals was decided by neighbours, which is not reliable in thin or narrow parts; save the scan with outward "
+         "normals, or scan more densely");
+  // A scan that was turned as a whole is one decision: what counts then is what was not turned with it.
+  const bool as_whole = sound.outside == Outside::kTurned || sound.outside == Outside::kViewpoint;
+  const double singly_turned = as_whole ? std::min(verdict.turned_share, 1.0 - verdict.turned_share) : verdict.turned_share;
+  refuse(sound.outside != Outside::kNeighbours && singly_turned > kMostTurned,
+         per_cent(singly_turned) + " of the normals had to be turned; " + again);
+  limit(verdict.off_surface_share, kMostOffSurface,
+        per_cent(verdict.off_surface_share) + " of the points lie off the surface; remove strays, or choose a finer --voxel");
   limit(verdict.unexplained_share, kMostUnexplained,
         "no smooth surface explains " + per_cent(verdict.unexplained_share) +
             " of the points; estimate the normals again, or scan again with less noise");
@@ -287,9 +291,6 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
   limit(verdict.surprising_share, kMostSurprising * in_noise + kPerStray * strays_among,
         per_cent(verdict.surprising_share) +
             " of the surface has points where their neighbours do not expect them; scan more densely, or with less noise");
-  limit(repair.twice_enclosed, kMostTwice,
-        per_cent(repair.twice_enclosed) +
-            " of the surface lies within another layer of the scan; align the scans that were merged, or remove one of the layers");
   const double beyond = verdict.gap_share > most_gaps ? 0.0 : verdict.volume_of_enclosed - 1.0;  // known as far as the points close
   limit(beyond, kMostVolume,
         "the body has " + per_cent(verdict.volume_of_enclosed) +

@@ -254,6 +254,33 @@ TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
   EXPECT_THAT(together[0], HasSubstr("near their limits, above all this: 1.9 % of the surface has points where"));
 }
 
+TEST(Verdict, WhatExplainsOtherReasonsStandsBeforeThem) {
+  SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  ScanField built = scan_field(sound, 1.6, kBand, progress);
+  built.repair.twice_enclosed = built.repair.surprising = built.repair.unexplained = 0.9;
+  built.repair.debris.pieces = 1000;
+  sound.layered = 0.9;
+  sound.rounding = sound.float_step = 9.0;
+  sound.outside = Outside::kDoubtful;
+  sound.hidden = 0.5;
+  sound.noise = sound.spacing;
+  sound.in_lines = 0.5;
+  sound.strays = sound.measured;
+  sound.rim.samples = 100;
+  sound.rim.least_surrounded = 0.0;
+  sound.rim.patches = 100;
+  sound.enclosed = 0.5 * sound.enclosed;
+  for (std::size_t i = 0; i < sound.points.size(); i += 3) sound.points.normals[i] = -sound.points.normals[i];
+  for (std::uint32_t i = 0; i < sound.measured / 2; ++i) sound.turned.push_back(i);
+  EXPECT_THAT(judge(built.field, sound, built.repair, Spacings(sound.points)).reasons,
+              ElementsAre(HasSubstr("another layer"), HasSubstr("two layers"), HasSubstr("rounded"), HasSubstr("32-bit floats"),
+                          HasSubstr("do not agree on which side"), HasSubstr("behind others"), HasSubstr("scatter"), HasSubstr("in lines"),
+                          HasSubstr("strays; remove"), HasSubstr("cut off"), HasSubstr("patches"), HasSubstr("point against"),
+                          HasSubstr("had to be turned"), HasSubstr("no smooth surface"), HasSubstr("do not expect"),
+                          HasSubstr("of the volume"), HasSubstr("no points support")));
+}
+
 TEST(Verdict, SurprisesWeighMoreInNoise) {
   SoundScan sound = sound_scan(of("sphere"));
   Progress progress;
