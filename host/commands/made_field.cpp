@@ -171,7 +171,9 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
   how.sensor_doubt = read.sensor_doubt();
-  how.from = how.viewpoint            ? field::SensorFrom::kPerson
+  const bool is_own_camera = options.sensor.camera && (!how.viewpoint || how.viewpoint->isZero());
+  how.from = is_own_camera            ? field::SensorFrom::kDepthImage
+             : how.viewpoint          ? field::SensorFrom::kPerson
              : read.sensor.is_assumed ? field::SensorFrom::kAssumption
                                       : field::SensorFrom::kFile;
   if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.sensor.place;
@@ -186,7 +188,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.points = read.points;
   report.warnings = read.warnings();
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
-  if (how.viewpoint && !options.sensor.viewpoint) report.warnings.push_back(sensor_sentence(*how.viewpoint, read));
+  if (how.viewpoint && !options.sensor.viewpoint && !is_own_camera) report.warnings.push_back(sensor_sentence(*how.viewpoint, read));
   const Eigen::Vector3d sides = box_of(measured).sizes();
   const int usual = options.method == BuildMethod::kDefault ? sound.usual_grid(sides) : field::kCoarseGrid;
   const auto [edge, too_fine] = field::scan_voxel(sound, sides, report.placement.scale, {options.voxel_mm, options.grid}, usual);

@@ -22,8 +22,8 @@ enum class Outside {
   kDoubtful,    ///< the votes are not clear; nothing was changed
 };
 
-/// Who says where the sensor stood.
-enum class SensorFrom { kPerson, kFile, kAssumption };
+/// Who says where the sensor stood. A depth image has its camera in the origin, and nobody can say otherwise.
+enum class SensorFrom { kPerson, kFile, kAssumption, kDepthImage };
 
 struct SoundScan {
   cloud::OrientedPoints points;       ///< the measured ones in their order, then the invented

@@ -143,15 +143,29 @@ std::string other_sensor(const SoundScan& sound) {
     case SensorFrom::kPerson: break;
     case SensorFrom::kFile: return "ignore the file's line VIEWPOINT with --no-viewpoint";
     case SensorFrom::kAssumption: return "say with --viewpoint where the sensor stood";
+    case SensorFrom::kDepthImage: return "set its pixels to 0";
   }
   return "leave out --viewpoint";
+}
+
+/// What may explain all the reasons that there are.
+std::vector<std::string> explanations(const SoundScan& sound) {
+  if (sound.sensor_from == SensorFrom::kDepthImage)
+    return {"if the depth image shows more than the object, such as a wall behind it, set pixels that are not the object to 0"};
+  std::vector<std::string> list;
+  if (sound.is_sheet && sound.is_on_table)
+    list.emplace_back("the scan ends at the edge of a flat part; if that is a table or a wall, remove it");
+  if (sound.outside == Outside::kViewpoint)
+    list.push_back("every normal was turned towards the sensor's place; if not all of the points were seen from there, " +
+                   other_sensor(sound) + ", or save the scan with outward normals");
+  return list;
 }
 
 }  // namespace
 
 std::vector<std::string> reasons_of_scan(const SoundScan& sound) {
   std::vector<std::string> reasons;
-  if (sound.is_on_table) {
+  if (sound.is_on_table && !sound.is_sheet) {
     reasons.emplace_back(
         "the scan ends at the edge of a flat part, such as a table on which the object stands; remove the table, or scan what is missing");
   } else if (sound.outside == Outside::kDoubtful) {
@@ -302,10 +316,9 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
         std::to_string(removed) + (removed == 1 ? " piece or cavity" : " pieces and cavities") +
             " that no points support had to be removed; check the normals and remove strays");
   refuse(verdict.reasons.empty() && together > kMostTogether, "several figures are near their limits, above all this: " + above_all);
-  if (sound.outside == Outside::kViewpoint && !verdict.plausible()) {
-    refuse(true, "every normal was turned towards the sensor's place; if not all of the points were seen from there, " +
-                     other_sensor(sound) + ", or save the scan with outward normals");
-    std::rotate(verdict.reasons.begin(), verdict.reasons.end() - 1, verdict.reasons.end());  // it explains the others
+  if (!verdict.plausible()) {
+    const std::vector<std::string> first = explanations(sound);
+    verdict.reasons.insert(verdict.reasons.begin(), first.begin(), first.end());
   }
   return verdict;
 }

@@ -211,6 +211,17 @@ TEST_F(BuildScan, ADepthImageBecomesAOneSidedBodyOfItsTrueSize) {
   EXPECT_NEAR(info["voxel_mm"].get<double>(), 100.0 / 60, 0.06);
 }
 
+/// Its camera stands in the origin whatever is said: no advice about the sensor leads anywhere.
+TEST_F(BuildScan, ADepthImageNeedsNoWordOfItsSensor) {
+  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
+  for (const char* said : {"", " --no-viewpoint", " --viewpoint 0 0 0"}) {
+    const auto json =
+        nlohmann::json::parse(run("build " + file("ball.png") + " --intrinsics 500,480,80.25,58.5 --depth-scale 10000 --grid 40 -o " +
+                                  file("b.itf") + " --json" + said));
+    EXPECT_THAT(json["warnings"].dump(), Not(HasSubstr("viewpoint"))) << said;
+  }
+}
+
 TEST_F(BuildScan, ADepthImageNeedsACameraAndNothingElseDoes) {
   std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
   EXPECT_THROW(run("build " + file("ball.png") + " -o " + file("b.itf")), InputError);

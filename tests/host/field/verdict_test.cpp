@@ -21,6 +21,7 @@ namespace {
 using cloud::OrientedPoints;
 using cloud::Random;
 using Eigen::Vector3d;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
@@ -234,6 +235,24 @@ TEST(Verdict, AViewpointThatSawHalfOfThePointsIsRefused) {
   EXPECT_THAT(reasons(SensorFrom::kPerson).front(), HasSubstr("leave out --viewpoint"));
   EXPECT_THAT(reasons(SensorFrom::kFile).front(), HasSubstr("ignore the file's line VIEWPOINT with --no-viewpoint"));
   EXPECT_THAT(reasons(SensorFrom::kAssumption).front(), HasSubstr("say with --viewpoint where the sensor stood"));
+  EXPECT_THAT(reasons(SensorFrom::kDepthImage).front(),
+              "if the depth image shows more than the object, such as a wall behind it, set pixels that are not the object to 0");
+  EXPECT_THAT(reasons(SensorFrom::kDepthImage), Each(Not(AnyOf(HasSubstr("viewpoint"), HasSubstr("VIEWPOINT")))));
+}
+
+/// One side of a body on a table is built as it is, because a relief with a flat edge is no worse; only what is refused anyway is explained by it.
+TEST(Verdict, AFlatEdgeOfOneSideExplainsARefusalAndMakesNone) {
+  SoundScan sound = sound_scan(of("sphere"));
+  Progress progress;
+  const ScanField built = scan_field(sound, 1.6, kBand, progress);
+  sound.is_sheet = true;
+  sound.is_on_table = true;
+  EXPECT_THAT(judge(built.field, sound, built.repair, Spacings(sound.points)).reasons, IsEmpty());
+  Repair repair = built.repair;
+  repair.unexplained = 0.5;
+  EXPECT_THAT(
+      judge(built.field, sound, repair, Spacings(sound.points)).reasons,
+      ElementsAre("the scan ends at the edge of a flat part; if that is a table or a wall, remove it", HasSubstr("no smooth surface")));
 }
 
 TEST(Verdict, SeveralFiguresNearTheirLimitsAreRefusedTogether) {
