@@ -119,6 +119,7 @@ Built built(cloud::Model model, std::uint64_t source_hash, const isotouch_build_
   cloud::CloudReport read;
   cloud::OrientedPoints points = cloud::check(kName, std::move(model), read);
   field::ScanOptions how{estimate, {}};
+  how.name = kName;
   if (options.has_viewpoint != 0) how.viewpoint = viewpoint_of(options);
   field::SoundScan scan = field::sound_scan(std::move(points), how);
 

@@ -171,6 +171,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};
   how.sensor_doubt = read.sensor_doubt();
+  how.name = options.input.string();
   const bool is_own_camera = options.sensor.camera && (!how.viewpoint || how.viewpoint->isZero());
   how.from = is_own_camera            ? field::SensorFrom::kDepthImage
              : how.viewpoint          ? field::SensorFrom::kPerson

@@ -43,8 +43,9 @@ struct PointsRun {
     cloud::OrientedPoints points = cloud::read_cloud({cloud, {camera.camera(), {}}}, report);
     field::SoundScan sound;
     try {
-      sound = field::sound_scan(points,
-                                {.estimate = !report.has_normals, .viewpoint = report.has_normals ? std::nullopt : report.sensor.place});
+      sound = field::sound_scan(
+          points,
+          {.estimate = !report.has_normals, .viewpoint = report.has_normals ? std::nullopt : report.sensor.place, .name = cloud.string()});
     } catch (const InputError&) {
       if (!report.has_normals) throw;  // else it is drawn as it is, too poor to have a rim
     }

@@ -22,8 +22,10 @@ struct CutPlane {
 
   /// Was it cut off, by a plane into which the surface runs? A hole in a ball may as well be closed by a bulge, and nobody knows which.
   bool is_cut() const { return is_only_end && is_clean && along_axis > -0.5 && along_axis < 0.5; }
-  /// Does the surface there look back at the scan? Then the object stands on something that was scanned, too.
-  bool is_table() const { return along_axis < -0.7; }
+  /// Does the surface lie in the plane there?
+  bool is_flat() const { return along_axis < -0.7 || along_axis > 0.7; }
+  /// Does it look back at the scan, too? Then the object stands on something that was scanned.
+  bool is_table() const { return is_flat() && along_axis < 0; }
 };
 
 /// returns   the plane of the longest rim; nothing where that lies in none, or where the scan goes on behind it

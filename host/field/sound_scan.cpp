@@ -88,6 +88,20 @@ bool closed_by_neighbours(const Scan& scan) {
   return facing.is_closed() && (facing.is_outward() || facing.is_inward());
 }
 
+InputError refusal(const ScanOptions& options, const std::string& sentence) {
+  return InputError((options.name.empty() ? "" : options.name + ": ") + sentence);
+}
+
+/// scan      its normals agree with each other; nobody knows which of the two sides is outside
+InputError one_side_only(const Scan& scan, const ScanOptions& options) {
+  const std::optional<CutPlane> end = cut_plane(scan, open_rim(scan));
+  const bool may_be_table = end && end->is_flat();
+  return refusal(options, std::string("the points have no normals and show one side of an object only: ") +
+                              (may_be_table ? "they end at the edge of a flat part; if that is a table or a wall, remove it, else " : "") +
+                              "give the sensor's place with --viewpoint X Y Z" +
+                              (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
+}
+
 /// Gives the whole scan one outside.
 Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   if (options.viewpoint) {
@@ -136,9 +150,7 @@ Outside find_outside(Scan& scan, const ScanOptions& options, Facing& found) {
   }
   const bool sheet_now = after.one_sided > kSheet;
   const bool agreed = contradictions(scan) < kContradictory;
-  if (sheet_now && options.estimate)
-    throw InputError("the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z" +
-                     (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
+  if (sheet_now && options.estimate) throw one_side_only(scan, options);
   if (agreed && (after.is_outward() || (sheet_now && 20 * turned < 9 * scan.size()))) {
     found = after;
     return turned == 0 ? Outside::kAsGiven : Outside::kNeighbours;
@@ -200,7 +212,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   if (options.estimate) points.normals = estimated_normals(points.positions);
   auto scan = std::make_unique<Scan>(std::move(points));
   const std::vector<std::uint32_t> samples = connected(*scan);
-  if (samples.size() < kFewestPoints) throw InputError("hardly any of its points lies beside others on a surface");
+  if (samples.size() < kFewestPoints) throw refusal(options, "hardly any of its points lies beside others on a surface; scan more densely");
   result.strays = scan->size() - samples.size();
   if (result.strays > 0) {
     scan = kept(*scan, samples);
@@ -268,12 +280,12 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   result.points = {scan->positions(), scan->normals(), scan->stiffness()};
   result.is_sheet = facing.one_sided > kSheet && result.outside != Outside::kDoubtful;
   result.enclosed = as_faced ? facing.enclosed : field::facing(*scan).enclosed;  // by the normals as they are now
+  const std::optional<CutPlane> cut = cut_plane(*scan, result.rim);
+  result.is_on_table = cut && cut->is_table();
   if (result.is_sheet) {
     result.points.append(sheet_back(*scan, line_of_sight(*scan, facing.front, options.viewpoint)));
     return result;
   }
-  const std::optional<CutPlane> cut = cut_plane(*scan, result.rim);
-  result.is_on_table = cut && cut->is_table();
   if (cut && cut->is_cut()) {
     OrientedPoints with_cap = result.points;
     with_cap.append(plane_cap(*scan, *cut));
@@ -336,7 +348,10 @@ std::vector<std::string> SoundScan::warnings() const {
                      (turned.empty() ? "they" : "all but " + std::to_string(turned.size())) + " are used as they are");
       break;
   }
-  if (is_sheet) list.emplace_back("only one side was scanned: the field closes it with walls and a back that nobody scanned");
+  if (is_sheet) {
+    list.push_back(std::string("only one side was scanned: the field closes it with walls and a back that nobody scanned") +
+                   (is_on_table ? "; it ends at the edge of a flat part: if that is a table or a wall, remove it" : ""));
+  }
   if (rim.samples > 0) {
     const auto rounded = [](double mm) { return std::to_string(std::lround(mm)); };
     list.push_back("the scan is open: its rims are about " + rounded(rim.length) + " mm long together, the longest round (" +

@@ -31,7 +31,7 @@ struct SoundScan {
   bool is_estimated = false;          ///< its normals are not the file's
   bool is_sheet = false;              ///< of one side: what was invented are walls and a back
   bool is_capped = false;             ///< the scan ends in a plane, and what was invented closes it there (cut_plane.h)
-  bool is_on_table = false;           ///< the scan ends in a plane that looks back at it
+  bool is_on_table = false;           ///< the scan ends in a plane that looks back at it; a relief with a flat edge does, too
   std::size_t strays = 0;             ///< points left out: far from the others, or not confirmed by those beside them (outliers.h)
   std::size_t strays_among = 0;       ///< of these those in the box round the points that stay, or just beside it
   std::vector<std::uint32_t> turned;  ///< of the measured points those whose normal points the other way than in the file
@@ -72,6 +72,7 @@ struct ScanOptions {
   std::optional<Eigen::Vector3d> viewpoint = {};  ///< the sensor's place, in the points' frame
   SensorFrom from = SensorFrom::kPerson;          ///< who says so
   std::string sensor_doubt = {};                  ///< why nobody does, for a refusal: a clause, or empty
+  std::string name = {};                          ///< of the file, for a refusal; empty: whoever catches it names it
 };
 
 /// points    any length unit; at least 8; unit normals, of any sign where `estimate`

@@ -23,8 +23,10 @@ using cloud::OrientedPoints;
 using cloud::Random;
 using Eigen::Vector3d;
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 OrientedPoints of(const char* shape, std::size_t count = 3756) { return cloud::sample_shape(cloud::shape(shape), count); }
 
@@ -42,6 +44,28 @@ OrientedPoints relief(std::size_t count = 3000) {
     points.positions.emplace_back(x, y, 6 * std::sin(x / 12) * std::cos(y / 10));
     points.normals.emplace_back(
         Vector3d(-0.5 * std::cos(x / 12) * std::cos(y / 10), 0.6 * std::sin(x / 12) * std::sin(y / 10), 1).normalized());
+  }
+  return points;
+}
+
+/// The upper half of a ball on a table that is three times as wide.
+OrientedPoints ball_on_table() {
+  OrientedPoints points;
+  const OrientedPoints ball = of("sphere");
+  double radius = 0;
+  for (const Vector3d& p : ball.positions) radius = std::max(radius, p.norm());
+  for (std::size_t i = 0; i < ball.size(); ++i) {
+    if (ball.positions[i].z() < 0) continue;
+    points.positions.push_back(ball.positions[i]);
+    points.normals.push_back(ball.normals[i]);
+  }
+  Random random(3);
+  const std::size_t on_ball = points.size();
+  while (points.size() < 4 * on_ball) {
+    const Vector3d p(random.uniform(-3 * radius, 3 * radius), random.uniform(-3 * radius, 3 * radius), 0);
+    if (p.norm() < radius) continue;
+    points.positions.push_back(p);
+    points.normals.push_back(Vector3d::UnitZ());
   }
   return points;
 }
@@ -109,6 +133,26 @@ TEST(SoundScan, BelievesAnOpenThinWall) {
   const SoundScan scan = sound_scan(points);
   EXPECT_EQ(scan.outside, Outside::kAsGiven) << facing.outward;
   EXPECT_LT(unlike(scan, points), 10U);
+}
+
+TEST(SoundScan, NamesTheTableUnderAnObject) {
+  const OrientedPoints points = ball_on_table();
+  EXPECT_THAT(sound_scan(points).warnings(), Contains(HasSubstr("a flat part: if that is a table or a wall, remove it")));
+  EXPECT_THAT(sound_scan(relief()).warnings(), Each(Not(HasSubstr("table"))));
+  const auto refusal_without_normals = [](const OrientedPoints& scanned) -> std::string {
+    try {
+      (void)sound_scan(scanned, {.estimate = true, .name = "scan.xyz"});
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(
+      refusal_without_normals(points),
+      "scan.xyz: the points have no normals and show one side of an object only: they end at the edge of a flat part; if that is a table "
+      "or a wall, remove it, else give the sensor's place with --viewpoint X Y Z");
+  EXPECT_EQ(refusal_without_normals(relief()),
+            "scan.xyz: the points have no normals and show one side of an object only: give the sensor's place with --viewpoint X Y Z");
 }
 
 TEST(SoundScan, TurnsAClosedSurfaceThatIsInsideOut) {
