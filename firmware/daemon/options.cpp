@@ -45,8 +45,8 @@ bool read_options(int argc, char** argv, Options& options, int& exit_code) {
   std::string config, check, device = "usb", control, field, record, relay_socket = "/run/isotouch/control";
   bool print = false, list = false;
   app.set_version_flag("--version", files::version_text("isotouchd"), "print version, commit, formats and compiler");
-  app.add_option("--config", config, "file with the settings (TOML); see --print-config");
-  app.add_option("--check-config", check, "check this settings file and exit");
+  CLI::Option* own = app.add_option("--config", config, "file with the settings (TOML); see --print-config");
+  app.add_option("--check-config", check, "check this settings file and exit")->excludes(own);
   app.add_flag("--print-config", print, "print every setting with its default and exit");
   app.add_flag("--list", list, "list the devices that are plugged in and exit");
   app.add_option("--device", device, "the device: usb, usb:SERIAL, sim:SOCKET (a simulated Falcon) or replay:FILE (a recording)")

@@ -210,14 +210,14 @@ std::string CloudReport::sensor_doubt() const {
   return "the image does not look as if its sensor had stood in the origin, and its grid was not used; if it did, give --viewpoint 0 0 0";
 }
 
-std::vector<std::string> CloudReport::warnings() const {
+std::vector<std::string> CloudReport::warnings(bool are_normals_used) const {
   std::vector<std::string> list;
   if (!edges && sensor.refuted_place) list.push_back(sensor_doubt());
   if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)
     list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");
   if (edges) {
-    list.emplace_back("the normals were taken from the scan's grid and face its sensor");
+    if (are_normals_used) list.emplace_back("the normals were taken from the scan's grid and face its sensor");
     if (*edges > 0) list.push_back(times(*edges, "point was", "points were") + " left out: at edges of the grid and at jumps in depth");
   }
   if (renormalised > 0) list.push_back(times(renormalised, "normal was", "normals were") + " not of unit length and brought to it");

@@ -34,7 +34,7 @@ struct CloudReport {
   /// Why an image's grid was not used and what to do if that is wrong, as a clause; empty where it was used or is none.
   std::string sensor_doubt() const;
   /// One sentence for each thing that was put right or looks doubtful.
-  std::vector<std::string> warnings() const;
+  std::vector<std::string> warnings(bool are_normals_used = true) const;
 };
 
 /// Checks and mends, in this order:

@@ -119,7 +119,8 @@ void add_build(CLI::App& app) {
   add_box(*command, options->box,
           "with --method live: the part of space that the field covers, two corners X,Y,Z,X,Y,Z in the file's coordinates; points outside "
           "are left out");
-  command->add_flag("--accept-implausible", options->accept_implausible, "write the field although it was judged to be probably wrong");
+  command->add_flag("--accept-implausible", options->accept_implausible,
+                    "write the field although it was judged to be probably wrong; a mesh and a level set are not judged");
   command->add_flag("--json", *json, "print one JSON object");
   command->callback([options, camera, json, interpolation] {
     options->sensor.camera = camera->camera();

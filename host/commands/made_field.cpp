@@ -187,7 +187,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
   report.format = read.format;
   report.source_hash = read.source_hash;
   report.points = read.points;
-  report.warnings = read.warnings();
+  report.warnings = read.warnings(!how.estimate);
   if (how.estimate) report.warnings.emplace_back("normals were estimated from the points");
   if (how.viewpoint && !options.sensor.viewpoint && !is_own_camera) report.warnings.push_back(sensor_sentence(*how.viewpoint, read));
   const Eigen::Vector3d sides = box_of(measured).sizes();

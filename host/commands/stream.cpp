@@ -53,6 +53,7 @@ struct StreamingOptions {
   fs::path out, first;
   std::string units;
   double fit_mm = 70;
+  bool is_fitted = false;  ///< somebody said so
   std::optional<double> rate, seconds, keep_s;
   bool every_frame = false;
   std::optional<std::uint32_t> enough;
@@ -118,10 +119,22 @@ stream::Source camera_source(StreamingOptions& options, Scene& scene) {
   return stream::depth_camera(*scene.tree, space.placement, options.camera);
 }
 
+/// Touches, and what the simulated camera sees, have normals whose side is known.
+void require_no_sensor(const StreamingOptions& options) {
+  const auto refuse = [](const char* option, const char* what) {
+    throw CLI::ValidationError(option, std::string("it is for ") + what + " in files or on standard input; leave it out");
+  };
+  if (options.sensor.camera) refuse("--intrinsics", "depth images");
+  if (options.sensor.viewpoint) refuse("--viewpoint", "points");
+  if (options.sensor.ignores_viewpoint) refuse("--no-viewpoint", "points");
+}
+
 stream::Source source_of(FrameSource kind, StreamingOptions& options, Scene& scene) {
   const double rate = options.rate.value_or(kCameraRate);
+  if (kind != FrameSource::kFiles && kind != FrameSource::kInput) require_no_sensor(options);
   if (kind == FrameSource::kRecording || kind == FrameSource::kController) {
     if (!options.units.empty()) throw CLI::ValidationError("--units", "touches are in workspace mm; leave it out");
+    if (options.is_fitted) throw CLI::ValidationError("--fit", "touches are in workspace mm; leave it out");
     options.stream.space.stays = true;
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(cloud::kFalconReach);
     if (!options.stream.box) options.stream.box = Eigen::AlignedBox3d(-reach, reach);
@@ -256,7 +269,8 @@ void add_stream(CLI::App& app) {
   add_output(*command, "-o,--out", options->out, {&forms::kField}, "also write the field as it is at the end");
   add_output(*command, "--first", options->first, {&forms::kField},
              "also write the field that is uploaded first: a recording that the controller began before it replays on it");
-  command->add_option("--name", options->stream.name, "name of the field at the controller")->check(field_name())->capture_default_str();
+  CLI::Option* name = command->add_option("--name", options->stream.name, "name of the field at the controller");
+  name->check(field_name())->capture_default_str();
   add_box(*command, options->stream.box,
           "the part of space that is scanned, two corners X,Y,Z,X,Y,Z in the input's coordinates; by default the box of the first frame "
           "and half of its longest side more on each side");
@@ -311,13 +325,15 @@ void add_stream(CLI::App& app) {
       ->add_option("--threads", options->threads, "number of threads; by default one for each processor. The result does not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "print one JSON object at the end");
-  command->callback([options, intrinsics, to] {
+  command->callback([options, intrinsics, to, name, fit] {
     if (to->count() == 0 && options->out.empty()) throw CLI::ValidationError("--to", "name a controller, or a file with -o, or both");
     if (is_standard(options->first)) throw CLI::ValidationError("--first", "it is written while the stream runs; name a file");
     if (!options->first.empty() && options->first == options->out)
       throw CLI::ValidationError("--first", "-o would write over it at the end; name another file");
     if (!options->first.empty() && to->count() == 0) throw CLI::ValidationError("--first", "nothing is uploaded without --to");
+    if (name->count() > 0 && to->count() == 0) throw CLI::ValidationError("--name", "nothing is uploaded without --to");
     require_apart(options->out, options->json);
+    options->is_fitted = fit->count() > 0;
     options->sensor.camera = intrinsics->camera();
     evaluate::DepthCameraOptions& camera = options->camera;
     camera.rows = std::max<std::size_t>(camera.columns * 3 / 4, 2);

@@ -222,6 +222,20 @@ TEST_F(BuildScan, ADepthImageNeedsNoWordOfItsSensor) {
   }
 }
 
+TEST_F(BuildScan, ADepthImageSaysWhereItsNormalsComeFromOnce) {
+  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
+  const auto warnings = [&](const char* normals) {
+    return nlohmann::json::parse(run("build " + file("ball.png") +
+                                     " --intrinsics 500,480,80.25,58.5 --depth-scale 10000 --grid 40 --json -o " + file("b.itf") +
+                                     " --accept-implausible --normals " + normals))["warnings"]
+        .dump();
+  };
+  EXPECT_THAT(warnings("file"), HasSubstr("taken from the scan's grid"));
+  EXPECT_THAT(warnings("file"), Not(HasSubstr("estimated")));
+  EXPECT_THAT(warnings("estimate"), HasSubstr("normals were estimated from the points"));
+  EXPECT_THAT(warnings("estimate"), Not(HasSubstr("taken from the scan's grid")));
+}
+
 TEST_F(BuildScan, ADepthImageNeedsACameraAndNothingElseDoes) {
   std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
   EXPECT_THROW(run("build " + file("ball.png") + " -o " + file("b.itf")), InputError);
