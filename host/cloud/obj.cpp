@@ -44,7 +44,8 @@ Vector3d vector(TextLines& lines, const char* what) {
   Vector3d v;
   for (double& value : v) {
     value = lines.number(what);
-    if (!std::isfinite(value)) throw lines.refusal(std::string(what) + " is not a finite number");
+    if (!std::isfinite(value))
+      throw lines.refusal(std::string(what) + " is not a finite number; correct it, or save the model without this point");
   }
   return v;
 }

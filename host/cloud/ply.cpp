@@ -35,7 +35,7 @@ class TextRows {
     do {
       if (!lines_.next()) {
         throw refusal("the file ends after " + std::to_string(row) + " of the " + std::to_string(element.count) + " rows of element " +
-                      quote(element.name));
+                      quote(element.name) + "; it was cut short, or the count is wrong");
       }
     } while (lines_.rest().find_first_not_of(" \t") == std::string_view::npos);
   }
@@ -159,7 +159,8 @@ void read_row(Rows& rows, const PlyElement& element, const RowUses& row, std::si
     if (!property.count_type) {
       const double value = rows.number(property.type, property.name);
       if (uses[i] == Use::kSkip) continue;
-      if (!std::isfinite(value)) throw rows.refusal(property.name + " is not a finite number");
+      if (!std::isfinite(value))
+        throw rows.refusal(property.name + " is not a finite number; correct it, or save the cloud without this point");
       vertex[static_cast<std::size_t>(uses[i]) - 1] = value;
       continue;
     }

@@ -34,7 +34,7 @@ SourceFile::SourceFile(std::filesystem::path file, SensorOptions sensor) : Sourc
 
 SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes, SensorOptions sensor)
     : file_(std::move(file)), bytes_(std::move(bytes)), kind_(file_kind(file_, bytes_)), sensor_(std::move(sensor)) {
-  if (bytes_.empty()) throw InputError(name() + ": the file is empty");
+  if (bytes_.empty()) throw InputError(name() + ": the file is empty; export or copy it again");
   if (sensor_.camera && kind_ != FileKind::kDepthImage)
     throw InputError(name() + ": --intrinsics describes the camera of a depth image (PNG), this is none; leave it out");
   if (kind_ == FileKind::kPly) ply_ = read_ply_header(name(), bytes_);

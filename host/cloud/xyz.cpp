@@ -109,13 +109,15 @@ Table read_table(const std::string& name, std::span<const std::uint8_t> bytes) {
       while (rest.field() && row.size() < 7) row.push_back(lines.number("a coordinate"));
     }
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (!std::isfinite(row[i])) throw lines.refusal("number " + std::to_string(i + 1) + " is not a finite number");
+      if (!std::isfinite(row[i]))
+        throw lines.refusal("number " + std::to_string(i + 1) + " is not a finite number; correct or remove the line");
     }
     if (columns == 0) columns = row.size();
     if ((columns != 3 && columns != 6) || row.size() != columns) {
-      const std::string wanted = table.lines.empty() ? "x y z or x y z nx ny nz"
-                                 : columns == 3      ? "x y z like the lines before"
-                                                     : "x y z nx ny nz like the lines before";
+      const std::string wanted = table.lines.empty()
+                                     ? "x y z or x y z nx ny nz, or a first line must name the columns, such as x y z intensity"
+                                 : columns == 3 ? "x y z like the lines before; correct or remove it"
+                                                : "x y z nx ny nz like the lines before; correct or remove it";
       throw lines.refusal((row.size() > 6 ? "more than 6" : std::to_string(row.size())) + " numbers; a line must hold " + wanted);
     }
     table.is_named = names.has_value();
@@ -154,7 +156,7 @@ Model read_xyz(const std::string& name, std::span<const std::uint8_t> bytes) {
   }
   if (table.count && *table.count != table.first.size()) {
     throw InputError(name + ": its first line states " + std::to_string(*table.count) + " points, but " +
-                     std::to_string(table.first.size()) + " follow");
+                     std::to_string(table.first.size()) + " follow; correct it, or copy the file again");
   }
   return {"text", std::move(table.first), std::move(table.second), std::move(table.lines), {}};
 }
