@@ -12,4 +12,10 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The same of the command line itself: a value that an option does not take, or options that do not belong together. `main` returns 2.
+class UsageError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 }  // namespace isotouch

@@ -40,6 +40,17 @@ std::string list(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Empty: it is one.
+std::string refusal_of_quirk(const std::string& text) {
+  try {
+    Quirks none;
+    set_quirk(none, text);
+    return {};
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+}
+
 void add_options(CLI::App& app, Options& o) {
   app.add_option("--socket", o.socket, "listen at this local socket");
   app.add_option("--usbredir", o.usbredir, "listen at this local socket for QEMU's usb-redir");
@@ -49,7 +60,8 @@ void add_options(CLI::App& app, Options& o) {
   app.add_option("--hand", o.hand, "what the hand does once the device is homed: " + list(motion_names()) + ", none, or a trace file")
       ->capture_default_str();
   app.add_option("--faults", o.faults, "a file with faults, one a line: at PACKET FAULT [ARGUMENTS]");
-  app.add_option("--quirk", o.quirks, "a deviation that was seen on real devices; may be given several times: " + list(quirk_names()));
+  app.add_option("--quirk", o.quirks, "a deviation that was seen on real devices; may be given several times: " + list(quirk_names()))
+      ->check(refusal_of_quirk);
   app.add_option("--pace", o.pace, "real: replies come at frames of 1 ms; lockstep: replies come at once")
       ->check(CLI::IsMember({"real", "lockstep"}))
       ->capture_default_str();
@@ -82,7 +94,8 @@ Path hand_path(const std::string& hand) {
   for (const std::string& name : motion_names()) {
     if (hand == name) return scripted_path(name);
   }
-  if (!fs::exists(hand)) throw std::runtime_error("--hand " + hand + ": neither a motion (" + list(motion_names()) + ", none) nor a file");
+  if (!fs::exists(hand))
+    throw CLI::ValidationError("--hand " + hand + ": neither a motion (" + list(motion_names()) + ", none) nor a file");
   return recorded_path(hand);
 }
 
@@ -91,7 +104,8 @@ Settings settings_of(const Options& o) {
   const std::string& serial = settings.strings.serial;
   const bool plain = std::all_of(serial.begin(), serial.end(),
                                  [](char c) { return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
-  if (serial.empty() || serial.size() > 16 || !plain) throw std::runtime_error("--serial " + serial + ": write 1 to 16 letters and digits");
+  if (serial.empty() || serial.size() > 16 || !plain)
+    throw CLI::ValidationError("--serial " + serial + ": write 1 to 16 letters and digits");
   if (o.geometry == "martin-hillier") {
     settings.mechanism.geometry = martin_hillier_geometry();
     settings.mechanism.transmission = martin_hillier_transmission();
@@ -113,10 +127,10 @@ Settings settings_of(const Options& o) {
 
 void run(const Options& o) {
   if (o.socket.empty() && o.usbredir.empty() && o.vhci.empty())
-    throw std::runtime_error("nothing could connect to the device: give --socket PATH, --usbredir PATH or --vhci FOLDER");
+    throw CLI::ValidationError("nothing could connect to the device: give --socket PATH, --usbredir PATH or --vhci FOLDER");
   const Pace pace = o.pace == "real" ? Pace::kReal : Pace::kLockstep;
   if ((!o.usbredir.empty() || !o.vhci.empty()) && pace == Pace::kLockstep)
-    throw std::runtime_error("--usbredir and --vhci need --pace real: a kernel's USB has frames of its own");
+    throw CLI::ValidationError("--usbredir and --vhci need --pace real: a kernel's USB has frames of its own");
   PacedDevice device(SimulatedFalcon(settings_of(o)), pace);
   catch_end_signals();
   std::vector<std::unique_ptr<Frontend>> frontends;

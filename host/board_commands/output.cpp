@@ -50,10 +50,10 @@ const Form* form_of(const std::filesystem::path& out, const Forms& forms, const 
   const std::string rest = list_of(forms) + (hint.empty() ? "" : "; " + hint);
   const Form* form = !ending.empty() ? find(forms, ending) : !named.empty() ? find(forms, '.' + named) : usual(forms);
   if (form == nullptr && ending.empty())
-    throw InputError(out.string() + ": its name does not say what to write; say it with --format: " + rest);
-  if (form == nullptr) throw InputError(out.string() + ": this command does not write " + ending + "; it writes " + rest);
+    throw UsageError(out.string() + ": its name does not say what to write; say it with --format: " + rest);
+  if (form == nullptr) throw UsageError(out.string() + ": this command does not write " + ending + "; it writes " + rest);
   if (!named.empty() && form->ending != '.' + named)
-    throw InputError(out.string() + ": its name asks for " + ending + ", and --format for " + named + "; leave one of them out");
+    throw UsageError(out.string() + ": its name asks for " + ending + ", and --format for " + named + "; leave one of them out");
   if (is_standard(out) && !form->is_text && isatty(STDOUT_FILENO) != 0)
     throw InputError("-: standard output is a terminal, and " + std::string(form->what) + " is not text; redirect it, or name a file");
   return form;
@@ -72,7 +72,7 @@ void require_folder(const std::filesystem::path& folder) {
   const Forms all = {&forms::kField, &forms::kImage, &forms::kLevelSet, &forms::kPly, &forms::kObj, &forms::kStl,  &forms::kTrace,
                      &forms::kMcap,  &forms::kTable, &forms::kPicture,  &forms::kSvg, &forms::kPdf, &forms::kPage, &forms::kJson};
   if (is_standard(folder) || find(all, in_lower_case(folder.extension().string())) != nullptr)
-    throw InputError(folder.string() + ": this command writes several files into a folder; name a folder");
+    throw UsageError(folder.string() + ": this command writes several files into a folder; name a folder");
 }
 
 std::FILE* text_stream(const std::filesystem::path& out) { return is_standard(out) ? stderr : stdout; }

@@ -30,7 +30,7 @@ void print_field(const nlohmann::ordered_json& json, const std::string& name) {
       if (value->is_object()) {
         for (const auto& [known, ignored] : value->items()) keys += " " + known;
       }
-      throw InputError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
+      throw UsageError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
     }
     value = &(*value)[key];
     begin = end + 1;

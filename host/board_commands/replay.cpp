@@ -131,11 +131,11 @@ void check_renderer(const ReplayOptions& options, const FieldView& field, const 
                      "isotouch build CLOUD --method published -o FIELD.itf");
   }
   if (options.renderer == kGodObject && options.mesh.empty())
-    throw InputError("--renderer god-object needs the true surface of the object; name its closed mesh with --mesh");
+    throw UsageError("--renderer god-object needs the true surface of the object; name its closed mesh with --mesh");
   if (options.renderer != kGodObject && !options.mesh.empty())
-    throw InputError("--mesh is the surface for the god-object; add --renderer god-object");
+    throw UsageError("--mesh is the surface for the god-object; add --renderer god-object");
   if (options.renderer == kGodObject && options.check) {
-    throw InputError(
+    throw UsageError(
         "--check compares every bit with the controller's own answers, which a god-object does not give; leave it out to read the "
         "differences");
   }

@@ -140,6 +140,8 @@ int answer(const char* program, const char* about, void (*add)(CLI::App& app), i
     return complain(program, kCannotBeJudged, e.what());
   } catch (const EndsBisection& e) {
     return complain(program, kEndsBisection, e.what());
+  } catch (const UsageError& e) {
+    return complain(program, ends_bisection(argc, argv) ? kEndsBisection : kWrongUsage, e.what());
   } catch (const InputError& e) {
     return complain(program, kBadInput, e.what());
   } catch (const std::bad_alloc&) {

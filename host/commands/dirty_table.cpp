@@ -119,7 +119,7 @@ std::size_t print_dirty(const DirtyChoice& choice, bool json) {
   std::vector<std::vector<evaluate::Dirt>> chosen;
   for (const evaluate::DirtyScan& scan : scans) chosen.push_back(chosen_dirt(scan, choice.only));
   if (std::all_of(chosen.begin(), chosen.end(), [](const auto& dirt) { return dirt.empty(); }))
-    throw InputError("--only: no row of the dirty scans contains '" + choice.only + "'; a row is, for example, '" + scans[0].name() + ' ' +
+    throw UsageError("--only: no row of the dirty scans contains '" + choice.only + "'; a row is, for example, '" + scans[0].name() + ' ' +
                      evaluate::all_dirt()[0].name + "'");
   if (!json) {
     std::printf(

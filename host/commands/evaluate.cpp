@@ -51,7 +51,7 @@ std::vector<std::string> chosen_shapes(const std::string& only) {
     if (name.find(only) != std::string::npos) chosen.push_back(name);
     all += (all.empty() ? "" : ", ") + name;
   }
-  if (chosen.empty()) throw InputError("--only: no object's name contains '" + only + "'; the objects are " + all);
+  if (chosen.empty()) throw UsageError("--only: no object's name contains '" + only + "'; the objects are " + all);
   return chosen;
 }
 

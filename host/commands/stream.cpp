@@ -146,7 +146,7 @@ stream::Source source_of(FrameSource kind, StreamingOptions& options, Scene& sce
     case FrameSource::kController:
       if (!options.stream.to.empty() &&
           link::is_same_controller(link::read_address(options.sources[0]), link::read_address(options.stream.to)))
-        throw InputError(options.stream.to + ": the hand feels there what the stream has made; name another controller as the source");
+        throw UsageError(options.stream.to + ": the hand feels there what the stream has made; name another controller as the source");
       return stream::controller(options.sources[0], rate);
     case FrameSource::kCamera: return camera_source(options, scene);
   }
@@ -227,7 +227,7 @@ std::string nothing_built(FrameSource kind, const StreamingOptions& options, con
 void run(StreamingOptions& options) {
   const FrameSource kind = kind_of(options);
   if (options.every_frame && kind != FrameSource::kInput)
-    throw InputError("--every-frame is for frames on standard input; leave it out: files wait without --rate, and a device does not");
+    throw UsageError("--every-frame is for frames on standard input; leave it out: files wait without --rate, and a device does not");
   const field::ThreadLimit limit(options.threads);
   if (!options.units.empty()) options.stream.space.size.mm_per_unit = cloud::mm_per_unit(options.units);
   options.stream.space.size.fit_mm = options.fit_mm;

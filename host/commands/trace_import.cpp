@@ -143,6 +143,7 @@ bool bring_back(const ImportOptions& options) {
 
 /// An option that says nothing about this kind of source would be taken for one that was followed.
 void require_fitting(const ImportOptions& options, bool from_bag) {
+  if (!options.forces && !options.force_topic.empty()) throw UsageError("--force-topic is for forces; add --forces, or leave it out");
   const auto refuse = [&](const char* option, const char* what) {
     throw InputError(options.source.string() + ": " + option + " is for " + what + "; leave it out");
   };
@@ -150,7 +151,6 @@ void require_fitting(const ImportOptions& options, bool from_bag) {
   if (from_bag && !options.time_unit.empty()) refuse("--time-unit", "a table, and a recording has its times in ns");
   if (!from_bag && !options.topic.empty()) refuse("--topic", "a recording (MCAP, .db3), and this is a table");
   if (!from_bag && !options.force_topic.empty()) refuse("--force-topic", "a recording (MCAP, .db3), and this is a table");
-  if (!options.forces && !options.force_topic.empty()) refuse("--force-topic", "forces, which --forces asks for");
 }
 
 void import_table(const ImportOptions& options) {

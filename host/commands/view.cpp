@@ -96,7 +96,7 @@ std::unique_ptr<server::Scene> built_scene(const fs::path& cloud) {
 
 void write_page(const ViewOptions& options, const Named& named, server::ViewSite& site) {
   if (!options.to.empty() || !named.traces.empty())
-    throw InputError("--export writes a page with a field and nothing else; leave out recordings and --to");
+    throw UsageError("--export writes a page with a field and nothing else; leave out recordings and --to");
   if (!named.cloud.empty()) site.show(built_scene(named.cloud));
   const std::string page = site.exported();
   write_file(options.exported, page);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kUnix = "unix:", kSsh = "ssh://";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& what) {
-  throw InputError(text + ": " + what + "; write unix:PATH or ssh://user@host[:port][/path of the socket]");
+  throw UsageError(text + ": " + what + "; write unix:PATH or ssh://user@host[:port][/path of the socket]");
 }
 
 bool is_plain(char c) {

@@ -88,7 +88,7 @@ double stated_factor(const Units& units, const std::string& stated) {
   for (const Unit& unit : units.units) {
     if (unit.name == stated) return unit.factor;
   }
-  throw InputError("unknown unit " + in_quotes(stated) + "; choose one of: " + names_of(units));
+  throw UsageError("unknown unit " + in_quotes(stated) + "; choose one of: " + names_of(units));
 }
 
 /// Lines with their numbers, and the sentences that name them.
@@ -240,7 +240,7 @@ MotionColumns parse_columns(const std::string& text) {
     const auto found = std::find_if(names.begin(), names.end(), [&](const auto& n) { return n.first == key; });
     std::string* name = found == names.end() ? nullptr : found->second;
     if (equals == std::string_view::npos || name == nullptr || equals + 1 == part.size()) {
-      throw InputError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME, and fx, fy, fz for forces");
+      throw UsageError(in_quotes(part) + " does not name a column; write --columns t=NAME,x=NAME,y=NAME,z=NAME, and fx, fy, fz for forces");
     }
     *name = part.substr(equals + 1);
   }

@@ -207,7 +207,7 @@ std::shared_ptr<const Scene> ViewSite::scene_of(std::optional<std::string_view> 
 }
 
 std::string ViewSite::exported() const {
-  if (!scene_) throw InputError("--export writes a page with a field; name one");
+  if (!scene_) throw UsageError("--export writes a page with a field; name one");
   nlohmann::ordered_json told = hello();
   told["recordings"] = 0;
   return exported_page(*scene_, told);

@@ -57,10 +57,10 @@ TEST(Run, AMistypedCommandOrOptionIsAnsweredWithTheOneThatWasMeant) {
 
 TEST(Run, AnEvaluationOfNothingIsNoSuccess) {
   const Answer clean = answer({"evaluate", "--only", "shpere"});
-  EXPECT_EQ(clean.code, 1);
+  EXPECT_EQ(clean.code, 2);
   EXPECT_EQ(clean.err, "isotouch: --only: no object's name contains 'shpere'; the objects are sphere, torus, box, plate, capsules\n");
   const Answer dirty = answer({"evaluate", "--dirty", "--only", "owl stray 5"});
-  EXPECT_EQ(dirty.code, 1);
+  EXPECT_EQ(dirty.code, 2);
   EXPECT_EQ(dirty.out, "");
   EXPECT_THAT(dirty.err, testing::HasSubstr(
                              "isotouch: --only: no row of the dirty scans contains 'owl stray 5'; a row is, for example, 'sphere clean'"));
