@@ -23,6 +23,16 @@ int refuse(const char* sentence) {
   return 1;
 }
 
+/// As docs/stability.md names them.
+int exit_code(recording::Recorder::Outcome recording) {
+  switch (recording) {
+    case recording::Recorder::Outcome::kAsAsked: return 0;
+    case recording::Recorder::Outcome::kEndedEarly: return 4;
+    case recording::Recorder::Outcome::kLost: break;
+  }
+  return 1;
+}
+
 int run(const Options& options) {
   settings::LiveSettings live(options.settings);
   const auto variable = [](const char* name) {
@@ -41,7 +51,7 @@ int run(const Options& options) {
     before = controller.legacy();
     if (end == Controller::End::kOver) {
       printer.say(controller.summary());
-      return controller.has_lost_its_recording() ? 1 : 0;
+      return exit_code(controller.recording());
     }
     systemd.busy();
     printer.say("device: the controller starts again with the angles of the device that answers");

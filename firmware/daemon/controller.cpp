@@ -177,6 +177,13 @@ void Controller::keep_mark() {
   was_idle_ = idle;
 }
 
+/// Without time nobody is late: here, and only here, the tick waits for the recorder, so that no record is lost.
+void Controller::tick_in_lockstep() {
+  for (std::uint64_t ticks = 0; ticks < options_.ticks && !stop_ticks_ && loop_->step(); ++ticks) {
+    while (trace_.is_full() && !stop_ticks_) std::this_thread::sleep_for(std::chrono::microseconds(100));
+  }
+}
+
 /// A thread that asks the system for its priority and begins its life when all others have asked, too.
 std::thread Controller::begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life) {
   return std::thread([this, name, rights, life = std::move(life)] {
@@ -217,7 +224,7 @@ void Controller::start() {
     });
   }
   ticks_ = begin_thread("tick", rights.tick, [this] {
-    loop_->run(stop_ticks_, options_.ticks);
+    options_.lockstep ? tick_in_lockstep() : loop_->run(stop_ticks_, options_.ticks);
     ticks_ended_ = true;
   });
   if (settings_.lock_memory) refused_ |= loop::lock_memory();
@@ -344,7 +351,7 @@ void Controller::stop() {
   stop_recorder_ = true;
   if (records_.joinable()) records_.join();
   recorder_->drain();
-  begins_again_ ? recorder_->discard() : recorder_->stop();
+  begins_again_ ? recorder_->discard() : recorder_->stop(stats_.ticks.value());
   keep_mark();
   stopped_late_ = (requests_.take().bits & kRequestStop) != 0;  // after the last tick; it was answered
   const bool must_stay = (faults() & (kServiceFaults | kFaultStopped)) != 0;

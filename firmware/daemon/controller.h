@@ -79,8 +79,8 @@ class Controller {
   /// When it has stopped.
   Legacy legacy() const;
 
-  /// What was to be recorded is not whole under its name. When it has stopped.
-  bool has_lost_its_recording() const { return recorder_ && recorder_->has_lost_a_recording(); }
+  /// What became of the recording. When it has stopped.
+  recording::Recorder::Outcome recording() const { return recorder_ ? recorder_->outcome() : recording::Recorder::Outcome::kAsAsked; }
 
   /// What there is to say when it has stopped.
   std::string summary();
@@ -96,6 +96,7 @@ class Controller {
   void mark_run();
   std::uint16_t faults() const;
   void keep_mark();
+  void tick_in_lockstep();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
   std::uint32_t measured_delay() const;

@@ -25,7 +25,7 @@ class Ring {
   /// Writer's side. returns false: full, the value is not taken and counted as lost
   bool push(const T& value) {
     const std::size_t end = end_.load(std::memory_order_relaxed);
-    if (end - begin_.load(std::memory_order_acquire) == places_.size()) {
+    if (is_full()) {
       lost_.store(lost_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
       return false;
     }
@@ -33,6 +33,9 @@ class Ring {
     end_.store(end + 1, std::memory_order_release);
     return true;
   }
+
+  /// Writer's side: a `push` would be refused.
+  bool is_full() const { return end_.load(std::memory_order_relaxed) - begin_.load(std::memory_order_acquire) == places_.size(); }
 
   /// Reader's side. returns false: empty
   bool pop(T& value) {

@@ -9,7 +9,8 @@ namespace isotouch::recording {
 
 namespace {
 constexpr auto kFault = static_cast<std::uint16_t>(SupervisorState::kFault);
-}
+constexpr const char* kTooSlow = "ticks were lost because the recorder was too slow";
+}  // namespace
 
 Recorder::Recorder(RecorderSettings settings, loop::TraceRing& ring, loop::TraceRing* passed_on, loop::Requests& requests,
                    std::function<std::uint64_t(std::uint32_t)> hash_of, std::function<void(const std::string&)> tell)
@@ -27,7 +28,7 @@ Recorder::~Recorder() {
   drain();
   const std::lock_guard guard(mutex_);
   if (save_in_ > 0) save();
-  if (writer_.is_open()) end("the program ends");
+  if (writer_.is_open()) end("the program ends", Outcome::kAsAsked);
   last_ticks_.end();
 }
 
@@ -71,9 +72,11 @@ Refusal Recorder::start(const std::string& path) {
   return {};
 }
 
-void Recorder::stop() {
+void Recorder::stop(std::uint64_t newest) {
   const std::lock_guard guard(mutex_);
-  if (writer_.is_open()) end("as asked");
+  if (!writer_.is_open()) return;
+  if (begun_ && next_ <= newest) return end(kTooSlow);
+  end("as asked", Outcome::kAsAsked);
 }
 
 void Recorder::discard() {
@@ -119,7 +122,7 @@ void Recorder::record(const loop::TickRecord& tick) {
   if (!begun_ && (tick.in.requests & kRequestRestart) == 0) return;
   if (!begun_) next_ = tick.number;
   begun_ = true;
-  if (tick.number != next_) return end("ticks were lost because the recorder was too slow");
+  if (tick.number != next_) return end(kTooSlow);
   ++next_;
   const std::uint32_t generation = tick.in.field_generation;
   if ((tick.in.requests & kRequestMoved) != 0) {
@@ -165,14 +168,16 @@ void Recorder::remember(const loop::TickRecord& tick) {
   if (save_in_ > 0 && --save_in_ == 0) save();
 }
 
-void Recorder::end(const std::string& why) {
+void Recorder::end(const std::string& why, Outcome outcome) {
   keep_patches(false);
   const std::string& path = writer_.path();
   const Refusal refusal = writer_.finish(hash_);
   const std::uint64_t records = writer_.records();
   if (records == 0) patch_writer_.discard();
   const Refusal without = patch_writer_.finish();  // after the trace: patches alone would stand beside an older one
-  if (refusal || without) lost_a_recording_ = true;
+  if (refusal) outcome = records > 0 ? Outcome::kEndedEarly : Outcome::kLost;
+  if (without) outcome = Outcome::kLost;
+  outcome_ = std::max(outcome_.load(), outcome);
   if (refusal) return tell_(refusal.sentence());
   if (without) return tell_(without.sentence() + "; without them " + path + " does not replay");
   tell_(records == 0 ? path + ": nothing was recorded" : path + ": " + std::to_string(records) + " ticks recorded; " + why);

@@ -54,7 +54,9 @@ class Recorder {
   /// returns   why it does not begin
   Refusal start(const std::string& path);
   /// Ends the recording. Any thread.
-  void stop();
+  ///
+  /// newest    number of the newest tick that there was; the ring may have lost it
+  void stop(std::uint64_t newest);
   /// Leaves nothing of a recording that another run begins anew. Any thread.
   void discard();
 
@@ -65,8 +67,13 @@ class Recorder {
   /// The recorder's thread, every 50 ms or so: takes what the ring holds.
   void drain();
 
-  /// A recording has ended that is not whole under its name. Any thread.
-  bool has_lost_a_recording() const { return lost_a_recording_; }
+  /// Of all recordings so far the worst. Any thread.
+  enum class Outcome : std::uint8_t {
+    kAsAsked,
+    kEndedEarly,  ///< what came until then is whole under its name
+    kLost,        ///< it is not whole under its name
+  };
+  Outcome outcome() const { return outcome_; }
 
   /// Of the newest tick taken, as people are told; one thread. Behind the tick by as much as the disk is slow.
   files::Condition condition() { return condition_.get(); }
@@ -82,7 +89,7 @@ class Recorder {
   Refusal record_patch(std::uint32_t moved_to);
   void keep_patches(bool wanted);
   void remember(const loop::TickRecord& tick);
-  void end(const std::string& why);
+  void end(const std::string& why, Outcome outcome = Outcome::kEndedEarly);
   void save();
   void keep_last_ticks();
   std::string free_path(const char* kind) const;
@@ -118,7 +125,7 @@ class Recorder {
   std::size_t save_in_ = 0;                       ///< ticks; 0 = no fault is to be saved
   std::uint64_t faulted_ = 0, faulted_hash_ = 0;  ///< tick of the fault that is to be saved, and the field that it was felt on
   std::size_t saved_ = 0;
-  std::atomic<bool> lost_a_recording_{false};
+  std::atomic<Outcome> outcome_{Outcome::kAsAsked};
   std::uint16_t state_ = 0;  ///< of the newest tick taken
   loop::Latest<files::Condition> condition_;
 };

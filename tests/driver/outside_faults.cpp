@@ -132,7 +132,7 @@ FaultRow disk_full() {
     }
     if (row.broken.empty() && !presses_on(bench, 300)) row.broken = "the ticks felt it";
     recorder.drain();
-    recorder.stop();
+    recorder.stop(0);
   }
   if (row.broken.empty() && row.sentence.empty()) row.broken = "nobody was told";
   if (row.broken.empty()) row.broken = why_not_replayed(path, field, kRoom);

@@ -135,10 +135,10 @@ class Controller:
                                       self.rig.folder / "control", *options)
         check(within(PATIENCE, Path("control").is_socket), "the controller does not listen")
 
-    def end(self, how: signal.Signals = signal.SIGTERM) -> None:
+    def end(self, how: signal.Signals = signal.SIGTERM, wanted: int = 0) -> None:
         self.process.send_signal(how)
         code = code_of(self.process)
-        check(code == (-how if how in (signal.SIGKILL, signal.SIGSEGV) else 0), f"the controller ends with {code} after {how.name}")
+        check(code == (-how if how in (signal.SIGKILL, signal.SIGSEGV) else wanted), f"the controller ends with {code} after {how.name}")
 
     @staticmethod
     def log() -> str:

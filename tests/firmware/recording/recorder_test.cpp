@@ -71,13 +71,14 @@ TEST(Recorder, BeginsWithTheTickThatForgotAndEndsWhenAsked) {
   bench.ticks(5);
   ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
   bench.ticks(10);
-  bench.recorder->stop();
+  bench.recorder->stop(bench.number);
   bench.ticks(5);
   const files::TraceFile trace = bench.read(bench.path);
   ASSERT_EQ(trace.size(), 10U);
   EXPECT_EQ(trace.record(0).input.requests, kRequestRestart);
   EXPECT_EQ(trace.header().field_hash, 0U);
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 10 ticks recorded; as asked"});
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kAsAsked);
 }
 
 TEST(Recorder, ARecordingThatBeginsAnewLeavesNothing) {
@@ -90,7 +91,7 @@ TEST(Recorder, ARecordingThatBeginsAnewLeavesNothing) {
   EXPECT_FALSE(std::filesystem::exists(bench.path + ".part"));
   EXPECT_EQ(std::filesystem::file_size(bench.path), 14U);
   EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": the recording begins anew"});
-  EXPECT_FALSE(bench.recorder->has_lost_a_recording());
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kAsAsked);
 }
 
 /// A tick that takes a patch over which leads to an image of this hash.
@@ -126,7 +127,7 @@ TEST(Recorder, WhatAKillLeftOfARecordingStays) {
   bench.recorder->tell_patch(7, patch);
   bench.ticks(1, 1);
   moved_tick(bench, 2, 7);
-  bench.recorder->stop();
+  bench.recorder->stop(bench.number);
   EXPECT_EQ(std::filesystem::file_size(patches), 18U);
 }
 
@@ -147,7 +148,7 @@ TEST(Recorder, PatchesStandBesideTheRecordingInTheOrderOfTheirTicks) {
   bench.recorder->tell_patch(0xC00000003, two);
   moved_tick(bench, 4, 3);
   bench.ticks(3, 4);
-  bench.recorder->stop();
+  bench.recorder->stop(bench.number);
   const files::TraceFile trace = bench.read(bench.path);
   EXPECT_EQ(trace.size(), 13U);
   EXPECT_EQ(trace.header().field_hash, 1000U) << "the field before the first patch";
@@ -174,7 +175,7 @@ TEST(Recorder, OutsideARecordingTheLastPatchAloneIsKept) {
     ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
     bench.ticks(5, 1);
     moved_tick(bench, 2, last ? 2 : 1);
-    bench.recorder->stop();
+    bench.recorder->stop(bench.number);
     EXPECT_EQ(std::filesystem::exists(patches_of(bench.path)), last);
     EXPECT_EQ(bench.read(bench.path).size(), last ? 6U : 5U);
   }
@@ -198,9 +199,9 @@ TEST(Recorder, WithoutItsPatchesARecordingIsLost) {
   bench.ticks(5, 1);
   bench.recorder->tell_patch(1, std::vector<std::uint8_t>{1});
   moved_tick(bench, 2, 1);
-  EXPECT_FALSE(bench.recorder->has_lost_a_recording());
-  bench.recorder->stop();
-  EXPECT_TRUE(bench.recorder->has_lost_a_recording());
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kAsAsked);
+  bench.recorder->stop(bench.number);
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kLost);
   ASSERT_EQ(bench.said.size(), 1U);
   EXPECT_THAT(bench.said[0], HasSubstr("without them " + bench.path + " does not replay"));
   EXPECT_FALSE(std::filesystem::exists(patches_of(bench.path) + ".part"));
@@ -229,6 +230,8 @@ TEST(Recorder, NamesItsFieldAndEndsWhereAnotherIsLoaded) {
   EXPECT_EQ(trace.size(), 9U);
   EXPECT_EQ(trace.header().field_hash, 7000U);
   EXPECT_NE(bench.said.at(0).find("another field was loaded"), std::string::npos);
+  bench.recorder->stop(bench.number);
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kEndedEarly);
 }
 
 TEST(Recorder, EndsWhereTheRingLostATick) {
@@ -239,6 +242,17 @@ TEST(Recorder, EndsWhereTheRingLostATick) {
   bench.ticks(3);
   EXPECT_EQ(bench.read(bench.path).size(), 3U);
   EXPECT_NE(bench.said.at(0).find("ticks were lost"), std::string::npos);
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kEndedEarly);
+}
+
+TEST(Recorder, SaysThatTheRingLostTheLastTicks) {
+  Bench bench;
+  ASSERT_EQ(bench.recorder->start(bench.path).sentence(), "");
+  bench.ticks(3);
+  bench.recorder->stop(bench.number + 2);
+  EXPECT_EQ(bench.read(bench.path).size(), 3U);
+  EXPECT_EQ(bench.said, std::vector<std::string>{bench.path + ": 3 ticks recorded; ticks were lost because the recorder was too slow"});
+  EXPECT_EQ(bench.recorder->outcome(), Recorder::Outcome::kEndedEarly);
 }
 
 TEST(Recorder, PassesEveryTickOnAsLongAsThereIsRoom) {
