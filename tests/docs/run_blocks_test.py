@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
+import subprocess
 import sys
 import tempfile
 import time
@@ -139,6 +141,18 @@ class RunBlocksTest(unittest.TestCase):
         self.assertEqual(self.run_all()[0], 0)
         self.assertEqual(note.read_text(), "ended\n")
         self.assertLess(time.monotonic() - begin, 5)
+
+    def test_a_loop_that_checks_fails_when_its_first_file_differs(self) -> None:
+        """A reader's shell goes on after a command that fails, unlike the one that runs the pages."""
+        pages = Path(__file__).parents[2] / "docs"
+        blocks = [block for page in pages.glob("*.md") for block in run_blocks.blocks_of(page.read_text(encoding="utf-8"))]
+        loops = [block.text for block in blocks if block.runs and re.search(r"^for .*--check", block.text, re.MULTILINE)]
+        self.assertTrue(loops)
+        for loop in loops:
+            for differing, code in ((1, 1), (0, 0)):
+                script = f"isotouch() {{ runs=$((${{runs:-0}} + 1)); test $runs -gt {differing}; }}\ntouch scan.itf felt.trace touched.trace\n{loop}"
+                with tempfile.TemporaryDirectory() as folder:
+                    self.assertEqual(subprocess.run(["bash", "-c", script], cwd=folder, check=False).returncode, code, loop)
 
 
 if __name__ == "__main__":
