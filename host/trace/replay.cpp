@@ -25,6 +25,18 @@ void check_inputs(const Trace& trace) {
   }
 }
 
+/// No run begins in the state of the first tick: what a controller saves at a fault or after a crash does so.
+void require_a_beginning(const Trace& trace) {
+  if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return;
+  const TraceRecord first = trace.record(0);
+  if ((first.input.requests & kRequestRestart) != 0) return;
+  const TraceHeader& header = trace.header();
+  core::TickState fresh;
+  const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
+  if (core::tick(first.input, nullptr, model, fresh).state == first.output.state) return;
+  throw InputError(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+}
+
 /// A recording that ended before a field was loaded names none.
 bool may_be_of(const Trace& trace, std::uint64_t field) {
   const std::uint64_t named = trace.header().field_hash;
@@ -34,6 +46,7 @@ bool may_be_of(const Trace& trace, std::uint64_t field) {
 void check_usable(const FieldView& field, const Trace& trace, bool check) {
   const std::string name = trace.path() + ": ";
   check_inputs(trace);
+  require_a_beginning(trace);
   if (!check) return;
   if (!trace.header().has_outputs) throw InputError(name + describe(Error::kNoOutputs) + "; replay it with -o first");
   if (trace.size() == 0) throw InputError(name + "holds no records, there is nothing to compare");
@@ -131,6 +144,7 @@ ReplayReport replay(const FieldView& field, const Trace& trace, bool check, Trac
 
 ReplayReport replay(Renderer& renderer, const Trace& trace, TraceWriter* out, RenderingDifference* difference) {
   check_inputs(trace);
+  require_a_beginning(trace);
   return run_all(renderer, trace, false, out, difference);
 }
 

@@ -199,6 +199,35 @@ TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherFirstField) {
   EXPECT_THROW(replay(other.view(), read_trace(folder.write("whole.trace", bytes)), true), InputError);
 }
 
+TEST(Replay, PacketsFromTheMiddleOfARunAreRefused) {
+  const ScratchFolder folder;
+  const test::FieldImage image = ball(20);
+  const Trace whole = read_trace(recorded_packets(folder, image.view()));
+  const auto from = [&](std::size_t begin, std::uint8_t requests) {
+    const std::filesystem::path file = folder.path() / "part.trace";
+    TraceWriter writer(file, whole.header());
+    for (std::size_t tick = begin; tick < whole.size(); ++tick) {
+      TraceRecord record = whole.record(tick);
+      if (tick == begin) record.input.requests |= requests;
+      writer.append(record);
+    }
+    writer.finish();
+    return read_trace(file);
+  };
+  EXPECT_NO_THROW(replay(image.view(), from(0, 0), false));
+  EXPECT_NO_THROW(replay(image.view(), from(4000, kRequestRestart), false));
+  const Trace middle = from(4000, 0);
+  for (const bool check : {false, true}) {
+    try {
+      replay(image.view(), middle, check);
+      ADD_FAILURE() << "it was replayed";
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                middle.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+    }
+  }
+}
+
 TEST(Replay, ATraceOfTheOtherKindIsRefusedByName) {
   const ScratchFolder folder;
   const test::FieldImage image = ball(20);
