@@ -46,7 +46,7 @@ const std::map<std::string, Rule> kRules = {
     {"tests/firmware/control",
      {{"firmware/control", "firmware/store", "firmware/recording", "firmware/loop", "shared", "tests/support", "tests/firmware/store"}}},
     {"firmware", {{"firmware", "shared"}}},
-    {"host/files", {{"host/error.h", "shared/files"}}},
+    {"host/files", {{"host/error.h", "shared"}}},
     {"host/field_file", {{"host/files", "host/error.h", "shared"}}},
     {"host/trace",
      {{"host/field_file", "host/files", "host/angle.h", "host/error.h", "host/quantiles.h", "host/to_double.h", "firmware/core",

@@ -26,6 +26,7 @@ std::string hash_text(std::uint64_t hash) {
 }
 
 std::string unusable(Error error) {
+  if (error == Error::kBadMagic) return "it is no field; make one of a scan or a mesh with isotouch build";
   return std::string("the field is not usable: ") + describe(error) + "; build it again and send it again";
 }
 

@@ -7,6 +7,7 @@
 #include "host/cloud/ply.h"
 #include "host/cloud/stl.h"
 #include "host/cloud/xyz.h"
+#include "host/files/file_nature.h"
 #include "host/files/whole_file.h"
 #include "shared/hash64.h"
 
@@ -35,9 +36,20 @@ SourceFile::SourceFile(std::filesystem::path file, SensorOptions sensor) : Sourc
 SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> bytes, SensorOptions sensor)
     : file_(std::move(file)), bytes_(std::move(bytes)), kind_(file_kind(file_, bytes_)), sensor_(std::move(sensor)) {
   if (bytes_.empty()) throw InputError(name() + ": the file is empty; export or copy it again");
+  refuse_what_is_ours();
   if (sensor_.camera && kind_ != FileKind::kDepthImage)
     throw InputError(name() + ": --intrinsics describes the camera of a depth image (PNG), this is none; leave it out");
   if (kind_ == FileKind::kPly) ply_ = read_ply_header(name(), bytes_);
+}
+
+void SourceFile::refuse_what_is_ours() const {
+  switch (nature_of(bytes_)) {
+    case FileNature::kField: throw InputError(name() + ": is a field already; name the scan or the mesh");
+    case FileNature::kPatches: throw InputError(name() + ": holds patches of a field; name the scan or the mesh");
+    case FileNature::kTrace: throw InputError(name() + ": is a trace; make points of what a hand felt with isotouch scan");
+    case FileNature::kPointer: throw InputError(name() + kIsPointer);
+    case FileNature::kUnknown: break;
+  }
 }
 
 std::uint64_t SourceFile::hash() const { return hash64(bytes_.data(), bytes_.size()); }

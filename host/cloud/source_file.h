@@ -24,8 +24,8 @@ struct SensorOptions {
 
 class SourceFile {
  public:
-  /// fails     InputError naming the file: it cannot be read, is empty, or begins with a PLY header that is none; a camera for something else than a depth
-  ///           image
+  /// fails     InputError naming the file: it cannot be read, is empty, is a field or a trace, or begins with a PLY header that is none; a camera for
+  ///           something else than a depth image
   SourceFile(std::filesystem::path file, SensorOptions sensor = {});  // NOLINT(google-explicit-constructor): a path names its file
 
   /// What was read already.
@@ -55,6 +55,7 @@ class SourceFile {
 
   Model read_points() const;
   void place_sensor(Model& model) const;
+  void refuse_what_is_ours() const;
   InputError not_read(const std::string& otherwise) const;
 };
 

@@ -28,6 +28,7 @@
 #include "host/field/closed_mesh.h"
 #include "host/field/nearest.h"
 #include "host/field/triangle_tree.h"
+#include "host/files/file_nature.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/trace_file.h"
@@ -150,8 +151,7 @@ void scan_mesh(const ScanOptions& options) {
 bool is_trace(const ScanOptions& options) {
   const fs::path& file = options.input;
   if (is_standard(file)) return options.trace.empty();
-  const auto first = first_bytes(file);
-  return file.extension() == ".trace" || std::equal(trace_layout::kMagic.begin(), trace_layout::kMagic.end(), first.begin());
+  return file.extension() == ".trace" || nature_of(file) == FileNature::kTrace;
 }
 
 }  // namespace

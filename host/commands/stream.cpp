@@ -27,13 +27,13 @@
 #include "host/error.h"
 #include "host/field/parallel.h"
 #include "host/field_file/packed.h"
+#include "host/files/file_nature.h"
 #include "host/files/whole_file.h"
 #include "host/link/address.h"
 #include "host/link/link_error.h"
 #include "host/stream/sources.h"
 #include "host/stream/stream.h"
 #include "host/trace/hash_text.h"
-#include "shared/trace.h"
 
 namespace isotouch::commands {
 
@@ -65,10 +65,7 @@ enum class FrameSource { kFiles, kInput, kRecording, kController, kCamera };
 
 bool is_address(const std::string& word) { return word.starts_with("unix:") || word.starts_with("ssh://"); }
 
-bool is_recording(const fs::path& file) {
-  const auto first = first_bytes(file);
-  return std::equal(trace_layout::kMagic.begin(), trace_layout::kMagic.end(), first.begin());
-}
+bool is_recording(const fs::path& file) { return nature_of(file) == FileNature::kTrace; }
 
 /// fails     CLI::ValidationError: sources that do not go together
 FrameSource kind_of(const StreamingOptions& options) {

@@ -69,8 +69,8 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file) {
   return read_to_end(file, stream.get());
 }
 
-std::array<std::uint8_t, 16> first_bytes(const std::filesystem::path& file) {
-  std::array<std::uint8_t, 16> bytes{};
+std::array<std::uint8_t, 48> first_bytes(const std::filesystem::path& file) {
+  std::array<std::uint8_t, 48> bytes{};
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed)) return bytes;
   const Stream stream(std::fopen(file.c_str(), "rb"));

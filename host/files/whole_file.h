@@ -26,7 +26,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& file);
 
 /// The first bytes of a file, by which its kind is known; zeros where there are none. A pipe gives its bytes only once, so it is left alone and gives zeros,
 /// and so does a file that cannot be read.
-std::array<std::uint8_t, 16> first_bytes(const std::filesystem::path& file);
+std::array<std::uint8_t, 48> first_bytes(const std::filesystem::path& file);
 
 /// Writes to a temporary beside `file`, syncs, then renames: the old file or the new one, never half of one, whatever ends the program or the power. A
 /// symbolic link stays, and what it leads to is replaced. What is no regular file, or open in this program as /dev/stdout is, is written as it is.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/error.h"
+#include "host/files/file_nature.h"
 #include "host/files/whole_file.h"
 
 namespace isotouch::trace {
@@ -19,6 +20,17 @@ namespace {
 
 void or_throw(const Refusal& refusal) {
   if (refusal) throw InputError(refusal.sentence());
+}
+
+InputError refused(const std::filesystem::path& file, const Refusal& refusal) {
+  switch (nature_of(file)) {
+    case FileNature::kField: return InputError(file.string() + ": is a field, no trace; name a recording");
+    case FileNature::kPatches: return InputError(file.string() + ": holds patches, no trace; name the recording beside it");
+    case FileNature::kPointer: return InputError(file.string() + kIsPointer);
+    case FileNature::kTrace:
+    case FileNature::kUnknown: break;
+  }
+  return InputError(refusal.sentence());
 }
 
 /// An empty file without a name, which goes with the program.
@@ -35,7 +47,7 @@ int nameless_file() {
 Trace read_trace(const std::filesystem::path& file) {
   Trace trace;
   if (is_standard(file)) claim_standard_input();
-  or_throw(files::read_trace(is_standard(file) ? "/dev/stdin" : file.string(), trace));
+  if (const Refusal refusal = files::read_trace(is_standard(file) ? "/dev/stdin" : file.string(), trace)) throw refused(file, refusal);
   if (!trace.cut_off().empty()) std::fprintf(stderr, "isotouch: %s\n", trace.cut_off().c_str());
   return trace;
 }

@@ -241,7 +241,7 @@ TEST(FieldIntake, WhatIsWrongIsRefusedAndTheOldFieldStays) {
   protocol::Begin other = good.promise;
   other.image_hash ^= 1;
   expect_refused(rig.upload(good.bytes, other), "checksum");
-  expect_refused(rig.upload({}, good.promise), "not a file of this kind");
+  expect_refused(rig.upload({}, good.promise), "it is no field");
   expect_refused(rig.upload(packed_ball(3, 128)), "[limits] field_mib allows 262144");
   check_fails = true;
   expect_refused(rig.upload(good), "too steep");

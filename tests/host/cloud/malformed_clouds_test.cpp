@@ -66,6 +66,10 @@ std::vector<Malformed> all() {
   const std::string mesh_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n";
   return {
       {"empty", "a.ply", "", "the file is empty; export or copy it again"},
+      {"a field", "a.itf", "ITFB", "a.itf: is a field already; name the scan or the mesh"},
+      {"a trace", "a.ply", "ITRC", "a.ply: is a trace; make points of what a hand felt with isotouch scan"},
+      {"a pointer", "a.ply", "version https://git-lfs.github.com/spec/v1\n",
+       "a.ply: is a Git LFS pointer; fetch the file with git lfs pull"},
       {"unknown kind", "a.dat", "1 2 3 0 0 1\n", "the kind of this file is not recognised"},
       {"stl", "a.stl", "solid\nendsolid\n", "an STL file holds triangles, not points"},
       {"no magic", "a.ply", "plain text\n", "line 1: a PLY file begins with a line 'ply'"},

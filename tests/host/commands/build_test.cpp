@@ -308,7 +308,7 @@ TEST_F(Build, InfoSaysWhichFileIsNoFieldAndWhy) {
     FAIL() << "a cloud was taken for a field";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(), HasSubstr("torus.ply"));
-    EXPECT_THAT(e.what(), HasSubstr("not a file of this kind"));
+    EXPECT_THAT(e.what(), HasSubstr(": is no field; make one of a scan or a mesh with isotouch build"));
   }
 }
 

@@ -109,7 +109,7 @@ TEST(ViewSite, WhyAControllersFieldCannotBeDrawnIsSaid) {
   };
   for (int n = 0; n < 200 && !is_said(); ++n) std::this_thread::sleep_for(50ms);
   EXPECT_TRUE(site.end());
-  EXPECT_THAT(said, HasSubstr("not usable as a field"));
+  EXPECT_THAT(said, HasSubstr("is no field"));
 }
 
 }  // namespace

@@ -199,6 +199,22 @@ TEST(Replay, OfADeviceRefusesASecondFieldAndAnotherFirstField) {
   EXPECT_THROW(replay(other.view(), read_trace(folder.write("whole.trace", bytes)), true), InputError);
 }
 
+TEST(Replay, WhatStandsInATracesPlaceIsNamed) {
+  const ScratchFolder folder;
+  const auto refusal_of = [](const std::filesystem::path& file) -> std::string {
+    try {
+      (void)read_trace(file);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(file.string().size());
+    }
+    return "it was read";
+  };
+  EXPECT_EQ(refusal_of(folder.write("a.itf", "ITFB")), ": is a field, no trace; name a recording");
+  EXPECT_EQ(refusal_of(folder.write("a.patches", "ITFD")), ": holds patches, no trace; name the recording beside it");
+  EXPECT_EQ(refusal_of(folder.write("a.trace", "version https://git-lfs.github.com/spec/v1\n")),
+            ": is a Git LFS pointer; fetch the file with git lfs pull");
+}
+
 TEST(Replay, PacketsFromTheMiddleOfARunAreRefused) {
   const ScratchFolder folder;
   const test::FieldImage image = ball(20);
