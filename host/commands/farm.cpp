@@ -69,6 +69,7 @@ struct ShareOptions {
     std::printf("tasks         %zu\nkept before   %zu\nreplayed      %zu\nfailed        %zu\n", report.tasks, report.kept, report.asked,
                 report.failed);
     if (interruption.has_come()) throw EndedEarly("interrupted; the same command goes on from here");
+    if (!report.changed.empty()) throw InputError(report.changed);
     if (report.failed > 0)
       throw InputError(std::to_string(report.failed) +
                        " tasks have no answer; isotouch farm merge says why, and the same command asks again");

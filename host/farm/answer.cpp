@@ -63,9 +63,9 @@ std::string last_line(std::string_view text) {
   return std::string(text.substr(text.find_last_of('\n') + 1));
 }
 
-void require_same(const NamedFile& file, const char* what) {
+void require_same_program(const NamedFile& file) {
   if (hash_of(file.path) != file.hash)
-    throw InputError(file.path.string() + " is no longer the " + what + " of the table; run the farm again with the new one");
+    throw InputError(file.path.string() + " is no longer the program of the table; run the farm again with the new one");
 }
 
 /// Of what a program printed: the object in it, or the last line that is one.
@@ -202,11 +202,11 @@ Answer ask(const Recording& recording, const Program& program, const Patience& p
   try {
     std::vector<std::string> words = program.command;
     for (const NamedFile& file : files_of(recording)) {
-      require_same(file, "file");
+      require_same(file);
       words.push_back(fs::absolute(file.path).string());
     }
     const EndedProgram ended = run_program(words, patience);
-    for (const NamedFile& file : program.files) require_same(file, "program");
+    for (const NamedFile& file : program.files) require_same_program(file);
     return judged(ended, recording.expected);
   } catch (const InputError& error) {
     return failed(error.what());

@@ -5,13 +5,47 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 #include "host/error.h"
 #include "host/farm/answer.h"
 
 namespace isotouch::farm {
+namespace {
+
+/// The files of recordings, each read once.
+class Unchanged {
+ public:
+  /// Why a recording's files are not those of the table; empty: they are. Any thread.
+  std::string refusal_of(const Recording& recording) {
+    const std::lock_guard lock(mutex_);
+    std::string refusal;
+    for (const NamedFile& file : files_of(recording)) {
+      const auto [known, is_new] = refusals_.try_emplace({file.path, file.hash});
+      if (is_new) known->second = look(file);
+      if (refusal.empty()) refusal = known->second;
+    }
+    return refusal;
+  }
+
+ private:
+  static std::string look(const NamedFile& file) {
+    try {
+      require_same(file);
+      return {};
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+
+  std::mutex mutex_;
+  std::map<std::pair<std::filesystem::path, std::string>, std::string> refusals_;
+};
+
+}  // namespace
 
 ShareReport run_share(const std::vector<Recording>& recordings, const std::vector<Program>& programs, const std::filesystem::path& answers,
                       const Share& share) {
@@ -22,6 +56,7 @@ ShareReport run_share(const std::vector<Recording>& recordings, const std::vecto
   const std::size_t tasks = recordings.size() * programs.size(), shards = std::min(share.shards, tasks);
   std::atomic<std::size_t> next = share.shard < shards ? 0 : tasks;
   std::mutex counting;
+  Unchanged files;
   ShareReport report;
   std::exception_ptr broken;
   const auto work = [&] {
@@ -33,13 +68,15 @@ ShareReport run_share(const std::vector<Recording>& recordings, const std::vecto
         const Recording& recording = recordings[task / programs.size()];
         const Program& program = programs[task % programs.size()];
         const std::optional<Answer> before = kept_answer(answers, recording, program);
+        const std::string changed = files.refusal_of(recording);
         const bool is_kept = before && before->outcome != Answer::Outcome::kFailed;
         const Answer answer = is_kept ? *before : ask(recording, program, share.patience);
         if (!is_kept) keep(answers, recording, program, answer);
         const std::lock_guard lock(counting);
         ++report.tasks;
         ++(is_kept ? report.kept : report.asked);
-        if (answer.outcome == Answer::Outcome::kFailed) ++report.failed;
+        if (answer.outcome == Answer::Outcome::kFailed || !changed.empty()) ++report.failed;
+        if (report.changed.empty()) report.changed = changed;
       }
     } catch (...) {
       const std::lock_guard lock(counting);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "host/farm/ended_program.h"
@@ -24,10 +25,13 @@ struct ShareReport {
   std::size_t tasks = 0;   ///< worked on, of those in the share
   std::size_t kept = 0;    ///< of these, had an answer already
   std::size_t asked = 0;   ///< of these, were replayed now
-  std::size_t failed = 0;  ///< of these, have no answer
+  std::size_t failed = 0;  ///< of these, have no answer, or one for other files than those that are there
+  std::string changed;     ///< the first file that is not the one of the table, as a sentence; empty: all are
 };
 
 /// Replays each task of the share that has no answer yet, and keeps the answer at once. So a later call continues where an interrupted one ended.
+///
+/// A kept answer counts only if the recording's files are still those of the table: each file of the share is read once for that.
 ///
 /// answers   the folder; made if it is not there
 /// fails     InputError: the folder or an answer cannot be written

@@ -13,6 +13,7 @@
 #include "host/error.h"
 #include "host/farm/json_lines.h"
 #include "host/field_file/open_field.h"
+#include "host/files/file_nature.h"
 #include "host/files/whole_file.h"
 #include "host/trace/hash_text.h"
 #include "host/trace/recorded_patches.h"
@@ -111,6 +112,13 @@ std::string hash_of(const fs::path& file) {
     throw InputError(error.path1().string() + ": cannot be read: " + error.code().message());
   }
   return digest.text();
+}
+
+void require_same(const NamedFile& file) {
+  if (hash_of(file.path) == file.hash) return;
+  if (nature_of(file.path) == FileNature::kPointer) throw InputError(file.path.string() + kIsPointer);
+  throw InputError(file.path.string() +
+                   " is no longer the file of the table; remove the recording's line, and add it anew with isotouch farm add");
 }
 
 std::vector<NamedFile> files_of(const Recording& recording) {

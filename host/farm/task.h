@@ -66,6 +66,9 @@ std::string address_of(const Recording& recording, const Program& program);
 /// fails       InputError naming the file: it cannot be read, or the trace has no outputs or no ticks
 Recording as_recorded(Recording recording);
 
+/// fails     InputError naming the file: it cannot be read, or is not the one that was added to the table
+void require_same(const NamedFile& file);
+
 /// XXH64 of a file's bytes, or of the names and bytes of all files below a folder, 16 hexadecimal digits.
 ///
 /// fails     InputError naming the file: it cannot be read

@@ -324,6 +324,26 @@ TEST_F(Farm, AFileThatChangedSinceItWasAddedIsNotReplayed) {
   EXPECT_EQ(calls(), "");
 }
 
+TEST_F(Farm, AKeptAnswerCountsOnlyForTheFilesThatAreThere) {
+  const fs::path copy = folder_.path() / "copy.trace";
+  fs::copy_file(kTrace, copy);
+  fs::remove(recordings_file());
+  add("copy", copy);
+  list("a", "1", equal());
+  list("b", "1", equal());
+  EXPECT_EQ(run_all().failed, 0U);
+  EXPECT_EQ(run_all().changed, "");
+  std::ofstream(copy, std::ios::app) << "x";
+  const ShareReport report = run_all();
+  EXPECT_EQ(report.kept, 2U);
+  EXPECT_EQ(report.failed, 2U);
+  EXPECT_EQ(report.changed,
+            copy.string() + " is no longer the file of the table; remove the recording's line, and add it anew with isotouch farm add");
+  EXPECT_EQ(count(rows()).equal, 2U) << "what was answered of the table's files stays";
+  write_file(copy, "version https://git-lfs.github.com/spec/v1\noid sha256:00\nsize 100\n");
+  EXPECT_EQ(run_all().changed, copy.string() + ": is a Git LFS pointer; fetch the file with git lfs pull");
+}
+
 TEST_F(Farm, AHalfAnswerIsNone) {
   list("a", "1", equal());
   run_all();
