@@ -9,9 +9,30 @@
 #include "host/cloud/content_kind.h"
 
 namespace isotouch::cloud {
+namespace {
+
+using Known = std::pair<std::string_view, FileKind>;
+
+constexpr std::array<Known, 16> kEndings = {{{".ply", FileKind::kPly},
+                                             {".obj", FileKind::kObj},
+                                             {".stl", FileKind::kStl},
+                                             {".pcd", FileKind::kPcd},
+                                             {".png", FileKind::kDepthImage},
+                                             {".e57", FileKind::kLaserScan},
+                                             {".las", FileKind::kLaserScan},
+                                             {".laz", FileKind::kLaserScan},
+                                             {".xyz", FileKind::kText},
+                                             {".xyzn", FileKind::kText},
+                                             {".pwn", FileKind::kText},
+                                             {".npts", FileKind::kText},
+                                             {".pts", FileKind::kText},
+                                             {".asc", FileKind::kText},
+                                             {".txt", FileKind::kText},
+                                             {".csv", FileKind::kText}}};
+
+}  // namespace
 
 FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  using Known = std::pair<std::string_view, FileKind>;
   constexpr std::array<Known, 6> kBegins = {{{"ply\n", FileKind::kPly},
                                              {"ply\r", FileKind::kPly},
                                              {"# .PCD ", FileKind::kPcd},
@@ -24,26 +45,18 @@ FileKind file_kind(const std::filesystem::path& file, std::span<const std::uint8
   }
   std::string ending = file.extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::array<Known, 16> kEndings = {{{".ply", FileKind::kPly},
-                                               {".obj", FileKind::kObj},
-                                               {".stl", FileKind::kStl},
-                                               {".pcd", FileKind::kPcd},
-                                               {".png", FileKind::kDepthImage},
-                                               {".e57", FileKind::kLaserScan},
-                                               {".las", FileKind::kLaserScan},
-                                               {".laz", FileKind::kLaserScan},
-                                               {".xyz", FileKind::kText},
-                                               {".xyzn", FileKind::kText},
-                                               {".pwn", FileKind::kText},
-                                               {".npts", FileKind::kText},
-                                               {".pts", FileKind::kText},
-                                               {".asc", FileKind::kText},
-                                               {".txt", FileKind::kText},
-                                               {".csv", FileKind::kText}}};
   for (const auto& [known, kind] : kEndings) {
     if (ending == known) return kind;
   }
   return ending.empty() ? content_kind(bytes) : FileKind::kUnknown;
+}
+
+std::string endings_of(FileKind kind) {
+  std::string list;
+  for (const auto& [ending, of] : kEndings) {
+    if (of == kind) list += (list.empty() ? "" : ", ") + std::string(ending);
+  }
+  return list;
 }
 
 }  // namespace isotouch::cloud

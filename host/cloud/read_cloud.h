@@ -7,8 +7,8 @@
 
 namespace isotouch::cloud {
 
-/// Reads PLY (ply.h), OBJ (obj.h), PCD (pcd.h), a depth image (depth_image.h) or text (xyz.h: .xyz .xyzn .pwn .npts .pts .asc .txt .csv), by the
-/// file's first bytes or its ending, and checks the cloud (check.h).
+/// Reads PLY (ply.h), OBJ (obj.h), PCD (pcd.h), a depth image (depth_image.h) or text (xyz.h), by the file's first bytes or its ending (file_kind.h), and
+/// checks the cloud (check.h).
 ///
 /// returns   points in the file's order and units, unit outward normals, no two at one place
 /// fails     InputError, one sentence: file, place, what is wrong, what to do

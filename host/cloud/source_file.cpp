@@ -109,7 +109,8 @@ Model SourceFile::read_points() const {
     case FileKind::kLaserScan:
     case FileKind::kUnknown: break;
   }
-  throw not_read("the kind of this file is not recognised; a cloud ends in .ply, .obj, .pcd, .xyz, .pwn, .npts or .txt");
+  throw not_read("the kind of this file is not recognised; a cloud ends in .ply, .obj, .pcd, .png or, as text, in " +
+                 endings_of(FileKind::kText));
 }
 
 Model SourceFile::faces() const {

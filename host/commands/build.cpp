@@ -12,6 +12,7 @@
 #include "host/board_commands/choice.h"
 #include "host/board_commands/number_in.h"
 #include "host/board_commands/output.h"
+#include "host/cloud/file_kind.h"
 #include "host/commands/box_option.h"
 #include "host/commands/build_json.h"
 #include "host/commands/built_field.h"
@@ -50,10 +51,9 @@ void add_build(CLI::App& app) {
   auto json = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("build", "Turn oriented points, a mesh or a level set into a field that can be touched");
   command
-      ->add_option(
-          "INPUT", options->input,
-          "points with or without normals: PLY, OBJ, PCD, or text (.xyz, .pwn, .npts); a depth image: 16-bit PNG; a mesh: PLY, OBJ, "
-          "STL; or an OpenVDB level set")
+      ->add_option("INPUT", options->input,
+                   "points with or without normals: PLY, OBJ, PCD, or text (" + cloud::endings_of(cloud::FileKind::kText) +
+                       "); a depth image: 16-bit PNG; a mesh: PLY, OBJ, STL; or an OpenVDB level set")
       ->required();
   const std::map<std::string, SourceKind> kinds = {{"cloud", SourceKind::kCloud}, {"mesh", SourceKind::kMesh}};
   command

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "host/cloud/file_kind.h"
 #include "host/cloud/ply.h"
 #include "host/cloud/shapes.h"
 #include "host/error.h"
@@ -300,6 +301,16 @@ TEST_F(Build, BadInputLeavesTheOldFile) {
   std::ofstream(file("bad.xyz")) << "0 0 0 0 0 nan\n";
   EXPECT_THROW(run("build " + file("bad.xyz") + " -o " + file("t.itf")), InputError);
   EXPECT_EQ(nlohmann::json::parse(run("info " + file("t.itf") + " --json")), before);
+}
+
+TEST_F(Build, TheDocumentListsTheEndingsOfText) {
+  std::ifstream page(fs::path(ISOTOUCH_GOLDEN) / "../../docs/build-a-field.md");
+  std::string row;
+  while (std::getline(page, row) && !row.starts_with("| text: ")) {
+  }
+  std::erase(row, '`');
+  const std::string begin = "| text: " + cloud::endings_of(cloud::FileKind::kText) + " | points |";
+  EXPECT_EQ(row.substr(0, begin.size()), begin);
 }
 
 TEST_F(Build, InfoSaysWhichFileIsNoFieldAndWhy) {
