@@ -111,7 +111,7 @@ std::string no_state_line() {
 
 std::string figures(const loop::TickStats& stats) {
   Text text;
-  std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, left out %llu\n",
+  std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, missed %llu\n",
                 whole(stats.ticks), whole(stats.fresh), whole(stats.stale), whole(stats.largest_age), whole(stats.by_reply),
                 whole(stats.late), whole(stats.missed));
   std::string all = text;

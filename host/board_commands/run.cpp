@@ -48,7 +48,8 @@ struct Task {
 
 const std::vector<Task>& tasks() {
   static const std::vector<Task> all = {
-      {"Build and judge a field", {"demo", "shape", "build", "info", "sample", "export", "render", "view", "evaluate", "compare", "bench"}},
+      {"Build and judge a field",
+       {"demo", "shape", "build", "info", "sample", "export", "render", "plot", "view", "evaluate", "compare", "bench"}},
       {"Run a controller",
        {"upload", "stream", "fields", "status", "latency", "watch", "set", "stop", "resume", "calibrate", "qualify", "fleet"}},
       {"Record and replay", {"record", "replay", "trace", "scan", "farm"}}};

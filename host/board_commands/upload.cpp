@@ -57,6 +57,7 @@ Sent send_field(link::Controller& controller, const UploadOptions& options, cons
 
 /// The patches that are left for a field: from the first one that is for it. None are, where it is the one that the last patch leads to.
 ///
+/// field     0 = the controller has none
 /// fails     InputError: a patch is cut, changed or out of order; none of them is for that field
 std::span<const std::uint8_t> patches_for(std::uint64_t field, std::span<const std::uint8_t> bytes, const UploadOptions& options) {
   const std::string file = options.file.string();
@@ -75,6 +76,10 @@ std::span<const std::uint8_t> patches_for(std::uint64_t field, std::span<const s
     left = left.subspan(patch.patch_bytes());
   }
   if (last == field) return {};
+  if (field == 0) {
+    throw InputError(options.to + ": the controller has no field; upload " + trace::hash_text(first) +
+                     ", for which the first of the patches is, before");
+  }
   throw InputError(file + ": none of its patches is for the field " + trace::hash_text(field) + " that the controller uses; upload " +
                    trace::hash_text(first) + ", for which the first one is, before");
 }
@@ -114,7 +119,7 @@ Sent send_patches(link::Controller& controller, const UploadOptions& options, st
                      " patches were taken over before; begin anew, or upload the same file to go on from its field");
   }
   if (!options.json) {
-    std::printf("%zu patches are felt: hash %s, %llu bytes sent\n", sent.patches, trace::hash_text(sent.hash).c_str(),
+    std::printf("%zu patches were taken over: hash %s, %llu bytes sent\n", sent.patches, trace::hash_text(sent.hash).c_str(),
                 static_cast<unsigned long long>(sent.bytes));
   }
   return sent;

@@ -34,7 +34,7 @@ void print_text(const BuildReport& report, const FieldView& view, const std::fil
   std::fprintf(to, "%-13s %zu (%s)\n", names_of(report.kind).items, report.points, report.format.c_str());
   std::fprintf(to, "transform     workspace mm = %.9g · input + (%.9g, %.9g, %.9g)\n", scale, offset.x(), offset.y(), offset.z());
   std::fprintf(to, "grid          %d × %d × %d samples, voxel %.4f mm\n", view.size[0], view.size[1], view.size[2], edge);
-  std::fprintf(to, "inside nodes  %zu\n", report.inside_nodes);
+  std::fprintf(to, "inside        %zu grid samples\n", report.inside_nodes);
   if (report.verdict) std::fprintf(to, "verdict       %s\n", in_words(*report.verdict).c_str());
   if (report.live_verdict) std::fprintf(to, "verdict       %s\n", in_words(*report.live_verdict).c_str());
   std::fprintf(to, "seconds       %.3f:", report.seconds);

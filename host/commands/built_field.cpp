@@ -113,7 +113,7 @@ BuiltField built_field(const BuildOptions& options) {
       return field::judged_scan(built, *made.scan);
     });
   }
-  if (!made.live) progress.begin("blob");
+  if (!made.live) progress.begin("image");
   const std::vector<double>& stiffness = made.field.stiffness;
   const double own = stiffness.empty() ? 0.8 : *std::max_element(stiffness.begin(), stiffness.end());
   const Method method = options.method == BuildMethod::kPublished ? Method::kPublished : Method::kDefault;

@@ -293,14 +293,14 @@ std::vector<PlannedStage> plan_for(SourceKind kind, BuildMethod method) {
   switch (kind) {
     case SourceKind::kCloud: break;
     case SourceKind::kMesh:
-      return {{"read", 0.1}, {"check", 0.2}, {"tree", 0.3}, {"bricks", 2}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
-    case SourceKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
+      return {{"read", 0.1}, {"check", 0.2}, {"tree", 0.3}, {"bricks", 2}, {"image", 0.4}, {"pack", 0.1}, {"write", 0.02}};
+    case SourceKind::kLevelSet: return {{"read", 0.5}, {"bricks", 0.5}, {"image", 0.4}, {"pack", 0.1}, {"write", 0.02}};
   }
   if (method == BuildMethod::kLive) return {{"read", 0.1}, {"live", 1}, {"pack", 0.1}, {"write", 0.02}};
   if (method == BuildMethod::kPublished)
-    return {{"read", 0.1}, {"outside", 1}, {"radii", 0.1}, {"indicator", 6}, {"levels", 3}, {"blob", 0.4}, {"pack", 0.1}, {"write", 0.02}};
-  return {{"read", 0.1}, {"outside", 1},   {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
-          {"blob", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
+    return {{"read", 0.1}, {"outside", 1}, {"radii", 0.1}, {"indicator", 6}, {"levels", 3}, {"image", 0.4}, {"pack", 0.1}, {"write", 0.02}};
+  return {{"read", 0.1},  {"outside", 1},   {"local models", 2}, {"surface", 0.3}, {"bricks", 1},
+          {"image", 0.5}, {"verdict", 0.1}, {"pack", 0.1},       {"write", 0.02}};
 }
 
 std::string better_as_mesh(const BuildReport& report) {

@@ -81,9 +81,11 @@ TEST(StatusLines, AFileThatCannotBeHeldIsToldWithWhatToDo) {
 TEST(StatusLines, FiguresLeaveOutWhatWasNeverMeasured) {
   loop::TickStats stats;
   stats.ticks.add(5);
+  stats.missed.add(3);
   stats.tick_time.add(1'500'000);
   const std::string text = figures(stats);
   EXPECT_NE(text.find("ticks 5, fresh 0"), std::string::npos);
+  EXPECT_NE(text.find("late 0, missed 3\n"), std::string::npos);
   EXPECT_NE(text.find("max    1500.0 us"), std::string::npos);
   EXPECT_EQ(text.find("round trip"), std::string::npos);
 }

@@ -102,7 +102,7 @@ TEST_F(Build, TheSameCloudGivesTheSameHash) {
 TEST_F(Build, ThePublishedMethodMakesAFieldOfItsOwn) {
   const auto json =
       nlohmann::ordered_json::parse(run("build " + file("torus.ply") + " -o " + file("p.itf") + " --method published --grid 30 --json"));
-  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "outside", "radii", "indicator", "levels", "blob", "pack", "write"}));
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "outside", "radii", "indicator", "levels", "image", "pack", "write"}));
   EXPECT_GT(json["inside_nodes"], 1000);
   EXPECT_THAT(run("info " + file("p.itf")), HasSubstr("published, from 400 points"));
   const auto info = nlohmann::json::parse(run("info " + file("p.itf") + " --json"));
@@ -195,7 +195,7 @@ TEST_F(Build, AMeshComesBackAsExactAsItsGridCanHold) {
   EXPECT_EQ(json["input"], "mesh");
   EXPECT_EQ(json["points"], 8);
   EXPECT_EQ(json["warnings"].size(), 0U);
-  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "check", "tree", "bricks", "blob", "pack", "write"}));
+  EXPECT_EQ(keys(json["stages"]), (std::vector<std::string>{"read", "check", "tree", "bricks", "image", "pack", "write"}));
   const double volume = 60.0 * 40 * 20;
   EXPECT_NEAR(json["inside_nodes"].get<double>(), volume, 0.08 * volume);
   expect_floor(nlohmann::json::parse(run("compare " + file("m.itf") + " " + file("box.obj") + " --floor --json")));

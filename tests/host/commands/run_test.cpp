@@ -26,10 +26,7 @@ Answer answer(std::vector<std::string> words) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   Answer got;
-  const auto add = [](CLI::App& app) {
-    for (const auto command : {add_build, add_info, add_trace, add_bench, add_evaluate}) command(app);
-  };
-  got.code = run("isotouch", "about", add, static_cast<int>(argv.size()), argv.data());
+  got.code = run("isotouch", "about", add_all, static_cast<int>(argv.size()), argv.data());
   got.out = testing::internal::GetCapturedStdout();
   got.err = testing::internal::GetCapturedStderr();
   return got;
