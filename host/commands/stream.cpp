@@ -210,10 +210,17 @@ std::string work(stream::Stream& stream, stream::Source source, const StreamingO
   return {};
 }
 
+/// The same of frames: what was wrong with how many.
+std::string nothing_of_frames(const stream::Tally& all) {
+  return "no frame had points with normals within the box, so nothing was built: of " + std::to_string(all.frames) + " frames " +
+         std::to_string(all.empty) + " were empty and " + std::to_string(all.unoriented) + " without normals, " +
+         std::to_string(all.points.outside) + " points lay outside the box, and " + std::to_string(all.points.useless) +
+         " had no normal; check the normals, --box and --units";
+}
+
 /// Why there is no field.
 std::string nothing_built(FrameSource kind, const StreamingOptions& options, const stream::StreamReport& report) {
-  if (kind != FrameSource::kRecording && kind != FrameSource::kController)
-    return "no frame had points with normals within the box, so nothing was built; check the normals, --box and --units";
+  if (kind != FrameSource::kRecording && kind != FrameSource::kController) return nothing_of_frames(report.all);
   const std::string& name = options.sources[0];
   if (report.all.points.outside > 0) return name + ": every touch was outside the box, so nothing was built; check --box";
   if (kind == FrameSource::kController && report.heard == 0)
