@@ -212,6 +212,11 @@ std::string CloudReport::sensor_doubt() const {
 
 std::vector<std::string> CloudReport::warnings(bool are_normals_used) const {
   std::vector<std::string> list;
+  if (sensor.looks_past) {
+    list.emplace_back(
+        "the principal point CX,CY lies outside the image: check that --intrinsics is FX,FY,CX,CY, unless the image is a part of a larger "
+        "one");
+  }
   if (!edges && sensor.refuted_place) list.push_back(sensor_doubt());
   if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)

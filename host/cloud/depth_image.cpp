@@ -1,5 +1,8 @@
 #include "host/cloud/depth_image.h"
 
+#include <algorithm>
+#include <cstddef>
+
 #include "host/cloud/depth_png.h"
 
 namespace isotouch::cloud {
@@ -9,6 +12,9 @@ Model read_depth_image(const std::string& name, std::span<const std::uint8_t> by
   Model model;
   model.format = "PNG, 16-bit depth";
   model.sensor.place = Eigen::Vector3d::Zero();
+  const std::size_t height = pixels.depth.size() / std::max<std::size_t>(pixels.width, 1);
+  const auto is_within = [](double at, std::size_t count) { return at >= -0.5 && at <= static_cast<double>(count) - 0.5; };
+  model.sensor.looks_past = !is_within(camera.cx, pixels.width) || !is_within(camera.cy, height);
   model.grid = ScanGrid{.columns = pixels.width};
   model.grid->cells.reserve(pixels.depth.size());
   for (std::size_t i = 0; i < pixels.depth.size(); ++i) {

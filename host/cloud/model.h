@@ -19,6 +19,7 @@ struct Sensor {
   bool is_assumed = false;                            ///< the file does not state it, but its grid is that of a camera there
   bool is_turned = false;                             ///< the file states, too, that the sensor was turned
   std::optional<Eigen::Vector3d> refuted_place = {};  ///< what the file states, if its grid was not seen from there
+  bool looks_past = false;                            ///< a depth image's principal point lies outside it
   bool is_elsewhere = false;                          ///< the grid was seen neither from a place that the file states nor from the origin
 };
 

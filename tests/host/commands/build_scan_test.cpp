@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -234,6 +235,20 @@ TEST_F(BuildScan, ADepthImageSaysWhereItsNormalsComeFromOnce) {
   EXPECT_THAT(warnings("file"), Not(HasSubstr("estimated")));
   EXPECT_THAT(warnings("estimate"), HasSubstr("normals were estimated from the points"));
   EXPECT_THAT(warnings("estimate"), Not(HasSubstr("taken from the scan's grid")));
+}
+
+TEST_F(BuildScan, APrincipalPointOutsideTheImageIsDoubted) {
+  std::ofstream(file("ball.png"), std::ios::binary) << ball_png();
+  const auto is_doubted = [&](const std::string& camera) {
+    const auto json =
+        nlohmann::ordered_json::parse(run("build " + file("ball.png") + " --intrinsics " + camera +
+                                          " --depth-scale 10000 --units m --grid 60 --accept-implausible --json -o " + file("b.itf")));
+    const auto warnings = json["warnings"].get<std::vector<std::string>>();
+    return std::ranges::any_of(warnings, [](const std::string& w) { return w.starts_with("the principal point CX,CY lies outside"); });
+  };
+  EXPECT_FALSE(is_doubted("500,480,80.25,58.5"));
+  EXPECT_TRUE(is_doubted("500,480,80.25,200"));
+  EXPECT_TRUE(is_doubted("500,480,-1,58.5"));
 }
 
 TEST_F(BuildScan, ADepthImageNeedsACameraAndNothingElseDoes) {
