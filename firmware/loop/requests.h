@@ -56,8 +56,9 @@ class Requests {
     return {bits, bits == 0 ? kNobody : author_in(asked)};
   }
 
-  /// change    a valid one; of two for the same setting that no tick took in between, the later holds
+  /// change    of two for the same setting that no tick took in between, the later holds; one that is not valid is none: no reader takes its record
   void set(const SettingChange& change, std::uint32_t author = kNobody) {
+    if (change.setting == TickSetting::kNone || !is_valid(change)) return;
     const auto number = static_cast<std::size_t>(change.setting) - 1;
     std::uint64_t now = pair(static_cast<std::uint32_t>(change.raw), author);
     values_[number].store(now, std::memory_order_release);

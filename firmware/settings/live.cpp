@@ -1,5 +1,6 @@
 #include "firmware/settings/live.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -39,6 +40,9 @@ std::string range(const Setting& setting) {
                 static_cast<int>(setting.unit.size()), setting.unit.data());
   return text;
 }
+
+/// The least that can be set is more than some fields and delays allow; 0 would be no stiffness at all, but "unset".
+Stiffness settable(Stiffness most) { return std::max(most, Stiffness::of(rows::kStiffness.low)); }
 
 /// The names of the settings that may change, for people.
 std::string all_names() {
@@ -109,7 +113,7 @@ void LiveSettings::change_to(const Settings& changed, loop::Requests& requests, 
 
 std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t measured_delay) {
   const std::lock_guard guard(mutex_);
-  const Stiffness most = most_stiffness(now_, measured_delay);
+  const Stiffness most = settable(most_stiffness(now_, measured_delay));
   if (tick_settings(now_).stiffness <= most) return {};
   Settings changed = now_;
   changed.stiffness = *number_in(n_mm(most));
@@ -121,9 +125,10 @@ std::string LiveSettings::keep_within(loop::Requests& requests, std::uint32_t me
 
 std::string LiveSettings::keep_within_field(loop::Requests& requests, Stiffness fields) {
   const std::lock_guard guard(mutex_);
-  if (!is_fields_limit_ || tick_settings(now_).stiffness <= fields) return {};
+  const Stiffness most = settable(fields);
+  if (!is_fields_limit_ || tick_settings(now_).stiffness <= most) return {};
   Settings changed = now_;
-  changed.stiffness = begin_.stiffness;
+  changed.stiffness = rows::kStiffness.value(most.raw());
   change_to(changed, requests, kNobody);
   return "feel.stiffness fell to the new field's own, the limit for the role operate";
 }

@@ -43,8 +43,8 @@ class LiveSettings {
   /// returns   one sentence that says so; empty where nothing had to change
   std::string keep_within(loop::Requests& requests, std::uint32_t measured_delay);
 
-  /// A field is felt. A stiffness that somebody set who may not raise it, and that is above this field's own, is forgotten: the field's own holds, from
-  /// the next tick on. Any thread.
+  /// A field is felt. A stiffness that somebody set who may not raise it, and that is above this field's own, falls to it, from the next tick on.
+  /// Any thread.
   ///
   /// fields    the stiffness of that field itself
   /// returns   one sentence that says so; empty where nothing had to change

@@ -45,10 +45,10 @@ TEST(Requests, WhatWasEverSetIsSetAgainWhenATickForgot) {
   Requests requests;
   requests.repeat_changes();
   EXPECT_EQ(requests.take_change().change, SettingChange{});
-  requests.set({TickSetting::kStiffness, 7});
+  requests.set({TickSetting::kStiffness, 700});
   requests.take_change();
   requests.repeat_changes();
-  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, 7}));
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, 700}));
   EXPECT_EQ(requests.take_change().change, SettingChange{});
 }
 
@@ -68,6 +68,18 @@ TEST(Requests, AnybodySeesStopsAndTheNewestSettings) {
   requests.ask(kRequestStop | kRequestResume);
   EXPECT_TRUE(requests.is_stopped()) << "the stop goes before the resume";
   EXPECT_EQ(requests.stops(), 2U);
+}
+
+TEST(Requests, WhatNoSettingCanBeIsNoChange) {
+  Requests requests;
+  requests.set({TickSetting::kStiffness, 0});  // "unset"
+  requests.set({TickSetting::kFriction, -1});
+  requests.set({TickSetting::kNone, 0});
+  requests.set({TickSetting::kDelayTicks, 1});
+  EXPECT_EQ(requests.take_change(), AskedChange{});
+  requests.repeat_changes();
+  EXPECT_EQ(requests.take_change(), AskedChange{});
+  EXPECT_EQ(requests.newest(TickSetting::kStiffness, 7), 7);
 }
 
 TEST(Requests, AFlippedBitAsksForNothingButAStop) {

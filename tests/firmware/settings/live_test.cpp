@@ -5,6 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "shared/trace.h"
+#include "tests/firmware/loop/loop_bench.h"
+
 namespace isotouch::settings {
 namespace {
 
@@ -96,8 +99,10 @@ TEST(LiveSettings, WhatOneFieldAllowedIsNotKeptForAnotherThatIsSofter) {
   EXPECT_EQ(requests.take_change(), loop::AskedChange{});
   EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.3)),
             "feel.stiffness fell to the new field's own, the limit for the role operate");
-  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, 0})) << "the field's own";
-  EXPECT_EQ(live.now(), Settings{});
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, Stiffness::of(0.3).raw()})) << "the field's own";
+  EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.3)), "") << "said once";
+  EXPECT_NE(live.keep_within_field(requests, Stiffness::of(0.2)), "") << "an even softer one is the limit next";
+  EXPECT_EQ(requests.take_change().change, (SettingChange{TickSetting::kStiffness, Stiffness::of(0.2).raw()}));
   EXPECT_EQ(live.set("stiffness", "0.75", requests, 0, operates).sentence(), "");
   EXPECT_EQ(live.set("stiffness", "0.7", requests, 0, services).sentence(), "");
   EXPECT_EQ(live.keep_within_field(requests, Stiffness::of(0.3)), "") << "the role service may";
@@ -106,6 +111,44 @@ TEST(LiveSettings, WhatOneFieldAllowedIsNotKeptForAnotherThatIsSofter) {
   LiveSettings of_a_file{named};
   EXPECT_EQ(of_a_file.set("stiffness", "0.4", requests, 0, operates).sentence(), "");
   EXPECT_EQ(of_a_file.keep_within_field(requests, Stiffness::of(0.3)), "") << "the settings name the limit";
+}
+
+TEST(LiveSettings, WhatFallsToASofterFieldsOwnIsFeltAndItsRecordsCanBeRead) {
+  loop::Bench bench;
+  LiveSettings live{Settings{}};
+  const Stiffness stiff = Stiffness::of(0.79), soft = Stiffness::of(0.2);
+  const auto felt = [&] { return bench.loop.state().settings.target[index_of(TickSetting::kStiffness)]; };
+  ASSERT_FALSE(live.set("stiffness", "0.79", bench.requests, 0, {author_of(1000), false, Stiffness::of(0.8)}));
+  bench.steps(1);
+  EXPECT_EQ(felt(), stiff.raw());
+  EXPECT_NE(live.keep_within_field(bench.requests, soft), "");
+  for (const bool again : {false, true}) {
+    if (again) bench.requests.ask(kRequestRestart);
+    for (int n = 0; n < 3; ++n) {
+      const loop::TickRecord record = bench.step();
+      EXPECT_TRUE(decode_record(encode(TraceRecord{record.in, record.out, 0, 0})));
+    }
+    EXPECT_EQ(felt(), soft.raw());
+  }
+}
+
+TEST(LiveSettings, AStiffnessFallsNoFurtherThanItCanBeSet) {
+  loop::Requests requests;
+  const SettingChange least{TickSetting::kStiffness, rows::kStiffness.raw(rows::kStiffness.low)};
+  LiveSettings on_a_field{Settings{}};
+  EXPECT_EQ(on_a_field.set("stiffness", "0.75", requests, 0, {author_of(1000), false, Stiffness::of(0.8)}).sentence(), "");
+  static_cast<void>(requests.take_change());
+  EXPECT_NE(on_a_field.keep_within_field(requests, Stiffness::of(0.0001)), "");
+  EXPECT_EQ(requests.take_change().change, least);
+  EXPECT_EQ(on_a_field.keep_within_field(requests, Stiffness::of(0.0001)), "");
+  Settings settings;
+  settings.stiffness = 0.1;
+  settings.damping_n_s_mm = rows::kDeviceDamping.low;
+  LiveSettings with_a_delay{settings};
+  EXPECT_NE(with_a_delay.keep_within(requests, 500), "") << "2 * 0.0001 / (1001 * 1 ms)";
+  EXPECT_EQ(requests.take_change().change, least);
+  EXPECT_EQ(with_a_delay.now().stiffness, 0.001);
+  EXPECT_EQ(with_a_delay.keep_within(requests, 500), "");
 }
 
 TEST(LiveSettings, ALongerDelayThanTheSettingsKnowLowersAStiffnessThatIsTooMuchForIt) {
