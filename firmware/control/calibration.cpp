@@ -29,17 +29,24 @@ bool is_near(const store::AnglesAtZero& angles, const DeviceModel& expected) {
 
 Calibration::Calibration(store::CalibrationStore* store, store::RunMark* mark, BySettings by_settings, const std::string& serial,
                          std::function<void(bool)> distrust)
-    : store_(store), mark_(mark), by_settings_(std::move(by_settings)), distrust_(std::move(distrust)), in_use_(choose(serial, trouble_)) {}
+    : store_(store),
+      mark_(mark),
+      by_settings_(std::move(by_settings)),
+      distrust_(std::move(distrust)),
+      expected_(serial),
+      in_use_(choose(serial, trouble_)) {}
 
 void Calibration::answers(const std::optional<std::string>& serial) {
-  Refusal ignored;
   bool has_others = false;
   std::uint64_t keeps = 0;
   std::unique_lock<std::mutex> lock(mutex_);
   do {
     keeps = keeps_;
     lock.unlock();
-    has_others = serial && distrust_ && choose(*serial, ignored).model != in_use_.model;
+    if (serial && distrust_) {
+      Refusal trouble;
+      has_others = choose(*serial, trouble).model != in_use_.model || (trouble && *serial != expected_);  // that a person must hear of
+    }
     lock.lock();
   } while (keeps != keeps_);  // what was read may be what was kept before
   serial_ = serial.value_or("");
@@ -96,12 +103,13 @@ Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trou
   if (store_ == nullptr || choice.source == protocol::AnglesFrom::kSettings) return choice;
   const store::StoreResult<store::AnglesAtZero> kept = store_->read(serial);
   if (kept && !is_near(*kept, choice.model)) {
-    trouble = "the stored calibration of " + serial + " is not used: " + too_far();
+    trouble = "the stored calibration of " + serial + " is not used: " + too_far() + "; no force until 'resume'";
   } else if (kept) {
     take(*kept, choice.model);
     choice.source = protocol::AnglesFrom::kMeasured;
   } else if (kept.error() != store::StoreError::kNotFound) {
-    trouble = "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again";
+    trouble =
+        "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again; no force until 'resume'";
   }
   return choice;
 }

@@ -35,13 +35,13 @@ class Calibration {
 
   /// What holds from start to end.
   const Choice& in_use() const { return in_use_; }
-  /// Why what was kept cannot be used.
+  /// Why what was kept cannot be used: then there must be no force until a person resumes.
   const Refusal& trouble() const { return trouble_; }
 
   /// The device of this serial answers, which may be empty; nullopt: none does.
   void answers(const std::optional<std::string>& serial);
 
-  /// Are there other angles for the device that answers than those in use, so that it is not heard?
+  /// Are there other angles for the device that answers than those in use, or some that cannot be used, so that it is not heard before a new start?
   protocol::OtherAngles others() const;
 
   protocol::DeviceReport report() const;
@@ -60,6 +60,7 @@ class Calibration {
   store::RunMark* mark_;
   BySettings by_settings_;
   std::function<void(bool)> distrust_;
+  const std::string expected_;  ///< the serial
   Refusal trouble_;
   Choice in_use_;
   mutable std::mutex mutex_;  ///< of what follows

@@ -164,7 +164,8 @@ Refusal Controller::listen() {
 
 void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
-  if (doubt || before_.faults != 0) requests_.ask(kRequestStop);
+  const bool other_angles = calibration_->trouble() && !options_.lockstep;
+  if (doubt || before_.faults != 0 || other_angles) requests_.ask(kRequestStop);
   if (doubt) say(doubt.sentence());
 }
 

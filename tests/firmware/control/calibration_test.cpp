@@ -213,7 +213,14 @@ TEST_F(CalibrationTest, AFileThatWentBadIsToldAndNotUsed) {
   ASSERT_TRUE(folder.write("calibration-A1", store::FileBytes(36, 'x')));
   Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("calibration of A1 cannot be used"));
+  EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("no force until 'resume'"));
   EXPECT_EQ(from(calibration), AnglesFrom::kGeometry);
+  calibration.answers("A1");
+  EXPECT_EQ(calibration.others(), OtherAngles::kNone) << "the start has told";
+  Calibration late(&store, nullptr, by_settings, "", [](bool) {});
+  EXPECT_FALSE(late.trouble());
+  late.answers("A1");
+  EXPECT_EQ(late.others(), OtherAngles::kUntrusted) << "a new start tells, and waits for a person";
 }
 
 }  // namespace
