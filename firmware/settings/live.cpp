@@ -15,6 +15,10 @@ namespace isotouch::settings {
 
 namespace {
 
+/// N s/mm. Any damping jumps with each count of an encoder, in proportion; measured on 2026-11-29 with a light hand (0.15 kg, 0.1 N/mm) that presses into
+/// a box of 0.8 N/mm: from 0.03 on `damping` makes itself jump more, and at 0.1 so does `hand_damping`. This is less than half of that.
+constexpr double kQuietDamping = 0.012;
+
 std::optional<double> number_in(std::string_view text) {
   double value = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -81,7 +85,8 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
         .append(name)
         .append(" may be at most ")
         .append(number(*limit))
-        .append(" for the role operate, as the controller was started or the field was built; ask somebody with the role service");
+        .append(
+            " for the role operate, by what the controller was started with, the field or the device; ask somebody with the role service");
   }
   const std::lock_guard guard(mutex_);
   Settings changed = now_;
@@ -92,12 +97,16 @@ Refusal LiveSettings::set(std::string_view name, std::string_view value, loop::R
   return {};
 }
 
-/// The largest magnitude of what may add to a force; none: the setting adds none.
+/// The largest magnitude of what may add to a force or make it tremble; none: the setting does neither.
 std::optional<double> LiveSettings::limit_of(TickSetting setting, Stiffness fields) const {
   switch (setting) {
     case TickSetting::kStiffness: return begin_.stiffness.value_or(std::ldexp(fields.raw(), -rows::kStiffness.fraction_bits));
     case TickSetting::kForceLimit: return begin_.force_limit_n;
     case TickSetting::kWeight: return std::abs(begin_.weight_n);
+    case TickSetting::kDamping: return std::max(begin_.damping, kQuietDamping);
+    case TickSetting::kFrictionDamping: return std::max(begin_.friction_damping, kQuietDamping);
+    case TickSetting::kHandDamping: return std::max(begin_.hand_damping, kQuietDamping);
+    case TickSetting::kPassivity: return std::max(begin_.passivity_damping, kQuietDamping);
     default: return std::nullopt;
   }
 }

@@ -68,7 +68,7 @@ TEST(LiveSettings, WhoMayNotRaiseLimitsStaysWithinThoseOfTheStart) {
     return live.set(name, value, requests, 0, setter).sentence();
   };
   const std::string limit =
-      " for the role operate, as the controller was started or the field was built; ask somebody with the role service";
+      " for the role operate, by what the controller was started with, the field or the device; ask somebody with the role service";
   EXPECT_EQ(set("force_limit_n", "5.01", operates), "feel.force_limit_n may be at most 5" + limit);
   EXPECT_EQ(set("weight_n", "0.81", operates), "feel.weight_n may be at most 0.8" + limit);
   EXPECT_EQ(set("stiffness", "0.81", operates).find("feel.stiffness may be at most 0.8"), 0U) << "the field's own";
@@ -86,6 +86,24 @@ TEST(LiveSettings, WhoMayNotRaiseLimitsStaysWithinThoseOfTheStart) {
   LiveSettings lower{settings};
   EXPECT_TRUE(lower.set("stiffness", "0.6", requests, 0, operates)) << "what the settings name counts more than the field's own";
   EXPECT_FALSE(lower.set("stiffness", "0.5", requests, 0, operates));
+}
+
+TEST(LiveSettings, WhoMayNotRaiseLimitsSetsNoDampingThatTrembles) {
+  loop::Requests requests;
+  const Setter operates{author_of(1000), false, Stiffness::of(0.8)}, services{author_of(1001), true, Stiffness::of(0.8)};
+  Settings damped;
+  damped.damping = damped.friction_damping = damped.hand_damping = damped.passivity_damping = 0.02;
+  for (const std::string name : {"damping", "friction_damping", "hand_damping", "passivity_damping"}) {
+    LiveSettings live{Settings{}}, more{damped};
+    EXPECT_EQ(live.set(name, "0.012", requests, 0, operates).sentence(), "") << name;
+    EXPECT_EQ(
+        live.set(name, "0.0121", requests, 0, operates).sentence().find("feel." + name + " may be at most 0.012 for the role operate"), 0U)
+        << name;
+    EXPECT_EQ(live.set(name, "0.1", requests, 0, services).sentence(), "") << name;
+    EXPECT_TRUE(live.set(name, "0.05", requests, 0, operates)) << name << ": what somebody raised is no new limit for others";
+    EXPECT_EQ(more.set(name, "0.02", requests, 0, operates).sentence(), "") << name << ": as the controller was started";
+    EXPECT_TRUE(more.set(name, "0.021", requests, 0, operates)) << name;
+  }
 }
 
 TEST(LiveSettings, WhatOneFieldAllowedIsNotKeptForAnotherThatIsSofter) {
