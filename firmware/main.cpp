@@ -69,8 +69,7 @@ int main(int argc, char** argv) {
     Options options;
     int exit_code = 0;
     if (!read_options(argc, argv, options, exit_code)) return exit_code;
-    sigset_t signals = ending_signals();
-    sigaddset(&signals, SIGPIPE);
+    const sigset_t signals = blocked_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before any thread: they all inherit it, the controller takes them
     return run(options);
   } catch (const std::exception& error) {

@@ -42,7 +42,7 @@ void expect_rest_before(int signal, Crash crash) {
 }
 
 TEST(RestOnCrash, TheDevicesThreadRestsItBeforeTheProgramEndsAsItWouldHave) {
-  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE}) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGSYS, SIGTRAP}) {
     expect_rest_before(signal, [signal] { raise(signal); });
   }
 }
