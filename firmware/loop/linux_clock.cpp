@@ -8,12 +8,19 @@ namespace isotouch::loop {
 
 namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;
-}
 
-std::int64_t LinuxClock::now_ns() {
+std::int64_t ns_of(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
+  clock_gettime(clock, &now);
   return std::int64_t{now.tv_sec} * kSecond + now.tv_nsec;
+}
+}  // namespace
+
+std::int64_t LinuxClock::now_ns() { return ns_of(CLOCK_MONOTONIC); }
+
+std::int64_t LinuxClock::suspended_ns() {
+  const std::int64_t with_sleep = ns_of(CLOCK_BOOTTIME);  // first: what passes between the two makes the difference smaller
+  return with_sleep - ns_of(CLOCK_MONOTONIC);
 }
 
 void LinuxClock::sleep_until_ns(std::int64_t when_ns) {

@@ -10,6 +10,8 @@ class LinuxClock final : public loop::Clock {
  public:
   std::int64_t now_ns() override;
   void sleep_until_ns(std::int64_t when_ns) override;
+  /// By CLOCK_BOOTTIME.
+  std::int64_t suspended_ns() override;
 };
 
 }  // namespace isotouch::loop

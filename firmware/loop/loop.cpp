@@ -22,7 +22,8 @@ Loop::Loop(const LoopSettings& settings, Device& device, Clock& clock, const Nei
       clock_(clock),
       neighbours_(neighbours),
       faults_(settings.faults),
-      pace_(settings.period_ns, clock.now_ns()) {
+      pace_(settings.period_ns, clock.now_ns()),
+      suspended_(clock.suspended_ns()) {
   state_.heat = core::heat_from(settings.heat);
   model_seal_.close(model_);
   state_seal_.close(state_);
@@ -43,7 +44,7 @@ bool Loop::step() {
     sample = device_.newest();
   }
   const std::int64_t start = clock_.now_ns();
-  const std::uint32_t missed = settings_.lockstep ? 0 : pace_.begin(replied ? arrival : Pace::kNoReply, start);
+  const std::uint32_t missed = settings_.lockstep ? 0 : pace_.begin(replied ? arrival : Pace::kNoReply, start) + slept_periods();
 
   TickRecord record;
   record.number = ++ticks_;
@@ -89,6 +90,7 @@ bool Loop::step() {
 
 void Loop::run(const std::atomic<bool>& stop, std::uint64_t most) {
   pace_ = Pace(settings_.period_ns, clock_.now_ns());  // what was before the first tick made nothing late
+  suspended_ = std::max(suspended_, clock_.suspended_ns());
   while (ticks_ < most && !stop.load(std::memory_order_relaxed) && step()) {
   }
 }
@@ -166,6 +168,13 @@ Input Loop::look(const Sample& sample, std::uint32_t missed) {
   if (is_too_long(missed)) in.requests = kRequestPaused;
   if (seen_ != 0 && age_ > stats.largest_age.value()) stats.largest_age.set(age_);
   return in;
+}
+
+/// Whole periods that the machine has slept since the tick before: the clock of the ticks stood still, the hand did not.
+std::uint32_t Loop::slept_periods() {
+  const std::int64_t before = suspended_;
+  suspended_ = std::max(before, clock_.suspended_ns());
+  return static_cast<std::uint32_t>(std::min<std::int64_t>((suspended_ - before) / settings_.period_ns, Pace::kMax));
 }
 
 /// Is it longer than a hold may last, what was left out before this tick, or a hold with all that was left out in it? Of a long pause the supervisor knows

@@ -80,6 +80,7 @@ class Loop {
   Damage damage() const;
   void hear(const ActiveField& taken, std::uint32_t before, bool begins_anew, Input& in);
   Input look(const Sample& sample, std::uint32_t missed);
+  std::uint32_t slept_periods();
   bool is_too_long(std::uint32_t missed);
   void count_own_costs();
 
@@ -97,6 +98,7 @@ class Loop {
   std::atomic<Damage> found_{Damage::kNone};
   std::atomic<std::uint16_t> faults_;
   Pace pace_;
+  std::int64_t suspended_ = 0;  ///< ns that the machine had slept at the tick before
   std::uint64_t ticks_ = 0;
   std::uint64_t seen_ = 0;    ///< number of the newest sample that a tick has had
   std::uint32_t age_ = 0;     ///< ticks since a sample was fresh, those that were left out included

@@ -49,10 +49,10 @@ class Pace {
   }
 
   static constexpr std::int64_t kNoReply = -1;
+  static constexpr std::uint32_t kMax = 1'000'000'000;  ///< periods that `begin` tells of
 
  private:
   static constexpr std::int64_t kPull = 64, kLag = 512;
-  static constexpr std::uint32_t kMax = 1'000'000'000;
 
   bool too_early(std::int64_t arrival_ns) const { return arrival_ns < expected_ - period_ / 2; }
 

@@ -12,8 +12,11 @@ class VirtualClock final : public Clock {
     if (when_ns > now_) now_ = when_ns;
   }
 
+  std::int64_t suspended_ns() override { return suspended_; }
+  void suspend(std::int64_t ns) { suspended_ += ns; }
+
  private:
-  std::int64_t now_ = 0;
+  std::int64_t now_ = 0, suspended_ = 0;
 };
 
 }  // namespace isotouch::loop

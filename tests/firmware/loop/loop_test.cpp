@@ -250,6 +250,28 @@ TEST(Loop, ARequestReachesOneTick) {
   EXPECT_EQ(bench.step().in.requests, 0);
 }
 
+TEST(Loop, TimeThatTheMachineHasSleptCountsAsAPause) {
+  Bench bench;
+  bench.clock.suspend(3'600'000'000'000);  // before the first tick
+  bench.step();
+  bench.steps(10);
+  bench.clock.suspend(900'000);
+  EXPECT_EQ(bench.step().in.late, 0);
+  bench.clock.suspend(5'000'000);
+  EXPECT_EQ(bench.step().in.late, 5);
+  TickRecord record = bench.step();
+  EXPECT_EQ(record.in.late, 0);
+  EXPECT_EQ(record.in.requests, 0);
+  bench.clock.suspend(3'600'000'000'000);
+  record = bench.step();
+  EXPECT_EQ(record.in.late, kMaxLate);
+  EXPECT_EQ(record.in.requests, kRequestPaused) << "longer than a hold may last";
+  bench.clock.suspend(-1'000'000'000);  // read in the middle of something
+  EXPECT_EQ(bench.step().in.late, 0);
+  bench.clock.suspend(1'000'000'000);
+  EXPECT_EQ(bench.step().in.late, 0);
+}
+
 TEST(Loop, ATickNamesWhoeverChangedSomethingInIt) {
   Bench bench;
   EXPECT_EQ(bench.step().in.author, kNobody);
