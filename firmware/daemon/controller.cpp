@@ -14,7 +14,6 @@
 
 #include "firmware/daemon/ending_signals.h"
 #include "firmware/daemon/status_lines.h"
-#include "firmware/loop/measured_delay.h"
 #include "firmware/loop/realtime.h"
 #include "firmware/settings/control.h"
 #include "firmware/settings/table.h"
@@ -295,6 +294,7 @@ void Controller::know_device() {
   const bool is_there = report.state != falcon::SessionState::kSearching;
   if (const std::uint64_t answering = is_there ? report.found : 0; answering != answering_) {
     answering_ = answering;
+    delay_.begin_anew(stats_);
     calibration_->answers(is_there ? std::optional<std::string>(report.serial.data()) : std::nullopt);
   }
   if (is_there && calibration_->others() == OtherAngles::kNone) {
@@ -312,10 +312,9 @@ bool Controller::may_begin_again() const {
   return !had_device_ || (settings_.record.empty() && !gives_force);
 }
 
-std::uint32_t Controller::measured_delay() const { return loop::measured_delay_ticks(stats_, header_.period_ns); }
-
 /// No stiffer than the measured delay allows, and the field where it is the limit.
 void Controller::keep_stiffness() {
+  delay_.look(stats_, header_.period_ns);
   if (const std::string changed = judge_delay(); !changed.empty()) say(changed);
   if (const store::PublishedField field = intake_->published(); field.generation != 0) {
     if (const std::string fallen = live_.keep_within_field(requests_, field.stiffness); !fallen.empty()) say(fallen);

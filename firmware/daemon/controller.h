@@ -31,6 +31,7 @@
 #include "firmware/loop/latency_request.h"
 #include "firmware/loop/linux_clock.h"
 #include "firmware/loop/loop.h"
+#include "firmware/loop/measured_delay.h"
 #include "firmware/loop/memory_check.h"
 #include "firmware/recording/recorder.h"
 #include "firmware/settings/apply.h"
@@ -99,7 +100,7 @@ class Controller {
   void tick_in_lockstep();
   std::thread begin_thread(const char* name, settings::ThreadRights rights, std::function<void()> life);
   std::size_t ticks_in(double seconds) const { return static_cast<std::size_t>(seconds * settings_.tick_hz); }
-  std::uint32_t measured_delay() const;
+  std::uint32_t measured_delay() const { return delay_.ticks(); }
   void know_device();
   bool may_begin_again() const;
   void stay_awake();
@@ -126,6 +127,7 @@ class Controller {
   loop::Latest<loop::TickRecord> shown_;
   loop::TickStats stats_;
 
+  loop::MeasuredDelay delay_;     ///< looked at by the main thread
   loop::LatencyRequest latency_;  ///< the main thread's
 
   // What stands around the tick, in the order in which it is built.

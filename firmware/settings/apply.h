@@ -31,7 +31,7 @@ std::uint32_t period_ns(const Settings& settings);
 
 /// Whether this device may render a field with these settings.
 ///
-/// measured_delay  ticks, see `loop::measured_delay_ticks`; the settings' delay counts where it is larger
+/// measured_delay  ticks, see `loop::MeasuredDelay`; the settings' delay counts where it is larger
 /// returns   why not, with what to do
 Refusal refusal_of(const FieldView& field, const Settings& settings, std::uint32_t measured_delay = 0);
 

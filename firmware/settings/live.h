@@ -33,7 +33,7 @@ class LiveSettings {
   /// name      of the setting, with or without "feel."
   /// value     a number as in the file
   /// requests  take it to the tick
-  /// measured_delay  ticks, see `loop::measured_delay_ticks`
+  /// measured_delay  ticks, see `loop::MeasuredDelay`
   /// returns   why it is not set
   Refusal set(std::string_view name, std::string_view value, loop::Requests& requests, std::uint32_t measured_delay = 0,
               const Setter& setter = {});

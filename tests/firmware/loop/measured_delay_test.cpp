@@ -5,13 +5,23 @@
 namespace isotouch::loop {
 namespace {
 
-std::uint32_t delay_of(std::int64_t trip_ns, std::int64_t word_ns, int count = 1000) {
+struct Measured {
   TickStats stats;
-  for (int i = 0; i < count; ++i) {
-    stats.round_trip.add(trip_ns);
-    stats.word_delay.add(word_ns);
+  MeasuredDelay delay;
+
+  /// After so many measurements more.
+  std::uint32_t ticks(std::int64_t trip_ns, std::int64_t word_ns, std::uint64_t count = MeasuredDelay::kFew) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      stats.round_trip.add(trip_ns);
+      stats.word_delay.add(word_ns);
+      if (i % 100 == 99 || i + 1 == count) delay.look(stats, 1'000'000);
+    }
+    return delay.ticks();
   }
-  return measured_delay_ticks(stats, 1'000'000);
+};
+
+std::uint32_t delay_of(std::int64_t trip_ns, std::int64_t word_ns, std::uint64_t count = MeasuredDelay::kFew) {
+  return Measured{}.ticks(trip_ns, word_ns, count);
 }
 
 TEST(MeasuredDelay, IsInWholeTicksWithAQuarterForGrace) {
@@ -23,13 +33,26 @@ TEST(MeasuredDelay, IsInWholeTicksWithAQuarterForGrace) {
 }
 
 TEST(MeasuredDelay, FewMeasurementsSayNothingAndRareOnesLittle) {
-  EXPECT_EQ(delay_of(5'000'000, 50'000, 999), 0U);
-  TickStats stats;
-  for (int i = 0; i < 1000; ++i) {
-    stats.round_trip.add(i < 400 ? 50'000'000 : 900'000);
-    stats.word_delay.add(50'000);
-  }
-  EXPECT_EQ(measured_delay_ticks(stats, 1'000'000), 1U);
+  EXPECT_EQ(delay_of(5'000'000, 50'000, MeasuredDelay::kFew - 1), 0U);
+  Measured measured;
+  measured.ticks(50'000'000, 50'000, 400);
+  EXPECT_EQ(measured.ticks(900'000, 50'000, 600), 1U);
+}
+
+TEST(MeasuredDelay, OneThatGrowsAfterHoursIsSeenWithinTwoWindows) {
+  Measured measured;
+  EXPECT_EQ(measured.ticks(900'000, 50'000, 1'000'000), 1U);
+  EXPECT_EQ(measured.ticks(2'900'000, 50'000, MeasuredDelay::kWindow / 4), 1U) << "busy for a moment";
+  EXPECT_EQ(measured.ticks(900'000, 50'000, 10 * MeasuredDelay::kWindow), 1U);
+  EXPECT_EQ(measured.ticks(2'900'000, 50'000, 2 * MeasuredDelay::kWindow), 3U);
+}
+
+TEST(MeasuredDelay, AnotherDeviceIsMeasuredByItself) {
+  Measured measured;
+  measured.ticks(900'000, 50'000, 5 * MeasuredDelay::kWindow / 2);
+  measured.delay.begin_anew(measured.stats);
+  EXPECT_EQ(measured.ticks(2'900'000, 50'000, MeasuredDelay::kFew - 1), 1U) << "until something is found of it";
+  EXPECT_EQ(measured.ticks(2'900'000, 50'000, 1), 3U);
 }
 
 }  // namespace
