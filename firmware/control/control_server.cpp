@@ -21,6 +21,7 @@ constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
 
 constexpr std::int64_t kDeafNs = 200'000'000;
+constexpr std::int64_t kTurnNs = 100'000'000;  ///< of the place for a stop, before the next one gets it: a stop takes two messages
 
 }  // namespace
 
@@ -83,14 +84,19 @@ void ControlServer::run() {
 
 /// Until something happens, or for a nap; then reads what has come. returns false: interrupted
 bool ControlServer::wait(bool busy) {
-  const bool is_deaf = neighbours_.clock.now_ns() < deaf_until_ns_;
+  const std::int64_t before = neighbours_.clock.now_ns();
+  const bool is_crowded = std::all_of(clients_.begin(), clients_.end(), [](const ControlClient& c) { return c.is_open(); });
+  const std::int64_t turn_ns =
+      is_crowded ? clients_.back().opened_ns + kTurnNs - before : 0;  // meanwhile the next one waits in front of the socket
+  const bool is_deaf = before < deaf_until_ns_ || turn_ns > 0;
   polled_.assign({{bell_, POLLIN, 0}, {requests_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
   for (const ControlClient& client : clients_) {
     if (!client.is_open()) continue;  // poll takes no more entries than there may be file handles
     const bool reads = !client.waiting && !client.leaving && client.wants_more() && client.has_room();
     polled_.push_back({client.socket(), static_cast<short>((reads ? POLLIN : 0) | (client.has_unsent() ? POLLOUT : 0)), 0});
   }
-  const auto nap_ms = static_cast<int>(std::min<std::int64_t>(kNapMs, settings_.patience_ns / 4'000'000 + 1));
+  const auto nap_ms =
+      static_cast<int>(std::min<std::int64_t>(turn_ns > 0 ? turn_ns / 1'000'000 + 1 : kNapMs, settings_.patience_ns / 4'000'000 + 1));
   if (settings_.poll(polled_, busy ? kShortNapMs : nap_ms) < 0) {
     if (errno != EINTR) neighbours_.clock.sleep_until_ns(neighbours_.clock.now_ns() + kDeafNs);
     return false;
@@ -117,7 +123,8 @@ void ControlServer::admit() {
   const Role role = role_of(peer, settings_.admission);
   if (role == Role::kNone) return turn_away(socket, peer, not_admitted(peer));
   const auto place = std::find_if(clients_.begin(), clients_.end() - 1, [](const ControlClient& c) { return !c.is_open(); });
-  if (place->is_open()) {  // nobody may hold the place for a stop: it is the newest one's
+  if (place->is_open()) {  // nobody may hold the place for a stop: after its turn it is the newest one's
+    serve(*place);         // what came with the newest one
     place->refuse(Kind::kHello, full());
     (void)place->send(now);
     forget(*place);

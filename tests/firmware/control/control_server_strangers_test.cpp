@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,30 @@ TEST(ControlServer, WhoeverIsConnectedAStopGetsThrough) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_TRUE(rig.tick.obeyed & kRequestStop);
   expect_sentence(idle.hear(), "2 clients are connected");
+}
+
+TEST(ControlServer, AStopGetsThroughWhileOthersConnectWithoutPause) {
+  ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.clients = 2; });
+  Speaker one(rig.settings.path), two(rig.settings.path);
+  one.greet(), two.greet();
+  std::atomic<bool> over{false};
+  std::vector<std::thread> crowd;
+  for (int i = 0; i < 2; ++i) {
+    crowd.emplace_back([&] {
+      while (!over) {
+        const Speaker silent(rig.settings.path);
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      }
+    });
+  }
+  for (int times = 0; times < 20; ++times) {
+    Speaker stop(rig.settings.path);
+    EXPECT_EQ(stop.greet().kind, Kind::kWelcome);
+    stop.say(Kind::kStop);
+    EXPECT_EQ(stop.hear().kind, Kind::kDone);
+  }
+  over = true;
+  for (std::thread& member : crowd) member.join();
 }
 
 TEST(ControlServer, AGreetingHasOneDeadlineHoweverSlowlyItComes) {
