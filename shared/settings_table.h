@@ -93,7 +93,7 @@ inline constexpr SettingRow kSpeed{"speed_mm_s", "mm/s", 12, 1, 100'000, 2000, "
 inline constexpr SettingRow kHoldTicks{
     "hold_ticks", "ticks", 0, 1, 1000, 3, "ticks without a fresh packet, or missed ticks, until the force stops"};
 inline constexpr SettingRow kFaultAge{
-    "fault_age", "ns", 0, 1'000'000, 1'000'000'000, 100'000'000, "how long a hold may last, whatever its cause, until it is a fault"};
+    "fault_age", "ns", 0, 1'000'000, 1'000'000'000, 100'000'000, "how long a hold may last, or packets may be missing, until it is a fault"};
 inline constexpr SettingRow kCountJump{
     "count_jump", "counts", 0, 10, 4000, 400, "largest change of an encoder in one tick that a hand can make"};
 inline constexpr SettingRow kRestRampTicks{
