@@ -1,7 +1,6 @@
 #include "firmware/recording/last_ticks.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -40,47 +39,41 @@ LastTick read_slot(const std::uint8_t* slot) {
 
 }  // namespace
 
-LastTicks::~LastTicks() { unmap(); }
-
 Refusal LastTicks::begin(const std::string& path, const TraceHeader& header, std::size_t slots) {
-  unmap();
   ::unlink(path.c_str());  // a new file is nobody else's, and no link
-  const ScopedFile file{::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600)};
-  const int why = file.number < 0 ? errno : ::posix_fallocate(file.number, 0, static_cast<off_t>(file_bytes(slots)));
-  void* mapped = why != 0 ? MAP_FAILED : ::mmap(nullptr, file_bytes(slots), PROT_READ | PROT_WRITE, MAP_SHARED, file.number, 0);
-  if (mapped == MAP_FAILED) {
-    if (file.number >= 0) ::unlink(path.c_str());
-    return path + ": the last ticks before a kill cannot be kept: " + std::strerror(why != 0 ? why : errno);
+  file_.emplace(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600));
+  const bool is_made = file_->number >= 0;
+  int why = is_made ? ::posix_fallocate(file_->number, 0, static_cast<off_t>(file_bytes(slots))) : errno;
+  const TraceHeaderBytes bytes = encode(header);
+  if (why == 0 && ::pwrite(file_->number, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) why = errno;
+  if (why != 0) {
+    if (is_made) ::unlink(path.c_str());
+    file_.reset();
+    return path + ": the last ticks before a kill cannot be kept: " + std::strerror(why);
   }
   path_ = path;
-  bytes_ = {static_cast<std::uint8_t*>(mapped), file_bytes(slots)};
   slots_ = slots;
   next_ = 0;
-  const TraceHeaderBytes bytes = encode(header);
-  std::copy(bytes.begin(), bytes.end(), bytes_.begin());
   return {};
 }
 
 void LastTicks::put(const LastTick& last) {
-  if (bytes_.empty()) return;
-  std::uint8_t* slot = bytes_.data() + kHeaderBytes + next_ * kSlotBytes;
+  if (!file_) return;
+  const std::size_t at = kHeaderBytes + next_ * kSlotBytes;
   next_ = (next_ + 1) % slots_;
   const TraceRecordBytes record =
       encode(TraceRecord{last.tick.in, last.tick.out, last.tick.number, static_cast<std::uint64_t>(last.tick.arrival_ns)});
-  std::copy(record.begin(), record.end(), slot);
-  store_le(slot + kHashAt, last.field_hash);
-  store_le(slot + kChecksumAt, crc32(slot, kChecksumAt));
+  std::array<std::uint8_t, kSlotBytes> slot{};
+  std::copy(record.begin(), record.end(), slot.begin());
+  store_le(&slot[kHashAt], last.field_hash);
+  store_le(&slot[kChecksumAt], crc32(slot.data(), kChecksumAt));
+  [[maybe_unused]] const auto written = ::pwrite(file_->number, slot.data(), slot.size(), static_cast<off_t>(at));
 }
 
 void LastTicks::end() {
-  if (bytes_.empty()) return;
-  unmap();
+  if (!file_) return;
+  file_.reset();
   ::unlink(path_.c_str());
-}
-
-void LastTicks::unmap() {
-  if (!bytes_.empty()) ::munmap(bytes_.data(), bytes_.size());
-  bytes_ = {};
 }
 
 std::vector<LastTick> LastTicks::read(const std::string& path, TraceHeader& header) {

@@ -1,14 +1,15 @@
-/// The last seconds of ticks in a memory-mapped file: what a controller that is killed cannot save itself, the next one finds.
+/// The last seconds of ticks in a file: what a controller that is killed cannot save itself, the next one finds.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/loop/tick_record.h"
 #include "shared/files/refusal.h"
+#include "shared/files/scoped_file.h"
 #include "shared/trace.h"
 
 namespace isotouch::recording {
@@ -23,12 +24,8 @@ struct LastTick {
 /// file survives the end of the process in any way; a power cut may take the last half minute of it. Not for the tick; one thread at a time.
 class LastTicks {
  public:
-  LastTicks() = default;
-  ~LastTicks();
-  LastTicks(const LastTicks&) = delete;
-  LastTicks& operator=(const LastTicks&) = delete;
-
-  /// Makes the file anew, with all its room taken on the disk: a write to it later cannot fail.
+  /// Makes the file anew, with all its room taken on the disk: most file systems then find room for every later write. One that copies what
+  /// it writes (btrfs, ZFS) may not; a tick that it does not take is left out, and nothing else is lost. A mapped file would end the program there.
   ///
   /// header    of the ticks that will come
   /// slots     ticks that it holds, at least 1
@@ -50,10 +47,8 @@ class LastTicks {
   static std::vector<LastTick> read(const std::string& path, TraceHeader& header);
 
  private:
-  void unmap();
-
   std::string path_;
-  std::span<std::uint8_t> bytes_;
+  std::optional<ScopedFile> file_;  ///< while it is kept
   std::size_t slots_ = 0, next_ = 0;
 };
 

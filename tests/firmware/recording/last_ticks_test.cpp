@@ -47,6 +47,17 @@ void expect_ticks(const std::string& path, std::uint64_t first, std::uint64_t la
   }
 }
 
+TEST(LastTicks, AFileSystemWithoutRoomForAWriteEndsNothing) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "last").string();
+  LastTicks last;
+  ASSERT_FALSE(last.begin(path, some_header(), 50));
+  std::filesystem::resize_file(path, 0);  // it takes the room away
+  last.put(tick(1));
+  last.end();
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(LastTicks, SurviveAKill) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "last").string();
