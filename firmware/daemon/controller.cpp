@@ -140,7 +140,7 @@ Refusal Controller::load_field() {
 
 Refusal Controller::begin_recording() {
   const auto hash_of = [this](std::uint32_t generation) { return intake_->hash_of(generation); };
-  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5), 16}, trace_,
+  recorder_.emplace(recording::RecorderSettings{header_, settings_.state, ticks_in(settings_.before_fault_s), ticks_in(0.5)}, trace_,
                     settings_.control.empty() ? nullptr : &watched_, requests_, hash_of, std::bind_front(&Controller::say, this));
   intake_->tell_patches([this](std::uint64_t hash, std::span<const std::uint8_t> patch) { recorder_->tell_patch(hash, patch); });
   return settings_.record.empty() ? Refusal() : recorder_->start(settings_.record);

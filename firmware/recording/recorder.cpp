@@ -3,6 +3,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace isotouch::recording {
@@ -47,16 +51,39 @@ void Recorder::keep_last_ticks() {
     if (Refusal unfinished = writer.finish(left.back().field_hash)) refusal = std::move(unfinished);
     if (refusal) return tell_(refusal.sentence() + "; they stay in " + place + ", and this run keeps none: free space and start again");
     tell_(path + ": the last ticks of the run before");
+    forget_oldest("crash");
   }
   if (const Refusal refusal = last_ticks_.begin(place, settings_.header, memory_.size())) tell_(refusal.sentence());
 }
 
+std::string Recorder::path_of(const char* kind, std::size_t number) const {
+  return settings_.state + "/" + kind + "-" + std::to_string(number) + ".trace";
+}
+
+/// The numbers of the traces of a kind, the oldest first.
+std::vector<std::size_t> Recorder::saved(const char* kind) const {
+  std::vector<std::size_t> numbers;
+  std::error_code ignored;
+  const std::string begin = std::string(kind) + "-";
+  for (std::filesystem::directory_iterator entry(settings_.state, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    std::size_t number = 0;
+    if (!name.starts_with(begin)) continue;
+    const auto [rest, failed] = std::from_chars(name.data() + begin.size(), name.data() + name.size(), number);
+    if (failed == std::errc{} && std::string_view(rest) == ".trace") numbers.push_back(number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
 std::string Recorder::free_path(const char* kind) const {
-  std::string path;
-  std::size_t number = 1;
-  do path = settings_.state + "/" + kind + "-" + std::to_string(number++) + ".trace";
-  while (access(path.c_str(), F_OK) == 0);
-  return path;
+  const std::vector<std::size_t> numbers = saved(kind);
+  return path_of(kind, numbers.empty() ? 1 : numbers.back() + 1);
+}
+
+void Recorder::forget_oldest(const char* kind) const {
+  const std::vector<std::size_t> numbers = saved(kind);
+  for (std::size_t i = 0; i + settings_.most_kept < numbers.size(); ++i) unlink(path_of(kind, numbers[i]).c_str());
 }
 
 Refusal Recorder::start(const std::string& path) {
@@ -203,6 +230,7 @@ void Recorder::save() {
   for (std::size_t i = from; i < to && !refusal; ++i) refusal = writer.append(at(i));
   if (Refusal unfinished = writer.finish(faulted_hash_)) refusal = std::move(unfinished);
   tell_(refusal ? refusal.sentence() : path + ": the ticks around the fault");
+  if (!refusal) forget_oldest("fault");
 }
 
 }  // namespace isotouch::recording

@@ -34,6 +34,7 @@ struct RecorderSettings {
   std::size_t remembered = 5000;  ///< ticks before a fault
   std::size_t after_fault = 500;  ///< ticks after it, saved too
   std::size_t most_saved = 16;    ///< in one run of the program
+  std::size_t most_kept = 64;     ///< of faults, and of crashes, over all runs: the newest
 };
 
 class Recorder {
@@ -92,7 +93,10 @@ class Recorder {
   void end(const std::string& why, Outcome outcome = Outcome::kEndedEarly);
   void save();
   void keep_last_ticks();
+  std::string path_of(const char* kind, std::size_t number) const;
+  std::vector<std::size_t> saved(const char* kind) const;
   std::string free_path(const char* kind) const;
+  void forget_oldest(const char* kind) const;
 
   RecorderSettings settings_;
   loop::TraceRing& ring_;

@@ -312,6 +312,22 @@ TEST(Recorder, TheLastTicksOfAKilledRunAreSavedByTheNext) {
   EXPECT_EQ(trace.header().field_hash, 3000U);
 }
 
+TEST(Recorder, OfManyRunsTheNewestFaultsAreKept) {
+  Bench bench(true);
+  for (const char* name : {"fault-7.trace", "fault-9.trace", "fault-10.trace", "fault-x.trace", "fault-1.trace.part", "crash-1.trace"})
+    std::ofstream(bench.state + "/" + name) << "of a run before";
+  RecorderSettings settings{TraceHeader{}, bench.state, 50, 10, 2};
+  settings.most_kept = 3;
+  bench.recorder.reset();
+  bench.recorder.emplace(
+      settings, bench.ring, nullptr, bench.commands, [](std::uint32_t) { return 0; }, [](const std::string&) {});
+  bench.ticks(100, 3, SupervisorState::kActive);
+  bench.ticks(100, 3, SupervisorState::kFault);
+  for (const char* kept : {"fault-9.trace", "fault-10.trace", "fault-11.trace", "fault-x.trace", "fault-1.trace.part", "crash-1.trace"})
+    EXPECT_TRUE(std::filesystem::exists(bench.state + "/" + kept)) << kept;
+  EXPECT_FALSE(std::filesystem::exists(bench.state + "/fault-7.trace")) << "the oldest goes";
+}
+
 TEST(Recorder, ARunThatBeginsInFaultHasNothingToShow) {
   Bench bench(true);
   bench.ticks(200, 3, SupervisorState::kFault);
