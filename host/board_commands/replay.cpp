@@ -108,12 +108,26 @@ void print_text(std::FILE* to, const std::string& renderer, const trace::Renderi
   print_rows(to, figures.shallow);
 }
 
+/// The stiffest that the run sets.
+///
+/// returns   0: it is the field's all the time
+Stiffness stiffest(const trace::Trace& run, const FieldView& field) {
+  const Stiffness first = run.header().settings.stiffness;
+  Stiffness most = first == Stiffness{} ? field.stiffness : first;
+  bool is_set = first != Stiffness{};
+  for (std::size_t tick = 0; run.kind() == InputKind::kPacket && tick < run.size(); ++tick) {
+    const SettingChange change = run.record(tick).input.change;
+    if (change.setting == TickSetting::kStiffness && change.raw > most.raw()) most = Stiffness::from_raw(change.raw), is_set = true;
+  }
+  return is_set ? most : Stiffness{};
+}
+
 /// Says so where this field with these settings would feed energy into the hand, on the device that its certificate assumes.
-void warn(const ReplayOptions& options, const FieldView& field, const TraceHeader& run) {
+void warn(const ReplayOptions& options, const FieldView& field, const trace::Trace& run) {
   Loop loop = assumed_loop(field);
   if (loop.damping == Damping{}) return;
-  loop.period_ns = run.period_ns;
-  const CertificateCheck check = check_certificate(field, loop, run.settings.stiffness);
+  loop.period_ns = run.header().period_ns;
+  const CertificateCheck check = check_certificate(field, loop, stiffest(run, field));
   if (check.accepted) return;
   std::fprintf(stderr, "isotouch: %s: %s", options.field.string().c_str(), describe(check.error));
   if (check.error == Error::kTooStiff) {
@@ -179,7 +193,7 @@ void run(const ReplayOptions& options) {
   trace::Trace trace = trace::read_trace(options.trace);
   trace.set_patches(options.patches);
   check_renderer(options, field.view, trace);
-  warn(options, field.view, trace.header());
+  warn(options, field.view, trace);
   const Replayed done = replayed(options, field.view, trace);
   const trace::ReplayReport& report = done.report;
   if (!options.key.empty()) {

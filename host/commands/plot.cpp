@@ -17,6 +17,7 @@
 #include "host/field_file/open_field.h"
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
+#include "host/trace/felt_settings.h"
 #include "host/trace/trace_file.h"
 #include "host/view/caption.h"
 #include "host/view/force_picture.h"
@@ -63,19 +64,22 @@ struct ForceRun {
     std::optional<field_file::OpenField> open;
     if (!field.empty()) open.emplace(field_file::open_field(field));
     const FieldView* touched = open ? &open->view : nullptr;
-    const double limit = to_double(recorded.header().settings.force_limit);
-    const double stiffness = sphere_mm > 0 ? stiffness_of(recorded, touched) : 0;
+    trace::FeltSettings settings(recorded.header(), sphere_mm > 0 ? stiffness_of(recorded, touched) : Stiffness{});
+    std::vector<double> limits;
     view::ForceCurve exact{"exact, sphere of " + view::number(sphere_mm, 3) + " mm", {}, {}};
     Felt felt = felt_in(recorded, touched, [&](const TraceRecord& record) {
+      const TickSettings now = settings.next(record);
+      limits.push_back(to_double(now.force_limit));
       if (sphere_mm <= 0) return;
-      const double newtons = evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, stiffness, limit);
+      const double newtons =
+          evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, to_double(now.stiffness), limits.back());
       exact.force.push_back(newtons * to_double(record.output.hip).normalized());
     });
     view::ForceOptions options{.width = picture.size[0],
                                .height = picture.size[1],
                                .title = trace.stem().string(),
                                .contacts = std::move(felt.contacts),
-                               .limit_n = limit};
+                               .limits_n = std::move(limits)};
     std::optional<view::ForceCurve> beside;
     if (sphere_mm > 0) {
       exact.time_s = felt.curve.time_s;
@@ -94,12 +98,13 @@ struct ForceRun {
     view::write_picture(picture.out, view::force_picture(felt.curve, beside ? &*beside : nullptr, options));
   }
 
-  double stiffness_of(const trace::Trace& recorded, const FieldView* touched) const {
+  /// Where the recording begins.
+  Stiffness stiffness_of(const trace::Trace& recorded, const FieldView* touched) const {
     const Stiffness set = recorded.header().settings.stiffness;
-    if (set.raw() != 0) return to_double(set);
+    if (set.raw() != 0) return set;
     if (touched == nullptr)
       throw InputError(trace.string() + ": it states no stiffness, because that of the field was used; name the field with --field");
-    return to_double(touched->stiffness);
+    return touched->stiffness;
   }
 };
 

@@ -40,16 +40,16 @@ Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const Fo
   if (!options.contacts.empty()) force.band_label = "contact";
   force.series.push_back({felt.label, felt.time_s, magnitudes(felt), kBlue, 2.4F});
   if (beside != nullptr) force.series.push_back({beside->label, beside->time_s, magnitudes(*beside), kForceColour, 1.3F, true});
-  if (options.limit_n) {
-    double most = 0, last = 0;
+  if (!options.limits_n.empty()) {
+    double most = 0;
     for (const Series& series : force.series) {
       for (const double n : series.y) most = std::max(most, n);
-      if (!series.x.empty()) last = std::max(last, series.x.back());
     }
-    if (most > 0.5 * *options.limit_n) {
-      force.series.push_back({"limit", {0, last}, {*options.limit_n, *options.limit_n}, kVermilion, 1.5F, true});
+    const auto [least, largest] = std::ranges::minmax(options.limits_n);
+    if (least != largest || most > 0.5 * least) {
+      force.series.push_back({"limit", felt.time_s, options.limits_n, kVermilion, 1.5F, true});
     } else {
-      force.title += (force.title.empty() ? "limit " : "; limit ") + number(*options.limit_n, 3) + " N";
+      force.title += (force.title.empty() ? "limit " : "; limit ") + number(least, 3) + " N";
     }
   }
   if (beside == nullptr) {

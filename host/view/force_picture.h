@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +21,7 @@ struct ForceOptions {
   int width = 960, height = 720;
   std::string title = {};
   std::vector<std::pair<double, double>> contacts = {};  ///< from when to when, s; shaded
-  std::optional<double> limit_n = {};                    ///< a line where the force comes near it, else in words
+  std::vector<double> limits_n = {};                     ///< at each step of the curve, or none; a line, or in words where one is far away
   std::string difference = "difference to the exact answer";
 };
 

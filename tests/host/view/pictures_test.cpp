@@ -205,13 +205,17 @@ TEST(ForcePicture, ShadesTheContactsAndDrawsALimitThatIsNear) {
   const auto is_green = [](const Colour& c) { return c.g > 1.05F * c.r && c.g > 1.05F * c.b && c.r > 0.5F; };
   const auto is_vermilion = [](const Colour& c) { return c.r > 4 * c.b && c.r > 3 * c.g && c.r > 0.3F; };
   const ForceCurve curve = half_sine();
+  const auto always = [&](double limit) { return std::vector<double>(curve.time_s.size(), limit); };
   const Image without = force_picture(curve, nullptr, {}).pixels();
   EXPECT_EQ(count(without, is_green), 0);
   EXPECT_EQ(count(without, is_vermilion), 0);
-  const Image with = force_picture(curve, nullptr, {.contacts = {{0, 0.314}, {0.628, 0.942}}, .limit_n = 1.2}).pixels();
+  const Image with = force_picture(curve, nullptr, {.contacts = {{0, 0.314}, {0.628, 0.942}}, .limits_n = always(1.2)}).pixels();
   EXPECT_GT(count(with, is_green), 100'000);
   EXPECT_GT(count(with, is_vermilion), 500);
-  EXPECT_EQ(count(force_picture(curve, nullptr, {.limit_n = 8}).pixels(), is_vermilion), 0) << "far above: in words";
+  EXPECT_EQ(count(force_picture(curve, nullptr, {.limits_n = always(8)}).pixels(), is_vermilion), 0) << "far above: in words";
+  std::vector<double> lowered = always(8);
+  std::fill_n(lowered.begin(), 10, 4);
+  EXPECT_GT(count(force_picture(curve, nullptr, {.limits_n = lowered}).pixels(), is_vermilion), 500) << "it changes: a line, however far";
 }
 
 TEST(Numbers, AreShortAndHaveNoNegativeZero) {
