@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "host/error.h"
 #include "host/to_double.h"
@@ -15,8 +13,6 @@
 #include "host/trace/recorded_patches.h"
 #include "host/trace/replay.h"
 #include "host/view/touch_view.h"
-#include "shared/patch_chain.h"
-#include "shared/result.h"
 
 namespace isotouch::commands {
 
@@ -34,14 +30,20 @@ constexpr std::array kClearDepth = {1.2, 1.8};  // mm
 constexpr double kOtherDepth = 1e6;             // more than any view costs: the depth comes first
 
 /// The touch of least cost; of equal ones the first.
+///
+/// cost      also gets the field at that tick, and whether it is another one than in the call before
 template <class Cost>
 view::Touch least(const trace::Trace& trace, const FieldView& field, const Cost& cost) {
   std::optional<view::Touch> best;
   double best_cost = 0;
+  bool is_other = true;
+  trace::FeltField felt(trace, field);
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
-    if ((record.output.status & kContact) == 0) return;
+    const FieldView* now = felt.next(record.input);
+    is_other = is_other || (record.input.requests & kRequestMoved) != 0;
+    if (now == nullptr || (record.output.status & kContact) == 0) return;
     const view::Touch touch = touch_of(trace, number, record);
-    const double this_cost = cost(touch);
+    const double this_cost = cost(touch, *now, std::exchange(is_other, false));
     if (best && this_cost >= best_cost) return;
     best = touch;
     best_cost = this_cost;
@@ -66,20 +68,16 @@ void for_each_tick(const trace::Trace& trace, const FieldView* field, const std:
   }
 }
 
-void require_touched(const trace::Trace& trace, const FieldView& field) {
-  const std::uint64_t named = trace.header().field_hash, hash = field.hash();
-  if (!trace.header().has_outputs || named == 0 || named == hash) return;
-  const std::vector<std::uint8_t> patches = trace::patch_bytes(trace).value_or(std::vector<std::uint8_t>());
-  std::span<const std::uint8_t> left = patches;
-  while (const auto patch = first_patch(left)) {
-    if (patch->hash_after == hash) return;
-    left = left.subspan(patch->patch_bytes());
-  }
-  throw InputError(trace.path() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
-                   "; give that field, or first render this hand on yours: isotouch replay FIELD TRACE -o OTHER.trace");
+trace::FeltField felt_at(const trace::Trace& trace, const FieldView& field, std::size_t tick) {
+  trace::FeltField felt(trace, field);
+  for (std::size_t number = 0; number <= tick; ++number) felt.next(trace.record(number).input);
+  return felt;
 }
 
 view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick) {
+  if (felt_at(trace, field, tick).now() == nullptr)
+    throw InputError(trace.path() + ": at tick " + std::to_string(tick) + " the hand felt what this field was before a patch; give " +
+                     trace::hash_text(trace.header().field_hash) + ", with which the recording begins, or choose a later tick");
   std::optional<view::Touch> touch;
   for_each_tick(trace, &field, [&](std::size_t number, const TraceRecord& record) {
     if (number == tick && (record.output.status & kContact) != 0) touch = touch_of(trace, number, record);
@@ -89,14 +87,17 @@ view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::siz
 }
 
 view::Touch deepest_touch(const trace::Trace& trace, const FieldView& field) {
-  return least(trace, field, [](const view::Touch& touch) { return -touch.depth_mm(); });
+  return least(trace, field, [](const view::Touch& touch, const FieldView&, bool) { return -touch.depth_mm(); });
 }
 
 view::Touch clear_touch(const trace::Trace& trace, const FieldView& field, char up) {
-  const view::FieldRays rays(field);
-  return least(trace, field, [&](const view::Touch& touch) {
+  std::optional<view::FieldRays> rays;
+  return least(trace, field, [&](const view::Touch& touch, const FieldView& now, bool is_other) {
+    if (is_other) rays.reset();
     const double off_depth = std::fabs(touch.depth_mm() - std::clamp(touch.depth_mm(), kClearDepth[0], kClearDepth[1]));
-    return off_depth > 0 ? kOtherDepth + off_depth : view::view_cost(touch, {.up = up}, rays);
+    if (off_depth > 0) return kOtherDepth + off_depth;
+    if (!rays) rays.emplace(now);
+    return view::view_cost(touch, {.up = up}, *rays);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "host/trace/felt_field.h"
 #include "host/trace/trace_file.h"
 #include "host/view/markers.h"
 #include "shared/field_view.h"
@@ -14,13 +15,12 @@ namespace isotouch::commands {
 /// fails     InputError: no outputs and no field; inputs are encoder counts
 void for_each_tick(const trace::Trace& trace, const FieldView* field, const std::function<void(std::size_t, const TraceRecord&)>& use);
 
-/// Where the outputs are recorded, refuses a field that the hand did not touch. A trace that names no field may be of any; one whose field was patched
-/// may be of each field that the patches lead to.
+/// The field as that tick felt it.
 ///
-/// fails     InputError: it was recorded on another field
-void require_touched(const trace::Trace& trace, const FieldView& field);
+/// field     as `trace::FeltField`
+trace::FeltField felt_at(const trace::Trace& trace, const FieldView& field, std::size_t tick);
 
-/// fails     InputError as above, and when there is no contact at that tick
+/// fails     InputError as above; the hand did not feel this field, or not yet at that tick; there is no contact at that tick
 view::Touch touch_at(const trace::Trace& trace, const FieldView& field, std::size_t tick);
 
 /// The tick in contact whose HIP is furthest from its proxy; the first of equals.

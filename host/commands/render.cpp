@@ -79,10 +79,27 @@ struct TouchOptions {
         ->capture_default_str();
     return option;
   }
-  std::optional<view::Touch> touch(const FieldView& field, char up) const {
-    if (trace.empty()) return std::nullopt;
+  /// A touch, and the field that it felt.
+  struct Shown {
+    const FieldView& given;
+    std::optional<view::Touch> touch = {};
+    std::optional<trace::FeltField> felt = {};
+
+    const FieldView& field() const { return felt ? *felt->now() : given; }
+  };
+
+  /// field     of the recording; what its patches make of it is shown at a later tick
+  Shown shown(const FieldView& field, char up) const {
+    Shown shown{field};
+    if (trace.empty()) return shown;
     const trace::Trace recorded = trace::read_trace(trace);
-    require_touched(recorded, field);
+    shown.touch = touch(recorded, field, up);
+    shown.felt.emplace(felt_at(recorded, field, shown.touch->tick));
+    return shown;
+  }
+
+ private:
+  view::Touch touch(const trace::Trace& recorded, const FieldView& field, char up) const {
     if (tick == "clear") return clear_touch(recorded, field, up);
     if (tick == "deepest") return deepest_touch(recorded, field);
     std::size_t number = 0;
@@ -100,16 +117,18 @@ struct SurfaceRun {
 
   void operator()() const {
     const field_file::OpenField open = field_file::open_field(field);
+    const TouchOptions::Shown shown = touch.shown(open.view, picture.up);
+    const bool is_patched = shown.field().hash() != open.view.hash();  // then the marks are those of other bricks
     const view::SurfaceOptions options{.width = picture.size[0],
                                        .height = picture.size[1],
                                        .direction = picture.direction(),
                                        .up = picture.up,
-                                       .touch = touch.touch(open.view, picture.up),
+                                       .touch = shown.touch,
                                        .title = field.stem().string(),
-                                       .invented = open.invented};
+                                       .invented = is_patched ? field_file::Marks{} : open.invented};
     ProgressBar bar({{"surface", 1e-6 * picture.size[0] * picture.size[1]}});
     bar.begin("surface");
-    const view::Picture drawn = view::surface_picture(open.view, options);
+    const view::Picture drawn = view::surface_picture(shown.field(), options);
     bar.end();
     view::write_picture(picture.out, drawn);
   }
@@ -124,12 +143,13 @@ struct SliceRun {
 
   void operator()() const {
     const field_file::OpenField open = field_file::open_field(field);
-    view::write_picture(picture.out, view::slice_picture(open.view, {.width = picture.size[0],
-                                                                     .height = picture.size[1],
-                                                                     .axis = axis,
-                                                                     .at_mm = at,
-                                                                     .touch = touch.touch(open.view, picture.up),
-                                                                     .title = field.stem().string()}));
+    const TouchOptions::Shown shown = touch.shown(open.view, picture.up);
+    view::write_picture(picture.out, view::slice_picture(shown.field(), {.width = picture.size[0],
+                                                                         .height = picture.size[1],
+                                                                         .axis = axis,
+                                                                         .at_mm = at,
+                                                                         .touch = shown.touch,
+                                                                         .title = field.stem().string()}));
   }
 };
 

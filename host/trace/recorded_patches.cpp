@@ -78,20 +78,38 @@ void finish_with_patches(const std::filesystem::path& trace, const std::optional
   }
 }
 
-std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field) {
+std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field, std::size_t behind) {
   std::optional<std::vector<std::uint8_t>> bytes = patch_bytes(trace);
   if (!bytes) return std::nullopt;
   const std::size_t moves = moves_of(trace);
   const std::filesystem::path file = patches_of(trace);
-  RecordedPatches patches{std::move(*bytes), 0};
+  std::size_t begin = 0;
+  for (std::size_t n = 0; n < behind; ++n) {
+    const auto patch = first_patch(std::span(*bytes).subspan(begin));
+    if (patch) begin += patch->patch_bytes();
+  }
+  RecordedPatches patches{{bytes->begin() + static_cast<std::ptrdiff_t>(begin), bytes->end()}, 0};
   const Result<Patches> found = check_patches(patches.bytes, field);
   if (!found) throw InputError(file.string() + ": " + describe(found.error()) + "; give the file that was written beside the trace");
-  if (found->count < moves) {
-    throw InputError(file.string() + ": it holds " + std::to_string(found->count) + " patches, and the trace takes " +
+  if (found->count + behind < moves) {
+    throw InputError(file.string() + ": it holds " + std::to_string(found->count + behind) + " patches, and the trace takes " +
                      std::to_string(moves) + " over; give the file that was written beside the trace");
   }
   patches.largest_image = found->largest_image;
   return patches;
+}
+
+std::array<std::span<std::uint8_t>, 2> places(std::array<std::vector<std::uint64_t>, 2>& memory) {
+  const auto of = [](std::vector<std::uint64_t>& words) {
+    return std::span(reinterpret_cast<std::uint8_t*>(words.data()), 8 * words.size());
+  };
+  return {of(memory[0]), of(memory[1])};
+}
+
+void require_patch(const Result<void>& moved) {
+  if (moved) return;
+  throw InputError(std::string("a tick takes a patch over, and ") + describe(moved.error()) +
+                   "; keep the file of patches that was written beside the trace with it");
 }
 
 }  // namespace isotouch::trace

@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "host/error.h"
 #include "host/trace/trace_file.h"
 #include "shared/field_view.h"
+#include "shared/result.h"
 
 namespace isotouch::trace {
 
@@ -56,8 +58,17 @@ void finish_with_patches(const std::filesystem::path& trace, const std::optional
 
 /// Reads and checks them. A trace without a tick that takes a patch over has none.
 ///
-/// field     that the trace was recorded on
+/// field     that the trace was recorded on, or that its patches led to
+/// behind    how many of them led to it; only those behind them are returned
 /// fails     InputError: the file is not there, or a patch in it is missing, cut, changed or out of order
-std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field);
+std::optional<RecordedPatches> read_patches(const Trace& trace, const FieldView& field, std::size_t behind = 0);
+
+/// The memory of patched images, as a `PatchChain` takes it.
+std::array<std::span<std::uint8_t>, 2> places(std::array<std::vector<std::uint64_t>, 2>& memory);
+
+/// Of a tick that takes a patch over.
+///
+/// fails     InputError: the patch is not there, or leads elsewhere
+void require_patch(const Result<void>& moved);
 
 }  // namespace isotouch::trace

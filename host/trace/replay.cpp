@@ -92,17 +92,6 @@ ReplayReport run_all(Renderer& renderer, const Trace& trace, bool check, TraceWr
 
 }  // namespace
 
-namespace {
-
-std::array<std::span<std::uint8_t>, 2> places(std::array<std::vector<std::uint64_t>, 2>& memory) {
-  const auto of = [](std::vector<std::uint64_t>& words) {
-    return std::span(reinterpret_cast<std::uint8_t*>(words.data()), 8 * words.size());
-  };
-  return {of(memory[0]), of(memory[1])};
-}
-
-}  // namespace
-
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   TraceHeader header = inputs;
   header.field_hash = field.hash();
@@ -121,12 +110,7 @@ Run::Run(const FieldView& field, const TraceHeader& header, const RecordedPatche
 TraceRecord Run::step(const Input& input) {
   TraceRecord record;
   record.input = input;
-  if ((input.requests & kRequestMoved) != 0) {
-    if (const Result<void> moved = field_.advance(input.moved_to); !moved) {
-      throw InputError(std::string("a tick takes a patch over, and ") + describe(moved.error()) +
-                       "; keep the file of patches that was written beside the trace with it");
-    }
-  }
+  if ((input.requests & kRequestMoved) != 0) require_patch(field_.advance(input.moved_to));
   const FieldView& felt = field_.field();
   record.output = input.kind == InputKind::kPosition
                       ? core::render_position(input, felt, position_model_, position_state_)

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -100,6 +101,34 @@ TEST_F(Render, ASliceGoesThroughTheTouch) {
   EXPECT_NE(read_file(file("touch.png")), read_file(file("plain.png")));
   EXPECT_THROW(run_command(start + file("x.png") + " --at 3 --trace " + file("hand.trace")), CLI::ParseError);
   EXPECT_THROW(run_command(start + file("x.png") + " --tick 3"), CLI::ParseError) << "of no trace";
+}
+
+/// The field that a tick of the golden recording of a patched field felt, in a file.
+void write_felt(const fs::path& file, const trace::Trace& trace, const FieldView& first, std::size_t tick) {
+  const trace::FeltField felt = felt_at(trace, first, tick);
+  write_file(file, felt.now()->image.data(), felt.now()->image.size());
+}
+
+TEST_F(Render, DrawsThePatchedFieldThatTheTickFelt) {
+  const fs::path first = ISOTOUCH_GOLDEN "/field_1_3.itf", recorded = ISOTOUCH_GOLDEN "/positions_patches.trace";
+  const trace::Trace trace = trace::read_trace(recorded);
+  const field_file::OpenField field = field_file::open_field(first);
+  constexpr std::size_t kTick = 460;  // six patches later
+  const view::Touch touch = touch_at(trace, field.view, kTick);
+  const trace::FeltField felt = felt_at(trace, field.view, kTick);
+  const view::FieldRays rays(*felt.now()), first_rays(field.view);
+  EXPECT_LT(std::fabs(rays.value(touch.proxy).distance), 0.05) << "the proxy is on the surface that it felt";
+  EXPECT_GT(std::fabs(first_rays.value(touch.proxy).distance), 0.3);
+
+  write_felt(file("field_1_3.itf"), trace, field.view, kTick);  // the same name: it is the title
+  for (const std::string kind : {"surface ", "slice "}) {
+    const std::string rest = " --trace " + recorded.string() + " --size 320x320 -o ", at = " --tick " + std::to_string(kTick);
+    run_command("render " + kind + first.string() + rest + file("of_first.png") + at);
+    run_command("render " + kind + file("field_1_3.itf") + rest + file("of_felt.png") + at);
+    EXPECT_EQ(read_file(file("of_first.png")), read_file(file("of_felt.png"))) << kind;
+    EXPECT_THAT(complaint_on("render " + kind + file("field_1_3.itf") + rest + file("x.png") + " --tick 390"),
+                HasSubstr("at tick 390 the hand felt what this field was before a patch"));
+  }
 }
 
 }  // namespace
