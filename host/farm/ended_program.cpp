@@ -80,10 +80,9 @@ EndedProgram run_program(std::vector<std::string> words, const Patience& patienc
     if (patience.seconds > 0 && passed.count() > patience.seconds) ended.stopped = "it gave no answer in time";
     if (size_of(printed.number) > kMaxPrinted || size_of(complained.number) > kMaxPrinted) ended.stopped = "it printed more than 16 MB";
     if (!patience.may_go_on()) ended.stopped = "interrupted";
-    if (ended.stopped.empty()) continue;
-    ::kill(-child, SIGKILL);
-    break;
+    if (!ended.stopped.empty()) break;
   }
+  ::kill(-child, SIGKILL);  // also what a program left behind that has ended: not yet waited for, it keeps the number
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

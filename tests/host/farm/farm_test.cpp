@@ -5,11 +5,13 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "host/error.h"
@@ -452,6 +454,19 @@ TEST_F(Farm, WithoutDescriptorsAProgramIsNotWaitedFor) {
     EXPECT_THAT(complained, HasSubstr(more == 3 ? "" : more == 2 ? "true cannot be waited for" : "no memory for what it prints"));
     EXPECT_EQ(complained.empty(), more == 3);
   }
+}
+
+TEST_F(Farm, WhatAProgramLeavesBehindEndsWithIt) {
+  const EndedProgram ended = run_program({"sh", "-c", "sleep 1000 & echo $!"}, {.seconds = 60});
+  EXPECT_EQ(ended.code, 0);
+  const std::string process = "/proc/" + std::to_string(std::stoi(ended.printed)) + "/stat";
+  const auto runs = [&] {
+    std::string number, name, state;  // Z: nobody has waited for it yet
+    std::ifstream(process) >> number >> name >> state;
+    return !state.empty() && state != "Z";
+  };
+  for (int i = 0; i < 100 && runs(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(runs());
 }
 
 TEST_F(Farm, TablesAreRefusedWithTheirLine) {
