@@ -177,7 +177,7 @@ isotouch_status isotouch_build(size_t count, const double* points, const double*
   return guarded(ISOTOUCH_BAD_DATA, [&] {
     required(field, "field");
     if (room > 0) required(warnings, "warnings");
-    if (options != nullptr) require_size(size, sizeof *options, "isotouch_build_options");
+    require_optional(options, size, "isotouch_build_options");
     const isotouch_build_options wanted = options != nullptr ? *options : default_options();
     require_valid(wanted);
     require_count(count, 3 * sizeof *points, "points");

@@ -78,6 +78,17 @@ inline void require_size(std::size_t passed, std::size_t wanted, const char* nam
                                     "; pass its sizeof, and compile with the header of this library");
 }
 
+/// Of a structure that may be null.
+///
+/// fails     CallError: another size; null is 0 bytes
+template <class Struct>
+void require_optional(const Struct* structure, std::size_t passed, const char* name) {
+  if (structure != nullptr) return require_size(passed, sizeof *structure, name);
+  if (passed == 0) return;
+  refuse(ISOTOUCH_BAD_ARGUMENT, std::string(name) + " is a null pointer of " + std::to_string(passed) +
+                                    " bytes; pass its address, or 0 as its size for the defaults");
+}
+
 /// fails     CallError: null, or another size
 template <class Struct>
 void require_struct(Struct* structure, const char* argument, std::size_t passed, const char* name) {

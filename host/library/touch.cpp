@@ -145,7 +145,7 @@ void require_stable(const FieldView& field, const TraceHeader& header) {
 isotouch_status isotouch_touch_new(isotouch_field field, const isotouch_settings* settings, size_t size, isotouch_touch* touch) {
   return guarded(ISOTOUCH_BAD_DATA, [&] {
     required(touch, "touch");
-    if (settings != nullptr) require_size(size, sizeof *settings, "isotouch_settings");
+    require_optional(settings, size, "isotouch_settings");
     const isotouch_settings wanted = settings != nullptr ? *settings : default_settings();
     if (wanted.record_ticks > kMaxKept)
       refuse(ISOTOUCH_BAD_ARGUMENT, "record_ticks is " + std::to_string(wanted.record_ticks) + " and may be at most " +

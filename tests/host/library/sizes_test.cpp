@@ -101,6 +101,8 @@ TEST(LibrarySizes, StructuresOfANewerHeaderAreRefused) {
   EXPECT_REFUSED(isotouch_settings_default(settings.at(), settings.size), ISOTOUCH_BAD_ARGUMENT, "isotouch_settings");
   isotouch_touch touch = 0;
   EXPECT_REFUSED(isotouch_touch_new(field.handle, settings.at(), settings.size, &touch), ISOTOUCH_BAD_ARGUMENT, "isotouch_settings");
+  EXPECT_REFUSED(isotouch_touch_new(field.handle, nullptr, kSettings, &touch), ISOTOUCH_BAD_ARGUMENT,
+                 "isotouch_settings is a null pointer");
 }
 
 }  // namespace
