@@ -17,7 +17,7 @@ namespace {
 constexpr InputKind kHand = InputKind::kPosition, kDevice = InputKind::kPacket;
 
 constexpr std::array<Mutation, 12> kMutations = {{
-    {"fast", kHand, false, "the motion runs faster: its fastest touch, or without a touch its fastest moment, has 1 m/s"},
+    {"fast", kHand, false, "the motion is scaled in time: its fastest touch, or without a touch its fastest moment, has 1 m/s"},
     {"mirror", kHand, true, "mirrored at the middle of the object's grid, along an axis that the seed chooses"},
     {"jitter", kHand, true, "every sample moved by up to an encoder count along each axis, about six percent lost"},
     {"dwell", kHand, false, "where the surface is bent most, the hand presses, rests with flickering counts, and moves a little"},
