@@ -133,6 +133,10 @@ Recording as_recorded(Recording recording) {
     throw InputError(recording.trace.path.string() +
                      ": it has no outputs to compare with; record it anew, or make them with isotouch replay -o");
   }
+  const std::uint64_t named = trace.header().field_hash;
+  if (named != 0 && named != field_file::open_field(recording.field.path).view.hash())
+    throw OtherField(recording.trace.path.string() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
+                     "; give that one");
   add_hashes(recording, trace);
   recording.expected = trace::hash_text(trace.record(trace.size() - 1).chain);
   return recording;

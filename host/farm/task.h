@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "host/error.h"
+
 namespace isotouch::farm {
 
 /// A file or a folder, as it was when the table was made or read.
@@ -60,10 +62,16 @@ void add_recording(const std::filesystem::path& table, const Recording& recordin
 /// beside the table, do not change it.
 std::string address_of(const Recording& recording, const Program& program);
 
+/// A trace was recorded on another field than the one that is named with it.
+class OtherField : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// A recording that is in no table, with its hashes, the patches beside its trace, and the replay hash that the trace's own outputs have.
 ///
 /// recording   the paths of field and trace
-/// fails       InputError naming the file: it cannot be read, or the trace has no outputs or no ticks
+/// fails     InputError naming the file: it cannot be read, or the trace has no outputs or no ticks; OtherField
 Recording as_recorded(Recording recording);
 
 /// fails     InputError naming the file: it cannot be read, or is not the one that was added to the table
