@@ -13,6 +13,7 @@
 #include <csignal>
 #include <exception>
 #include <list>
+#include <new>
 #include <optional>
 #include <set>
 #include <utility>
@@ -36,6 +37,37 @@ constexpr int kSendBuffer = 64 * 1024;  ///< what the kernel keeps for a viewer 
 constexpr std::chrono::milliseconds kFarewell{500};
 constexpr std::string_view kSocket = "socket";
 
+/// Bytes that take memory as they come: what a header announces may never be sent.
+struct SentBody {
+  using value_type = std::vector<std::uint8_t>;
+
+  class reader {
+   public:
+    template <bool kRequest, class Fields>
+    reader(http::header<kRequest, Fields>&, value_type& body) : body_(body) {}
+    void init(const boost::optional<std::uint64_t>&, Fault& fault) { fault = {}; }
+    template <class Buffers>
+    std::size_t put(const Buffers& buffers, Fault& fault) {
+      std::size_t size = 0;
+      fault = {};
+      try {
+        for (const asio::const_buffer part : beast::buffers_range_ref(buffers)) {
+          const auto* bytes = static_cast<const std::uint8_t*>(part.data());
+          body_.insert(body_.end(), bytes, bytes + part.size());
+          size += part.size();
+        }
+      } catch (const std::bad_alloc&) {
+        fault = boost::system::errc::make_error_code(boost::system::errc::not_enough_memory);
+      }
+      return size;
+    }
+    void finish(Fault& fault) { fault = {}; }
+
+   private:
+    value_type& body_;
+  };
+};
+
 class Viewer;
 class Client;
 
@@ -53,7 +85,7 @@ struct HttpServer::Parts {
   std::optional<AccessCheck> access;
   std::set<Viewer*> viewers;
   std::list<Client*> silent;  // who may go for another one: first those that were refused, then those that have asked nothing for longest
-  std::size_t connections = 0;
+  std::size_t connections = 0, uploads = 0;
   bool ends = false;
   asio::io_context io{1};  // whatever waits in it uses the members above
   asio::thread_pool computing{1};
@@ -62,6 +94,7 @@ struct HttpServer::Parts {
   asio::steady_timer pause{io};
 
   void accept();
+  void take_in(Tcp::socket socket);
   void begin_to_end();
   std::string policy() const;
 };
@@ -166,6 +199,7 @@ class Client : public std::enable_shared_from_this<Client> {
   Client(Parts& parts, Tcp::socket socket) : parts_(parts), stream_(std::move(socket)) { ++parts_.connections; }
   ~Client() {
     leave_the_silent();
+    end_upload();
     if (!handed_on_) --parts_.connections;
   }
   Client(const Client&) = delete;
@@ -226,11 +260,19 @@ class Client : public std::enable_shared_from_this<Client> {
       keep_ = false;  // what it sends is not read
       return write(*refused);
     }
+    if (parts_.uploads >= parts_.limits.uploads)
+      return refuse(409, "Another file is being sent to this server; wait until it has come, and send this one again.");
+    uploads_ = true;
+    ++parts_.uploads;
     body_.emplace(std::move(*parser_));
     body_->body_limit(parts_.limits.upload_bytes);
     stream_.expires_after(6 * parts_.limits.patience);
     http::async_read(stream_, in_, *body_, [self = shared_from_this(), request = std::move(request)](Fault fault, std::size_t) mutable {
       if (fault == http::error::body_limit) return self->refuse_file();
+      if (fault == boost::system::errc::not_enough_memory) {
+        self->body_.reset();
+        return self->refuse(413, "There is not enough memory for this file; thin the scan, or build it with isotouch build.");
+      }
       if (fault) return;
       request.body = std::move(self->body_->get().body());
       self->compute(std::move(request));
@@ -264,7 +306,12 @@ class Client : public std::enable_shared_from_this<Client> {
     });
   }
 
+  void end_upload() {
+    if (std::exchange(uploads_, false)) --parts_.uploads;
+  }
+
   void write(const Reply& reply) {
+    end_upload();
     if (parts_.ends) return;
     sent_ = reply.body;
     response_ = {http::status(reply.status), 11};
@@ -308,12 +355,12 @@ class Client : public std::enable_shared_from_this<Client> {
   beast::tcp_stream stream_;
   beast::flat_buffer in_;
   std::optional<http::request_parser<http::empty_body>> parser_;
-  std::optional<http::request_parser<http::vector_body<std::uint8_t>>> body_;
+  std::optional<http::request_parser<SentBody>> body_;
   http::response<http::span_body<const char>> response_;
   Bytes sent_;
   std::vector<char> rest_;
   std::optional<std::list<Client*>::iterator> silent_;  // its place among them
-  bool keep_ = false, handed_on_ = false, hangs_up_ = false;
+  bool keep_ = false, handed_on_ = false, hangs_up_ = false, uploads_ = false;
 };
 
 }  // namespace
@@ -333,19 +380,26 @@ void HttpServer::Parts::accept() {
       pause.async_wait([this](Fault) { accept(); });
       return;
     }
-    const bool full = connections - silent.size() >= limits.connections;
-    if (connections >= (full ? 2 : 1) * limits.connections) {
-      if (silent.empty()) return accept();  // so many are being refused that one more is not even told
-      silent.front()->make_room();
-    }
-    const auto client = std::make_shared<Client>(*this, std::move(socket));
-    if (full) {
-      client->refuse(503, "This server has too many connections; close other pages of it, or wait a moment.");
-    } else {
-      client->read();
+    try {
+      take_in(std::move(socket));
+    } catch (const std::bad_alloc&) {  // this one is closed, and others may come
     }
     accept();
   });
+}
+
+void HttpServer::Parts::take_in(Tcp::socket socket) {
+  const bool full = connections - silent.size() >= limits.connections;
+  if (connections >= (full ? 2 : 1) * limits.connections) {
+    if (silent.empty()) return;  // so many are being refused that one more is not even told
+    silent.front()->make_room();
+  }
+  const auto client = std::make_shared<Client>(*this, std::move(socket));
+  if (full) {
+    client->refuse(503, "This server has too many connections; close other pages of it, or wait a moment.");
+  } else {
+    client->read();
+  }
 }
 
 void HttpServer::Parts::begin_to_end() {
@@ -383,7 +437,13 @@ void HttpServer::run() {
     if (!fault) parts_->begin_to_end();
   });
   parts_->accept();
-  parts_->io.run();
+  for (;;) {
+    try {
+      parts_->io.run();
+      return;
+    } catch (const std::bad_alloc&) {  // the connection that it was for is closed; the others go on
+    }
+  }
 }
 
 void HttpServer::end() {

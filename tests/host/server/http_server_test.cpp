@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -10,12 +11,15 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <vector>
+
+#include "tests/support/sanitized.h"
 
 namespace isotouch::server {
 namespace {
@@ -85,6 +89,15 @@ class Asking {
   Asking& operator=(const Asking&) = delete;
 
   void end() { ::shutdown(socket_, SHUT_WR); }
+  /// returns   whether it was taken
+  bool sends(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t sent = ::send(socket_, text.data(), text.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return false;
+      text.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
+  }
   /// Of the answer; empty: there was none.
   std::string status() {
     std::string heard;
@@ -111,7 +124,7 @@ TEST(HttpServer, WhoIsRefusedAndStaysKeepsNobodyOut) {
 }
 
 TEST(HttpServer, WhoIsRefusedBecauseItIsFullMakesNoRoom) {
-  const Served served({.connections = 4});
+  const Served served({.connections = 4, .uploads = 4});
   std::vector<std::unique_ptr<Asking>> all;
   for (int i = 0; i < 4; ++i) all.push_back(std::make_unique<Asking>(served, served.head("POST") + "Content-Length: 9\r\n\r\n1"));
   for (int i = 0; i < 200 && served.sending < 4; ++i) std::this_thread::sleep_for(50ms);
@@ -119,6 +132,55 @@ TEST(HttpServer, WhoIsRefusedBecauseItIsFullMakesNoRoom) {
     all.push_back(std::make_unique<Asking>(served, served.head() + "\r\n"));
     EXPECT_EQ(all.back()->status(), "HTTP/1.1 503") << i;
   }
+}
+
+TEST(HttpServer, OneFileIsSentAtATime) {
+  const Served served;
+  const std::string sends = served.head("POST") + "Content-Length: 9\r\n\r\n1";
+  auto first = std::make_unique<Asking>(served, sends);
+  for (int i = 0; i < 200 && served.sending < 1; ++i) std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(Asking(served, sends).status(), "HTTP/1.1 409");
+  first.reset();  // it gives up
+  std::string status;
+  for (int i = 0; i < 200 && status != "HTTP/1.1 200"; ++i) {
+    status = Asking(served, sends + "23456789").status();
+    if (status != "HTTP/1.1 200") std::this_thread::sleep_for(50ms);
+  }
+  EXPECT_EQ(status, "HTTP/1.1 200");
+}
+
+/// Of all the memory that this process may take.
+std::size_t taken() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+TEST(HttpServer, WhatIsAnnouncedAndDoesNotFitIntoMemoryEndsNobody) {
+  if (test::kSanitized) GTEST_SKIP() << "they take terabytes of addresses";
+  const Served served({.uploads = 12});
+  EXPECT_EQ(Asking(served, served.head() + "\r\n").status(), "HTTP/1.1 200");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_AS, &before), 0);
+  const rlimit little{static_cast<rlim_t>(taken() + (100U << 20)), before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &little), 0);
+  std::vector<std::unique_ptr<Asking>> all;
+  const std::string sends = served.head("POST") + "Content-Length: 260000000\r\n\r\n";
+  for (int i = 0; i < 12; ++i) all.push_back(std::make_unique<Asking>(served, sends + "123"));
+  for (int i = 0; i < 200 && served.sending < 12; ++i) std::this_thread::sleep_for(50ms);
+  EXPECT_EQ(Asking(served, served.head() + "\r\n").status(), "HTTP/1.1 200");
+  all.clear();
+
+  std::string status;
+  {
+    Asking large(served, sends);
+    const std::string part(1U << 20, 'x');
+    for (int i = 0; i < 240 && large.sends(part);) ++i;
+    status = large.status();
+  }
+  EXPECT_TRUE(status == "HTTP/1.1 413" || status.empty()) << status;  // empty: it was still sending when the answer came
+  EXPECT_EQ(Asking(served, served.head() + "\r\n").status(), "HTTP/1.1 200");
+  EXPECT_EQ(::setrlimit(RLIMIT_AS, &before), 0);
 }
 
 /// What belongs to the sockets' thread is not locked.
