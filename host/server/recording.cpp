@@ -21,7 +21,8 @@ namespace isotouch::server {
 
 namespace {
 
-constexpr std::uint64_t kApart = 50;  ///< ticks without contact after which a contact is another one
+constexpr std::uint64_t kApart = 50;           ///< ticks without contact after which a contact is another one
+constexpr std::uint64_t kPatchesApart = 1000;  ///< the same of patches: a scan that is streamed sends many a second
 
 const std::uint8_t* at(const std::string& rows, std::size_t row, std::size_t column) {
   return reinterpret_cast<const std::uint8_t*>(rows.data()) + row * kRowBytes + 4 * column;
@@ -53,6 +54,10 @@ void EventFinder::look_at(std::uint64_t tick, const TraceRecord& record) {
   if ((in.requests & kRequestStop) != 0) add(tick, "stop", "somebody asked for a stop");
   if ((in.requests & kRequestResume) != 0) add(tick, "resume", "somebody resumed");
   if (began_ && in.field_generation != generation_ && (in.requests & kRequestMoved) == 0) add(tick, "field", "another field was loaded");
+  if ((in.requests & kRequestMoved) != 0) {
+    if (!last_patch_ || tick - *last_patch_ > kPatchesApart) add(tick, "patch", "the surface is patched from here on");
+    last_patch_ = tick;
+  }
   generation_ = in.field_generation;
   const bool of_device = in.kind == InputKind::kPacket;
   const unsigned fresh_faults = out.faults & ~unsigned{last_.faults};
@@ -73,7 +78,8 @@ Recording::Recording(const trace::Trace& trace, const FieldView* field)
     : name_(std::filesystem::path(trace.path()).filename().string()),
       field_(trace.header().field_hash == 0 ? "" : trace::hash_text(trace.header().field_hash)),
       period_ns_(trace.header().period_ns),
-      of_device_(trace.kind() == InputKind::kPacket) {
+      of_device_(trace.kind() == InputKind::kPacket),
+      is_cut_off_(!trace.cut_off().empty()) {
   if (trace.size() == 0) throw InputError(trace.path() + ": it holds no tick; record again");
   std::optional<trace::RecordedPatches> patches;
   std::optional<trace::Run> run;
@@ -94,6 +100,7 @@ Recording::Recording(const trace::Trace& trace, const FieldView* field)
   }
   events_ = finder.take();
   more_events_ = finder.found_more();
+  is_patched_ = finder.found_patch();
 }
 
 std::size_t Recording::ticks() const { return rows_.size() / kRowBytes; }
@@ -106,7 +113,9 @@ nlohmann::ordered_json Recording::summary() const {
           {"period_ns", period_ns_},
           {"field", field_},
           {"events", std::move(events)},
-          {"more_events", more_events_}};
+          {"more_events", more_events_},
+          {"is_patched", is_patched_},
+          {"is_cut_off", is_cut_off_}};
 }
 
 std::string Recording::rows(std::size_t from, std::size_t count) const {

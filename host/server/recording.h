@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,7 @@ namespace isotouch::server {
 /// Something that a person looks for in a recording.
 struct Event {
   std::uint64_t tick = 0;
-  std::string_view kind;  ///< "contact", "fault", "state", "setting", "field", "stop" or "resume"
+  std::string_view kind;  ///< "contact", "fault", "state", "setting", "field", "patch", "stop" or "resume"
   std::string text;       ///< a sentence, without a full stop
 };
 
@@ -28,7 +29,8 @@ class Recording {
   Recording(const trace::Trace& trace, const FieldView* field);
 
   std::size_t ticks() const;
-  /// Name, ticks, period, the hash of the field (empty: none, or any), and events.
+  /// Name, ticks, period, the hash of its first field (empty: none, or any), events, whether the field was patched meanwhile, and whether the file ends
+  /// before it should.
   nlohmann::ordered_json summary() const;
   /// Rows of `tick_rows.h`; fewer where the recording ends.
   std::string rows(std::size_t from, std::size_t count) const;
@@ -42,7 +44,7 @@ class Recording {
   std::string name_;
   std::string field_;
   std::uint32_t period_ns_ = 0;
-  bool of_device_ = false;
+  bool of_device_ = false, is_cut_off_ = false, is_patched_ = false;
   std::string rows_;
   std::vector<Event> events_;
   bool more_events_ = false;
@@ -56,6 +58,7 @@ class EventFinder {
   void look_at(std::uint64_t tick, const TraceRecord& record);
   std::vector<Event> take() { return std::move(events_); }
   bool found_more() const { return more_; }
+  bool found_patch() const { return last_patch_.has_value(); }
 
  private:
   void add(std::uint64_t tick, std::string_view kind, std::string text);
@@ -67,6 +70,7 @@ class EventFinder {
   bool touched_ = false;
   Output last_;
   std::uint32_t generation_ = 0;
+  std::optional<std::uint64_t> last_patch_;
 };
 
 }  // namespace isotouch::server

@@ -4,12 +4,15 @@
 
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "host/error.h"
+#include "host/files/whole_file.h"
 #include "host/server/tick_rows.h"
 #include "shared/bytes.h"
+#include "tests/support/scratch_folder.h"
 
 namespace isotouch::server {
 namespace {
@@ -76,15 +79,52 @@ TEST(Recording, EachContactIsOneEvent) {
   EXPECT_EQ(summary["events"][1]["tick"], 302);
 }
 
-TEST(Recording, AnotherFieldIsAnEventAndAPatchIsNone) {
+TEST(Recording, AnotherFieldIsAnEventAndAPatchIsOneOfItsOwn) {
   std::vector<TraceRecord> records(10);
   for (std::size_t i = 0; i < 10; ++i) records[i].input.field_generation = i < 3 ? 1 : i < 6 ? 2 : 3;
   records[3].input.requests = kRequestMoved;
-  const nlohmann::ordered_json events = Recording(trace_of(records), nullptr).summary()["events"];
+  const nlohmann::ordered_json summary = Recording(trace_of(records), nullptr).summary(), events = summary["events"];
   std::size_t fields = 0;
   for (const auto& event : events) fields += event["kind"] == "field" ? 1U : 0U;
   EXPECT_EQ(fields, 1U) << events;
   EXPECT_EQ(events.back()["tick"], 6) << events;
+  EXPECT_EQ(summary["is_patched"], true);
+  EXPECT_EQ(events[events.size() - 2]["kind"], "patch") << events;
+  EXPECT_EQ(events[events.size() - 2]["tick"], 3) << events;
+  EXPECT_EQ(Recording(trace_of(two_presses()), nullptr).summary()["is_patched"], false);
+}
+
+TEST(Recording, PatchesThatFollowEachOtherAreOneEvent) {
+  std::vector<TraceRecord> records(4000);
+  for (TraceRecord& record : records) record.input.field_generation = 1;
+  for (const std::size_t tick : {500U, 600U, 1400U, 3000U}) records[tick].input.requests = kRequestMoved;
+  std::vector<std::uint64_t> patched;
+  const nlohmann::ordered_json summary = Recording(trace_of(records), nullptr).summary();
+  for (const auto& event : summary["events"]) {
+    if (event["kind"] == "patch") patched.push_back(event["tick"]);
+  }
+  EXPECT_EQ(patched, (std::vector<std::uint64_t>{500, 3000})) << summary;
+}
+
+TEST(Recording, SaysThatItsFileIsCutOff) {
+  const ScratchFolder folder;
+  const std::filesystem::path file = folder.path() / "hand.trace";
+  TraceHeader header;
+  header.has_outputs = true;
+  trace::TraceWriter writer(file, header);
+  Chain chain(header);  // tells how much of what is left is whole
+  for (TraceRecord record : two_presses()) {
+    record.chain = chain.extend(record.input, record.output);
+    writer.append(record);
+  }
+  writer.finish();
+  const std::vector<std::uint8_t> bytes = read_file(file);
+  const auto is_cut_off = [&](std::size_t size) {
+    write_file(file, bytes.data(), size);
+    return Recording(trace::read_trace(file), nullptr).summary()["is_cut_off"].get<bool>();
+  };
+  EXPECT_FALSE(is_cut_off(bytes.size()));
+  EXPECT_TRUE(is_cut_off(bytes.size() - 50));
 }
 
 TEST(Recording, SettingsFaultsAndStopsAreEvents) {
