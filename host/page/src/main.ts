@@ -275,9 +275,11 @@ class Page {
   private warnOfField(): void {
     if (this.liveField === undefined || this.liveField === this.summary?.hash) this.agreedAt = performance.now();
     const isOther = (hash: string): boolean => hash !== '' && this.summary !== null && hash !== this.summary.hash;
-    const felt = this.source === 'recording' && this.recordings.some((recording) => isOther(recording.summary.field));
-    const sentence = felt ? 'The hand felt another field than the one that is drawn.' : this.source === 'live' ? this.liveWarning() : '';
-    say(element('field-warning'), sentence);
+    const recorded = (): string => {
+      if (this.recordings.some(({ summary }) => isOther(summary.field))) return 'The hand felt another field than the one that is drawn.';
+      return this.recordings.some(({ summary }) => summary.is_patched) ? 'The hand felt a field that changed; the first one is drawn.' : '';
+    };
+    say(element('field-warning'), this.source === 'recording' ? recorded() : this.source === 'live' ? this.liveWarning() : '');
   }
 
   private liveWarning(): string {
@@ -341,10 +343,16 @@ class Page {
     }
   }
 
-  /** Of a slice: from the server, or where there is none from the core in this page. */
+  /** Of a slice: from the server; where there is none, or it has another object by now, from the core in this page. */
   private async distances(of: SceneSummary, axis: string, at: number, samples: number): Promise<DataView> {
-    if (!isExported()) return this.server.slice(of, axis, at, samples);
-    return localSlice(of, axis, at, samples, (places) => this.touch.sample(of, places));
+    const own = (): Promise<DataView> => localSlice(of, axis, at, samples, (places) => this.touch.sample(of, places));
+    if (isExported()) return own();
+    try {
+      return await this.server.slice(of, axis, at, samples);
+    } catch (error) {
+      if (this.touched === of && error instanceof Refused && error.status === kGone) return own(); // the core has it for the hand
+      throw error;
+    }
   }
 
   private touchMoved(): void {

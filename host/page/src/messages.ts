@@ -109,7 +109,7 @@ export function isOnOneGrid(a: SceneSummary, b: SceneSummary): boolean {
 
 export interface TraceEvent {
   tick: number;
-  kind: 'contact' | 'fault' | 'state' | 'setting' | 'field' | 'stop' | 'resume';
+  kind: 'contact' | 'fault' | 'state' | 'setting' | 'field' | 'patch' | 'stop' | 'resume';
   text: string;
 }
 
@@ -117,9 +117,11 @@ export interface TraceSummary {
   name: string;
   ticks: number;
   period_ns: number;
-  field: string; // hash; empty: none, or any
+  field: string; // hash of its first one; empty: none, or any
   events: TraceEvent[];
   more_events: boolean;
+  is_patched: boolean; // its field was patched meanwhile
+  is_cut_off: boolean; // its file ends before it should
 }
 
 export interface Difference {

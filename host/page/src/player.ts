@@ -64,6 +64,8 @@ export class Player {
     else if (difference.equal) say(text, `${names[0]} and ${names[1]} are equal, every bit.`);
     else say(text, `They differ first at tick ${difference.tick} (${this.seconds(this.difference ?? 0)} s), in ${difference.field}.`);
     if (recordings.some((recording) => recording.summary.more_events)) say(text, `${text.textContent} Of each kind of event, the first 2000 are marked.`.trim());
+    for (const { summary } of recordings)
+      if (summary.is_cut_off) say(text, `${text.textContent} The file of ${summary.name} is cut off; its whole ticks are shown.`.trim());
     element('jump-difference').hidden = this.difference === null;
     this.drawMarks();
     for (const button of document.querySelectorAll<HTMLButtonElement>('[data-jump]'))
@@ -100,10 +102,19 @@ export class Player {
     const isOne = this.recordings.every((recording) => recording.period === this.period); // else each has another tick, which the table shows
     this.scrub.setAttribute('aria-valuetext', `${isOne ? `tick ${this.tick}, ` : ''}${this.seconds(this.tick)} seconds`);
     element('when').textContent = `${this.seconds(this.tick)} s${isOne ? ` · tick ${this.tick} of ${this.ticks - 1}` : ''}`;
-    const recording = this.recordings.find((one) => one.lastEvent(this.tickOf(one)) !== null);
-    const event = recording?.lastEvent(this.tickOf(recording));
-    say(element('event'), recording && event ? `${(event.tick * recording.period).toFixed(3)} s: ${event.text}.` : '');
+    say(element('event'), this.lastEvent());
     this.shown();
+  }
+
+  /** Of all recordings the one that was last; the names of two are said. */
+  private lastEvent(): string {
+    const events = this.recordings.flatMap((recording) => {
+      const event = recording.lastEvent(this.tickOf(recording));
+      return event ? [{ time: event.tick * recording.period, text: event.text, name: recording.summary.name }] : [];
+    });
+    const last = events.reduce<(typeof events)[number] | null>((a, b) => (a && a.time >= b.time ? a : b), null);
+    if (!last) return '';
+    return `${last.time.toFixed(3)} s${this.recordings.length > 1 ? `, ${last.name}` : ''}: ${last.text}.`;
   }
 
   jump(kind: string): void {

@@ -81,7 +81,7 @@ export class SliceControl {
         this.view.setSlice(true, axis, at);
       }
     } catch {
-      this.again = summary !== this.summary; // else the server is gone, and the page says so
+      this.again = summary !== this.summary; // else the server is gone, and the page says so, or a newer object comes by itself
     }
     this.asking = false;
     if (this.again && this.shown) void this.ask();

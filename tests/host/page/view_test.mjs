@@ -604,8 +604,40 @@ const tests = {
     const state = () => page.locator('#state').textContent();
     const ofBoth = async () => /^packets\.trace: active.*\npackets_unwatched_heat\.trace: active/.test(await state());
     await within(20, ofBoth, async () => `in contact the states are ${await state()}`);
+    const event = async () => (await page.locator('#event').textContent()).trim();
+    check(/^\d+\.\d{3} s, packets(_unwatched_heat)?\.trace: /.test(await event()), `of two recordings the event is: ${await event()}`);
     await picture(page, 'two_recordings');
     await accessible(page, 'two recordings');
+    await close(opened);
+  },
+
+  async 'the last event of two recordings'() {
+    const opened = await open({}, join(golden, 'field_1_3.itf'), join(golden, 'positions_patches.trace'), join(golden, 'positions_patches.trace'));
+    const { page } = opened;
+    await page.route('**/trace/1', async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, json: { ...(await response.json()), name: 'other.trace', events: [{ tick: 950, kind: 'setting', text: 'friction = 0.5' }] } });
+    });
+    await page.reload();
+    await shown(page);
+    await page.waitForSelector('#player:not([hidden])');
+    const eventAt = async (tick) => {
+      await page.locator('#scrub').evaluate((scrub, value) => ((scrub.value = value), scrub.dispatchEvent(new Event('input'))), String(tick));
+      return (await page.locator('#event').textContent()).trim();
+    };
+    check(/^0\.950 s, other\.trace: friction = 0\.5\.$/.test(await eventAt(999)), `the last event of both is: ${await eventAt(999)}`);
+    check(/, positions_patches\.trace: /.test(await eventAt(940)), `before it, it is: ${await eventAt(940)}`);
+    await close(opened);
+  },
+
+  async 'a recording of a field that was patched'() {
+    const opened = await open({}, join(golden, 'field_1_3.itf'), join(golden, 'positions_patches.trace'));
+    const { page } = opened;
+    await shown(page);
+    await page.waitForSelector('#player:not([hidden])');
+    const warning = (await page.locator('#field-warning').textContent()).trim();
+    check(warning === 'The hand felt a field that changed; the first one is drawn.', `of the field the page says: ${warning}`);
+    check((await page.locator('#marks .patch').count()) === 1, 'the patches are not marked');
     await close(opened);
   },
 
@@ -722,6 +754,24 @@ const tests = {
     await within(20, async () => asNear === (asNear = await middle()), 'the picture does not rest, so it shows nothing about the eye');
     await page.keyboard.press('Home');
     check((await middle()) !== asNear, 'the eye was put back while the field grew');
+    await close(opened, ['410']);
+  },
+
+  async 'an object that is touched is cut open, also where the server has another one by now'() {
+    const opened = await open({}, 'owl.itf');
+    const { page } = opened;
+    await shown(page);
+    await page.getByRole('button', { name: 'Touch', exact: true }).click();
+    await within(20, async () => /\d %/.test(await page.locator('#numbers').textContent()), 'the core does not run');
+    await page.route('**/slice?*', (route) => route.fulfill({ status: 410, body: 'There is another object by now.' }));
+    await page.locator('#canvas').focus();
+    const middle = async () => (await still(page), (await page.screenshot({ clip: { x: 200, y: 100, width: 500, height: 500 } })).toString('base64'));
+    const whole = await middle();
+    await page.keyboard.press('s');
+    let cut = whole;
+    await within(20, async () => (cut = await middle()) !== whole, 'no slice is drawn');
+    for (let step = 0; step < 20; ++step) await page.keyboard.press(']');
+    await within(20, async () => (await middle()) !== cut, 'the slice stays where it was');
     await close(opened, ['410']);
   },
 

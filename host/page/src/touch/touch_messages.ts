@@ -2,7 +2,7 @@
 import type { Field, Setting } from "./touch.js";
 
 export type ToWorker =
-  /** first of all: the compiled touch.wasm; answered by `ready` or `failed` */
+  /** first of all: the compiled touch.wasm; answered by `ready` or `refused` */
   | { readonly kind: "begin"; readonly module: WebAssembly.Module }
   /** a field's image, which may be transferred; answered by `loaded` or `refused` */
   | { readonly kind: "load"; readonly image: Uint8Array; readonly name: string }
