@@ -27,7 +27,7 @@ from isotouch._library import (
 from isotouch.controller import Controller
 from isotouch.field import Field, FieldFacts, Samples
 from isotouch.touch import FELT, Fault, Settings, Status, Touch, state_name
-from isotouch.trace import TraceFacts, describe_trace, load_trace
+from isotouch.trace import CutOffWarning, TraceFacts, describe_trace, load_trace
 
 __all__ = [
     "FELT",
@@ -36,6 +36,7 @@ __all__ = [
     "ClosedError",
     "Controller",
     "ControllerError",
+    "CutOffWarning",
     "DataError",
     "Fault",
     "Field",

@@ -72,6 +72,8 @@ class Controller(Handle):
         every     one tick of every so many
         on_tick   is called with each of them as it comes, and the array stays empty; what returns True ends the watching. What it raises ends it, too, and
                   is raised here
+
+        Where it raises, also because the controller ends or at Ctrl-C, the exception has what came until then: `felt`, the array, and `lost`.
         """
         seen: list[np.void] = []
 
@@ -83,9 +85,13 @@ class Controller(Handle):
 
         lost = ctypes.c_uint64()
         wanted = whole(ticks, "ticks", _MOST_TICKS)
-        with _called_from_c(take) as each:
-            answer = core().isotouch_controller_watch(self._handle, whole(every, "every", 2**32 - 1), wanted, each, None, ctypes.byref(lost))
-        check(answer)
+        try:
+            with _called_from_c(take) as each:
+                answer = core().isotouch_controller_watch(self._handle, whole(every, "every", 2**32 - 1), wanted, each, None, ctypes.byref(lost))
+            check(answer)
+        except BaseException as error:
+            vars(error).update(felt=np.array(seen, FELT), lost=lost.value)
+            raise
         return np.array(seen, FELT), lost.value
 
     def record(self, path: str | os.PathLike[str], ticks: int, on_tick: Callable[[np.void], bool | None] | None = None) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,6 +12,10 @@ import numpy as np
 import numpy.typing as npt
 
 from isotouch._library import ArgumentError, CTraceFacts, Handle, MissingError, call, core, path_bytes, text_bytes
+
+
+class CutOffWarning(UserWarning):
+    """The file of a trace ends before it should."""
 
 
 @dataclass(frozen=True)
@@ -73,6 +78,8 @@ def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
     columns   their names, as `isotouch trace show --columns` knows them; None: all that this trace has
     Whole numbers are int64, hashes uint64, all others float64. A value that a single tick lacks is -1.
 
+    Warns (CutOffWarning) of a file that ends before it should; its whole ticks are returned.
+
     Raises DataError, ArgumentError for a column that nobody knows, and MissingError for one that this trace does not have.
     """
     known = _columns()
@@ -80,7 +87,10 @@ def load_trace(path: str | os.PathLike[str], columns: Sequence[str] | None = Non
         if not isinstance(name, str) or name not in known:
             raise ArgumentError(f"no column is named {name!r}; choose among {', '.join(known)}")
     with _Trace(path) as trace:
-        ticks = trace.facts().ticks
+        facts = trace.facts()
+        if facts.is_cut_off:
+            warnings.warn(f"{os.fspath(path)!s}: the file is cut off; its {facts.ticks} whole ticks are returned", CutOffWarning, stacklevel=2)
+        ticks = facts.ticks
         found: dict[str, npt.NDArray[np.generic]] = {}
         for name in known if columns is None else columns:
             try:

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -223,6 +224,18 @@ class TouchTest(unittest.TestCase):
 
 
 class TraceTest(unittest.TestCase):
+    def test_a_trace_that_is_cut_off_is_read_with_a_warning(self) -> None:
+        with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
+            warnings.simplefilter("error")
+            whole = isotouch.load_trace(GOLDEN / "positions.trace")
+            cut = Path(folder) / "cut.trace"
+            cut.write_bytes((GOLDEN / "positions.trace").read_bytes()[:-50])
+            with self.assertRaisesRegex(isotouch.CutOffWarning, rf"cut\.trace: the file is cut off; its {len(whole) - 1} whole ticks are returned"):
+                isotouch.load_trace(cut)
+            warnings.simplefilter("ignore")
+            self.assertEqual(len(isotouch.load_trace(cut)), len(whole) - 1)
+            self.assertTrue(isotouch.describe_trace(cut).is_cut_off)
+
     def test_columns_are_those_that_the_trace_has(self) -> None:
         positions, packets = (isotouch.load_trace(GOLDEN / name) for name in ("positions.trace", "packets.trace"))
         self.assertNotIn("state", positions.dtype.names or ())
