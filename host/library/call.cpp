@@ -28,8 +28,13 @@ void copy_text(const std::string& text, char* to, std::size_t capacity, std::siz
 const char* isotouch_last_error(void) { return last_error.data(); }
 
 const char* isotouch_version(void) {
-  static const std::string& text = *new std::string(isotouch::files::short_version_text("isotouch"));  // stays until the process has ended
-  return text.c_str();
+  const char* text = "isotouch, version not known for lack of memory";
+  (void)isotouch::library::guarded(ISOTOUCH_INTERNAL, [&] {
+    static const std::string& known =
+        *new std::string(isotouch::files::short_version_text("isotouch"));  // stays until the process has ended
+    text = known.c_str();
+  });
+  return text;
 }
 
 isotouch_status isotouch_fail(isotouch_status status, const char* sentence) {

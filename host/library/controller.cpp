@@ -163,6 +163,7 @@ isotouch_status isotouch_controller_resume(isotouch_controller controller) {
 isotouch_status isotouch_controller_watch(isotouch_controller controller, uint32_t every, uint64_t ticks, isotouch_on_tick on_tick,
                                           void* user, uint64_t* lost) {
   return guarded(ISOTOUCH_CONTROLLER, [&] {
+    if (lost != nullptr) *lost = 0;
     required(reinterpret_cast<const void*>(on_tick), "on_tick");
     if (every == 0) refuse(ISOTOUCH_BAD_ARGUMENT, "every is 0, and must be 1 or more; 1 is every tick");
     link::Controller with = another(controller);

@@ -67,7 +67,7 @@ typedef uint64_t isotouch_controller; /**< a running `isotouchd` */
  */
 ISOTOUCH_API const char* isotouch_last_error(void);
 
-/** Program, version and commit, as "isotouch X.Y.Z, commit …". */
+/** Program, version and commit, as "isotouch X.Y.Z, commit …". Without memory for it, a sentence that says so. */
 ISOTOUCH_API const char* isotouch_version(void);
 
 /**
@@ -422,7 +422,8 @@ typedef int (*isotouch_on_tick)(void* user, const isotouch_felt* felt);
  * @param on_tick  is called in this thread, once for each of them; `felt->tick` is the controller's own count. A number other than 0 ends the
  *                 call early, with success
  * @param user     is passed on to on_tick
- * @param lost     receives how many of them the controller dropped because this program read too slowly. Null: not wanted
+ * @param lost     receives how many of them the controller dropped because this program read too slowly, also where the
+ *                 connection ends before; 0 where the call fails otherwise. Null: not wanted
  *
  * Fails (#ISOTOUCH_CONTROLLER) where the connection ends before.
  */
