@@ -1,9 +1,11 @@
-/// isotouch plot force: what it draws of a recording whose settings changed.
+/// isotouch plot force and replay: what they draw and say of a recording whose settings changed.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
+#include "host/board_commands/commands.h"
 #include "host/files/whole_file.h"
 #include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
@@ -36,6 +38,24 @@ TEST(Plot, DrawsTheLimitAndTheStiffnessThatWereSetMeanwhile) {
   EXPECT_NE(picture_with(limit, ""), picture_with({}, ""));
   EXPECT_EQ(picture_with(stiffness, ""), picture_with({}, "")) << "only the exact answer needs it";
   EXPECT_NE(picture_with(stiffness, " --exact-sphere 30"), picture_with({}, " --exact-sphere 30"));
+}
+
+TEST(Replay, WarnsOfTheStiffestThatWasSet) {
+  const ScratchFolder folder;
+  const auto said_with = [&](SettingChange change) {
+    const auto file = folder.path() / "hand.trace";
+    write_changed(file, change);
+    CLI::App app;
+    add_replay(app, {});
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    app.parse("replay " ISOTOUCH_GOLDEN "/field_1_1.itf " + file.string());
+    ::testing::internal::GetCapturedStdout();
+    return ::testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said_with({}), "");
+  EXPECT_EQ(said_with({TickSetting::kStiffness, Stiffness::of(0.1).raw()}), "");
+  EXPECT_THAT(said_with({TickSetting::kStiffness, Stiffness::of(20).raw()}), ::testing::HasSubstr("N/mm is safe"));
 }
 
 }  // namespace
