@@ -12,6 +12,7 @@
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "host/trace/felt_field.h"
 #include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "tests/support/field_image.h"
@@ -74,6 +75,21 @@ class Patched : public ::testing::Test {
   std::vector<Bytes> patches;
   std::uint64_t hash = 0;
 };
+
+TEST_F(Patched, EachTickHasTheFieldThatItFelt) {
+  keep(file({0, 1, 2}));
+  const Trace trace = read_trace(path);
+  for (std::size_t given = 0; given < fields.size(); ++given) {
+    FeltField felt(trace, fields[given].view());
+    for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+      const FieldView* now = felt.next(trace.record(tick).input);
+      ASSERT_EQ(now == nullptr, tick / 100 < given) << "tick " << tick << " before the patches led to field " << given;
+      if (now == nullptr) continue;
+      ASSERT_EQ(now->hash(), fields[tick / 100].view().hash()) << "tick " << tick;
+    }
+  }
+  EXPECT_THROW(FeltField(trace, ball(5).view()), InputError) << "of another recording";
+}
 
 TEST_F(Patched, ATraceReplaysWithThePatchesBesideIt) {
   keep(file({0, 1, 2}));
