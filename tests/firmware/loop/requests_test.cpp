@@ -13,6 +13,13 @@ TEST(Requests, AreTakenOnce) {
   EXPECT_EQ(requests.take().bits, 0);
 }
 
+TEST(Requests, ANewBeginningIsNoResume) {
+  Requests requests;
+  requests.ask(kRequestStop);
+  requests.ask(kRequestRestart);
+  EXPECT_TRUE(requests.is_stopped());
+}
+
 TEST(Requests, WhoAskedGoesWithWhatWasAsked) {
   Requests requests;
   requests.ask(kRequestStop, author_of(1000));
