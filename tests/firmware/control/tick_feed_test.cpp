@@ -62,8 +62,9 @@ struct Recording {
 /// What a client was sent: how many records, and why there will be no more.
 struct Sent {
   std::size_t records = 0;
-  std::uint64_t lost = 0;  ///< as the last frame has it
-  bool chained = true;     ///< every record's chain follows from the header, or the records before
+  std::uint64_t lost = 0;                  ///< as the last frame has it
+  std::vector<std::uint64_t> first_ticks;  ///< of each frame
+  bool chained = true;                     ///< every record's chain follows from the header, or the records before
   std::string refusal;
 };
 
@@ -81,6 +82,7 @@ Sent read_frames(std::span<const std::uint8_t> left) {
     if (frame->kind == protocol::Kind::kRecords) {
       const auto said = *protocol::decode<protocol::Records>(frame->body);
       sent.lost = said.lost;
+      sent.first_ticks.push_back(said.first_tick);
       for (std::size_t at = 0; at < said.bytes.size(); at += trace_layout::kRecordBytes, ++sent.records) {
         const auto record = *decode_record(said.bytes.subspan(at).first<trace_layout::kRecordBytes>());
         sent.chained = sent.chained && chain && chain->extend(record.input, record.output) == record.chain;
@@ -155,6 +157,18 @@ TEST(TickFeed, ANewSubscriberGetsNoCountOfEarlierLosses) {
   for (int n = 0; n < 20; ++n) recording.ring.push(recording.tick);
   recording.pump();
   EXPECT_EQ(read_frames(all_of(recording.ends[1])).lost, 4U);
+}
+
+TEST(TickFeed, AFrameEndsWhereTheRingLostATick) {
+  Recording watching(64);
+  watching.feed.end_recording(watching.clients[0]);
+  watching.feed.subscribe(watching.clients[0], 1);
+  watching.push(1, 5);
+  watching.push(8, 10);
+  watching.pump();
+  const Sent sent = read_frames(all_of(watching.ends[1]));
+  EXPECT_THAT(sent.first_ticks, testing::ElementsAre(1, 8));
+  EXPECT_EQ(sent.records, 8U);
 }
 
 TEST(TickFeed, ARecordingEndsWhereAnotherFieldComes) {
