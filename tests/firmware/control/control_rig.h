@@ -107,7 +107,12 @@ struct ControlRig {
   explicit ControlRig(std::size_t image_limit = 1 << 20, const std::function<void(ControlSettings&)>& change = {})
       : slots(image_limit),
         store(folder, 4),
-        intake(slots, &store, clock, {}),
+        intake(slots, &store, clock,
+               [this](const FieldView&) {
+                 ++checked;
+                 check_is_busy.wait(true);
+                 return Refusal();
+               }),
         measured(folder),
         calibration(
             &measured, nullptr,
@@ -134,12 +139,22 @@ struct ControlRig {
                                     [this](const std::string& line) { logged.push_back(line); }});
     EXPECT_EQ(server->start().sentence(), "");
   }
+  ~ControlRig() { let_check_end(); }
+  ControlRig(const ControlRig&) = delete;
+  ControlRig& operator=(const ControlRig&) = delete;
+
+  void let_check_end() {
+    check_is_busy = false;
+    check_is_busy.notify_all();
+  }
 
   ScratchFolder scratch;
   loop::LinuxClock clock;
   store::CrashingFolder folder;
   loop::FieldSlots slots;
   store::FieldStore store;
+  std::atomic<bool> check_is_busy{false};  ///< whoever loads a field waits
+  std::atomic<int> checked{0};             ///< fields that were to be loaded
   store::FieldIntake intake;
   store::CalibrationStore measured;
   std::atomic<bool> disk_is_busy{false};  ///< whoever keeps a calibration waits
