@@ -86,6 +86,30 @@ TEST(FaultResponse, WhatStaysBelowALimitShowsNothing) {
   EXPECT_EQ(shown([](Input& in) { in.packet[0] = 0; }), "");            // one malformed packet is no silence yet
 }
 
+/// The counts that are known are older than one tick.
+TEST(FaultResponse, TicksThatWereLeftOutMakeRoomForALongerWay) {
+  EXPECT_EQ(shown([](Input& in) { in.late = 2, in.packet = packet(1100); }), "");
+  EXPECT_EQ(shown([](Input& in) { in.late = 2, in.packet = packet(1301); }), "jump");
+  EXPECT_EQ(shown([](Input& in) { in.late = 1, in.packet = packet(340); }), "");  // in one tick a leap
+}
+
+TEST(FaultResponse, AnOldPacketIsStaleInItsFirstTick) {
+  EXPECT_EQ(shown([](Input& in) { in.fresh = false, in.age = 5; }), "stale");
+}
+
+TEST(FaultResponse, AfterALongPauseALegThatWasNotHomedIsAnew) {
+  const auto condition = [](std::uint8_t late) {
+    const auto all = responses([late](std::size_t tick, TraceRecord& record) {
+      record.input.packet = packet(100, 3);
+      if (tick == 20) record.input.late = late;
+      if (tick >= 20) rest(record);
+    });
+    return all.size() == 1 ? all[0].condition : "";
+  };
+  EXPECT_EQ(condition(kMaxLate - 1), "late");
+  EXPECT_EQ(condition(kMaxLate), "late+unhomed");
+}
+
 TEST(FaultResponse, SilenceIsShownInItsThirdTick) {
   for (const bool malformed : {false, true}) {
     const auto all = responses([&](std::size_t tick, TraceRecord& record) {
