@@ -126,6 +126,16 @@ OrientedPoints thin_bowl() {
   return points;
 }
 
+TEST(SoundScan, EveryLengthOfItIsPlacedAndTheVolumeToo) {
+  SoundScan scan;
+  scan.noise = scan.spacing = scan.rounding = scan.rim.length = scan.rim.longest = scan.enclosed = 8;
+  scan.rim.along = {{.sample = 0, .length = 8, .on_longest = true, .rim = 0, .surrounded = 0.5}};
+  scan.place({.scale = 0.5});
+  for (const double length : {scan.noise, scan.spacing, scan.rounding, scan.rim.length, scan.rim.longest, scan.rim.along[0].length})
+    EXPECT_EQ(length, 4);
+  EXPECT_EQ(scan.enclosed, 1);
+}
+
 TEST(SoundScan, BelievesAnOpenThinWall) {
   const OrientedPoints points = thin_bowl();
   const Facing facing = field::facing(Scan({points.positions, points.normals, {}}));
