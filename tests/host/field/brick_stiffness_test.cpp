@@ -64,5 +64,12 @@ TEST(BrickStiffness, ANearerSampleCountsMore) {
   EXPECT_NEAR(found[0], (1.0 / 2 + 2.0 / 10) / (1.0 / 2 + 1.0 / 10), 1e-12);
 }
 
+TEST(BrickStiffness, EightSamplesCount) {
+  std::vector<Vector3d> places(7, {1.5, 1.5, 1.5});
+  places.insert(places.end(), {{1.5, 1.5, 2.5}, {1.5, 1.5, 3.0}});
+  const std::vector<double> found = brick_stiffness({{{0, 0, 0}, {}}}, {1, 1, 1, 1, 1, 1, 1, 2, 90}, Nearest(places));
+  EXPECT_NEAR(found[0], (7 + 2.0 / 2) / (7 + 1.0 / 2), 1e-12);
+}
+
 }  // namespace
 }  // namespace isotouch::field
