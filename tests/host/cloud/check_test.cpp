@@ -151,6 +151,30 @@ TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
   EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
 }
 
+TEST(Check, WhatMayBeNoNormalIsRefusedWithItsPlace) {
+  for (const double length : {0.49, 2.01}) {
+    Model model = model_of(sample_shape(shape("sphere"), 100, 1));
+    model.normals[41] *= length;
+    CloudReport report;
+    EXPECT_THAT([&] { check("cloud.ply", model, report); },
+                ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("cloud.ply: point 42: the normal has length")))
+        << length;
+  }
+}
+
+TEST(Check, ACoordinateThatIsTooLargeIsRefusedWithItsPlace) {
+  for (const double coordinate : {1.001e12, -1.001e12, 1e300, -1e300}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Model model = model_of(sample_shape(shape("sphere"), 100, 1));
+      model.positions[41][axis] = coordinate;
+      CloudReport report;
+      EXPECT_THAT([&] { check("cloud.ply", model, report); },
+                  ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("cloud.ply: point 42: a coordinate is larger than 1e12")))
+          << coordinate;
+    }
+  }
+}
+
 TEST(Check, PointsAtOnePlaceShareTheirMeanStiffness) {
   OrientedPoints cloud = sample_shape(shape("torus"), 100, 1);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud.stiffness.push_back(0.5 + 0.001 * static_cast<double>(i));

@@ -84,14 +84,24 @@ TEST(DepthImage, DamageIsFound) {
   EXPECT_THAT(refusal(turned), HasSubstr("d.png: the PNG file is damaged"));
 }
 
+/// Another size in the header of a small image, and so many bytes behind it.
+std::string of_size(std::uint32_t width, std::uint32_t height, std::size_t more = 0) {
+  std::string lie = test::png(2, 2, rows_of({1, 1, 1, 1}));
+  const std::string header = test::png_chunk("IHDR", test::big_endian(width) + test::big_endian(height) + lie.substr(24, 5));
+  return lie.replace(8, header.size(), header) + std::string(more, '\0');
+}
+
 /// Two lies in the header: memory is not taken for either.
 TEST(DepthImage, MorePixelsThanTheFileCanHoldAreRefused) {
-  for (const auto& [width, height] : {std::pair{1000000U, 1000000U}, {2U, 900000U}}) {
-    std::string lie = test::png(2, 2, rows_of({1, 1, 1, 1}));
-    const std::string header = test::png_chunk("IHDR", test::big_endian(width) + test::big_endian(height) + lie.substr(24, 5));
-    lie.replace(8, header.size(), header);
-    EXPECT_THAT(refusal(lie), HasSubstr("pixels, more than the file has room for")) << width;
-  }
+  for (const auto& [width, height] : {std::pair{1000000U, 1000000U}, {2U, 900000U}})
+    EXPECT_THAT(refusal(of_size(width, height)), HasSubstr("pixels, more than the file has room for")) << width;
+}
+
+/// An empty image of any size may pack a thousandfold.
+TEST(DepthImage, MorePixelsThanAnySensorHasAreRefused) {
+  EXPECT_THAT(refusal(of_size(8192, 4097, 70'000)), HasSubstr("8192 × 4097 pixels are more than the 33554432"));
+  EXPECT_THAT(refusal(of_size(4097, 8192, 70'000)), HasSubstr("pixels are more than"));
+  EXPECT_THAT(refusal(of_size(8192, 4096, 70'000)), HasSubstr("the PNG file is damaged"));
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <openvdb/tools/LevelSetSphere.h>
 #include <openvdb/tools/LevelSetUtil.h>
 #include <openvdb/tools/SignedFloodFill.h>
+#include <pthread.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 
 #include "host/error.h"
@@ -201,6 +204,14 @@ TEST(LevelSet, WhatIsNoneIsRefusedInASentence) {
   const auto block = sphere();
   block->tree().addTile(1, openvdb::Coord(1000, 0, 0), 0.1F, true);
   EXPECT_THAT(why(block), HasSubstr("a block of constant distance"));
+  const auto narrow = FloatGrid::create(0.99F * kEdge);
+  narrow->setGridClass(openvdb::GRID_LEVEL_SET);
+  narrow->setTransform(openvdb::math::Transform::createLinearTransform(static_cast<double>(kEdge)));
+  narrow->tree().setValueOn(openvdb::Coord(0), -0.1F);
+  EXPECT_THAT(why(narrow), HasSubstr("has a background of 0.2475"));
+  const auto outside = sphere();
+  for (auto value = outside->beginValueAll(); value; ++value) value.setValue(std::abs(*value));
+  EXPECT_THAT(why(outside), HasSubstr("has no surface: all of it is on one side"));
   for (const std::int32_t far : {1 << 30, -(1 << 30), INT32_MAX - 64, INT32_MIN + 64}) {
     const auto moved = sphere();
     moved->clear();
@@ -242,6 +253,21 @@ TEST(LevelSet, AFileThatWasCutIsRefused) {
     ++refused;
   }
   EXPECT_GT(refused, 90);
+}
+
+/// OpenVDB is tried in a copy of this process, which ends here as if the library had crashed it.
+TEST(LevelSet, AFileThatCrashesTheLibraryIsRefused) {
+  static bool crashes = false;
+  ASSERT_EQ(::pthread_atfork(nullptr, nullptr,
+                             [] {
+                               if (crashes) ::_exit(EXIT_FAILURE);
+                             }),
+            0);
+  const ScratchFolder folder;
+  const fs::path file = save(folder, {sphere()});
+  crashes = true;
+  EXPECT_THAT(refusal([&] { LevelSet::read(file); }), HasSubstr("a.vdb: the file is damaged: reading it crashes OpenVDB"));
+  crashes = false;
 }
 
 TEST(LevelSet, WhatIsWrittenComesBackWithEveryValue) {
