@@ -316,6 +316,27 @@ TEST(Controller, ARecordingEndsWhereItHasAGapOrIsRefusedAndSaysWhy) {
   EXPECT_EQ(kept, 2U);
 }
 
+TEST(Controller, WhoeverWatchesHearsHowManyRecordsWereLost) {
+  const Bytes records(20);
+  const Scripted scripted(kWelcome + frame(Kind::kDone) + frame(Kind::kRecords, protocol::Records{7, 1, 10, 0, records}) +
+                          frame(Kind::kRecords, protocol::Records{16, 1, 10, 7, records}));
+  Controller controller(scripted.address());
+  std::vector<std::uint64_t> ticks;
+  const auto watched = controller.watch(
+      1, 4, [&](std::uint64_t tick, std::span<const std::uint8_t>) { ticks.push_back(tick); }, [] { return false; });
+  EXPECT_EQ(watched.lost, 7U);
+  EXPECT_EQ(ticks, (std::vector<std::uint64_t>{7, 8, 16, 17}));
+}
+
+TEST(Controller, SettingsHoldNothingThatATerminalWouldObey) {
+  const std::string different = "feel.stiffness = 0.5\nfeel.\x1b[2Jdamping = \x1b[2J1\n";
+  const protocol::SettingsReport report{7, {reinterpret_cast<const std::uint8_t*>(different.data()), different.size()}};
+  const Scripted scripted(kWelcome + frame(Kind::kSettingsReport, report));
+  const Controller::Settings settings = Controller(scripted.address()).settings();
+  EXPECT_EQ(settings.checksum, 7U);
+  EXPECT_THAT(settings.different, testing::ElementsAre(testing::Pair("feel.stiffness", "0.5"), testing::Pair("feel. [2Jdamping", " [2J1")));
+}
+
 TEST(Controller, NobodyThereIsSaid) {
   EXPECT_THROW(Controller("unix:/nowhere/at/all"), InputError);
   EXPECT_THROW(Controller("unix:" + std::string(200, 'x')), InputError);

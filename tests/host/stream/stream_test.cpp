@@ -1,6 +1,7 @@
 /// A stream and a controller that takes all it is sent.
 #include "host/stream/stream.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "host/cloud/shapes.h"
+#include "host/error.h"
 #include "shared/field_patch.h"
 #include "shared/tick_io.h"
 #include "tests/support/scripted_controller.h"
@@ -23,6 +25,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using protocol::Kind, test::Bytes, test::frame;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 /// Serves one client.
 class Taker {
@@ -33,7 +37,9 @@ class Taker {
   std::string address() const { return scripted_.address(); }
   int patches() const { return patches_; }
 
-  std::atomic<std::uint16_t> faults = 0;  ///< in its status
+  std::atomic<std::uint16_t> faults = 0;          ///< in its status
+  std::atomic<std::uint64_t> accepted_wrong = 0;  ///< bits of the hash that it answers to an upload, and that are not those of the field
+  std::atomic<bool> is_replaced = false;          ///< in its status: another field
 
  private:
   void serve(int client) {
@@ -53,7 +59,7 @@ class Taker {
       case Kind::kHello: return frame(Kind::kWelcome, protocol::Welcome{});
       case Kind::kStatus: {
         protocol::StatusReport status;
-        status.field_hash = hash_;
+        status.field_hash = is_replaced ? ~hash_ : hash_;
         status.faults = faults;
         if (faults != 0) status.state = static_cast<std::uint16_t>(SupervisorState::kFault);
         return frame(Kind::kStatusReport, status);
@@ -76,7 +82,7 @@ class Taker {
           on_patch_(++patches_);
         }
         upload_.clear();
-        return frame(Kind::kAccepted, protocol::Accepted{hash_, 1});
+        return frame(Kind::kAccepted, protocol::Accepted{hash_ ^ accepted_wrong, 1});
       default: ADD_FAILURE() << "nobody asks that";
     }
     return frame(Kind::kDone);
@@ -174,6 +180,48 @@ TEST(Stream, AFaultOfTheControllerIsToldWithItsNextStep) {
   taker.faults = kFaultSilent;
   stream.finish();
   EXPECT_NE(stream.fault().find("fault: other angles were measured"), std::string::npos) << stream.fault();
+}
+
+TEST(Stream, AnotherFieldThatWasTakenOverInsteadIsAnError) {
+  Taker taker([](int) {});
+  taker.accepted_wrong = 1;
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  inbox.offer(frame_of([] { return sphere(0); }));
+  EXPECT_THAT([&] { stream.run(inbox); }, ThrowsMessage<InputError>(HasSubstr("another field was taken over meanwhile")));
+  EXPECT_FALSE(stream.is_felt());
+}
+
+TEST(Stream, AFieldThatSomebodyReplacedIsNotFelt) {
+  Taker taker([](int) {});
+  Stream stream(options_to(taker.address()));
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  inbox.offer(frame_of([] { return sphere(0); }));
+  inbox.finish();
+  stream.run(inbox);
+  stream.finish();
+  EXPECT_TRUE(stream.is_felt());
+  taker.is_replaced = true;
+  EXPECT_THAT([&] { stream.finish(); }, ThrowsMessage<InputError>(HasSubstr("another field was loaded while this one grew")));
+  EXPECT_FALSE(stream.is_felt());
+}
+
+/// The first frame shows a part of the object.
+TEST(Stream, WithoutABoxThereIsRoomRoundTheFirstFrame) {
+  StreamOptions options = options_to("");
+  options.box = {};
+  Stream stream(options);
+  stream.connect({.is_over = [] { return false; }, .second = [](const Tally&) {}});
+  Inbox inbox;
+  inbox.offer(frame_of([] { return sphere(0); }));
+  inbox.finish();
+  stream.run(inbox);
+  Eigen::AlignedBox3d own;
+  for (const Eigen::Vector3d& position : sphere(0).positions) own.extend(position);
+  const Eigen::Vector3d more = Eigen::Vector3d::Constant(own.sizes().maxCoeff() / 2);
+  EXPECT_TRUE(stream.space().box.isApprox({own.min() - more, own.max() + more}));
 }
 
 }  // namespace
