@@ -104,6 +104,24 @@ TEST(DirtyScans, AHugeHoleIsNotBelieved) {
   }
 }
 
+/// Rows of the table that come out wrong, most of them refused for one reason alone.
+TEST(DirtyScansHeavy, WhatComesOutWrongIsNotBelieved) {
+  struct Case {
+    std::string shape;
+    std::vector<std::string> dirt;
+  };
+  for (const Case& scan : test::examples<Case>({{"owl", {"flipped 40 %", "layers 1.0", "no normals", "noise 50 %"}},
+                                                {"hydrant", {"noise 50 %"}},
+                                                {"box", {"hole 20"}},
+                                                {"plate", {"hole 20"}},
+                                                {"capsules", {"hole 20"}}})) {
+    for (const DirtyRow& row : rows(scan.shape, false, scan.dirt)) {
+      EXPECT_TRUE(row.wrong()) << row.scan << ' ' << row.dirt << ": take another example";
+      EXPECT_FALSE(row.believed_wrong()) << row.scan << ' ' << row.dirt;
+    }
+  }
+}
+
 /// What screened Poisson reconstruction has on a scan, rms in voxels.
 struct Rival {
   const char *shape, *dirt;
