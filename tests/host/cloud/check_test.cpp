@@ -140,17 +140,6 @@ TEST(Check, PointsWithoutNormalsPassAndAreSaidToHaveNone) {
   EXPECT_EQ(report.merged, 1U);
 }
 
-TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
-  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
-  cloud.normals[3] *= 1.5;
-  cloud.normals[4] *= 1.005;  // rounding in a text: not worth a word
-  CloudReport report;
-  const OrientedPoints checked = check("cloud", model_of(cloud), report);
-  EXPECT_EQ(report.renormalised, 1U);
-  EXPECT_NEAR(checked.normals[3].norm(), 1.0, 1e-15);
-  EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
-}
-
 TEST(Check, WhatMayBeNoNormalIsRefusedWithItsPlace) {
   for (const double length : {0.49, 2.01}) {
     Model model = model_of(sample_shape(shape("sphere"), 100, 1));
@@ -173,6 +162,17 @@ TEST(Check, ACoordinateThatIsTooLargeIsRefusedWithItsPlace) {
           << coordinate;
     }
   }
+}
+
+TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  cloud.normals[3] *= 1.5;
+  cloud.normals[4] *= 1.005;  // rounding in a text: not worth a word
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model_of(cloud), report);
+  EXPECT_EQ(report.renormalised, 1U);
+  EXPECT_NEAR(checked.normals[3].norm(), 1.0, 1e-15);
+  EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
 }
 
 TEST(Check, PointsAtOnePlaceShareTheirMeanStiffness) {
