@@ -86,12 +86,19 @@ std::optional<CutPlane> cut_plane(const Scan& scan, const OpenRim& rim) {
     along_axis += place.length * scan.normals()[place.sample].dot(plane.axis);
     heights.push_back(off);
   }
+  std::uint32_t least = 0;
   for (const RimPlace& place : rim.along) {
     if (balance[place.rim] > 0) {
       plane.on_plane.push_back(place);
-    } else {
-      plane.least_surrounded = std::min(plane.least_surrounded, place.surrounded);
+    } else if (place.surrounded < plane.least_surrounded) {
+      plane.least_surrounded = place.surrounded;
+      least = place.rim;
     }
+  }
+  std::size_t on_least = 0;
+  for (const RimPlace& place : rim.along) {
+    if (plane.least_surrounded < 1 && place.rim == least)
+      plane.least_place += (scan.positions()[place.sample] - plane.least_place) / static_cast<double>(++on_least);
   }
   plane.is_only_end = within >= kMostOfRim * length;
   plane.along_axis = along_axis / within;

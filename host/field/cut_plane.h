@@ -12,12 +12,13 @@
 namespace isotouch::field {
 
 struct CutPlane {
-  Eigen::Vector3d place;                ///< on the plane, the scan's unit
-  Eigen::Vector3d axis;                 ///< unit, away from the scan
-  double along_axis = 0;                ///< mean of the rims' normals along it: 0 at a cut through a limb
-  bool is_only_end = false;             ///< nearly all rims lie on it
-  std::vector<RimPlace> on_plane = {};  ///< of the rims most of whose samples lie on it
-  double least_surrounded = 1;          ///< of the other rims, as `OpenRim::least_surrounded`
+  Eigen::Vector3d place;                                  ///< on the plane, the scan's unit
+  Eigen::Vector3d axis;                                   ///< unit, away from the scan
+  double along_axis = 0;                                  ///< mean of the rims' normals along it: 0 at a cut through a limb
+  bool is_only_end = false;                               ///< nearly all rims lie on it
+  std::vector<RimPlace> on_plane = {};                    ///< of the rims most of whose samples lie on it
+  double least_surrounded = 1;                            ///< of the other rims, as `OpenRim::least_surrounded`
+  Eigen::Vector3d least_place = Eigen::Vector3d::Zero();  ///< of these, as `OpenRim::least_place`
   bool is_clean = false;  ///< the longest rim is so flat that no hole of another kind ends like this: somebody cut the scan off here
 
   /// Was it cut off, by a plane into which the surface runs? A hole in a ball may as well be closed by a bulge, and nobody knows which.

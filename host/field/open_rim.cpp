@@ -26,6 +26,9 @@ constexpr double kTurned = 0.5;  // cosine: a neighbour whose normal is farther 
 constexpr double kBehind = 0.5;  // spacings: one that far behind, with its back to the sample, is the other face of a thin wall
 constexpr double kGapOfWall = 110 * std::numbers::pi / 180;  // among twice as many neighbours and more
 constexpr std::size_t kFewest = 12;                          // samples a rim
+constexpr std::size_t kFew = 3 * kFewest;                    // so many may still be chance, where the end beside them was seen
+constexpr double kBothSides = 0.5;                           // of `Chain::surrounded`: less on an edge that two faces share
+constexpr double kBeside = 4.0;                              // spacings
 constexpr double kNotAll = 0.95;  // of the samples: a patch lies beside something, such as the object over a table
 constexpr double kOutward = 1.0;  // spacings: a patch ends that far beyond the middle of its rim
 
@@ -84,12 +87,15 @@ struct Link {
 /// Samples that hang together.
 struct Chain {
   std::size_t samples = 0;
+  std::size_t beside_end = 0;  ///< of these, where all may be chance: with `is_end_seen`
   double length = 0;
   double last = 0;  ///< the longest link, which stands for the one that closes the ring
   Vector3d sum = Vector3d::Zero(), normals = Vector3d::Zero();
 
   Vector3d middle() const { return sum / static_cast<double>(samples); }
   double surrounded() const { return normals.norm() / static_cast<double>(samples); }
+  bool may_be_chance() const { return samples < kFew && surrounded() < kBothSides; }
+  bool is_rim() const { return samples >= kFewest && !(may_be_chance() && 2 * beside_end > samples); }
 };
 
 /// Unit, in the sample's tangent plane: away from its neighbours on the same surface.
@@ -121,6 +127,26 @@ bool wall_goes_on(const Scan& scan, std::uint32_t sample) {
     }
   }
   return !angles.empty() && widest_sector(angles) < kGapOfWall;
+}
+
+/// Does the scan have samples on the narrow face in which a wall ends, beside a sample on its edge? Points at random leave a long piece of such a face empty
+/// here and there, and the edges beside it look like those of a wall that was cut off.
+bool is_end_seen(const Scan& scan, std::uint32_t sample, std::vector<Neighbour>& found) {
+  const Vector3d &own = scan.positions()[sample], &normal = scan.normals()[sample];
+  const Vector3d away = outward(scan, sample);
+  const double near = kBehind * scan.spacing(sample);
+  scan.tree().within(own, kBeside * scan.spacing(sample), found);
+  double thickness = 0.0;  // of the wall, by the nearest sample on its other face
+  for (const Neighbour& other : found) {
+    const Vector3d step = scan.positions()[other.index] - own;
+    thickness = -step.dot(normal);
+    if (scan.normals()[other.index].dot(normal) < -kTurned && thickness > 0.0) break;
+  }
+  return std::any_of(found.begin(), found.end(), [&](const Neighbour& other) {
+    const Vector3d step = scan.positions()[other.index] - own;
+    const double depth = -step.dot(normal);
+    return scan.normals()[other.index].dot(away) > kTurned && step.dot(away) > -near && depth > -near && depth < thickness + near;
+  });
 }
 
 /// The samples of all patches: sets of neighbours, but for those behind a wall, that end outward of their rims. Round a hole a surface ends towards the
@@ -197,14 +223,23 @@ OpenRim open_rim(const Scan& scan) {
     chain.sum += scan.positions()[i];
     chain.normals += scan.normals()[i];
   }
+  std::vector<Neighbour> found;
+  for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
+    if (on_rim[i] == 0) continue;
+    Chain& chain = chains[rims.of(i)];
+    if (chain.samples >= kFewest && chain.may_be_chance() && is_end_seen(scan, i, found)) ++chain.beside_end;
+  }
   OpenRim rim;
   std::uint32_t longest = 0;
   for (std::uint32_t c = 0; c < chains.size(); ++c) {
     const Chain& chain = chains[c];
-    if (chain.samples < kFewest) continue;
+    if (!chain.is_rim()) continue;
     rim.samples += chain.samples;
     rim.length += chain.length + chain.last;
-    rim.least_surrounded = std::min(rim.least_surrounded, chain.surrounded());
+    if (chain.surrounded() < rim.least_surrounded) {
+      rim.least_surrounded = chain.surrounded();
+      rim.least_place = chain.middle();
+    }
     if (chain.length + chain.last <= rim.longest) continue;
     longest = c;
     rim.longest = chain.length + chain.last;
@@ -214,7 +249,7 @@ OpenRim open_rim(const Scan& scan) {
   rim.patches = patch_samples(scan, [&](std::uint32_t i) -> std::optional<Vector3d> {
     if (on_rim[i] == 0) return std::nullopt;
     const Chain& chain = chains[rims.of(i)];
-    return chain.samples < kFewest ? std::nullopt : std::optional(chain.middle());
+    return chain.is_rim() ? std::optional(chain.middle()) : std::nullopt;
   });
   // Two ends of a tree that are neighbours close its ring.
   std::vector<std::uint32_t> degree(scan.size());
@@ -230,14 +265,14 @@ OpenRim open_rim(const Scan& scan) {
   }
   std::vector<double> lengths(scan.size());
   for (const Link& link : joined) {
-    if (chains[rims.of(link.a)].samples < kFewest) continue;
+    if (!chains[rims.of(link.a)].is_rim()) continue;
     rim.links.push_back({scan.positions()[link.a], scan.positions()[link.b]});
     for (const std::uint32_t end : {link.a, link.b}) lengths[end] += 0.5 * std::sqrt(link.squared_length);
   }
   for (std::uint32_t i = 0; i < on_rim.size(); ++i) {
     if (on_rim[i] == 0) continue;
     const std::uint32_t own = rims.of(i);
-    if (chains[own].samples >= kFewest) rim.along.push_back({i, lengths[i], own == longest, own, chains[own].surrounded()});
+    if (chains[own].is_rim()) rim.along.push_back({i, lengths[i], own == longest, own, chains[own].surrounded()});
   }
   return rim;
 }

@@ -294,6 +294,7 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
     if (result.is_capped) {
       result.points = std::move(with_cap);
       result.rim.least_surrounded = cut->least_surrounded;
+      result.rim.least_place = cut->least_place;
       result.enclosed = closed.enclosed;
     }
   }

@@ -48,7 +48,7 @@ struct SoundScan {
   double in_lines = 0;                ///< where the file has no normals: `share_in_lines`
   double enclosed = 0;                ///< volume that the points enclose by the divergence theorem, their unit cubed
   double one_sided = 0;               ///< 0 for a closed surface, 1 for a flat sheet
-  OpenRim rim;                        ///< where the measured points end; their unit
+  OpenRim rim;                        ///< where the measured points end; their unit, but for `least_place`, which stays as in the file
   Outside outside = Outside::kAsGiven;
   SensorFrom sensor_from = SensorFrom::kPerson;  ///< where that is the sensor's side
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "host/cloud/check.h"
 #include "host/field/hull_volume.h"
 #include "host/field/parallel.h"
 #include "host/field/unseen_share.h"
@@ -274,8 +275,8 @@ Verdict judge(const BandField& field, const SoundScan& sound, const Repair& repa
         per_cent(verdict.gap_share) +
             " of the surface closes gaps that nobody scanned; scan the missing parts, or remove points within the body");
   refuse(closed && sound.rim.samples > 0 && sound.rim.least_surrounded < kTubeEnd,
-         "a limb or a wall is cut off in the scan, and nobody knows how far the body goes on; scan the missing part, or cut the scan "
-         "off in one plane");
+         "a limb or a wall is cut off in the scan near " + cloud::in_brackets(sound.rim.least_place) +
+             ", and nobody knows how far the body goes on; scan the missing part, or cut the scan off in one plane");
   const double patches = static_cast<double>(sound.rim.patches) / count;
   refuse(closed && patches > kMostPatches, per_cent(patches) +
                                                " of the points form patches that nothing joins to the rest, and nobody knows what lies "

@@ -137,6 +137,34 @@ TEST(OpenRim, APatchEndsOutwardAllRoundAndAHoleOrATubeDoesNot) {
   }
 }
 
+/// Points at random on a fin of 0.6 x 40 x 20, but for so much of the height of its end face at y = 20, in the middle.
+cloud::OrientedPoints fin(double unseen_height, unsigned seed) {
+  const Vector3d half(0.3, 20, 10);
+  cloud::OrientedPoints fin;
+  cloud::Random random(seed);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 16 * half.prod() / half[axis]; ++i) {  // two on each square
+      Vector3d p = half;
+      for (double& coordinate : p) coordinate *= random.uniform(-1, 1);
+      const double side = i % 2 == 0 ? 1 : -1;
+      p[axis] = side * half[axis];
+      if (axis == 1 && side > 0 && std::abs(p.z()) < unseen_height / 2) continue;
+      fin.positions.push_back(p);
+      fin.normals.push_back(side * Vector3d::Unit(axis));
+    }
+  }
+  return fin;
+}
+
+TEST(OpenRim, ANarrowEndWithoutSamplesForAPieceIsNoRimAndOneWithoutAnyIs) {
+  for (const unsigned seed : {8U, 14U}) {  // chains of 13 and 15 samples
+    EXPECT_EQ(open_rim(Scan(fin(5, seed))).samples, 0U) << seed;
+    const OpenRim cut = open_rim(Scan(fin(20, seed)));
+    EXPECT_LT(cut.least_surrounded, 0.2) << seed;
+    EXPECT_NEAR(cut.least_place.y(), 20, 2) << seed;
+  }
+}
+
 TEST(OpenRim, AHoleOfAFewSamplesIsNone) {
   cloud::OrientedPoints points = cloud::sample_shape(cloud::shape("sphere"), 4000);
   cloud::OrientedPoints pricked;
