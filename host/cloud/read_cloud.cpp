@@ -1,11 +1,15 @@
 #include "host/cloud/read_cloud.h"
 
+#include <utility>
+
 namespace isotouch::cloud {
 
-OrientedPoints read_cloud(const SourceFile& file, CloudReport& report) {
+OrientedPoints read_cloud(const SourceFile& file, CloudReport& report, bool without_normals) {
   report = CloudReport{};
   report.source_hash = file.hash();
-  return check(file.name(), file.points(), report);
+  Model model = file.points();
+  if (without_normals) model.normals.clear();
+  return check(file.name(), std::move(model), report);
 }
 
 }  // namespace isotouch::cloud

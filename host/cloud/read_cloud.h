@@ -10,8 +10,9 @@ namespace isotouch::cloud {
 /// Reads PLY (ply.h), OBJ (obj.h), PCD (pcd.h), a depth image (depth_image.h) or text (xyz.h), by the file's first bytes or its ending (file_kind.h), and
 /// checks the cloud (check.h).
 ///
-/// returns   points in the file's order and units, unit outward normals, no two at one place
-/// fails     InputError, one sentence: file, place, what is wrong, what to do
-OrientedPoints read_cloud(const SourceFile& file, CloudReport& report);
+/// without_normals   as if the file had none
+/// returns           points in the file's order and units, unit outward normals, no two at one place
+/// fails             InputError, one sentence: file, place, what is wrong, what to do
+OrientedPoints read_cloud(const SourceFile& file, CloudReport& report, bool without_normals = false);
 
 }  // namespace isotouch::cloud

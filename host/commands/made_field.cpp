@@ -166,7 +166,7 @@ Made from_live_points(const cloud::SourceFile& source, const BuildOptions& optio
 
 Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, BuildReport& report, field::Progress& progress) {
   cloud::CloudReport read;
-  cloud::OrientedPoints points = cloud::read_cloud(source, read);
+  cloud::OrientedPoints points = cloud::read_cloud(source, read, options.estimate_normals.value_or(false));
   report.closed_faces = closed_faces(source, read.unused_faces);
   progress.begin("outside");
   field::ScanOptions how{options.estimate_normals.value_or(!read.has_normals), options.sensor.viewpoint};

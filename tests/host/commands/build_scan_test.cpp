@@ -156,6 +156,13 @@ TEST_F(BuildScan, PointsWithoutNormalsGetThemAndThatIsSaid) {
   EXPECT_THROW(run("build " + file("bare.xyz") + " -o " + file("x.itf") + " --normals file"), InputError);
 }
 
+TEST_F(BuildScan, NormalsThatNobodyCanUseDoNotHinderEstimatedOnes) {
+  cloud::OrientedPoints torus = cloud::sample_shape(cloud::shape("torus"), 2000);
+  for (std::size_t i = 0; i < torus.size(); ++i) torus.normals[i] *= i % 2 == 0 ? 0.0 : 255.0;
+  cloud::write_ply(file("torus.ply"), torus);
+  EXPECT_NO_THROW(run("build " + file("torus.ply") + " -o " + file("t.itf") + " --grid 60 --normals estimate"));
+}
+
 /// A relief in its own frame, row by row, as PCL saves an organised cloud whose sensor nobody set.
 std::string relief_pcd() {
   std::string rows;
