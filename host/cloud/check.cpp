@@ -17,12 +17,31 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kFewestPoints = 8;
 constexpr double kFarthest = 1e12;
+constexpr double kZeroNormal = 1e-6;
 constexpr double kShortestNormal = 0.5;
 constexpr double kMaxNormal = 2.0;
 constexpr double kUnitTolerance = 0.01;
 constexpr double kShortestMean = 0.5;
 constexpr std::size_t kOneIn = 10;   // places that contradict themselves are no mistake any more
 constexpr double kStiffest = 100.0;  // N/mm, what a field holds
+
+/// Leaves out the points whose normal is zero, as long as they are few.
+void drop_zero_normals(const std::string& name, Model& model) {
+  const auto is_oriented = [&](std::size_t i) { return model.normals[i].norm() >= kZeroNormal; };
+  std::size_t zero = 0, first = 0;
+  for (std::size_t i = model.normals.size(); i-- > 0;) {
+    if (is_oriented(i)) continue;
+    ++zero;
+    first = i;
+  }
+  if (zero == 0) return;
+  if (zero == model.normals.size()) throw InputError(name + ": all normals are zero; choose --normals estimate");
+  if (2 * zero > model.normals.size()) {
+    throw InputError(name + ": " + model.place(first) +
+                     ": the normal is zero, as most of them are; remove these points, or choose --normals " + "estimate");
+  }
+  model.incomplete += keep_points(model, is_oriented);
+}
 
 /// Brings the normals to unit length in their places.
 void make_unit_normals(const std::string& name, Model& model, CloudReport& report) {
@@ -31,9 +50,6 @@ void make_unit_normals(const std::string& name, Model& model, CloudReport& repor
       throw InputError(name + ": " + model.place(i) + ": a coordinate is larger than 1e12; the file is damaged or its units are unusable");
     }
     const double length = model.normals[i].norm();
-    if (report.has_normals && length < 1e-6) {
-      throw InputError(name + ": " + model.place(i) + ": the normal is zero; choose --normals estimate or remove the point");
-    }
     if (report.has_normals && !(length >= kShortestNormal && length <= kMaxNormal)) {
       throw InputError(name + ": " + model.place(i) + ": the normal has length " + std::to_string(length) +
                        " instead of 1; normalise the normals" +
@@ -174,9 +190,12 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   report.edges = model.edges;
   report.sensor = model.sensor;
   report.unused_faces = model.unused_faces;
-  report.incomplete = model.incomplete;
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
+  if (report.has_normals) {
+    drop_zero_normals(name, model);
+  }
+  report.incomplete = model.incomplete;
   if (!report.has_normals) model.normals.assign(model.positions.size(), Vector3d::Zero());
   make_unit_normals(name, model, report);
   OrientedPoints points{std::move(model.positions), std::move(model.normals), std::move(model.stiffness)};
@@ -220,7 +239,8 @@ std::vector<std::string> CloudReport::warnings(bool are_normals_used) const {
   if (!edges && sensor.refuted_place) list.push_back(sensor_doubt());
   if (unused_faces > 0) list.push_back("its " + times(unused_faces, "face was", "faces were") + " not used; --as mesh takes them");
   if (incomplete > 0)
-    list.push_back(times(incomplete, "point was", "points were") + " left out: a coordinate or the normal is not a finite number");
+    list.push_back(times(incomplete, "point was", "points were") +
+                   " left out: the normal is zero, or it or a coordinate is not a finite number");
   if (edges) {
     if (are_normals_used) list.emplace_back("the normals were taken from the scan's grid and face its sensor");
     if (*edges > 0) list.push_back(times(*edges, "point was", "points were") + " left out: at edges of the grid and at jumps in depth");

@@ -23,7 +23,7 @@ struct CloudReport {
   std::size_t unused_faces = 0;           ///< of the file, which also has faces
   std::optional<std::size_t> edges = {};  ///< the normals come from the scan's grid; points at its edges that were left out
   Sensor sensor = {};
-  std::size_t incomplete = 0;     ///< points whose coordinates or normal are not finite, left out
+  std::size_t incomplete = 0;     ///< points whose coordinates or normal are not finite, or whose normal is zero, left out
   std::size_t renormalised = 0;   ///< normals whose length was more than 1 % off
   std::size_t merged = 0;         ///< points at a place that another one already had
   std::size_t contradictory = 0;  ///< points whose normals contradict each other at their place
@@ -39,6 +39,7 @@ struct CloudReport {
 
 /// Checks and mends, in this order:
 ///
+/// no normals   points whose normal is zero are left out, if these are at most half of them
 /// normals      a length from 1/2 to 2 is brought to 1 (further off it is refused: it may not be a normal at all)
 /// duplicates   points at exactly the same place become one, in the place of the first, with the mean of their normals and stiffnesses; when that mean is
 ///              shorter than 1/2 (two normals more than 120 degrees apart) all of them are left out,
@@ -47,7 +48,7 @@ struct CloudReport {
 ///              of the clumps have opposite normals
 ///
 /// name      of the file, for the sentences
-/// fails     InputError: no points, a normal without direction or far from unit length (with its place), a coordinate beyond 1e12,
+/// fails     InputError: no points, most normals zero, one far from unit length (with its place), a coordinate beyond 1e12,
 ///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
 

@@ -41,12 +41,36 @@ struct Model {
   std::optional<ScanGrid> grid = {};      ///< of an organised scan without normals
   std::optional<std::size_t> edges = {};  ///< the normals come from the grid; points at edges that were left out for that
   Sensor sensor = {};
-  std::size_t incomplete = 0;  ///< points left out because their coordinates or their normal are not finite
+  std::size_t incomplete =
+      0;  ///< points left out because their coordinates or their normal are not finite, or because their normal is zero
 
   /// "line 12" or "point 12", counted from 1.
   std::string place(std::size_t point) const {
     return lines.empty() ? "point " + std::to_string(point + 1) : "line " + std::to_string(lines[point]);
   }
 };
+
+/// Leaves points out of a model without a grid.
+///
+/// stays     called with each point's index
+/// returns   how many
+template <class Stays>
+std::size_t keep_points(Model& model, const Stays& stays) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < model.positions.size(); ++i) {
+    if (!stays(i)) continue;
+    model.positions[kept] = model.positions[i];
+    if (!model.normals.empty()) model.normals[kept] = model.normals[i];
+    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
+    if (!model.stiffness.empty()) model.stiffness[kept] = model.stiffness[i];
+    ++kept;
+  }
+  const std::size_t left_out = model.positions.size() - kept;
+  model.positions.resize(kept);
+  if (!model.normals.empty()) model.normals.resize(kept);
+  if (!model.lines.empty()) model.lines.resize(kept);
+  if (!model.stiffness.empty()) model.stiffness.resize(kept);
+  return left_out;
+}
 
 }  // namespace isotouch::cloud

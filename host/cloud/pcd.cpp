@@ -148,33 +148,13 @@ void read_points(Rows rows, const PcdHeader& header, Model& model) {
   rows.end();
 }
 
-/// Leaves points out of a model without a grid.
-///
-/// returns   how many
-template <class Stays>
-std::size_t keep(Model& model, const Stays& stays) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < model.positions.size(); ++i) {
-    if (!stays(i)) continue;
-    model.positions[kept] = model.positions[i];
-    if (!model.normals.empty()) model.normals[kept] = model.normals[i];
-    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
-    ++kept;
-  }
-  const std::size_t left_out = model.positions.size() - kept;
-  model.positions.resize(kept);
-  if (!model.normals.empty()) model.normals.resize(kept);
-  if (!model.lines.empty()) model.lines.resize(kept);
-  return left_out;
-}
-
 /// Leaves out points whose normal is not known, unless it is known of none.
 void drop_without_normal(Model& model) {
   if (std::none_of(model.normals.begin(), model.normals.end(), [](const Vector3d& n) { return n.allFinite(); })) {
     model.normals.clear();
     return;
   }
-  model.incomplete += keep(model, [&](std::size_t i) { return model.normals[i].allFinite(); });
+  model.incomplete += keep_points(model, [&](std::size_t i) { return model.normals[i].allFinite(); });
 }
 
 /// Leaves out of an image what some programs write where nothing returned, such as 0 0 0 or -1 -1 -1.
@@ -192,7 +172,7 @@ void drop_constants(Model& model) {
   for (std::uint32_t& cell : model.grid->cells) {
     if (cell != ScanGrid::kNoReturn) cell = is_constant[cell] ? ScanGrid::kNoReturn : kept++;
   }
-  keep(model, [&](std::size_t i) { return !is_constant[i]; });
+  keep_points(model, [&](std::size_t i) { return !is_constant[i]; });
 }
 
 void read_binary(const std::string& name, std::span<const std::uint8_t> body, const PcdHeader& header, Model& model) {

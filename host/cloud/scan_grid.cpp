@@ -233,23 +233,6 @@ bool is_believed(const Cells& cells, const ScanGrid& grid, bool away) {
   return away ? !columns(grid.sensor).are_bent() && !rows(grid.sensor).are_bent() : is_camera(grid.sensor);
 }
 
-/// Leaves out the points whose normal is zero.
-void keep_oriented(Model& model) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < model.normals.size(); ++i) {
-    if (model.normals[i].isZero(0.0)) continue;
-    model.positions[kept] = model.positions[i];
-    model.normals[kept] = model.normals[i];
-    if (!model.lines.empty()) model.lines[kept] = model.lines[i];
-    if (!model.stiffness.empty()) model.stiffness[kept] = model.stiffness[i];
-    ++kept;
-  }
-  model.positions.resize(kept);
-  model.normals.resize(kept);
-  if (!model.lines.empty()) model.lines.resize(kept);
-  if (!model.stiffness.empty()) model.stiffness.resize(kept);
-}
-
 }  // namespace
 
 std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bool* is_elsewhere) {
@@ -283,10 +266,8 @@ std::optional<std::size_t> orient_by_grid(Model& model, const ScanGrid& grid, bo
   if (away) {
     for (Vector3d& n : normals) n = -n;
   }
-  const std::size_t before = model.positions.size();
   model.normals = std::move(normals);
-  keep_oriented(model);
-  return before - model.positions.size();
+  return keep_points(model, [&](std::size_t i) { return !model.normals[i].isZero(0.0); });
 }
 
 }  // namespace isotouch::cloud

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -18,6 +19,16 @@ namespace {
 using Eigen::Vector3d;
 
 Model model_of(const OrientedPoints& points) { return {"test", points.positions, points.normals, {}, {}}; }
+
+void expect_refused(const Model& model, const std::string& sentence) {
+  CloudReport report;
+  try {
+    check("cloud", model, report);
+    ADD_FAILURE() << sentence;
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), ::testing::HasSubstr("cloud: " + sentence));
+  }
+}
 
 TEST(Check, AGoodCloudPassesUntouched) {
   const OrientedPoints cloud = sample_shape(shape("torus"), 500, 1);
@@ -173,6 +184,27 @@ TEST(Check, NormalsNearlyOfUnitLengthAreBroughtToIt) {
   EXPECT_EQ(report.renormalised, 1U);
   EXPECT_NEAR(checked.normals[3].norm(), 1.0, 1e-15);
   EXPECT_NEAR(checked.normals[4].norm(), 1.0, 1e-15);
+}
+
+TEST(Check, FewPointsWithoutNormalAreLeftOutAndManyRefused) {
+  OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  const auto set_zero = [&](std::size_t count) { std::fill_n(cloud.normals.begin() + 10, count, Vector3d::Zero()); };
+  set_zero(33);
+  Model model = model_of(cloud);
+  model.stiffness.assign(100, 1.0);
+  model.stiffness[43] = 2.0;
+  CloudReport report;
+  const OrientedPoints checked = check("cloud", model, report);
+  ASSERT_EQ(checked.size(), 67U);
+  EXPECT_EQ(checked.positions[10], cloud.positions[43]);
+  EXPECT_EQ(checked.normals[10], cloud.normals[43]);
+  EXPECT_EQ(checked.stiffness[10], 2.0);
+  EXPECT_THAT(report.warnings(),
+              ::testing::ElementsAre("33 points were left out: the normal is zero, or it or a coordinate is not a finite number"));
+  set_zero(51);
+  expect_refused(model_of(cloud), "point 11: the normal is zero, as most of them are; remove these points, or choose --normals estimate");
+  cloud.normals.assign(100, Vector3d::Zero());
+  expect_refused(model_of(cloud), "all normals are zero; choose --normals estimate");
 }
 
 TEST(Check, PointsAtOnePlaceShareTheirMeanStiffness) {
