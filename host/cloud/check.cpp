@@ -25,6 +25,27 @@ constexpr double kShortestMean = 0.5;
 constexpr std::size_t kOneIn = 10;   // places that contradict themselves are no mistake any more
 constexpr double kStiffest = 100.0;  // N/mm, what a field holds
 
+/// Do nearly all normals have length 1 when they are decoded, and most of them not before?
+///
+/// one     what stands for a component of 1; that of 0 is half of it
+bool are_coded(const std::vector<Vector3d>& normals, double one) {
+  constexpr double kOff = 0.05;  // of a length: more than 8 bits leave
+  std::size_t decoded = 0, as_they_are = 0;
+  for (const Vector3d& n : normals) {
+    if (n.minCoeff() < 0.0) return false;
+    decoded += std::abs((2.0 / one * n - Vector3d::Ones()).norm() - 1.0) < kOff ? 1U : 0U;
+    as_they_are += std::abs(n.norm() - 1.0) < kOff ? 1U : 0U;
+  }
+  return 10 * decoded > 9 * normals.size() && 2 * as_they_are < normals.size();
+}
+
+void refuse_coded(const std::string& name, const Model& model) {
+  for (const auto& [one, how] : {std::pair(1.0, "(n + 1) / 2"), {255.0, "(n + 1) / 2 from 0 to 255"}}) {
+    if (are_coded(model.normals, one))
+      throw InputError(name + ": the normals are never negative, but coded as " + how + "; decode them, or choose --normals estimate");
+  }
+}
+
 /// Leaves out the points whose normal is zero, as long as they are few.
 void drop_zero_normals(const std::string& name, Model& model) {
   const auto is_oriented = [&](std::size_t i) { return model.normals[i].norm() >= kZeroNormal; };
@@ -193,6 +214,7 @@ OrientedPoints check(const std::string& name, Model model, CloudReport& report) 
   if (model.positions.empty()) throw InputError(name + ": there are no points in it");
   report.has_normals = !model.normals.empty();
   if (report.has_normals) {
+    refuse_coded(name, model);
     drop_zero_normals(name, model);
   }
   report.incomplete = model.incomplete;

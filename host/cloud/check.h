@@ -48,7 +48,7 @@ struct CloudReport {
 ///              of the clumps have opposite normals
 ///
 /// name      of the file, for the sentences
-/// fails     InputError: no points, most normals zero, one far from unit length (with its place), a coordinate beyond 1e12,
+/// fails     InputError: no points, most normals zero, all coded without a sign, one far from unit length (with its place), a coordinate beyond 1e12,
 ///           a stiffness outside (0, 100] N/mm (with its place), fewer than 8 points left
 OrientedPoints check(const std::string& name, Model model, CloudReport& report);
 

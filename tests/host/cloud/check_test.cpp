@@ -207,6 +207,23 @@ TEST(Check, FewPointsWithoutNormalAreLeftOutAndManyRefused) {
   expect_refused(model_of(cloud), "all normals are zero; choose --normals estimate");
 }
 
+TEST(Check, NormalsThatAreCodedWithoutASignAreRefused) {
+  const OrientedPoints cloud = sample_shape(shape("sphere"), 100, 1);
+  for (const double one : {1.0, 255.0}) {
+    OrientedPoints coded = cloud;
+    for (Vector3d& n : coded.normals) n = (127.5 * (n + Vector3d::Ones())).array().round() * one / 255;
+    expect_refused(model_of(coded), "the normals are never negative, but coded as (n + 1) / 2");
+  }
+  OrientedPoints octant;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.normals[i].minCoeff() < 0) continue;
+    octant.positions.push_back(cloud.positions[i]);
+    octant.normals.push_back(cloud.normals[i]);
+  }
+  CloudReport report;
+  EXPECT_GT(check("cloud", model_of(octant), report).size(), 8U);
+}
+
 TEST(Check, PointsAtOnePlaceShareTheirMeanStiffness) {
   OrientedPoints cloud = sample_shape(shape("torus"), 100, 1);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud.stiffness.push_back(0.5 + 0.001 * static_cast<double>(i));
