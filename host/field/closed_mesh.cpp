@@ -158,9 +158,32 @@ std::size_t drop_repeated(std::vector<std::array<std::uint32_t, 3>>& faces) {
   return dropped;
 }
 
+/// In front of every face of a closed sheet that faces outward lies what others enclose: then nothing of it bounds the body. Most sheets show that they are
+/// none of these by their first face.
+///
+/// faces_out   called with a face: is its sheet closed, and does it face outward?
+template <typename FacesOut>
+void count_swallowed(const TriangleTree& tree, const cloud::TriangleMesh& mesh, const std::vector<std::uint32_t>& sheet, double ahead,
+                     const FacesOut& faces_out, MeshRepair& repair) {
+  std::vector<std::uint8_t> may_be(mesh.faces.size(), 1);  // of a sheet
+  std::vector<std::uint32_t> inner;
+  const auto middle = [&](std::uint32_t face) {
+    const Corners corners = tree.corners(face);
+    return Vector3d((corners[0] + corners[1] + corners[2]) / 3);
+  };
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    std::uint8_t& all_in = may_be[sheet[face]];
+    if (all_in != 0) all_in = faces_out(face) && is_inside(tree, middle(face) + ahead * cloud::face_normal(mesh, face)) ? 1 : 0;
+  }
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (may_be[face] == 0 || sheet[face] != face) continue;
+    if (repair.swallowed++ == 0) repair.swallow = middle(face);
+  }
+}
+
 /// In front of the faces of a sheet that faces inward lies what the sheet encloses. In a hollow nothing winds round that place. An open sheet
 /// encloses nothing by itself: it faces inward if that is so in front of the larger part of it.
-void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, bool turned) {
+void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, double size, MeshRepair& repair) {
   const Sheets sheets = sheets_of(mesh);
   const std::vector<std::uint32_t>& sheet = sheets.of;
   std::vector<double> six_volumes(mesh.faces.size());  // of a sheet
@@ -176,8 +199,11 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
   for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
     if (is_inward(face) || is_open(face)) asked.push_back(face);
   }
-  if (asked.empty()) return;
+  const bool is_one = std::all_of(sheet.begin(), sheet.end(), [&](std::uint32_t of) { return of == sheet[0]; });
+  if (asked.empty() && is_one) return;
   const TriangleTree tree(mesh);
+  const auto faces_out = [&](std::uint32_t face) { return !is_open(face) && six_volumes[sheet[face]] > noise; };
+  if (!is_one) count_swallowed(tree, mesh, sheet, 1e-6 * size, faces_out, repair);
   std::vector<std::uint8_t> in_nothing(asked.size());
   in_parallel(asked.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
@@ -203,7 +229,7 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
     const std::string piece = (is_open(face) ? "a piece of " : "a closed piece of ") +
                               count_of(static_cast<std::size_t>(std::count(sheet.begin(), sheet.end(), sheet[face])), "face", "faces") +
                               " near " + text((mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3);
-    throw InputError(turned
+    throw InputError(repair.turned
                          ? name + ": most faces point inwards, but those of " + piece + " point outwards; reverse all others"
                          : name + ": " + piece + " has faces that point inwards, and there it lies in no other piece; reverse its faces");
   }
@@ -226,7 +252,7 @@ cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& nam
   if (repair.turned) {
     for (auto& face : mesh.faces) std::swap(face[1], face[2]);
   }
-  require_hollows(mesh, name, size, repair.turned);
+  require_hollows(mesh, name, size, repair);
   return mesh;
 }
 
@@ -244,6 +270,11 @@ std::vector<std::string> MeshRepair::warnings() const {
   if (crossing > 0) {
     list.push_back("the mesh runs through itself: " + count_of(crossing, "face crosses", "faces cross") + " others, the first near " +
                    text(cross) + "; inside is what the faces wind round");
+  }
+  if (swallowed > 0) {
+    list.push_back(count_of(swallowed, "closed piece lies", "closed pieces lie") + " within others and " +
+                   (swallowed == 1 ? "has" : "have") + " no effect, the first near " + text(swallow) +
+                   "; reverse the faces of those that are hollows");
   }
   if (turned) list.push_back("the faces pointed inwards; all were reversed");
   return list;

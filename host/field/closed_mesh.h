@@ -12,15 +12,17 @@ namespace isotouch::field {
 
 /// What was found and what was done. Places and lengths in the mesh's unit.
 struct MeshRepair {
-  std::size_t repeated = 0;                          ///< faces that were written before, and dropped
-  std::size_t holes = 0;                             ///< closed by fans
-  double rim_length = 0;                             ///< of all of them
-  Eigen::Vector3d rim = Eigen::Vector3d::Zero();     ///< the middle of the longest
-  std::size_t branching = 0;                         ///< edges of more than two faces
-  Eigen::Vector3d branch = Eigen::Vector3d::Zero();  ///< the middle of the first of them
-  bool turned = false;                               ///< all faces were turned round
-  std::size_t crossing = 0;                          ///< faces that run through others; not looked for here, see `MeshDistance::crossings`
-  Eigen::Vector3d cross = Eigen::Vector3d::Zero();   ///< the middle of the first of them
+  std::size_t repeated = 0;                           ///< faces that were written before, and dropped
+  std::size_t holes = 0;                              ///< closed by fans
+  double rim_length = 0;                              ///< of all of them
+  Eigen::Vector3d rim = Eigen::Vector3d::Zero();      ///< the middle of the longest
+  std::size_t branching = 0;                          ///< edges of more than two faces
+  Eigen::Vector3d branch = Eigen::Vector3d::Zero();   ///< the middle of the first of them
+  bool turned = false;                                ///< all faces were turned round
+  std::size_t swallowed = 0;                          ///< closed pieces that lie in others and face outwards: they bound nothing
+  Eigen::Vector3d swallow = Eigen::Vector3d::Zero();  ///< the middle of a face of the first of them
+  std::size_t crossing = 0;                           ///< faces that run through others; not looked for here, see `MeshDistance::crossings`
+  Eigen::Vector3d cross = Eigen::Vector3d::Zero();    ///< the middle of the first of them
 
   /// One sentence for each of these.
   std::vector<std::string> warnings() const;
@@ -35,6 +37,8 @@ struct MeshRepair {
 /// inside out  a mesh of negative volume is turned round. Pieces are not turned one by one: a piece that faces inward is a hollow when all of
 ///             it lies in others. Each of its faces is asked at its middle and at its corners. A piece that is closed only together with others
 ///             (sheets.h) is asked whichever way it faces, and faces inward if most of its area does; tiny ones may face as they will
+///
+/// swallowed   closed pieces that face outward and lie in others are counted: their union with these has no trace of them
 ///
 /// name        of the file, for the sentences
 /// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece, or a part of it, faces inward beside the others, or

@@ -140,6 +140,24 @@ TEST(ClosedMesh, AnInvertedPieceIsAFlapIfNothingOfItCanBeSeen) {
   EXPECT_THAT(refusal(with_box_at_side(0.1)), HasSubstr(": a piece of "));
 }
 
+TEST(ClosedMesh, APieceThatLiesInAnotherOneAndFacesOutwardHasNoEffectAndThatIsSaid) {
+  const auto body = box_mesh({0, 0, 0}, {10, 10, 10}), inner = box_mesh({4, 4, 4}, {6, 6, 6});
+  const auto warnings = [](const cloud::TriangleMesh& mesh) {
+    MeshRepair repair;
+    (void)closed_mesh(mesh, "a.stl", repair);
+    return repair.warnings();
+  };
+  const auto said = StartsWith("1 closed piece lies within others and has no effect, the first near (");
+  EXPECT_THAT(warnings(together(body, inner)), ElementsAre(said));
+  EXPECT_THAT(warnings(together(inner, body)), ElementsAre(said));
+  EXPECT_THAT(warnings(turned(together(body, inner))), ElementsAre(said, HasSubstr("all were reversed")));
+  EXPECT_THAT(warnings(together(together(body, inner), box_mesh({1, 1, 1}, {2, 2, 2}))), ElementsAre(StartsWith("2 closed pieces lie")));
+  const auto hollow = together(body, turned(box_mesh({1, 1, 1}, {9, 9, 9})));
+  EXPECT_THAT(warnings(together(hollow, inner)), IsEmpty()) << "a body in a hollow";
+  EXPECT_THAT(warnings(together(body, box_mesh({8, 8, 8}, {12, 12, 12}))), IsEmpty()) << "sticks out";
+  EXPECT_THAT(warnings(together(body, box_mesh({10, 0, 0}, {20, 10, 10}))), IsEmpty()) << "touches";
+}
+
 TEST(ClosedMesh, OfAHollowThatIsClosedOnlyWithAnotherMostCounts) {
   const auto body = box_mesh({0, 0, 0}, {10, 10, 10});
   const auto up_to = [&](double high) {  // two hollows that share a side; the upper one sticks out of the body
