@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <utility>
 
 #include "host/error.h"
 #include "host/field/face_edges.h"
 #include "host/field/line_crossings.h"
+#include "host/field/nearest.h"
 #include "host/field/parallel.h"
 #include "host/field/sheets.h"
 
@@ -23,6 +25,7 @@ using Eigen::Vector3d;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // as a face runs it
 
 constexpr double kLeastVolume = 1e-9;  // of the box's diagonal cubed: below it is rounding
+constexpr double kHardlyShared = 0.9;  // of the edges: on a rim
 constexpr double kLeastArea = 1e-5;    // of the box's diagonal squared: less of an open sheet refuses no mesh
 
 std::string text(double value) {
@@ -124,6 +127,36 @@ void close_holes(cloud::TriangleMesh& mesh, const std::vector<Edge>& rim, MeshRe
     mesh.vertices.push_back(centre);
     for (std::size_t i = 0; i < loop.size(); ++i) mesh.faces.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
   }
+}
+
+/// How far the corners of faces lie from the nearest corner of another face, the median of some; nothing where that is no small part of an edge.
+///
+/// mesh      hardly any of its faces share corners
+std::optional<double> gap_between_faces(const cloud::TriangleMesh& mesh) {
+  constexpr std::size_t kAsked = 2000, kFound = 8;
+  constexpr double kSmall = 0.25;  // of an edge
+  const Nearest corners(mesh.vertices);
+  std::vector<double> gaps, edges;
+  std::vector<Neighbour> found;
+  const std::size_t step = std::max<std::size_t>(1, mesh.faces.size() / kAsked);
+  for (std::size_t i = 0; i < mesh.faces.size(); i += step) {
+    const std::array<std::uint32_t, 3>& face = mesh.faces[i];
+    const Vector3d& corner = mesh.vertices[face[0]];
+    corners.nearest(corner, kFound, found);
+    const auto other = std::find_if(found.begin(), found.end(),
+                                    [&](const Neighbour& n) { return std::find(face.begin(), face.end(), n.index) == face.end(); });
+    if (other == found.end()) continue;
+    gaps.push_back(std::sqrt(other->squared_distance));
+    edges.push_back((mesh.vertices[face[1]] - corner).norm());
+  }
+  const auto median = [](std::vector<double>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  };
+  if (gaps.empty()) return std::nullopt;
+  const double gap = median(gaps);
+  return gap < kSmall * median(edges) ? std::optional(gap) : std::nullopt;
 }
 
 /// Is every edge run as often in one direction as in the other?
@@ -240,7 +273,14 @@ void require_hollows(const cloud::TriangleMesh& mesh, const std::string& name, d
 cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& name, MeshRepair& repair) {
   repair = MeshRepair{};
   if (!is_balanced(mesh)) repair.repeated = drop_repeated(mesh.faces);
-  close_holes(mesh, rim_edges(mesh, name, repair), repair);
+  const std::vector<Edge> rim = rim_edges(mesh, name, repair);
+  if (static_cast<double>(rim.size()) > kHardlyShared * 3 * static_cast<double>(mesh.faces.size())) {
+    if (const auto gap = gap_between_faces(mesh)) {
+      throw InputError(name + ": neighbouring faces do not share their corners, which lie about " + text(*gap) +
+                       " units apart; merge vertices by distance in a mesh program");
+    }
+  }
+  close_holes(mesh, rim, repair);
   const double size = diagonal(mesh);
   const double volume = cloud::signed_volume(mesh);
   if (!(std::abs(volume) > kLeastVolume * size * size * size)) {

@@ -41,7 +41,7 @@ struct MeshRepair {
 /// swallowed   closed pieces that face outward and lie in others are counted: their union with these has no trace of them
 ///
 /// name        of the file, for the sentences
-/// fails       InputError with the place: faces turn against each other; nothing is enclosed; a piece, or a part of it, faces inward beside the others, or
+/// fails       InputError with the place: hardly any faces share their corners, although these lie side by side; faces turn against each other; nothing is enclosed; a piece, or a part of it, faces inward beside the others, or
 ///             outward where most face inward
 cloud::TriangleMesh closed_mesh(cloud::TriangleMesh mesh, const std::string& name, MeshRepair& repair);
 

@@ -175,6 +175,21 @@ TEST(ClosedMesh, WhereMostFacesPointInwardsThatIsTheBlame) {
               StartsWith("a.stl: the faces enclose nothing, or those that point inwards as much as those that point outwards"));
 }
 
+TEST(ClosedMesh, FacesThatDoNotShareTheirCornersAreRefusedWithTheGap) {
+  cloud::TriangleMesh soup;
+  for (const auto& face : cube().faces) {
+    for (const std::uint32_t corner : face)
+      soup.vertices.push_back(cube().vertices[corner] * (1 + 1e-3 * static_cast<double>(soup.faces.size())));
+    const auto end = static_cast<std::uint32_t>(soup.vertices.size());
+    soup.faces.push_back({end - 3, end - 2, end - 1});
+  }
+  EXPECT_THAT(refusal(soup),
+              ::testing::ContainsRegex("a.stl: neighbouring faces do not share their corners, which lie about 0\\.00[0-9]+ units "
+                                       "apart; merge vertices by distance in a mesh program"));
+  const cloud::TriangleMesh apart{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}}, {{0, 1, 2}, {3, 4, 5}}};
+  EXPECT_THAT(refusal(apart), HasSubstr("the faces enclose nothing, also when its rim is closed"));
+}
+
 TEST(ClosedMesh, AFaceThatIsWrittenTwiceIsDroppedAndNoRim) {
   auto mesh = cube();
   const auto& [a, b, c] = mesh.faces[3];
