@@ -48,6 +48,10 @@ constexpr double kManyTurned = 0.02;     // of the normals, for another look at 
 constexpr double kRough = 0.05;          // spacings
 constexpr double kSmooth = 0.7;          // cosine between normals on one face
 constexpr double kOutlier = 4.0;         // standard deviations of a height
+constexpr double kEqual = 0.9999;        // cosine between placeholders
+constexpr double kNearlyAll = 0.99;      // of the normals
+constexpr double kSteep = 0.5;           // sine: a step to the nearest point that so leaves the plane across the normal
+constexpr double kManyOff = 0.1;         // of these steps: a ball has 0.5, terraces and a gentle relief have none
 constexpr double kContradictory = 0.15;  // share of pairs of neighbours
 
 std::unique_ptr<Scan> kept(const Scan& all, const std::vector<std::uint32_t>& samples) {
@@ -100,6 +104,20 @@ InputError one_side_only(const Scan& scan, const ScanOptions& options) {
                               (may_be_table ? "they end at the edge of a flat part; if that is a table or a wall, remove it, else " : "") +
                               "give the sensor's place with --viewpoint X Y Z" +
                               (options.sensor_doubt.empty() ? "" : "; " + options.sensor_doubt));
+}
+
+/// Do all normals look the same way, and leave the surface on which the points lie? Terraces seen from above have equal normals, too, but the nearest of
+/// each point lies beside it.
+bool are_placeholders(const Scan& scan) {
+  const Vector3d& first = scan.normals().front();
+  std::size_t equal = 0, off = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    equal += scan.normals()[i].dot(first) > kEqual ? 1U : 0U;
+    const Vector3d step = scan.positions()[scan.around(i)[1].index] - scan.positions()[i];
+    off += std::abs(step.dot(first)) > kSteep * step.norm() ? 1U : 0U;
+  }
+  const auto all = static_cast<double>(scan.size());
+  return static_cast<double>(equal) > kNearlyAll * all && static_cast<double>(off) > kManyOff * all;
 }
 
 /// Gives the whole scan one outside.
@@ -213,6 +231,8 @@ SoundScan sound_scan(OrientedPoints points, const ScanOptions& options) {
   auto scan = std::make_unique<Scan>(std::move(points));
   const std::vector<std::uint32_t> samples = connected(*scan);
   if (samples.size() < kFewestPoints) throw refusal(options, "hardly any of its points lies beside others on a surface; scan more densely");
+  if (!options.estimate && are_placeholders(*scan))
+    throw refusal(options, "all normals are equal, so they are placeholders; use --normals estimate");
   result.strays = scan->size() - samples.size();
   if (result.strays > 0) {
     scan = kept(*scan, samples);

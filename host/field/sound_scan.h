@@ -76,7 +76,7 @@ struct ScanOptions {
 };
 
 /// points    any length unit; at least 8; unit normals, of any sign where `estimate`
-/// fails     InputError when nothing is left, or when a sheet without normals has no viewpoint
+/// fails     InputError when nothing is left, when all normals are equal on a body that is not flat, or when a sheet without normals has no viewpoint
 SoundScan sound_scan(cloud::OrientedPoints points, const ScanOptions& options = {});
 
 }  // namespace isotouch::field

@@ -363,6 +363,26 @@ TEST(SoundScan, FindsNormalsOfAClosedSurfaceWithoutAny) {
   }
 }
 
+TEST(SoundScan, EqualNormalsOnABodyArePlaceholdersAndOnTerracesNot) {
+  cloud::OrientedPoints torus = cloud::sample_shape(cloud::shape("torus"), 2000);
+  for (const Vector3d& way : {Vector3d(0, 0, 1), Vector3d(1, 0, 0), Vector3d(1, 1, 1)}) {
+    torus.normals.assign(torus.size(), way.normalized());
+    EXPECT_THROW(sound_scan(torus), InputError) << way.transpose();
+    EXPECT_NO_THROW(sound_scan(torus, {.estimate = true}));
+  }
+  cloud::OrientedPoints terraces, relief;
+  for (int x = 0; x < 40; ++x) {
+    for (int y = 0; y < 40; ++y) {
+      terraces.positions.emplace_back(x, y, x / 10 * 5);
+      relief.positions.emplace_back(x, y, 3 * std::sin(0.2 * x) * std::sin(0.2 * y));
+    }
+  }
+  for (cloud::OrientedPoints* sheet : {&terraces, &relief}) {
+    sheet->normals.assign(sheet->positions.size(), Vector3d(0, 0, 1));
+    EXPECT_NO_THROW(sound_scan(*sheet));
+  }
+}
+
 TEST(SoundScan, NormalsOfASheetWithoutAnyNeedAViewpoint) {
   const OrientedPoints truth = relief();
   OrientedPoints bare = truth;
