@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -19,8 +20,8 @@ from typing import Any
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "hil"))
 from lib.desk import Failure, gives_rights, thread_of, within  # noqa: E402
 
-__all__ = ["PATIENCE", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights", "give_back_memory", "halt",
-           "main", "resident_kb", "thread_of", "within"]
+__all__ = ["PATIENCE", "RECORDING_ENDED", "SETTINGS", "Answer", "Controller", "Failure", "Process", "Rig", "check", "code_of", "gives_rights",
+           "give_back_memory", "halt", "main", "resident_kb", "thread_of", "within"]
 
 # A machine that runs tests is busy and gives no real-time rights: what is late there may be late for longer.
 SETTINGS = "[loop]\npriority = 0\nexchange_priority = 0\nlock_memory = false\n[limits]\nhold_ms = 100\nfault_age_ms = 1000\n"
@@ -34,6 +35,7 @@ Process = subprocess.Popen[bytes]
 
 
 LEFT_OUT = 77   # the exit code that CTest counts as skipped
+RECORDING_ENDED = 4   # the exit code of a controller whose recording ended before its run
 
 
 def check(condition: object, sentence: str) -> None:
@@ -135,10 +137,19 @@ class Controller:
                                       self.rig.folder / "control", *options)
         check(within(PATIENCE, Path("control").is_socket), "the controller does not listen")
 
-    def end(self, how: signal.Signals = signal.SIGTERM, wanted: int = 0) -> None:
+    def ended(self, how: signal.Signals = signal.SIGTERM) -> int:
+        """The code that it ends with."""
         self.process.send_signal(how)
-        code = code_of(self.process)
+        return code_of(self.process)
+
+    def end(self, how: signal.Signals = signal.SIGTERM, wanted: int = 0) -> None:
+        code = self.ended(how)
+        check(code != RECORDING_ENDED or code == wanted, f"the recording ended before the run: {self.end_of_recording()}")
         check(code == (-how if how in (signal.SIGKILL, signal.SIGSEGV) else wanted), f"the controller ends with {code} after {how.name}")
+
+    def end_of_recording(self) -> str:
+        """Why, as the log says it; empty where it says nothing."""
+        return "".join(re.findall(r" ticks recorded; (.*)", self.log())[-1:])
 
     @staticmethod
     def log() -> str:

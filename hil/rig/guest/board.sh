@@ -146,6 +146,7 @@ end_controller() {
   kill $controller_process && wait $controller_process
   code=$?
   say "controller ended with $code"
+  [ $code != 4 ] || fail "the recording ended before the run: $(sed -n 's/.* ticks recorded; //p' /run/controller.log | tail -1)"
   [ $code = 0 ] || fail "not an orderly end"
 }
 
