@@ -1,8 +1,8 @@
 /// The sub-commands that `isotouchctl` has, and `isotouch`, too, one file each. A command adds itself to the parser; its callback does the work.
 ///
 /// Bad input is thrown as InputError (exit 1), a comparison that failed as ComparisonFailed (exit 3), what came to less than was asked for but is kept
-/// as EndedEarly (exit 4), what nobody can judge as CannotBeJudged (exit 125), what no other commit can mend as EndsBisection (exit 128); wrong usage is the
-/// parser's (exit 2).
+/// as EndedEarly (exit 4), what nobody can judge as CannotBeJudged (exit 125), what no other commit can mend as EndsBisection (exit 128). Wrong usage
+/// (exit 2) is the parser's, or thrown as UsageError where only the command itself can see it.
 /// With --json a command prints one object on standard output and nothing else there; all remarks go to standard error.
 #pragma once
 
