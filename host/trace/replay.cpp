@@ -25,7 +25,6 @@ void check_inputs(const Trace& trace) {
   }
 }
 
-/// No run begins in the state of the first tick: what a controller saves at a fault or after a crash does so.
 void require_a_beginning(const Trace& trace) {
   if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return;
   const TraceRecord first = trace.record(0);
@@ -33,7 +32,9 @@ void require_a_beginning(const Trace& trace) {
   const TraceHeader& header = trace.header();
   core::TickState fresh;
   const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
-  if (core::tick(first.input, nullptr, model, fresh).state == first.output.state) return;
+  // What a controller saves at a fault or after a crash begins in a state that no run begins in, or with a packet that is not the first one heard.
+  const Output begun = core::tick(first.input, nullptr, model, fresh);
+  if (begun.state == first.output.state && (begun.status & kCountJump) == (first.output.status & kCountJump)) return;
   throw InputError(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
 }
 

@@ -128,7 +128,14 @@ TEST(Replay, RefusesToCheckWhatCannotBeCompared) {
   EXPECT_THROW(replay(image.view(), read_trace(folder.path() / "empty.trace"), true), InputError) << "no records";
 }
 
-/// The tour as packets of a device that is switched on, gets its field and loses some packets, with what its tick answered.
+Input unhomed(Input input) {
+  FalconReply reply = *decode_reply(input.packet);
+  reply.homed = 0;
+  input.packet = encode(reply);
+  return input;
+}
+
+/// The tour as packets of a device that is switched on, homed, gets its field and loses some packets, with what its tick answered.
 std::filesystem::path recorded_packets(const ScratchFolder& folder, const FieldView& field) {
   const Trace hand = read_trace(inputs(folder, field));
   const TraceHeader& header = hand.header();
@@ -139,6 +146,7 @@ std::filesystem::path recorded_packets(const ScratchFolder& folder, const FieldV
   for (std::size_t tick = 0; tick < hand.size(); ++tick) {
     Input input = device(hand.record(tick).input);
     input.field_generation = tick < 40 ? 0 : 7;
+    if (tick < 30) input = unhomed(input);
     if (tick < 10) input = Input{};
     if (tick % 500 > 495) input.fresh = false, input.age = static_cast<std::uint16_t>(tick % 500 - 495);
     if (tick == 3000) input.requests = kRequestStop;
@@ -232,14 +240,18 @@ TEST(Replay, PacketsFromTheMiddleOfARunAreRefused) {
   };
   EXPECT_NO_THROW(replay(image.view(), from(0, 0), false));
   EXPECT_NO_THROW(replay(image.view(), from(4000, kRequestRestart), false));
-  const Trace middle = from(4000, 0);
-  for (const bool check : {false, true}) {
-    try {
-      replay(image.view(), middle, check);
-      ADD_FAILURE() << "it was replayed";
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                middle.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+  EXPECT_NO_THROW(replay(image.view(), from(10, 0), false)) << "the first packet";
+  ASSERT_EQ(whole.record(20).output.state, static_cast<std::uint16_t>(SupervisorState::kHoming));
+  for (const std::size_t begin : {20U, 4000U}) {
+    const Trace middle = from(begin, 0);
+    for (const bool check : {false, true}) {
+      try {
+        replay(image.view(), middle, check);
+        ADD_FAILURE() << "it was replayed from record " << begin;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  middle.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+      }
     }
   }
 }
