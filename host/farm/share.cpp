@@ -19,19 +19,27 @@ namespace {
 /// The files of recordings, each read once.
 class Unchanged {
  public:
-  /// Why a recording's files are not those of the table; empty: they are. Any thread.
+  /// Why a recording's files are not those of the table; empty: they are. Any thread; only who wants the same file waits while it is read.
   std::string refusal_of(const Recording& recording) {
-    const std::lock_guard lock(mutex_);
     std::string refusal;
     for (const NamedFile& file : files_of(recording)) {
-      const auto [known, is_new] = refusals_.try_emplace({file.path, file.hash});
-      if (is_new) known->second = look(file);
-      if (refusal.empty()) refusal = known->second;
+      Seen& seen = seen_of(file);
+      std::call_once(seen.once, [&] { seen.refusal = look(file); });
+      if (refusal.empty()) refusal = seen.refusal;
     }
     return refusal;
   }
 
  private:
+  struct Seen {
+    std::once_flag once;
+    std::string refusal;
+  };
+
+  Seen& seen_of(const NamedFile& file) {
+    const std::lock_guard lock(mutex_);
+    return seen_[{file.path, file.hash}];
+  }
   static std::string look(const NamedFile& file) {
     try {
       require_same(file);
@@ -42,7 +50,7 @@ class Unchanged {
   }
 
   std::mutex mutex_;
-  std::map<std::pair<std::filesystem::path, std::string>, std::string> refusals_;
+  std::map<std::pair<std::filesystem::path, std::string>, Seen> seen_;
 };
 
 }  // namespace

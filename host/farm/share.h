@@ -31,7 +31,8 @@ struct ShareReport {
 
 /// Replays each task of the share that has no answer yet, and keeps the answer at once. So a later call continues where an interrupted one ended.
 ///
-/// A kept answer counts only if the recording's files are still those of the table: each file of the share is read once for that.
+/// A kept answer counts only if the recording's files are still those of the table: each file of the share is read once for that. A
+/// task that is replayed reads its own files once more, just before (`ask`).
 ///
 /// answers   the folder; made if it is not there
 /// fails     InputError: the folder or an answer cannot be written
