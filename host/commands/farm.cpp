@@ -135,6 +135,8 @@ struct Bisect {
       throw;
     } catch (const trace::NoPatches& error) {
       throw EndsBisection(error.what());
+    } catch (const trace::NoBeginning& error) {
+      throw EndsBisection(error.what());
     } catch (const farm::OtherField& error) {
       throw EndsBisection(error.what());
     } catch (const std::exception& error) {

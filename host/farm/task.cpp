@@ -137,6 +137,7 @@ Recording as_recorded(Recording recording) {
   if (named != 0 && named != field_file::open_field(recording.field.path).view.hash())
     throw OtherField(recording.trace.path.string() + ": " + describe(Error::kWrongField) + ", " + trace::hash_text(named) +
                      "; give that one");
+  trace::require_a_beginning(trace);
   add_hashes(recording, trace);
   recording.expected = trace::hash_text(trace.record(trace.size() - 1).chain);
   return recording;

@@ -71,7 +71,7 @@ class OtherField : public InputError {
 /// A recording that is in no table, with its hashes, the patches beside its trace, and the replay hash that the trace's own outputs have.
 ///
 /// recording   the paths of field and trace
-/// fails     InputError naming the file: it cannot be read, or the trace has no outputs or no ticks; OtherField
+/// fails     InputError naming the file: it cannot be read, or the trace has no outputs or no ticks; OtherField; trace::NoBeginning
 Recording as_recorded(Recording recording);
 
 /// fails     InputError naming the file: it cannot be read, or is not the one that was added to the table

@@ -25,19 +25,6 @@ void check_inputs(const Trace& trace) {
   }
 }
 
-void require_a_beginning(const Trace& trace) {
-  if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return;
-  const TraceRecord first = trace.record(0);
-  if ((first.input.requests & kRequestRestart) != 0) return;
-  const TraceHeader& header = trace.header();
-  core::TickState fresh;
-  const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
-  // What a controller saves at a fault or after a crash begins in a state that no run begins in, or with a packet that is not the first one heard.
-  const Output begun = core::tick(first.input, nullptr, model, fresh);
-  if (begun.state == first.output.state && (begun.status & kCountJump) == (first.output.status & kCountJump)) return;
-  throw InputError(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
-}
-
 /// A recording that ended before a field was loaded names none.
 bool may_be_of(const Trace& trace, std::uint64_t field) {
   const std::uint64_t named = trace.header().field_hash;
@@ -92,6 +79,19 @@ ReplayReport run_all(Renderer& renderer, const Trace& trace, bool check, TraceWr
 }
 
 }  // namespace
+
+void require_a_beginning(const Trace& trace) {
+  if (trace.kind() != InputKind::kPacket || !trace.header().has_outputs || trace.size() == 0) return;
+  const TraceRecord first = trace.record(0);
+  if ((first.input.requests & kRequestRestart) != 0) return;
+  const TraceHeader& header = trace.header();
+  core::TickState fresh;
+  const core::TickModel model = core::make_tick_model(header.device, header.settings, header.period_ns);
+  // What a controller saves at a fault or after a crash begins in a state that no run begins in, or with a packet that is not the first one heard.
+  const Output begun = core::tick(first.input, nullptr, model, fresh);
+  if (begun.state == first.output.state && (begun.status & kCountJump) == (first.output.status & kCountJump)) return;
+  throw NoBeginning(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
+}
 
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   TraceHeader header = inputs;

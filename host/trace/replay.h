@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/core/tick.h"
+#include "host/error.h"
 #include "host/trace/recorded_patches.h"
 #include "host/trace/rendering_difference.h"
 #include "host/trace/trace_diff.h"
@@ -73,6 +74,15 @@ struct ReplayReport {
   std::optional<Difference> first_difference;  ///< only looked for with `check`
 };
 
+/// A trace of packets begins in the middle of a run, so nobody can compute its outputs.
+class NoBeginning : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// fails     NoBeginning; a trace of positions, and one without outputs, begin anywhere
+void require_a_beginning(const Trace& trace);
+
 /// Runs a trace's inputs.
 ///
 /// check       compares every tick with the recorded outputs and chain. Looking stops at the first that differs, running goes on. Its field is an
@@ -81,8 +91,8 @@ struct ReplayReport {
 /// difference  nullptr, or takes in every tick beside the recorded one
 /// The patches of a field that was patched are read from the file beside the trace.
 ///
-/// fails       InputError: packets that begin in the middle of a run; patches that are not those of the trace, or are not there; a second field where the
-///             trace names one; with `check`, no outputs or no records, or another field; with `difference`, no outputs
+/// fails       NoBeginning; InputError: patches that are not those of the trace, or are not there; a second field where the trace names one; with `check`,
+///             no outputs or no records, or another field; with `difference`, no outputs
 ReplayReport replay(const FieldView& field, const Trace& trace, bool check, TraceWriter* out = nullptr,
                     RenderingDifference* difference = nullptr);
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "host/board_commands/choice.h"
 #include "host/commands/commands.h"
+#include "host/trace/trace_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace isotouch::commands {
@@ -99,6 +101,22 @@ TEST(Run, TheVersionNamesCommitFormatsAndCompiler) {
   EXPECT_THAT(version.out,
               testing::MatchesRegex("isotouch [0-9.]+, commit [0-9a-z]+; formats: field [0-9.]+, packed field [0-9.]+, trace [0-9.]+, "
                                     "protocol [0-9.]+; [A-Za-z]+ [0-9.]+\n"));
+}
+
+TEST(Run, ATraceFromTheMiddleOfARunEndsABisection) {
+  const ScratchFolder folder;
+  const std::filesystem::path golden = ISOTOUCH_GOLDEN, file = folder.path() / "middle.trace";
+  const trace::Trace whole = trace::read_trace(golden / "packets.trace");
+  trace::TraceWriter writer(file, whole.header());
+  for (std::size_t tick = 400; tick < whole.size(); ++tick) writer.append(whole.record(tick));
+  writer.finish();
+  const auto bisected = [&](const std::filesystem::path& trace) {
+    return answer({"farm", "bisect", (golden / "field_1_1.itf").string(), trace.string(), "false"});
+  };
+  EXPECT_EQ(bisected(golden / "packets.trace").code, 125) << "nobody answers";
+  const Answer refused = bisected(file);
+  EXPECT_EQ(refused.code, 128);
+  EXPECT_THAT(refused.err, testing::HasSubstr("middle.trace: begins in the middle of a run"));
 }
 
 }  // namespace
