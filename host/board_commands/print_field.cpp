@@ -30,7 +30,9 @@ void print_field(const nlohmann::ordered_json& json, const std::string& name) {
       if (value->is_object()) {
         for (const auto& [known, ignored] : value->items()) keys += " " + known;
       }
-      throw UsageError("--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys));
+      const std::string sentence = "--field " + name + ": there is no '" + key + "'" + (keys.empty() ? "" : "; there are" + keys);
+      if (begin == 0) throw UsageError(sentence);
+      throw InputError(sentence);  // which keys an object within has may depend on the controller
     }
     value = &(*value)[key];
     begin = end + 1;
