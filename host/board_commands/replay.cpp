@@ -154,7 +154,7 @@ void check_renderer(const ReplayOptions& options, const FieldView& field, const 
         "differences");
   }
   if (options.renderer == kGodObject && !options.out.empty() && trace.kind() == InputKind::kPacket) {
-    throw InputError(options.trace.string() +
+    throw UsageError(options.trace.string() +
                      ": it holds packets of a device; a trace of packets needs motor commands, and a god-object gives none; leave -o out");
   }
   if (!options.renderer.empty() && options.out.empty() && !trace.header().has_outputs) {

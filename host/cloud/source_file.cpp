@@ -38,7 +38,7 @@ SourceFile::SourceFile(std::filesystem::path file, std::vector<std::uint8_t> byt
   if (bytes_.empty()) throw InputError(name() + ": the file is empty; export or copy it again");
   refuse_what_is_ours();
   if (sensor_.camera && kind_ != FileKind::kDepthImage)
-    throw InputError(name() + ": --intrinsics describes the camera of a depth image (PNG), this is none; leave it out");
+    throw UsageError(name() + ": --intrinsics describes the camera of a depth image (PNG), this is none; leave it out");
   if (kind_ == FileKind::kPly) ply_ = read_ply_header(name(), bytes_);
 }
 

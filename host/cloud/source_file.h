@@ -24,8 +24,8 @@ struct SensorOptions {
 
 class SourceFile {
  public:
-  /// fails     InputError naming the file: it cannot be read, is empty, is a field or a trace, or begins with a PLY header that is none; a camera for
-  ///           something else than a depth image
+  /// fails     InputError naming the file: it cannot be read, is empty, is a field or a trace, or begins with a PLY header that is none; UsageError: a
+  ///           camera for something else than a depth image
   SourceFile(std::filesystem::path file, SensorOptions sensor = {});  // NOLINT(google-explicit-constructor): a path names its file
 
   /// What was read already.

@@ -61,18 +61,18 @@ field::Grid grid_round(const BuildOptions& options, std::span<const Eigen::Vecto
   return grid_round(options.voxel_mm.value_or(sides.maxCoeff() / options.grid.value_or(field::default_grid(sides, 0))), positions, margin);
 }
 
-/// fails     InputError when a method of points was asked for something else
+/// fails     UsageError when a method of points was asked for something else
 void require_default_method(const BuildOptions& options, const char* what) {
   if (options.method != BuildMethod::kDefault) {
-    throw InputError(options.input.string() + ": the " + (options.method == BuildMethod::kLive ? "live" : "published") +
+    throw UsageError(options.input.string() + ": the " + (options.method == BuildMethod::kLive ? "live" : "published") +
                      " method works on points with normals, this is " + what + "; leave --method out");
   }
 }
 
-/// fails     InputError when something is said about normals, which what is no cloud does not need
+/// fails     UsageError when something is said about normals, which what is no cloud does not need
 void require_no_normals(const BuildOptions& options, const char* what) {
   const auto refuse = [&](const char* option) {
-    throw InputError(options.input.string() + ": " + option + " is for the normals of points, this is " + what + "; leave it out");
+    throw UsageError(options.input.string() + ": " + option + " is for the normals of points, this is " + what + "; leave it out");
   };
   if (options.estimate_normals) refuse("--normals");
   if (options.sensor.viewpoint) refuse("--viewpoint");
@@ -261,7 +261,7 @@ Made from_level_set(std::span<const std::uint8_t> bytes, const BuildOptions& opt
   require_default_method(options, "a level set");
   require_no_normals(options, "a level set");
   if (options.sensor.camera)
-    throw InputError(options.input.string() + ": --intrinsics describes a depth camera, this is a level set; leave it out");
+    throw UsageError(options.input.string() + ": --intrinsics describes a depth camera, this is a level set; leave it out");
   const vdb::LevelSet set = vdb::LevelSet::read(options.input, bytes, options.grid_name);
   report.placement = placement(options, set.crossings);
   report.format = set.format;
@@ -318,7 +318,7 @@ Made make_field(const BuildOptions& options, BuildReport& report, ProgressBar& b
     return from_level_set(bytes, options, report, progress);
   }
   if (!options.grid_name.empty()) {
-    throw InputError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
+    throw UsageError(options.input.string() + ": --grid-name names a grid of an OpenVDB file, this is none; leave it out");
   }
   const cloud::SourceFile source(options.input, std::move(bytes), options.sensor);
   report.kind = options.as ? *options.as : source.is_mesh() ? SourceKind::kMesh : SourceKind::kCloud;

@@ -188,7 +188,7 @@ void add_scan(CLI::App& app) {
       options->scan.stiffness_n_per_mm = std::exchange(options->touch.stiffness_n_per_mm, 0);  // the simulated hand has proxies
     for (const char* name : {"--trace", "--seconds", "--seed"}) {
       if (from_trace && command->count(name) > 0)
-        throw InputError(options->input.string() + ": " + name + " is for a hand that strokes a mesh, this is a trace; leave it out");
+        throw UsageError(options->input.string() + ": " + name + " is for a hand that strokes a mesh, this is a trace; leave it out");
     }
     from_trace ? scan_trace(*options) : scan_mesh(*options);
   });

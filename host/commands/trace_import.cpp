@@ -145,7 +145,7 @@ bool bring_back(const ImportOptions& options) {
 void require_fitting(const ImportOptions& options, bool from_bag) {
   if (!options.forces && !options.force_topic.empty()) throw UsageError("--force-topic is for forces; add --forces, or leave it out");
   const auto refuse = [&](const char* option, const char* what) {
-    throw InputError(options.source.string() + ": " + option + " is for " + what + "; leave it out");
+    throw UsageError(options.source.string() + ": " + option + " is for " + what + "; leave it out");
   };
   if (from_bag && !options.columns.empty()) refuse("--columns", "a table, and this is a recording with topics");
   if (from_bag && !options.time_unit.empty()) refuse("--time-unit", "a table, and a recording has its times in ns");
