@@ -178,6 +178,7 @@ Made from_cloud(const cloud::SourceFile& source, const BuildOptions& options, Bu
              : read.sensor.is_assumed ? field::SensorFrom::kAssumption
                                       : field::SensorFrom::kFile;
   if (!how.viewpoint && (how.estimate || read.edges)) how.viewpoint = read.sensor.place;
+  if (!how.viewpoint && how.estimate && is_own_camera) how.viewpoint = Eigen::Vector3d::Zero();  // also with --no-viewpoint
   if (!how.estimate && !read.has_normals)
     throw InputError(options.input.string() + ": its points have no normals; leave --normals file out");
   field::SoundScan sound = field::sound_scan(std::move(points), how);
