@@ -23,6 +23,11 @@ constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seco
 constexpr std::int64_t kDeafNs = 200'000'000;
 constexpr std::int64_t kTurnNs = 100'000'000;  ///< of the place for a stop, before the next one gets it: a stop takes two messages
 
+/// What `isotouch stop` and `isotouch status` ask. None of it changes anything but the stop, or waits for the field worker.
+bool belongs_to_a_stop(Kind request) {
+  return request == Kind::kStop || request == Kind::kStatus || request == Kind::kDevice || request == Kind::kSettings;
+}
+
 }  // namespace
 
 ControlServer::ControlServer(ControlSettings settings, const ControlNeighbours& neighbours)
@@ -167,7 +172,7 @@ void ControlServer::answer(ControlClient& client, const protocol::Frame& frame) 
     client.leaving = true;
     return;
   }
-  if (is_for_stop(client) && frame.kind != Kind::kStop && frame.kind != Kind::kStatus) {
+  if (is_for_stop(client) && !belongs_to_a_stop(frame.kind)) {
     client.refuse(frame.kind, full());
     client.leaving = true;
     return;

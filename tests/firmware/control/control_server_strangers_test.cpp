@@ -111,6 +111,10 @@ TEST(ControlServer, WhoeverIsConnectedAStopGetsThrough) {
   EXPECT_EQ(stop.hear().kind, Kind::kDone);
   stop.say(Kind::kStatus);
   EXPECT_EQ(stop.hear().kind, Kind::kStatusReport) << "whether it has stopped";
+  stop.say(Kind::kDevice);
+  EXPECT_EQ(stop.hear().kind, Kind::kDeviceReport) << "what 'isotouch stop' asks at its end";
+  stop.say(Kind::kSettings);
+  EXPECT_EQ(stop.hear().kind, Kind::kSettingsReport) << "as 'isotouch status'";
   for (int tries = 0; tries < 60'000 && (rig.tick.obeyed & kRequestStop) == 0; ++tries)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_TRUE(rig.tick.obeyed & kRequestStop);
