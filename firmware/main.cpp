@@ -24,8 +24,9 @@ int refuse(const char* sentence) {
 }
 
 /// As docs/stability.md names them.
-int exit_code(recording::Recorder::Outcome recording) {
-  switch (recording) {
+int exit_code(const Controller& ended) {
+  if (ended.ended_by() != 0 && !asks_for_the_end(ended.ended_by())) return 128 + ended.ended_by();
+  switch (ended.recording()) {
     case recording::Recorder::Outcome::kAsAsked: return 0;
     case recording::Recorder::Outcome::kEndedEarly: return 4;
     case recording::Recorder::Outcome::kLost: break;
@@ -51,7 +52,7 @@ int run(const Options& options) {
     before = controller.legacy();
     if (end == Controller::End::kOver) {
       printer.say(controller.summary());
-      return exit_code(controller.recording());
+      return exit_code(controller);
     }
     systemd.busy();
     printer.say("device: the controller starts again with the angles of the device that answers");

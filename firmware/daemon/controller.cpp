@@ -249,7 +249,11 @@ Controller::End Controller::supervise() {
     stay_awake();
     check_memory();
     if (begins_again_ = may_begin_again(); begins_again_) return End::kBeginAgain;
-    if (sigtimedwait(&signals, nullptr, serves ? &pause : &soon) > 0) break;
+    if (const int signal = sigtimedwait(&signals, nullptr, serves ? &pause : &soon); signal > 0) {
+      ended_by_ = signal;
+      say(ending_line(signal));
+      break;
+    }
   }
   systemd_.ending();
   return End::kOver;

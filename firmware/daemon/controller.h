@@ -80,6 +80,9 @@ class Controller {
   /// When it has stopped.
   Legacy legacy() const;
 
+  /// The signal that has ended it; 0: none did.
+  int ended_by() const { return ended_by_; }
+
   /// What became of the recording. When it has stopped.
   recording::Recorder::Outcome recording() const { return recorder_ ? recorder_->outcome() : recording::Recorder::Outcome::kAsAsked; }
 
@@ -155,6 +158,7 @@ class Controller {
 
   bool had_device_ = false;                                     ///< one was heard in this run
   bool was_idle_ = false;                                       ///< at the last look; the recorder's thread's
+  int ended_by_ = 0;                                            ///< a signal
   bool begins_again_ = false;                                   ///< a new run follows
   bool stopped_late_ = false;                                   ///< a stop came after the last tick
   std::uint64_t answering_ = 0;                                 ///< the device that answers, by the port's count; 0: none

@@ -24,4 +24,9 @@ inline sigset_t ending_signals() {
   return signals;
 }
 
+/// Those by which a person or the system asks for the end. Any other one nobody sends on purpose, such as SIGXCPU at a limit of processor time.
+inline bool asks_for_the_end(int signal) {
+  return signal == SIGTERM || signal == SIGINT || signal == SIGHUP || signal == SIGQUIT || signal == SIGTSTP;
+}
+
 }  // namespace isotouch::daemon

@@ -109,6 +109,11 @@ std::string no_state_line() {
          "name a folder in [files] state";
 }
 
+std::string ending_line(int signal) {
+  const char* name = ::sigabbrev_np(signal);  // none for real-time signals
+  return "the controller ends: " + (name != nullptr ? std::string("SIG") + name : "signal " + std::to_string(signal));
+}
+
 std::string figures(const loop::TickStats& stats) {
   Text text;
   std::snprintf(text, sizeof text, "ticks %llu, fresh %llu, stale %llu (oldest %llu), started by a reply %llu, late %llu, missed %llu\n",

@@ -52,6 +52,9 @@ std::vector<std::string> missing_lines(const settings::Settings& settings);
 /// What is not remembered where the settings name no state folder.
 std::string no_state_line();
 
+/// By which signal it ends.
+std::string ending_line(int signal);
+
 /// Several lines: how the ticks began and how long things took.
 std::string figures(const loop::TickStats& stats);
 

@@ -44,5 +44,10 @@ TEST(EndingSignals, NoneButACrashEndsTheProgramOutOfOrderOrLeavesItStandingStill
   for (const int signal : {SIGTTIN, SIGTTOU, SIGXFSZ, SIGPIPE, SIGCHLD, SIGWINCH}) EXPECT_EQ(after(signal), 'n') << signal;
 }
 
+TEST(EndingSignals, OnlyAPersonOrTheSystemAsksForTheEnd) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT, SIGTSTP}) EXPECT_TRUE(asks_for_the_end(signal)) << signal;
+  for (const int signal : {SIGXCPU, SIGPWR, SIGALRM, SIGUSR1, SIGRTMIN}) EXPECT_FALSE(asks_for_the_end(signal)) << signal;
+}
+
 }  // namespace
 }  // namespace isotouch::daemon

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cerrno>
+#include <csignal>
 #include <string>
 
 #include "firmware/loop/realtime.h"
@@ -18,6 +19,11 @@ TEST(StatusLines, AStateIsToldInItsSentence) {
 }
 
 TEST(StatusLines, TheSettingsAreToldByTheirChecksum) { EXPECT_EQ(settings_line(0x1234), "settings: checksum 0000000000001234"); }
+
+TEST(StatusLines, ASignalIsToldByItsName) {
+  EXPECT_EQ(ending_line(SIGXCPU), "the controller ends: SIGXCPU");
+  EXPECT_EQ(ending_line(40), "the controller ends: signal 40");
+}
 
 TEST(StatusLines, AFieldIsToldByNameAndHash) {
   EXPECT_EQ(field_line("ball", 0x1234), "field: ball, 0000000000001234");
