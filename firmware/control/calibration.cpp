@@ -103,13 +103,12 @@ Calibration::Choice Calibration::choose(const std::string& serial, Refusal& trou
   if (store_ == nullptr || choice.source == protocol::AnglesFrom::kSettings) return choice;
   const store::StoreResult<store::AnglesAtZero> kept = store_->read(serial);
   if (kept && !is_near(*kept, choice.model)) {
-    trouble = "the stored calibration of " + serial + " is not used: " + too_far() + "; no force until 'resume'";
+    trouble = "the stored calibration of " + serial + " is not used: " + too_far();
   } else if (kept) {
     take(*kept, choice.model);
     choice.source = protocol::AnglesFrom::kMeasured;
   } else if (kept.error() != store::StoreError::kNotFound) {
-    trouble =
-        "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again; no force until 'resume'";
+    trouble = "the stored calibration of " + serial + " cannot be used: " + describe(kept.error()) + "; calibrate again";
   }
   return choice;
 }

@@ -98,7 +98,7 @@ void Controller::choose_calibration() {
   }
   calibration_.emplace(measured_ ? &*measured_ : nullptr, mark_ ? &*mark_ : nullptr, by_settings, serial, distrust);
   if (hardware_.falcon && !options_.lockstep) hardware_.falcon->expect(serial);
-  if (calibration_->trouble()) say(calibration_->trouble().sentence());
+  if (calibration_->trouble()) say(calibration_->trouble().sentence() + (must_confirm_angles() ? "; no force until 'resume'" : ""));
   header_.device = calibration_->in_use().model;
   header_.settings = settings::tick_settings(settings_);
   header_.period_ns = settings::period_ns(settings_);
@@ -161,10 +161,12 @@ Refusal Controller::listen() {
   return control_->listen();
 }
 
+/// What was kept for the device cannot be used. In lockstep nobody is there to resume.
+bool Controller::must_confirm_angles() const { return calibration_->trouble() && !options_.lockstep; }
+
 void Controller::mark_run() {
   const Refusal doubt = mark_ ? mark_->begin() : Refusal();
-  const bool other_angles = calibration_->trouble() && !options_.lockstep;
-  if (doubt || before_.faults != 0 || other_angles) requests_.ask(kRequestStop);
+  if (doubt || before_.faults != 0 || must_confirm_angles()) requests_.ask(kRequestStop);
   if (doubt) say(doubt.sentence());
 }
 

@@ -97,6 +97,7 @@ class Controller {
   Refusal load_field();
   Refusal begin_recording();
   Refusal listen();
+  bool must_confirm_angles() const;
   void mark_run();
   std::uint16_t faults() const;
   void keep_mark();

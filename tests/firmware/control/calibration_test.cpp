@@ -213,7 +213,7 @@ TEST_F(CalibrationTest, AFileThatWentBadIsToldAndNotUsed) {
   ASSERT_TRUE(folder.write("calibration-A1", store::FileBytes(36, 'x')));
   Calibration calibration(&store, nullptr, by_settings, "A1", [](bool) {});
   EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("calibration of A1 cannot be used"));
-  EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("no force until 'resume'"));
+  EXPECT_THAT(calibration.trouble().sentence(), HasSubstr("; calibrate again"));
   EXPECT_EQ(from(calibration), AnglesFrom::kGeometry);
   calibration.answers("A1");
   EXPECT_EQ(calibration.others(), OtherAngles::kNone) << "the start has told";
