@@ -21,7 +21,8 @@ constexpr int kNapMs = 500;
 constexpr int kShortNapMs = 5;  ///< while somebody watches: the ring holds seconds, but gets its ticks whenever the recorder has some
 
 constexpr std::int64_t kDeafNs = 200'000'000;
-constexpr std::int64_t kTurnNs = 100'000'000;  ///< of the place for a stop, before the next one gets it: a stop takes two messages
+// How long the place for a stop is somebody's, before the next one gets it: a stop takes two messages, and a tool greets at once.
+constexpr std::int64_t kTurnNs = 100'000'000, kSilentTurnNs = 10'000'000;
 
 /// What `isotouch stop` and `isotouch status` ask. None of it changes anything but the stop, or waits for the field worker.
 bool belongs_to_a_stop(Kind request) {
@@ -91,8 +92,9 @@ void ControlServer::run() {
 bool ControlServer::wait(bool busy) {
   const std::int64_t before = neighbours_.clock.now_ns();
   const bool is_crowded = std::all_of(clients_.begin(), clients_.end(), [](const ControlClient& c) { return c.is_open(); });
-  const std::int64_t turn_ns =
-      is_crowded ? clients_.back().opened_ns + kTurnNs - before : 0;  // meanwhile the next one waits in front of the socket
+  const ControlClient& last = clients_.back();
+  const std::int64_t turn_ns = is_crowded ? last.opened_ns + (last.greeted ? kTurnNs : kSilentTurnNs) - before
+                                          : 0;  // meanwhile the next one waits in front of the socket
   const bool is_deaf = before < deaf_until_ns_ || turn_ns > 0;
   polled_.assign({{bell_, POLLIN, 0}, {requests_.bell(), POLLIN, 0}, {is_deaf ? -1 : socket_.number(), POLLIN, 0}});
   for (const ControlClient& client : clients_) {

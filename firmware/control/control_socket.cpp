@@ -13,6 +13,8 @@ namespace isotouch::control {
 
 namespace {
 
+constexpr int kQueue = 128;  ///< of those that wait to be let in: they come in turn, but whoever finds no place in it comes by chance
+
 /// returns   false: the path is too long
 bool make_address(const std::string& path, sockaddr_un& address) {
   address = {};
@@ -56,7 +58,7 @@ Refusal ControlSocket::open(const std::string& path, mode_t mode, std::optional<
   ::umask(before);
   if (bound) path_ = path;
   const bool listens = bound && (!group || ::chown(path.c_str(), static_cast<uid_t>(-1), *group) == 0) &&
-                       ::chmod(path.c_str(), mode) == 0 && ::listen(socket_, 16) == 0;
+                       ::chmod(path.c_str(), mode) == 0 && ::listen(socket_, kQueue) == 0;
   if (listens) return {};
   const std::string why = reason();
   close();

@@ -8,11 +8,13 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -143,6 +145,51 @@ TEST(ControlServer, AStopGetsThroughWhileOthersConnectWithoutPause) {
   }
   over = true;
   for (std::thread& member : crowd) member.join();
+}
+
+/// The poll of a server with two places and one for a stop.
+class Door {
+ public:
+  /// Whoever holds it can let several things come at once.
+  std::mutex mutex;
+  bool is_open = false;       ///< all places are taken, and yet the next one may come in
+  int longest_closed_ms = 0;  ///< for how long it was to be closed at most
+
+  int poll(std::span<pollfd> polled, int wait_ms) {
+    for (int waited_ms = 0;; ++waited_ms) {
+      {
+        const std::lock_guard lock(mutex);
+        const bool is_crowded = polled.size() == 3 + 3;
+        is_open = is_crowded && polled[2].fd >= 0;
+        if (is_crowded && !is_open) longest_closed_ms = std::max(longest_closed_ms, wait_ms);
+        const int events = ::poll(polled.data(), polled.size(), 0);
+        if (events != 0 || waited_ms >= wait_ms) return events;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  void wait_until_open() {
+    for (bool open = false; !open; std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+      const std::lock_guard lock(mutex);
+      open = is_open;
+    }
+  }
+};
+
+void give_two_places_and(Door& door, ControlSettings& settings) {
+  settings.clients = 2;
+  settings.poll = [&door](std::span<pollfd> polled, int wait_ms) { return door.poll(polled, wait_ms); };
+}
+
+TEST(ControlServer, WhoeverSaysNothingHasThePlaceForAStopForAHundredthOfASecond) {
+  Door door;
+  ControlRig rig(1 << 20, [&](ControlSettings& settings) { give_two_places_and(door, settings); });
+  Speaker one(rig.settings.path), two(rig.settings.path);
+  one.greet(), two.greet();
+  Speaker silent(rig.settings.path);
+  door.wait_until_open();
+  const std::lock_guard lock(door.mutex);
+  EXPECT_LE(door.longest_closed_ms, 11);
 }
 
 TEST(ControlServer, AGreetingHasOneDeadlineHoweverSlowlyItComes) {

@@ -91,6 +91,14 @@ TEST(ControlSocket, ASocketThatAnotherListensAtIsLeftToIt) {
   EXPECT_TRUE(knock(path));
 }
 
+TEST(ControlSocket, AHundredMayWaitInTurn) {
+  const ScratchFolder folder;
+  const std::string path = (folder.path() / "door").string();
+  ControlSocket door;
+  ASSERT_EQ(door.open(path, 0600, std::nullopt).sentence(), "");
+  for (int waiting = 0; waiting < 100; ++waiting) ASSERT_TRUE(knock(path)) << waiting;
+}
+
 TEST(ControlSocket, ASocketOfAnotherTypeIsLeftAlone) {
   const ScratchFolder folder;
   const std::string path = (folder.path() / "door").string();
