@@ -192,6 +192,23 @@ TEST(ControlServer, WhoeverSaysNothingHasThePlaceForAStopForAHundredthOfASecond)
   EXPECT_LE(door.longest_closed_ms, 11);
 }
 
+TEST(ControlServer, AStopThatComesWithTheNextClientGetsThrough) {
+  Door door;
+  ControlRig rig(1 << 20, [&](ControlSettings& settings) { give_two_places_and(door, settings); });
+  Speaker one(rig.settings.path), two(rig.settings.path);
+  one.greet(), two.greet();
+  Speaker stop(rig.settings.path);
+  EXPECT_EQ(stop.greet().kind, Kind::kWelcome);
+  door.wait_until_open();
+  std::unique_lock lock(door.mutex);
+  stop.say(Kind::kStop);
+  Speaker next(rig.settings.path);
+  lock.unlock();
+  EXPECT_EQ(stop.hear().kind, Kind::kDone);
+  expect_sentence(stop.hear(), "2 clients are connected");
+  EXPECT_EQ(next.greet().kind, Kind::kWelcome);
+}
+
 TEST(ControlServer, AGreetingHasOneDeadlineHoweverSlowlyItComes) {
   ControlRig rig(1 << 20, [](ControlSettings& settings) { settings.patience_ns = 200'000'000; });
   Speaker slow(rig.settings.path);
