@@ -55,7 +55,10 @@ Result<Patches> check_patches(std::span<const std::uint8_t> bytes, const FieldVi
 Result<Patches> check_patches(std::span<const std::uint8_t> bytes, std::uint64_t field) { return check_all(bytes, {field, {}}); }
 
 Result<void> PatchChain::advance(std::uint32_t moved_to) {
-  if (left_.empty()) return Error::kNoPatches;
+  if (left_.empty()) {
+    if (static_cast<std::uint32_t>(view_.hash()) == moved_to) return {};
+    return Error::kNoPatches;
+  }
   const Result<FieldPatch> patch = first_patch(left_);
   if (!patch) return patch.error();
   if (static_cast<std::uint32_t>(patch->hash_after) != moved_to) return Error::kOtherField;

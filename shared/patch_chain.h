@@ -48,7 +48,7 @@ class PatchChain {
   /// As it is now: the first one, or the image after the last patch that was applied.
   const FieldView& field() const { return view_; }
 
-  /// Applies the next patch.
+  /// Applies the next patch. Where none is left, a tick that leads to the field that is there needs none: a controller's file of a fault may begin with one.
   ///
   /// moved_to  Input::moved_to of the tick that takes it over
   /// fails     kNoPatches (none is left), kOtherField (it does not lead there), and as FieldPatch::parse, `apply` and FieldView::parse; the field is then

@@ -96,6 +96,8 @@ Recording::Recording(const trace::Trace& trace, const FieldView* field)
     TraceRecord record = trace.record(tick);
     if (run) record = run->step(record.input);
     writer.append(record, rows_);
+    if (tick == 0 && trace::begins_patched(trace))
+      record.input.requests &= static_cast<std::uint8_t>(~kRequestMoved);  // all of it is of that field
     finder.look_at(tick, record);
   }
   events_ = finder.take();

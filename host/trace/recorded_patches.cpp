@@ -25,11 +25,17 @@ std::filesystem::path patches_of(const Trace& trace) {
 }
 
 namespace {
+bool begins_patched(const Trace& trace) {
+  if (trace.size() == 0) return false;
+  const Input first = trace.record(0).input;
+  return (first.requests & kRequestMoved) != 0 && first.moved_to == static_cast<std::uint32_t>(trace.header().field_hash);
+}
 
-/// How many ticks take a patch over.
+
+/// How many ticks take a patch over that must be known.
 std::size_t moves_of(const Trace& trace) {
   std::size_t moves = 0;
-  for (std::size_t tick = 0; tick < trace.size(); ++tick) {
+  for (std::size_t tick = begins_patched(trace) ? 1 : 0; tick < trace.size(); ++tick) {
     if ((trace.record(tick).input.requests & kRequestMoved) != 0) ++moves;
   }
   return moves;

@@ -38,6 +38,9 @@ std::filesystem::path patches_of(const std::filesystem::path& trace);
 /// The same of a trace that was read; it may name another file.
 std::filesystem::path patches_of(const Trace& trace);
 
+/// Whether its first tick took a patch over, and the trace names the field after it. What a controller saves at a fault or after a crash may begin so.
+bool begins_patched(const Trace& trace);
+
 /// The bytes of that file, as they are. A trace without a tick that takes a patch over has none.
 ///
 /// fails     NoPatches; InputError: the file cannot be read, or the trace names one and needs none

@@ -76,6 +76,13 @@ TEST(PatchChain, LeadsFromImageToImage) {
   EXPECT_EQ(chain.field().hash(), recorded().hash(4));
 }
 
+TEST(PatchChain, ATickThatLeadsToTheFieldItselfNeedsNone) {
+  PatchChain chain(recorded().fields[1].view(), {}, {});
+  EXPECT_TRUE(chain.advance(static_cast<std::uint32_t>(recorded().hash(1))));
+  EXPECT_EQ(chain.field().hash(), recorded().hash(1));
+  EXPECT_EQ(chain.advance(static_cast<std::uint32_t>(recorded().hash(2))).error(), Error::kNoPatches);
+}
+
 TEST(PatchChain, WithoutPatchesThereAreNone) {
   EXPECT_EQ(check_patches({}, 5)->count, 0U);
   PatchChain chain(recorded().fields[0].view(), {}, {});

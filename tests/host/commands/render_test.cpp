@@ -129,6 +129,18 @@ TEST_F(Render, DrawsThePatchedFieldThatTheTickFelt) {
     EXPECT_THAT(complaint_on("render " + kind + file("field_1_3.itf") + rest + file("x.png") + " --tick 390"),
                 HasSubstr("at tick 390 the hand felt what this field was before a patch"));
   }
+
+  // What a controller saves at a fault may begin with the patch's tick, and has no patches beside it.
+  constexpr std::size_t kPatched = 395;
+  TraceHeader header = trace.header();
+  header.field_hash = felt.now()->hash();
+  trace::TraceWriter writer(file("fault-1.trace"), header);
+  for (std::size_t tick = kPatched; tick <= kTick; ++tick) writer.append(trace.record(tick));
+  writer.finish();
+  const std::string at = " --tick " + std::to_string(kTick - kPatched);
+  EXPECT_EQ(complaint_on("render surface " + file("field_1_3.itf") + " --size 320x320 -o " + file("x.png") + " --trace " +
+                         file("fault-1.trace") + at),
+            "");
 }
 
 }  // namespace

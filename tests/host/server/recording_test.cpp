@@ -94,6 +94,23 @@ TEST(Recording, AnotherFieldIsAnEventAndAPatchIsOneOfItsOwn) {
   EXPECT_EQ(Recording(trace_of(two_presses()), nullptr).summary()["is_patched"], false);
 }
 
+TEST(Recording, WhatBeginsWithAPatchIsOfOneField) {
+  std::vector<TraceRecord> records(10, pressed(-1));
+  for (TraceRecord& record : records) record.input.field_generation = 3;
+  records[0].input.requests = kRequestMoved;
+  records[0].input.moved_to = 7;
+  const auto summary_of = [&](std::uint64_t field) {
+    TraceHeader header;
+    header.has_outputs = true;
+    header.field_hash = field;
+    return Recording({"fault-1.trace", header, records}, nullptr).summary();
+  };
+  EXPECT_EQ(summary_of(0x900000007)["is_patched"], false);
+  EXPECT_EQ(summary_of(0x900000007)["events"].size(), 0U) << summary_of(0x900000007);
+  EXPECT_EQ(summary_of(0x900000008)["is_patched"], true);
+  EXPECT_EQ(summary_of(0x900000008)["events"][0]["kind"], "patch");
+}
+
 TEST(Recording, PatchesThatFollowEachOtherAreOneEvent) {
   std::vector<TraceRecord> records(4000);
   for (TraceRecord& record : records) record.input.field_generation = 1;

@@ -91,6 +91,24 @@ TEST_F(Patched, EachTickHasTheFieldThatItFelt) {
   EXPECT_THROW(FeltField(trace, ball(5).view()), InputError) << "of another recording";
 }
 
+/// The last ticks, as a controller saves those around a fault: the first one took a patch over, the header names the field after it.
+TEST_F(Patched, ATraceThatBeginsWithAPatchNeedsNone) {
+  const Trace whole = read_trace(path);
+  TraceHeader header = whole.header();
+  std::vector<TraceRecord> records;
+  for (std::size_t tick = 300; tick < whole.size(); ++tick) records.push_back(whole.record(tick));
+  header.field_hash = fields[3].view().hash();
+  const Trace end(path.string(), header, records);
+  ASSERT_TRUE(begins_patched(end));
+  EXPECT_FALSE(patch_bytes(end));
+  FeltField felt(end, fields[3].view());
+  for (const TraceRecord& record : records) ASSERT_EQ(felt.next(record.input)->hash(), header.field_hash);
+  EXPECT_THROW(FeltField(end, fields[2].view()), InputError) << "no patch leads there";
+
+  header.field_hash = fields[2].view().hash();
+  EXPECT_FALSE(begins_patched(Trace(path.string(), header, records))) << "it names the field before";
+}
+
 TEST_F(Patched, ATraceReplaysWithThePatchesBesideIt) {
   keep(file({0, 1, 2}));
   const ReplayReport report = replayed();
