@@ -11,6 +11,7 @@ namespace isotouch::trace {
 
 class FeltSettings {
  public:
+  /// header     of a recording that begins where its run begins (`has_beginning`)
   /// of_field   the field's stiffness, which holds where none is set; 0: not known
   FeltSettings(const TraceHeader& header, Stiffness of_field);
 

@@ -9,6 +9,7 @@
 
 #include "host/error.h"
 #include "host/files/whole_file.h"
+#include "host/trace/replay.h"
 #include "shared/files/part_file.h"
 #include "shared/files/sync_folder.h"
 #include "shared/patch_chain.h"
@@ -24,13 +25,13 @@ std::filesystem::path patches_of(const Trace& trace) {
   return trace.patches().empty() ? patches_of(trace.path()) : std::filesystem::path(trace.patches());
 }
 
-namespace {
 bool begins_patched(const Trace& trace) {
   if (trace.size() == 0) return false;
   const Input first = trace.record(0).input;
   return (first.requests & kRequestMoved) != 0 && first.moved_to == static_cast<std::uint32_t>(trace.header().field_hash);
 }
 
+namespace {
 
 /// How many ticks take a patch over that must be known.
 std::size_t moves_of(const Trace& trace) {
@@ -52,6 +53,11 @@ std::optional<std::vector<std::uint8_t>> patch_bytes(const Trace& trace) {
   }
   const std::filesystem::path file = patches_of(trace);
   if (!std::filesystem::exists(file)) {
+    if (!has_beginning(trace)) {
+      throw NoPatches(trace.path() +
+                      ": the field was patched in the middle of it, and of the ticks that it saves at a fault or after a crash a " +
+                      "controller keeps no patches; look at it with isotouch trace show");
+    }
     throw NoPatches(trace.path() + ": the field was patched while it was recorded, and " + file.string() + " is not there; " +
                     (is_named ? "give the file that was written beside the trace" : "keep that file beside the trace"));
   }

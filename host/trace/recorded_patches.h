@@ -27,7 +27,7 @@ struct RecordedPatches {
   }
 };
 
-/// A trace's patches are not there.
+/// A trace's patches are not there, or nobody kept them.
 class NoPatches : public InputError {
  public:
   using InputError::InputError;

@@ -93,6 +93,15 @@ void require_a_beginning(const Trace& trace) {
   throw NoBeginning(trace.path() + ": begins in the middle of a run, so it cannot be replayed; look at it with isotouch trace show");
 }
 
+bool has_beginning(const Trace& trace) {
+  try {
+    require_a_beginning(trace);
+    return true;
+  } catch (const NoBeginning&) {
+    return false;
+  }
+}
+
 TraceHeader replay_header(const FieldView& field, const TraceHeader& inputs) {
   TraceHeader header = inputs;
   header.field_hash = field.hash();

@@ -82,6 +82,8 @@ class NoBeginning : public InputError {
 
 /// fails     NoBeginning; a trace of positions, and one without outputs, begin anywhere
 void require_a_beginning(const Trace& trace);
+/// Whether it passes; else the settings of its header may be those before its first tick.
+bool has_beginning(const Trace& trace);
 
 /// Runs a trace's inputs.
 ///

@@ -109,6 +109,21 @@ TEST_F(Patched, ATraceThatBeginsWithAPatchNeedsNone) {
   EXPECT_FALSE(begins_patched(Trace(path.string(), header, records))) << "it names the field before";
 }
 
+TEST(RecordedPatches, NobodyAsksForThoseThatAControllerDoesNotKeep) {
+  TraceHeader header;
+  header.has_outputs = true;
+  std::vector<TraceRecord> records(3);
+  for (TraceRecord& record : records) {
+    record.input.field_generation = 1;
+    record.output.state = static_cast<std::uint16_t>(SupervisorState::kActive);
+  }
+  records[1].input.requests = kRequestMoved;
+  const auto patches = [&] { (void)patch_bytes(Trace("crash-1.trace", header, records)); };
+  EXPECT_THAT(patches, testing::ThrowsMessage<NoPatches>(HasSubstr("a controller keeps no patches")));
+  records[0].input.requests = kRequestRestart;
+  EXPECT_THAT(patches, testing::ThrowsMessage<NoPatches>(HasSubstr("crash-1.patches is not there; keep that file")));
+}
+
 TEST_F(Patched, ATraceReplaysWithThePatchesBesideIt) {
   keep(file({0, 1, 2}));
   const ReplayReport report = replayed();
