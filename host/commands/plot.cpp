@@ -18,6 +18,7 @@
 #include "host/files/whole_file.h"
 #include "host/to_double.h"
 #include "host/trace/felt_settings.h"
+#include "host/trace/replay.h"
 #include "host/trace/trace_file.h"
 #include "host/view/caption.h"
 #include "host/view/force_picture.h"
@@ -64,15 +65,21 @@ struct ForceRun {
     std::optional<field_file::OpenField> open;
     if (!field.empty()) open.emplace(field_file::open_field(field));
     const FieldView* touched = open ? &open->view : nullptr;
+    const bool states_settings = trace::has_beginning(recorded);
+    if (sphere_mm > 0 && !states_settings) {
+      throw InputError(trace.string() +
+                       ": begins in the middle of a run and does not state the settings of its first tick, so there is no exact answer; "
+                       "leave out --exact-sphere");
+    }
     trace::FeltSettings settings(recorded.header(), sphere_mm > 0 ? stiffness_of(recorded, touched) : Stiffness{});
     std::vector<double> limits;
     view::ForceCurve exact{"exact, sphere of " + view::number(sphere_mm, 3) + " mm", {}, {}};
     Felt felt = felt_in(recorded, touched, [&](const TraceRecord& record) {
       const TickSettings now = settings.next(record);
-      limits.push_back(to_double(now.force_limit));
+      const double limit = to_double(now.force_limit);
+      if (states_settings) limits.push_back(limit);
       if (sphere_mm <= 0) return;
-      const double newtons =
-          evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, to_double(now.stiffness), limits.back());
+      const double newtons = evaluate::exact_sphere_force(recorded.kind(), record.output, sphere_mm, to_double(now.stiffness), limit);
       exact.force.push_back(newtons * to_double(record.output.hip).normalized());
     });
     view::ForceOptions options{.width = picture.size[0],

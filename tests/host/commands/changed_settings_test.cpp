@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host/board_commands/commands.h"
+#include "host/error.h"
 #include "host/files/whole_file.h"
 #include "host/trace/trace_file.h"
 #include "tests/host/commands/run_command.h"
@@ -38,6 +39,26 @@ TEST(Plot, DrawsTheLimitAndTheStiffnessThatWereSetMeanwhile) {
   EXPECT_NE(picture_with(limit, ""), picture_with({}, ""));
   EXPECT_EQ(picture_with(stiffness, ""), picture_with({}, "")) << "only the exact answer needs it";
   EXPECT_NE(picture_with(stiffness, " --exact-sphere 30"), picture_with({}, " --exact-sphere 30"));
+}
+
+/// The second half, as what a controller saves at a fault: the header states the settings of the controller's start.
+TEST(Plot, WhatBeginsInTheMiddleOfARunHasNoLimitAndNoExactAnswer) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "fault-1.trace", picture = folder.path() / "force.png";
+  const std::string plot = "plot force " + file.string() + " --size 320x320 -o " + picture.string();
+  const auto picture_with = [&](Newton limit) {
+    const trace::Trace golden = trace::read_trace(ISOTOUCH_GOLDEN "/packets.trace");
+    TraceHeader header = golden.header();
+    header.settings.force_limit = limit;
+    trace::TraceWriter writer(file, header);
+    for (std::size_t tick = golden.size() / 2; tick < golden.size(); ++tick) writer.append(golden.record(tick));
+    writer.finish();
+    run_command(plot);
+    return read_file(picture);
+  };
+  EXPECT_EQ(picture_with(Newton::of(1)), picture_with(Newton::of(8)));
+  EXPECT_THAT([&] { run_command(plot + " --field " ISOTOUCH_GOLDEN "/field_1_1.itf --exact-sphere 30"); },
+              ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("fault-1.trace: begins in the middle of a run")));
 }
 
 TEST(Replay, WarnsOfTheStiffestThatWasSet) {
