@@ -47,7 +47,12 @@ Picture force_picture(const ForceCurve& felt, const ForceCurve* beside, const Fo
     }
     const auto [least, largest] = std::ranges::minmax(options.limits_n);
     if (least != largest || most > 0.5 * least) {
-      force.series.push_back({"limit", felt.time_s, options.limits_n, kVermilion, 1.5F, true});
+      Series limit{"limit", felt.time_s, options.limits_n, kVermilion, 1.5F, true};
+      if (beside != nullptr && beside->time_s.size() > limit.x.size()) {  // the last one holds on
+        limit.x = beside->time_s;
+        limit.y.resize(limit.x.size(), limit.y.back());
+      }
+      force.series.push_back(std::move(limit));
     } else {
       force.title += (force.title.empty() ? "limit " : "; limit ") + number(least, 3) + " N";
     }

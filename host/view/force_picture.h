@@ -21,7 +21,8 @@ struct ForceOptions {
   int width = 960, height = 720;
   std::string title = {};
   std::vector<std::pair<double, double>> contacts = {};  ///< from when to when, s; shaded
-  std::vector<double> limits_n = {};                     ///< at each step of the curve, or none; a line, or in words where one is far away
+  /// At each step of the curve, or none; the last one holds as long as another curve lasts. A line, or in words where one is far away.
+  std::vector<double> limits_n = {};
   std::string difference = "difference to the exact answer";
 };
 

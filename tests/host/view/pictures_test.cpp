@@ -216,6 +216,12 @@ TEST(ForcePicture, ShadesTheContactsAndDrawsALimitThatIsNear) {
   std::vector<double> lowered = always(8);
   std::fill_n(lowered.begin(), 10, 4);
   EXPECT_GT(count(force_picture(curve, nullptr, {.limits_n = lowered}).pixels(), is_vermilion), 500) << "it changes: a line, however far";
+  ForceCurve begun{"begun", {}, {}};  // a tenth of the other one
+  begun.time_s.assign(curve.time_s.begin(), curve.time_s.begin() + static_cast<std::ptrdiff_t>(curve.time_s.size() / 10));
+  begun.force.assign(curve.force.begin(), curve.force.begin() + static_cast<std::ptrdiff_t>(begun.time_s.size()));
+  const auto limited = [&](std::vector<double> limits) { return force_picture(begun, &curve, {.limits_n = std::move(limits)}).pixels(); };
+  EXPECT_GT(count(limited(std::vector<double>(begun.time_s.size(), 1.2)), is_vermilion), count(limited({}), is_vermilion) + 400)
+      << "to the end of the longer one";
 }
 
 TEST(Numbers, AreShortAndHaveNoNegativeZero) {
