@@ -301,6 +301,8 @@ class HandleTest(unittest.TestCase):
         check(build().isotouch_build(len(points), points.ctypes.data, None, None, room, size, ctypes.byref(handle), None, 0))
         isotouch.Field(handle.value).close()
         self.assertEqual(bytes(room)[size:], b"\xa5" * 256)
+        with self.assertRaisesRegex(isotouch.ArgumentError, "isotouch_build_options is a null pointer"):
+            check(build().isotouch_build(len(points), points.ctypes.data, None, None, None, size, ctypes.byref(handle), None, 0))
 
     def test_more_than_there_is_room_for_is_one_of_our_errors_and_a_memory_error(self) -> None:
         field, touches = isotouch.Field.load(FIELD), []
