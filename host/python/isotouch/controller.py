@@ -84,10 +84,10 @@ class Controller(Handle):
             return False
 
         lost = ctypes.c_uint64()
-        wanted = whole(ticks, "ticks", _MOST_TICKS)
         try:
+            wanted, one_of = whole(ticks, "ticks", _MOST_TICKS), whole(every, "every", 2**32 - 1)
             with _called_from_c(take) as each:
-                answer = core().isotouch_controller_watch(self._handle, whole(every, "every", 2**32 - 1), wanted, each, None, ctypes.byref(lost))
+                answer = core().isotouch_controller_watch(self._handle, one_of, wanted, each, None, ctypes.byref(lost))
             check(answer)
         except BaseException as error:
             vars(error).update(felt=np.array(seen, FELT), lost=lost.value)
